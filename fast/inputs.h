@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+/// The question both engine and oracle answer: plain structs, no algorithm. SI units throughout.
+namespace pcm {
+
+/// The two surfaces of a pairing, and the bodies that carry them.
+enum class Side : std::uint8_t { E, F };
+
+/// Position and orientation of marker Mf seen from marker Me: x_E = A x_F + r.
+/// A is a rotation to 1e-9: max |A^T A - I| <= 1e-9 and det A > 0; it is used as given, never orthogonalised.
+struct Pose {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< A_MeMf
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();      ///< r_MeMf in Me, m
+};
+
+/// Motion of Mf relative to Me, resolved in Me.
+struct Velocity {
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();  ///< dr/dt seen in Me, m/s
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();  ///< angular velocity of F relative to E, rad/s
+};
+
+/// Whose faces carry the contact elements; `both`: each in turn, force and torque averaged.
+enum class Mode : std::uint8_t { E, F, both };
+
+/// What damping may do to the normal force F_n of an element (PCM (18) and section 9).
+enum class DampingMode : std::uint8_t {
+  no_tension,   ///< F_n = max(F_c + F_d, 0), the paper's (18)
+  full,         ///< F_n = F_c + F_d, tension allowed; friction acts on max(F_n, 0)
+  compression,  ///< F_d counts only while approaching (v_n > 0)
+};
+
+/// Stiffness c = K / b of each body's elastic layer (3), N/m^3; infinite for a rigid body, but not for both.
+struct LayerStiffness {
+  double c_E = std::numeric_limits<double>::infinity();
+  double c_F = std::numeric_limits<double>::infinity();
+};
+
+/// Parameters of the force law, PCM (1)-(4), (12)-(24). All finite and not negative unless said.
+struct ContactLaw {
+  double stiffness = 1e6;                ///< c_l, N/m^3 > 0; both layers count as equal. Ignored where `layers` is given.
+  std::optional<LayerStiffness> layers;  ///< in series: c_l = c_E c_F / (c_E + c_F) (12)
+  double damping = 0;                    ///< d_l, N s/m^3
+  double transition_depth = 0;           ///< u_d, m: damping fades in up to this penetration (15); 0 turns the fade off
+  double friction = 0;                   ///< mu
+  double slip_velocity = 0;              ///< v_eps, m/s: friction is regularised below it (20)
+  double max_penetration = std::numeric_limits<double>::infinity();  ///< m > 0: deeper is clamped and flagged
+  DampingMode damping_mode = DampingMode::no_tension;
+};
+
+/// What the caller wants; nothing else is computed.
+struct Wanted {
+  bool polygons = true;  ///< intersection polygons with the positions of their points, and patches
+  bool areas = true;     ///< clipped active areas and the intersection volume
+  bool force = true;     ///< contact elements, force and torque
+  bool elements = true;  ///< keep every contact element in the result, with its statistics
+};
+
+}  // namespace pcm

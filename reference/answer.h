@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "fast/inputs.h"
+#include "meshes/triangle_mesh.h"
+
+namespace pcm::reference {
+
+/// Which problem the doubles pose (PCM section 1).
+enum class Problem : std::uint8_t {
+  rounded,  ///< F's vertices rounded into Me, as the engine has them
+  exact,    ///< all numbers taken as the reals they are
+};
+
+/// An edge of one surface passes through a face of the other.
+struct Crossing {
+  Side edge_side = Side::E;
+  std::array<Index, 2> edge{};  ///< smaller vertex index first
+  Index face = 0;
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< correctly rounded, m
+};
+
+/// An intersection polygon in the circulation of (5); a closed one starts at its smallest crossing.
+struct Polygon {
+  bool closed = true;
+  std::vector<Crossing> points;
+  Index patch = 0;
+};
+
+/// Bounds between which the area lies where faces are coplanar: coplanar overlaps left out and counted in. They
+/// coincide where no faces of the two surfaces are coplanar and overlap.
+struct AreaInterval {
+  double open = 0;
+  double closed = 0;
+};
+
+/// The active area on one surface. Opposite coplanar faces count in neither area, equal ones in E's only.
+struct ActiveArea {
+  std::vector<Index> intersected;  ///< ascending
+  std::vector<Index> inner;        ///< ascending, nested ones included
+  double area = 0;                 ///< m^2, correctly rounded
+  AreaInterval area_interval;
+  Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();
+};
+
+/// A barycentric contact element.
+struct Element {
+  Side master = Side::E;
+  Index master_face = 0;
+  Index slave_face = 0;
+  double area = 0;         ///< A_k (6)
+  double penetration = 0;  ///< u_k (11), after clamping
+  double cosine = 0;       ///< n_master . n_slave, < 0: 1/|cosine| is the condition of u_k
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13)
+  Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E
+};
+
+/// The oracle's answer to one problem. Every double is the true value of that problem, correctly rounded.
+struct Answer {
+  bool touching = false;
+  bool nested = false;
+  bool ambiguous = false;
+  std::vector<Polygon> polygons;  ///< ordered by their first crossing
+  Index patches = 0;
+  ActiveArea E;
+  ActiveArea F;
+  std::optional<double> volume;  ///< none where a surface is open or the answer is ambiguous
+  std::vector<Element> elements; ///< by master (E first), then master face
+  Index too_deep = 0;
+  double max_penetration = 0;  ///< greatest u before clamping
+  bool penetration_exceeded = false;
+  Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();
+  double force_scale = 0;   ///< sum of |F_k|: what a force error is measured against (DESIGN section 3)
+  double torque_scale = 0;  ///< sum of |C_k - r| |F_k|
+  bool certified = true;    ///< every decision about the elements holds for all vertices within their rounding boxes
+};
+
+}  // namespace pcm::reference
