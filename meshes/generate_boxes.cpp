@@ -61,14 +61,19 @@ double grid_coordinate(double from, double to, Index i, Index count) {
   return i == count ? to : from + (to - from) * (static_cast<double>(i) / static_cast<double>(count));
 }
 
+void require_extents(const Eigen::Vector3d& extents) {
+  require_length("extent_x", extents.x());
+  require_length("extent_y", extents.y());
+  require_length("extent_z", extents.z());
+}
+
 void require_corners(const Eigen::Vector3d& min_corner, const Eigen::Vector3d& max_corner) {
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string name(1, "xyz"[axis]);
     if (!(std::fabs(min_corner[axis]) <= kMaxLength) || !(std::fabs(max_corner[axis]) <= kMaxLength)) {
-      throw BadInput("corner coordinate " + name + " is not finite or beyond 1e50 m");
+      throw BadInput("corner coordinate " + std::string(1, "xyz"[axis]) + " is not finite or beyond 1e50 m");
     }
-    require_length("extent " + name, max_corner[axis] - min_corner[axis]);
   }
+  require_extents(max_corner - min_corner);
 }
 
 }  // namespace
@@ -77,9 +82,9 @@ TriangleMesh gridded_box(const Eigen::Vector3d& min_corner, const Eigen::Vector3
                          const std::array<Index, 3>& subdivisions) {
   require_corners(min_corner, max_corner);
   const auto [nx, ny, nz] = subdivisions;
-  require_count("subdivisions x", nx, 1);
-  require_count("subdivisions y", ny, 1);
-  require_count("subdivisions z", nz, 1);
+  require_count("subdivisions_x", nx, 1);
+  require_count("subdivisions_y", ny, 1);
+  require_count("subdivisions_z", nz, 1);
 
   const LatticePoint x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   LatticeSurface surface;
@@ -100,8 +105,13 @@ TriangleMesh gridded_box(const Eigen::Vector3d& min_corner, const Eigen::Vector3
   return finished("gridded_box", std::move(vertices), surface.take_faces());
 }
 
+TriangleMesh gridded_box(const Eigen::Vector3d& extents, const std::array<Index, 3>& subdivisions) {
+  require_extents(extents);
+  return gridded_box(-extents / 2, extents / 2, subdivisions);
+}
+
 TriangleMesh gridded_box(double edge_length, Index subdivisions) {
-  require_length("edge length", edge_length);
+  require_length("edge_length", edge_length);
   const Eigen::Vector3d corner = Eigen::Vector3d::Constant(edge_length / 2);
   return gridded_box(-corner, corner, {subdivisions, subdivisions, subdivisions});
 }
@@ -113,15 +123,13 @@ TriangleMesh box(const Eigen::Vector3d& min_corner, const Eigen::Vector3d& max_c
 }
 
 TriangleMesh box(const Eigen::Vector3d& extents) {
-  require_length("extent x", extents.x());
-  require_length("extent y", extents.y());
-  require_length("extent z", extents.z());
+  require_extents(extents);
   return box(-extents / 2, extents / 2);
 }
 
 TriangleMesh plate(double extent_x, double extent_y, double thickness, Index subdivisions_x, Index subdivisions_y) {
-  require_length("extent x", extent_x);
-  require_length("extent y", extent_y);
+  require_length("extent_x", extent_x);
+  require_length("extent_y", extent_y);
   require_length("thickness", thickness);
   TriangleMesh mesh = gridded_box({-extent_x / 2, -extent_y / 2, -thickness}, {extent_x / 2, extent_y / 2, 0},
                                   {subdivisions_x, subdivisions_y, 1});
@@ -130,10 +138,10 @@ TriangleMesh plate(double extent_x, double extent_y, double thickness, Index sub
 }
 
 TriangleMesh rectangle(double extent_x, double extent_y, Index subdivisions_x, Index subdivisions_y) {
-  require_length("extent x", extent_x);
-  require_length("extent y", extent_y);
-  require_count("subdivisions x", subdivisions_x, 1);
-  require_count("subdivisions y", subdivisions_y, 1);
+  require_length("extent_x", extent_x);
+  require_length("extent_y", extent_y);
+  require_count("subdivisions_x", subdivisions_x, 1);
+  require_count("subdivisions_y", subdivisions_y, 1);
   LatticeSurface surface;
   surface.add_grid({0, 0, 0}, {1, 0, 0}, subdivisions_x, {0, 1, 0}, subdivisions_y);
   std::vector<Eigen::Vector3d> vertices;
@@ -146,7 +154,7 @@ TriangleMesh rectangle(double extent_x, double extent_y, Index subdivisions_x, I
 }
 
 TriangleMesh wedge(double tilt_degrees, double height, double width, Index subdivisions) {
-  require_between("tilt", tilt_degrees, 0, 90);
+  require_between("tilt_degrees", tilt_degrees, 0, 90);
   require_length("height", height);
   require_length("width", width);
   require_count("subdivisions", subdivisions, 1);

@@ -22,6 +22,9 @@ TriangleMesh box(const Eigen::Vector3d& extents);
 TriangleMesh gridded_box(const Eigen::Vector3d& min_corner, const Eigen::Vector3d& max_corner,
                          const std::array<Index, 3>& subdivisions);
 
+/// The same about the origin.
+TriangleMesh gridded_box(const Eigen::Vector3d& extents, const std::array<Index, 3>& subdivisions);
+
 /// Closed cube about the origin, `subdivisions` cells along each edge: 12 n^2 faces.
 TriangleMesh gridded_box(double edge_length, Index subdivisions);
 

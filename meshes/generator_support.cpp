@@ -3,8 +3,8 @@
 #include "meshes/generator_support.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <array>
+#include <charconv>
 #include <string>
 #include <utility>
 
@@ -12,17 +12,13 @@
 #include "meshes/deterministic_trigonometry.h"
 
 namespace pcm::generate {
-namespace {
 
-std::string number(double value) {
-  std::string text = std::to_string(value);
-  if (std::isfinite(value) && (std::fabs(value) < 1e-3 || std::fabs(value) > 1e9) && value != 0) {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%g", value);
-    text = buffer;
-  }
-  return text;
+std::string shortest_decimal(double value) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
+
+namespace {
 
 /// Twice the area of the face, squared; explicit sums, so that the order of operations is fixed.
 double squared_double_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -49,13 +45,14 @@ void add_quadrilateral(std::vector<Triangle>& faces, Index a, Index b, Index c, 
 
 void require_length(std::string_view parameter, double value) {
   if (value >= kMinLength && value <= kMaxLength) return;
-  throw BadInput(std::string(parameter) + " is " + number(value) + ": give a length in metres between 1e-50 and 1e50");
+  throw BadInput(std::string(parameter) + " is " + shortest_decimal(value) +
+                 ": give a length in metres between 1e-50 and 1e50");
 }
 
 void require_between(std::string_view parameter, double value, double smallest, double largest) {
   if (value > smallest && value < largest) return;
-  throw BadInput(std::string(parameter) + " is " + number(value) + ": give a number between " + number(smallest) +
-                 " and " + number(largest) + ", both excluded");
+  throw BadInput(std::string(parameter) + " is " + shortest_decimal(value) + ": give a number between " +
+                 shortest_decimal(smallest) + " and " + shortest_decimal(largest) + ", both excluded");
 }
 
 void require_count(std::string_view parameter, Index value, Index smallest, Index largest) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,9 @@ constexpr double kMaxLength = 1e50;
 
 /// Greatest count of subdivisions a generator accepts, so that the number of faces fits an Index.
 constexpr Index kMaxCount = 8192;
+
+/// The shortest decimal that reads back as this double, for messages.
+std::string shortest_decimal(double value);
 
 /// Throws BadInput naming the parameter unless kMinLength <= value <= kMaxLength.
 void require_length(std::string_view parameter, double value);

@@ -12,7 +12,7 @@
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_round.h"
-#include "tests/meshes/mesh_measures.h"
+#include "tests/meshes/generator_expectations.h"
 
 namespace pcm {
 namespace {
@@ -20,22 +20,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr Index kMaxBadCount = 1 << 30;
-
-void expect_closed(const TriangleMesh& mesh, std::size_t faces, int euler_characteristic = 2) {
-  SCOPED_TRACE(mesh.name);
-  EXPECT_EQ(test::flaw(mesh), "");
-  EXPECT_EQ(mesh.faces.size(), faces);
-  EXPECT_EQ(test::border_edges(mesh), 0);
-  EXPECT_EQ(test::euler_characteristic(mesh), euler_characteristic);
-  EXPECT_GT(test::signed_volume(mesh), 0);
-}
-
-void expect_open(const TriangleMesh& mesh, std::size_t faces, int border_edges) {
-  SCOPED_TRACE(mesh.name);
-  EXPECT_EQ(test::flaw(mesh), "");
-  EXPECT_EQ(mesh.faces.size(), faces);
-  EXPECT_EQ(test::border_edges(mesh), border_edges);
-}
 
 /// The error against the closed form falls by about four when the edge length is halved.
 void expect_second_order(const std::function<double(Index)>& volume_at, double closed_form) {
@@ -46,14 +30,14 @@ void expect_second_order(const std::function<double(Index)>& volume_at, double c
 }
 
 TEST(GenerateBoxes, AreClosedWithTheFacesPromised) {
-  expect_closed(generate::box({1, 2, 3}), 12);
-  expect_closed(generate::box({0, 0, 0}, {2, 2, 2}), 12);
-  expect_closed(generate::gridded_box(1, 1), 12);
-  expect_closed(generate::gridded_box(1, 7), 12 * 49);
-  expect_closed(generate::gridded_box({-1, 0, 5}, {1, 3, 9}, {2, 3, 4}), 4 * (6 + 12 + 8));
-  expect_closed(generate::plate(2, 1, 0.01, 8, 4), 4 * (32 + 8 + 4));
-  expect_closed(generate::wedge(30, 1, 2), 8);
-  expect_closed(generate::wedge(15, 0.1, 2, 5), 8 * 25);
+  test::expect_closed(generate::box({1, 2, 3}), 12);
+  test::expect_closed(generate::box({0, 0, 0}, {2, 2, 2}), 12);
+  test::expect_closed(generate::gridded_box(1, 1), 12);
+  test::expect_closed(generate::gridded_box(1, 7), 12 * 49);
+  test::expect_closed(generate::gridded_box({-1, 0, 5}, {1, 3, 9}, {2, 3, 4}), 4 * (6 + 12 + 8));
+  test::expect_closed(generate::plate(2, 1, 0.01, 8, 4), 4 * (32 + 8 + 4));
+  test::expect_closed(generate::wedge(30, 1, 2), 8);
+  test::expect_closed(generate::wedge(15, 0.1, 2, 5), 8 * 25);
 }
 
 TEST(GenerateBoxes, HaveTheVolumesOfTheBodies) {
@@ -94,7 +78,7 @@ TEST(GenerateBoxes, WedgeFacesArePerpendicularAndOneIsTilted) {
 
 TEST(GenerateBoxes, RectangleIsOpenWithItsNormalUp) {
   const TriangleMesh mesh = generate::rectangle(2, 1, 4, 3);
-  expect_open(mesh, 24, 14);
+  test::expect_open(mesh, 24, 14);
   EXPECT_NEAR(test::area(mesh), 2, 1e-15);
   for (const auto& [a, b, c] : mesh.faces) {
     EXPECT_GT((mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).z(), 0);
@@ -102,15 +86,15 @@ TEST(GenerateBoxes, RectangleIsOpenWithItsNormalUp) {
 }
 
 TEST(GenerateRound, AreClosedWithTheFacesPromised) {
-  expect_closed(generate::icosphere(1, 0), 20);
-  expect_closed(generate::icosphere(0.3, 3), 1280);
-  expect_closed(generate::uv_sphere(1, 3, 2), 6);
-  expect_closed(generate::uv_sphere(2, 16, 9), 2 * 16 * 8);
-  expect_closed(generate::cylinder(1, 2, 12), 2 * 12 * 2);
-  expect_closed(generate::cylinder(1, 2, 12, 5, 3), 2 * 12 * 10);
-  expect_closed(generate::cone(1, 2, 12), 2 * 12);
-  expect_closed(generate::cone(1, 2, 12, 4, 3), 2 * 12 * 6);
-  expect_closed(generate::torus(1, 0.25, 16, 8), 2 * 16 * 8, 0);
+  test::expect_closed(generate::icosphere(1, 0), 20);
+  test::expect_closed(generate::icosphere(0.3, 3), 1280);
+  test::expect_closed(generate::uv_sphere(1, 3, 2), 6);
+  test::expect_closed(generate::uv_sphere(2, 16, 9), 2 * 16 * 8);
+  test::expect_closed(generate::cylinder(1, 2, 12), 2 * 12 * 2);
+  test::expect_closed(generate::cylinder(1, 2, 12, 5, 3), 2 * 12 * 10);
+  test::expect_closed(generate::cone(1, 2, 12), 2 * 12);
+  test::expect_closed(generate::cone(1, 2, 12, 4, 3), 2 * 12 * 6);
+  test::expect_closed(generate::torus(1, 0.25, 16, 8), 2 * 16 * 8, 0);
 }
 
 TEST(GenerateRound, SphereVerticesLieOnTheSphere) {
@@ -129,7 +113,7 @@ TEST(GenerateRound, VolumesConvergeAtSecondOrder) {
 
 TEST(GenerateBubbles, BubbleHasNineHundredFiftyFacesAndAConcaveWaist) {
   const TriangleMesh mesh = generate::bubble();
-  expect_closed(mesh, 950);
+  test::expect_closed(mesh, 950);
   EXPECT_EQ(mesh.vertices.front().z(), -0.2);
   EXPECT_EQ(mesh.vertices.back().z(), 0.2);
   const auto ring_radius = [&](Index ring) { return mesh.vertices[1 + 25 * ring].x(); };
@@ -142,20 +126,10 @@ TEST(GenerateBubbles, BubbleHasNineHundredFiftyFacesAndAConcaveWaist) {
 
 TEST(GenerateBubbles, PyramidIsAnOpenContainerOfFourTrianglesFacingUp) {
   const TriangleMesh mesh = generate::pyramid();
-  expect_open(mesh, 4, 4);
+  test::expect_open(mesh, 4, 4);
   for (const auto& [a, b, c] : mesh.faces) {
     EXPECT_EQ(a, 0) << "the apex is shared";
     EXPECT_GT((mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).z(), 0);
-  }
-}
-
-/// That the call is refused with a message that names the parameter.
-void expect_refused(const std::function<void()>& call, const std::string& parameter) {
-  try {
-    call();
-    ADD_FAILURE() << "accepted a bad " << parameter;
-  } catch (const BadInput& error) {
-    EXPECT_NE(std::string(error.what()).find(parameter), std::string::npos) << error.what();
   }
 }
 
@@ -163,37 +137,37 @@ TEST(Generate, RefusesBadParametersByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, nan, infinity, -infinity, 1e-300, 1e300}) {
-    expect_refused([&] { generate::box({1, bad, 1}); }, "extent y");
-    expect_refused([&] { generate::box({0, 0, 0}, {1, 1, bad}); }, "z");
-    expect_refused([&] { generate::gridded_box(bad, 1); }, "edge length");
-    expect_refused([&] { generate::plate(1, 1, bad); }, "thickness");
-    expect_refused([&] { generate::rectangle(1, bad); }, "extent y");
-    expect_refused([&] { generate::wedge(30, bad, 1); }, "height");
-    expect_refused([&] { generate::icosphere(bad, 1); }, "radius");
-    expect_refused([&] { generate::uv_sphere(bad, 8, 4); }, "radius");
-    expect_refused([&] { generate::cylinder(1, bad, 8); }, "length");
-    expect_refused([&] { generate::cone(1, bad, 8); }, "height");
-    expect_refused([&] { generate::torus(1, bad, 8, 8); }, "tube_radius");
-    expect_refused([&] { generate::bubble(bad); }, "length");
-    expect_refused([&] { generate::pyramid(1, bad); }, "depth");
+    test::expect_refused([&] { generate::box({1, bad, 1}); }, "extent_y");
+    test::expect_refused([&] { generate::box({0, 0, 0}, {1, 1, bad}); }, "z");
+    test::expect_refused([&] { generate::gridded_box(bad, 1); }, "edge_length");
+    test::expect_refused([&] { generate::plate(1, 1, bad); }, "thickness");
+    test::expect_refused([&] { generate::rectangle(1, bad); }, "extent_y");
+    test::expect_refused([&] { generate::wedge(30, bad, 1); }, "height");
+    test::expect_refused([&] { generate::icosphere(bad, 1); }, "radius");
+    test::expect_refused([&] { generate::uv_sphere(bad, 8, 4); }, "radius");
+    test::expect_refused([&] { generate::cylinder(1, bad, 8); }, "length");
+    test::expect_refused([&] { generate::cone(1, bad, 8); }, "height");
+    test::expect_refused([&] { generate::torus(1, bad, 8, 8); }, "tube_radius");
+    test::expect_refused([&] { generate::bubble(bad); }, "length");
+    test::expect_refused([&] { generate::pyramid(1, bad); }, "depth");
   }
   for (const Index bad : {-1, 0, kMaxBadCount}) {
-    expect_refused([&] { generate::gridded_box(1, bad); }, "subdivisions");
-    expect_refused([&] { generate::plate(1, 1, 0.1, 1, bad); }, "subdivisions y");
-    expect_refused([&] { generate::rectangle(1, 1, bad); }, "subdivisions x");
-    expect_refused([&] { generate::wedge(30, 1, 1, bad); }, "subdivisions");
-    expect_refused([&] { generate::uv_sphere(1, bad, 4); }, "segments");
-    expect_refused([&] { generate::uv_sphere(1, 4, bad); }, "bands");
-    expect_refused([&] { generate::cylinder(1, 1, 8, bad); }, "bands");
-    expect_refused([&] { generate::cylinder(1, 1, 8, 1, bad); }, "cap_rings");
-    expect_refused([&] { generate::cone(1, 1, bad); }, "segments");
-    expect_refused([&] { generate::torus(1, 0.5, 8, bad); }, "tube_segments");
+    test::expect_refused([&] { generate::gridded_box(1, bad); }, "subdivisions");
+    test::expect_refused([&] { generate::plate(1, 1, 0.1, 1, bad); }, "subdivisions_y");
+    test::expect_refused([&] { generate::rectangle(1, 1, bad); }, "subdivisions_x");
+    test::expect_refused([&] { generate::wedge(30, 1, 1, bad); }, "subdivisions");
+    test::expect_refused([&] { generate::uv_sphere(1, bad, 4); }, "segments");
+    test::expect_refused([&] { generate::uv_sphere(1, 4, bad); }, "bands");
+    test::expect_refused([&] { generate::cylinder(1, 1, 8, bad); }, "bands");
+    test::expect_refused([&] { generate::cylinder(1, 1, 8, 1, bad); }, "cap_rings");
+    test::expect_refused([&] { generate::cone(1, 1, bad); }, "segments");
+    test::expect_refused([&] { generate::torus(1, 0.5, 8, bad); }, "tube_segments");
   }
-  expect_refused([] { generate::icosphere(1, -1); }, "level");
-  expect_refused([] { generate::icosphere(1, 11); }, "level");
-  expect_refused([] { generate::wedge(90, 1, 1); }, "tilt");
-  expect_refused([] { generate::torus(1, 1, 8, 8); }, "tube_radius");
-  expect_refused([] { generate::box({1, 1, 1}, {1, 2, 2}); }, "extent x");
+  test::expect_refused([] { generate::icosphere(1, -1); }, "level");
+  test::expect_refused([] { generate::icosphere(1, 11); }, "level");
+  test::expect_refused([] { generate::wedge(90, 1, 1); }, "tilt_degrees");
+  test::expect_refused([] { generate::torus(1, 1, 8, 8); }, "tube_radius");
+  test::expect_refused([] { generate::box({1, 1, 1}, {1, 2, 2}); }, "extent_x");
 }
 
 TEST(Generate, RefusesDimensionsThatVanishInRounding) {
