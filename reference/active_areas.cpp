@@ -53,8 +53,8 @@ std::vector<int> edge_sums(Side side, const Crossings& crossings, const Surface&
   return sums;
 }
 
-void locate_in_open(Side side, const Crossings& crossings, const Surface& surface,
-                    const std::vector<FaceState>& states, ActiveFaces& active) {
+void locate_in_open(Side side, const Crossings& crossings, const Surface& surface, const std::vector<FaceState>& states,
+                    ActiveFaces& active) {
   const std::size_t vertices = surface.mesh.vertices.size();
   active.inside.assign(vertices, false);
   active.outside.assign(vertices, false);

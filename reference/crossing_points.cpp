@@ -61,15 +61,14 @@ std::optional<Vec3<Rational>> degenerate_midpoint(const ExactPose& pose, const C
   const Vec3<Rational> b = pose.point<Rational>({id.edge_side, id.edge[1]});
   const std::array<Vec3<Rational>, 3> corners = pose.corners<Rational>(face_side, id.face);
   const Vec3<Rational> normal = doubled_normal(corners[0], corners[1], corners[2]);
-  const Range range = dot(normal, normal) == 0 ? clip_by_flat_triangle(a, b, corners)
-                                               : clip_by_triangle(a, b, corners, normal);
+  const Range range =
+      dot(normal, normal) == 0 ? clip_by_flat_triangle(a, b, corners) : clip_by_triangle(a, b, corners, normal);
   return a + range.middle() * (b - a);
 }
 
 }  // namespace
 
-CrossingPoints::CrossingPoints(const ExactPose& pose, std::vector<CrossingId> ids)
-    : pose_(pose), ids_(std::move(ids)) {
+CrossingPoints::CrossingPoints(const ExactPose& pose, std::vector<CrossingId> ids) : pose_(pose), ids_(std::move(ids)) {
   for (const CrossingId& id : ids_) midpoints_.push_back(degenerate_midpoint(pose, id));
 }
 

@@ -9,8 +9,9 @@
 
 namespace pcm::reference {
 
-/// Where crossings lie. Regular: the edge meets the face's plane. Degenerate (both ends of the edge in the plane, before
-/// the tie rule): the midpoint of closed edge and closed face, kept as exact numbers; no area depends on that choice.
+/// Where crossings lie. Regular: the edge meets the face's plane. Degenerate (both ends of the edge in the plane,
+/// before the tie rule): the midpoint of closed edge and closed face, kept as exact numbers; no area depends on that
+/// choice.
 class CrossingPoints {
  public:
   /// The pose must outlive this.

@@ -89,8 +89,7 @@ Crossings find_crossings(const Orientation& orientation, const std::vector<Index
     crossings.deltas.push_back(delta);
   }
   const auto place = [&crossings](const CrossingId& id) {
-    return static_cast<Index>(std::lower_bound(crossings.ids.begin(), crossings.ids.end(), id) -
-                              crossings.ids.begin());
+    return static_cast<Index>(std::lower_bound(crossings.ids.begin(), crossings.ids.end(), id) - crossings.ids.begin());
   };
   for (const Pair& pair : pairs)
     crossings.segments.push_back({pair.e, pair.f, place(pair.start.id), place(pair.end.id)});

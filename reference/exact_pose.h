@@ -22,13 +22,17 @@ struct Vertex {
   auto operator<=>(const Vertex&) const = default;
 };
 
-inline Side other(Side side) { return side == Side::E ? Side::F : Side::E; }
+inline Side other(Side side) {
+  return side == Side::E ? Side::F : Side::E;
+}
 
 /// An axis-aligned box in Me. Boxes are closed.
 struct Box {
   Eigen::Vector3d lower;
   Eigen::Vector3d upper;
-  bool meets(const Box& b) const { return (lower.array() <= b.upper.array() && b.lower.array() <= upper.array()).all(); }
+  bool meets(const Box& b) const {
+    return (lower.array() <= b.upper.array() && b.lower.array() <= upper.array()).all();
+  }
   void include(const Box& b) {
     lower = lower.cwiseMin(b.lower);
     upper = upper.cwiseMax(b.upper);
@@ -37,8 +41,8 @@ struct Box {
 
 /// Both surfaces' vertices in Me, x_E = A x_F + r (PCM section 1), for one problem and one pose.
 ///
-/// Rounded problem: F's vertices are doubles, rounded in the order PCM section 1 lays down. Exact problem: real numbers,
-/// given to any kind of number by `point` and enclosed in doubles by `enclosure`.
+/// Rounded problem: F's vertices are doubles, rounded in the order PCM section 1 lays down. Exact problem: real
+/// numbers, given to any kind of number by `point` and enclosed in doubles by `enclosure`.
 class ExactPose {
  public:
   /// The surfaces must outlive this.

@@ -29,10 +29,16 @@ struct Field<Rational> {
 };
 
 /// -1, 0 or 1.
-inline int sign_of(const Exact& x) { return static_cast<int>(x.sign()); }
-inline int sign_of(const Rational& x) { return static_cast<int>(CGAL::sign(x)); }
+inline int sign_of(const Exact& x) {
+  return static_cast<int>(x.sign());
+}
+inline int sign_of(const Rational& x) {
+  return static_cast<int>(CGAL::sign(x));
+}
 
 /// -1 or 1 where the interval lies on one side of zero; 0 where it does not tell (also for overflowed intervals).
-inline int certain_sign(const Interval& x) { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; }
+inline int certain_sign(const Interval& x) {
+  return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0;
+}
 
 }  // namespace pcm::reference

@@ -27,14 +27,13 @@ struct Oracle::Data {
 
 Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mode) {
   require_fit(law);
-  data_ = std::make_unique<const Data>(
-      Data{make_surface(std::move(mesh_E)), make_surface(std::move(mesh_F)), law, mode});
+  data_ =
+      std::make_unique<const Data>(Data{make_surface(std::move(mesh_E)), make_surface(std::move(mesh_F)), law, mode});
 }
 
 Oracle::~Oracle() = default;
 
-Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity& velocity,
-                      const Wanted& wanted) const {
+Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity& velocity, const Wanted& wanted) const {
   require_fit(pose_doubles, velocity);
   const ExactPose pose(problem, data_->E, data_->F, pose_doubles);
   const Orientation orientation(pose);

@@ -120,8 +120,7 @@ int Orientation::tie_break(const std::array<Vertex, D + 1>& vertices) const {
 int robust_orientation(const Box& a, const Box& b, const Box& c, const Box& d) {
   const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
   const Vec3<Interval> a_Me = interval_point(a);
-  return certain_sign(
-      determinant(interval_point(b) - a_Me, interval_point(c) - a_Me, interval_point(d) - a_Me));
+  return certain_sign(determinant(interval_point(b) - a_Me, interval_point(c) - a_Me, interval_point(d) - a_Me));
 }
 
 namespace {
@@ -156,8 +155,7 @@ int Orientation::orient_xy(Vertex a, Vertex b, Vertex c) const {
 int Orientation::unperturbed(Vertex a, Vertex b, Vertex c, Vertex d) const {
   if (const int filtered = filtered_orientation(pose_, a, b, c, d); filtered != 0) return filtered;
   const Vec3<Exact> a_Me = pose_.point<Exact>(a);
-  return sign_of(
-      determinant(pose_.point<Exact>(b) - a_Me, pose_.point<Exact>(c) - a_Me, pose_.point<Exact>(d) - a_Me));
+  return sign_of(determinant(pose_.point<Exact>(b) - a_Me, pose_.point<Exact>(c) - a_Me, pose_.point<Exact>(d) - a_Me));
 }
 
 }  // namespace pcm::reference

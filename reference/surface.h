@@ -14,13 +14,13 @@ constexpr Index kNone = -1;
 /// A surface with its adjacency, as every step needs it. Built once; immutable afterwards.
 struct Surface {
   TriangleMesh mesh;
-  std::vector<std::array<Index, 2>> edges;            ///< end vertices, smaller index first, ascending
-  std::vector<std::array<Index, 2>> edge_faces;       ///< the one or two faces of an edge; kNone where a border
-  std::vector<std::array<Index, 3>> face_edges;       ///< edge from corner i to corner i + 1
-  std::vector<std::vector<Index>> vertex_faces;       ///< faces around a vertex
-  std::vector<Index> component;                       ///< of a face: faces joined by shared edges
+  std::vector<std::array<Index, 2>> edges;       ///< end vertices, smaller index first, ascending
+  std::vector<std::array<Index, 2>> edge_faces;  ///< the one or two faces of an edge; kNone where a border
+  std::vector<std::array<Index, 3>> face_edges;  ///< edge from corner i to corner i + 1
+  std::vector<std::vector<Index>> vertex_faces;  ///< faces around a vertex
+  std::vector<Index> component;                  ///< of a face: faces joined by shared edges
   Index components = 0;
-  bool closed = true;                                 ///< no border edge at all
+  bool closed = true;  ///< no border edge at all
 };
 
 /// O(n log n). The mesh must be fit for contact: at most two faces an edge, indices in range.

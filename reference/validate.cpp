@@ -16,13 +16,13 @@ void demand(bool holds, const std::string& message) {
   if (!holds) throw BadInput(message);
 }
 
-Rational magnitude(const Rational& x) { return x < 0 ? Rational(-x) : x; }
+Rational magnitude(const Rational& x) {
+  return x < 0 ? Rational(-x) : x;
+}
 
 /// max |A^T A - I| <= 1e-9 and det A > 0, decided on the doubles as the reals they are.
 bool is_rotation(const Eigen::Matrix3d& A) {
-  const auto column = [&A](int j) {
-    return Vec3<Rational>{Rational(A(0, j)), Rational(A(1, j)), Rational(A(2, j))};
-  };
+  const auto column = [&A](int j) { return Vec3<Rational>{Rational(A(0, j)), Rational(A(1, j)), Rational(A(2, j))}; };
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
       if (magnitude(dot(column(i), column(j)) - Rational(i == j ? 1 : 0)) > Rational(1e-9)) return false;
@@ -33,8 +33,9 @@ bool is_rotation(const Eigen::Matrix3d& A) {
 
 void require_fit(const Pose& pose, const Velocity& velocity) {
   demand(pose.A.allFinite() && pose.r.allFinite(), "pose: an entry of A or r is not finite; give finite numbers");
-  demand(is_rotation(pose.A),
-         "pose: A is not a rotation (max |A^T A - I| <= 1e-9 and det A > 0); orthonormalise it, or check its order: rows");
+  demand(
+      is_rotation(pose.A),
+      "pose: A is not a rotation (max |A^T A - I| <= 1e-9 and det A > 0); orthonormalise it, or check its order: rows");
   demand(velocity.v.allFinite() && velocity.w.allFinite(),
          "velocity: an entry of v or w is not finite; give finite numbers");
 }
