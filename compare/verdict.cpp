@@ -207,6 +207,7 @@ std::vector<Disagreement> disagreements(const Question& question, const fast::Co
   check_faces(Kind::intersected_faces, Side::F, subj.F.intersected, truth.F.intersected, findings);
   check_faces(Kind::inner_faces, Side::E, subj.E.inner, truth.E.inner, findings);
   check_faces(Kind::inner_faces, Side::F, subj.F.inner, truth.F.inner, findings);
+  findings.check_equal(Kind::undefined_areas, "undefined areas", subj.undefined_areas, truth.undefined_areas);
   const bool same_faces = subj.E.intersected == truth.E.intersected && subj.F.intersected == truth.F.intersected &&
                           subj.E.inner == truth.E.inner && subj.F.inner == truth.F.inner;
   const bool same = check_elements(subj, truth, findings);
