@@ -70,8 +70,9 @@ struct Answer {
   Index patches = 0;
   ActiveArea E;
   ActiveArea F;
-  std::optional<double> volume;  ///< none where a surface is open or the answer is ambiguous
-  std::vector<Element> elements; ///< by master (E first), then master face
+  std::optional<double> volume;   ///< none where a surface is open or the answer is ambiguous
+  std::vector<Element> elements;  ///< by master (E first), then master face
+  Index undefined_areas = 0;      ///< faces a border of the other, open surface ends in: their clipped area counts as 0
   Index too_deep = 0;
   double max_penetration = 0;  ///< greatest u before clamping
   bool penetration_exceeded = false;

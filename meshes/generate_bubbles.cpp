@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "meshes/generate_bubbles.h"
+
+#include <vector>
+
+#include "meshes/deterministic_trigonometry.h"
+#include "meshes/generator_support.h"
+
+namespace pcm::generate {
+
+TriangleMesh bubble(double length) {
+  require_length("length", length);
+  constexpr Index kSegments = 25;
+  constexpr Index kBands = 20;
+  static_assert(2 * kSegments * (kBands - 1) == 950);
+  std::vector<ProfilePoint> profile;
+  for (Index j = 0; j <= kBands; ++j) {
+    const auto [cosine, sine] = cosine_sine_of_turn(j, 2 * kBands);
+    const double cosine_of_double = cosine_sine_of_turn(j, kBands).cosine;
+    const double distance = length / 2 * ((1 + cosine_of_double / 2) / 1.5);
+    profile.push_back({distance * sine, -distance * cosine});
+  }
+  return surface_of_revolution("bubble", profile, kSegments);
+}
+
+TriangleMesh pyramid(double width, double depth) {
+  require_length("width", width);
+  require_length("depth", depth);
+  const double w = width / 2;
+  return finished("pyramid", {{0, 0, 0}, {w, w, depth}, {-w, w, depth}, {-w, -w, depth}, {w, -w, depth}},
+                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}});
+}
+
+}  // namespace pcm::generate

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/active_areas.h"
+
+#include <algorithm>
+
+namespace pcm::reference {
+namespace {
+
+enum class FaceState : char { unlabelled, intersected };
+
+std::vector<FaceState> mark_intersected(Side side, const Crossings& crossings, const Surface& surface) {
+  std::vector<FaceState> states(surface.mesh.faces.size(), FaceState::unlabelled);
+  for (const Segment& segment : crossings.segments)
+    states[side == Side::E ? segment.face_E : segment.face_F] = FaceState::intersected;
+  return states;
+}
+
+void locate_in_closed(const Orientation& orientation, Side side, const std::vector<FaceState>& states,
+                      const std::vector<IndexPair>& columns, ActiveFaces& active) {
+  const Surface& surface = orientation.pose().surface(side);
+  const Index vertices = static_cast<Index>(surface.mesh.vertices.size());
+  active.winding.assign(vertices, 0);
+  // A vertex with no column lies outside the box of the other surface, or has none of its faces above.
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Index v = columns[i].first;
+    if (i == 0 || columns[i - 1].first != v) active.winding[v] = winding_number(orientation, {side, v}, columns);
+  }
+  active.inside.resize(vertices);
+  active.outside.resize(vertices);
+  for (Index v = 0; v < vertices; ++v) {
+    active.inside[v] = active.winding[v] >= 1;
+    active.outside[v] = !active.inside[v];
+  }
+  std::vector<bool> crossed_component(surface.components, false);
+  const Index faces = static_cast<Index>(surface.mesh.faces.size());
+  for (Index f = 0; f < faces; ++f)
+    if (states[f] == FaceState::intersected) crossed_component[surface.component[f]] = true;
+  for (Index f = 0; f < faces; ++f) {
+    const Triangle& t = surface.mesh.faces[f];
+    if (states[f] == FaceState::intersected) continue;
+    if (!active.inside[t[0]] || !active.inside[t[1]] || !active.inside[t[2]]) continue;
+    active.inner.push_back(f);
+    if (!crossed_component[surface.component[f]]) active.nested = true;
+  }
+}
+
+/// Signed sum of crossings along each edge of `side`, from its smaller to its greater vertex.
+std::vector<int> edge_sums(Side side, const Crossings& crossings, const Surface& surface) {
+  std::vector<int> sums(surface.edges.size(), 0);
+  for (std::size_t i = 0; i < crossings.ids.size(); ++i)
+    if (crossings.ids[i].edge_side == side) sums[find_edge(surface, crossings.ids[i].edge)] += crossings.deltas[i];
+  return sums;
+}
+
+void locate_in_open(Side side, const Crossings& crossings, const Surface& surface, const std::vector<FaceState>& states,
+                    ActiveFaces& active) {
+  const std::size_t vertices = surface.mesh.vertices.size();
+  active.inside.assign(vertices, false);
+  active.outside.assign(vertices, false);
+  const std::vector<int> sums = edge_sums(side, crossings, surface);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (sums[i] == 0) continue;
+    const auto [a, b] = surface.edges[i];
+    active.inside[sums[i] > 0 ? b : a] = true;
+    active.outside[sums[i] > 0 ? a : b] = true;
+  }
+  const std::vector<bool> inside_directly = active.inside, outside_directly = active.outside;
+  const Index faces = static_cast<Index>(surface.mesh.faces.size());
+  std::vector<bool> visited(faces, false);
+  std::vector<Index> set;
+  for (Index seed = 0; seed < faces; ++seed) {
+    if (visited[seed] || states[seed] == FaceState::intersected) continue;
+    visited[seed] = true;
+    set.assign(1, seed);
+    bool inside = false, outside = false;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      for (const Index v : surface.mesh.faces[set[i]]) {
+        inside = inside || inside_directly[v];
+        outside = outside || outside_directly[v];
+      }
+      for (const Index edge : surface.face_edges[set[i]])
+        for (const Index next : surface.edge_faces[edge])
+          if (next != kNone && !visited[next] && states[next] != FaceState::intersected) {
+            visited[next] = true;
+            set.push_back(next);
+          }
+    }
+    if (inside && outside) active.ambiguous = true;
+    if (inside == outside) continue;
+    for (const Index f : set)
+      for (const Index v : surface.mesh.faces[f]) (inside ? active.inside : active.outside)[v] = true;
+    if (inside) active.inner.insert(active.inner.end(), set.begin(), set.end());
+  }
+  std::sort(active.inner.begin(), active.inner.end());
+}
+
+}  // namespace
+
+std::vector<IndexPair> columns_above_vertices(const ExactPose& pose, Side side, const FaceBoxes& others) {
+  std::vector<Box> columns;
+  std::vector<Index> vertices;
+  for (Index v = 0; v < static_cast<Index>(pose.surface(side).mesh.vertices.size()); ++v) {
+    Box box = pose.rounding_box({side, v});
+    if (!box.meets(others.all)) continue;  // outside: winding number 0
+    box.upper[2] = std::max(box.upper[2], others.all.upper[2]);
+    columns.push_back(box);
+    vertices.push_back(v);
+  }
+  std::vector<IndexPair> pairs = meeting_boxes(columns, others.faces);
+  for (auto& [v, f] : pairs) v = vertices[v];
+  return pairs;
+}
+
+int winding_number(const Orientation& orientation, Vertex v, const std::vector<IndexPair>& columns) {
+  const Side faces_side = other(v.side);
+  int winding = 0;
+  for (auto column = std::lower_bound(columns.begin(), columns.end(), IndexPair{v.index, 0});
+       column != columns.end() && column->first == v.index; ++column) {
+    const Triangle& t = orientation.pose().face(faces_side, column->second);
+    const Vertex p{faces_side, t[0]}, q{faces_side, t[1]}, s{faces_side, t[2]};
+    const int turn = orientation.orient_xy(v, p, q);
+    if (orientation.orient_xy(v, q, s) != turn || orientation.orient_xy(v, s, p) != turn) continue;
+    // The projection holds v, and its turn is the sign of the normal's z. The face lies above v where v is on the side
+    // of its plane that points down.
+    if (orientation.side(v, faces_side, column->second) != turn) winding += turn;
+  }
+  return winding;
+}
+
+ActiveFaces find_active_faces(const Orientation& orientation, Side side, const Crossings& crossings,
+                              const std::vector<IndexPair>& columns) {
+  const Surface& surface = orientation.pose().surface(side);
+  ActiveFaces active;
+  const std::vector<FaceState> states = mark_intersected(side, crossings, surface);
+  for (Index f = 0; f < static_cast<Index>(states.size()); ++f)
+    if (states[f] == FaceState::intersected) active.intersected.push_back(f);
+  if (orientation.pose().surface(other(side)).closed)
+    locate_in_closed(orientation, side, states, columns, active);
+  else
+    locate_in_open(side, crossings, surface, states, active);
+  return active;
+}
+
+}  // namespace pcm::reference

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "meshes/triangle_mesh.h"
+
+namespace pcm::reference {
+
+constexpr Index kNone = -1;
+
+/// A surface with its adjacency, as every step needs it. Built once; immutable afterwards.
+struct Surface {
+  TriangleMesh mesh;
+  std::vector<std::array<Index, 2>> edges;       ///< end vertices, smaller index first, ascending
+  std::vector<std::array<Index, 2>> edge_faces;  ///< the one or two faces of an edge; kNone where a border
+  std::vector<std::array<Index, 3>> face_edges;  ///< edge from corner i to corner i + 1
+  std::vector<std::vector<Index>> vertex_faces;  ///< faces around a vertex
+  std::vector<Index> component;                  ///< of a face: faces joined by shared edges
+  Index components = 0;
+  bool closed = true;  ///< no border edge at all
+};
+
+/// O(n log n). The mesh must be fit for contact: at most two faces an edge, indices in range.
+Surface make_surface(TriangleMesh mesh);
+
+/// Where `edge` (smaller index first) stands in `surface.edges`.
+Index find_edge(const Surface& surface, std::array<Index, 2> edge);
+
+}  // namespace pcm::reference

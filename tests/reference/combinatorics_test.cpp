@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/oracle.h"
+
+#include <gtest/gtest.h>
+
+#include "meshes/bad_input.h"
+#include "meshes/generate_boxes.h"
+#include "meshes/generate_bubbles.h"
+#include "tests/reference/poses.h"
+
+namespace pcm::reference {
+namespace {
+
+const Problem kProblems[] = {Problem::rounded, Problem::exact};
+
+TEST(OracleCombinatorics, BoxCornerInBoxGivesOneClosedPolygonThroughSixEdges) {
+  const Oracle oracle(generate::box({0, 0, 0}, {2, 2, 2}), generate::box({1, 1, 1}, {3, 3, 3}));
+  for (const Problem problem : kProblems) {
+    const Answer answer = oracle.answer(problem, {});
+    EXPECT_TRUE(answer.touching);
+    EXPECT_FALSE(answer.nested);
+    ASSERT_EQ(answer.polygons.size(), 1u);
+    EXPECT_TRUE(answer.polygons[0].closed);
+    EXPECT_GE(answer.polygons[0].points.size(), 6u);
+    EXPECT_EQ(answer.patches, 1);
+    for (const Crossing& crossing : answer.polygons[0].points)
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_GE(crossing.position_Me[i], 1);
+        EXPECT_LE(crossing.position_Me[i], 2);
+      }
+  }
+}
+
+TEST(OracleCombinatorics, NestedBoxIsInnerAndDoesNotTouch) {
+  const Oracle oracle(generate::box({0, 0, 0}, {1, 1, 1}), generate::box({-1, -1, -1}, {2, 2, 2}));
+  const Answer answer = oracle.answer(Problem::rounded, {});
+  EXPECT_FALSE(answer.touching);
+  EXPECT_TRUE(answer.nested);
+  EXPECT_EQ(answer.E.inner.size(), 12u);
+  EXPECT_TRUE(answer.F.inner.empty());
+  EXPECT_EQ(answer.patches, 0);
+}
+
+TEST(OracleCombinatorics, BoxInCavityIsOutside) {
+  const TriangleMesh hollow =
+      with_cavity(generate::box({-2, -2, -2}, {3, 3, 3}), generate::box({-1, -1, -1}, {2, 2, 2}));
+  const Oracle oracle(generate::box({0, 0, 0}, {1, 1, 1}), hollow);
+  const Answer answer = oracle.answer(Problem::rounded, {});
+  EXPECT_FALSE(answer.touching);
+  EXPECT_FALSE(answer.nested);
+  EXPECT_TRUE(answer.E.inner.empty());
+}
+
+TEST(OracleCombinatorics, ApartIsNothing) {
+  const Oracle oracle(generate::box({0, 0, 0}, {1, 1, 1}), generate::box({0, 0, 0}, {1, 1, 1}));
+  const Answer answer = oracle.answer(Problem::exact, moved_by(5, 0, 0));
+  EXPECT_FALSE(answer.touching);
+  EXPECT_TRUE(answer.polygons.empty());
+  EXPECT_TRUE(answer.E.intersected.empty() && answer.E.inner.empty());
+}
+
+TEST(OracleCombinatorics, SlabThroughBoxBoundsOnePatchWithTwoPolygons) {
+  // A long bar through a box: two polygons, joined by the bar's edges that pass through the box.
+  const Oracle oracle(generate::box({0, 0, 0}, {1, 1, 1}), generate::box({-1, 0.25, 0.25}, {2, 0.75, 0.75}));
+  const Answer answer = oracle.answer(Problem::rounded, {});
+  EXPECT_EQ(answer.polygons.size(), 2u);
+  EXPECT_EQ(answer.patches, 1);
+}
+
+TEST(OracleCombinatorics, IdenticalBodiesChainOnlyClosedPolygons) {
+  const TriangleMesh box = generate::gridded_box(1.0, 2);
+  const Oracle oracle(box, box);
+  for (const Problem problem : kProblems) {
+    const Answer answer = oracle.answer(problem, {});
+    for (const Polygon& polygon : answer.polygons) EXPECT_TRUE(polygon.closed);
+  }
+}
+
+TEST(OracleCombinatorics, BubbleCrossesOpenContainerInClosedPolygons) {
+  const Oracle oracle(generate::bubble(), generate::pyramid());
+  const Answer answer = oracle.answer(Problem::rounded, moved_by(0, 0, 0.1));
+  EXPECT_TRUE(answer.touching);
+  EXPECT_FALSE(answer.ambiguous);
+  EXPECT_FALSE(answer.volume.has_value());
+}
+
+TEST(OracleInput, BadPoseIsRefused) {
+  const Oracle oracle(generate::box({0, 0, 0}, {1, 1, 1}), generate::box({0, 0, 0}, {1, 1, 1}));
+  Pose skewed;
+  skewed.A(0, 1) = 1e-6;
+  EXPECT_THROW(oracle.answer(Problem::rounded, skewed), BadInput);
+  Pose mirrored;
+  mirrored.A(0, 0) = -1;
+  EXPECT_THROW(oracle.answer(Problem::rounded, mirrored), BadInput);
+  EXPECT_THROW(oracle.answer(Problem::rounded, moved_by(std::numeric_limits<double>::infinity(), 0, 0)), BadInput);
+}
+
+TEST(OracleInput, BadLawIsRefused) {
+  const TriangleMesh box = generate::box({0, 0, 0}, {1, 1, 1});
+  ContactLaw law;
+  law.stiffness = 0;
+  EXPECT_THROW(Oracle(box, box, law), BadInput);
+  law.stiffness = 1;
+  law.layers = LayerStiffness{};
+  EXPECT_THROW(Oracle(box, box, law), BadInput);
+  law.layers = LayerStiffness{1, std::numeric_limits<double>::infinity()};
+  law.friction = -1;
+  EXPECT_THROW(Oracle(box, box, law), BadInput);
+}
+
+}  // namespace
+}  // namespace pcm::reference
