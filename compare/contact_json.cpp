@@ -36,15 +36,14 @@ Json area_json(const ActiveArea& area) {
           {"vector_area", json_vector(area.vector_area_Me)}};
 }
 
-Json interval_json(const reference::AreaInterval& interval) { return Json::array({interval.open, interval.closed}); }
+Json interval_json(const reference::AreaInterval& interval) {
+  return Json::array({interval.open, interval.closed});
+}
 
 Json work_json(const fast::WorkCounters& work) {
-  return {{"box_tests", work.box_tests},
-          {"candidate_pairs", work.candidate_pairs},
-          {"crossing_pairs", work.crossing_pairs},
-          {"vertices_transformed", work.vertices_transformed},
-          {"predicates", work.predicates},
-          {"exact_predicates", work.exact_predicates},
+  return {{"box_tests", work.box_tests},           {"candidate_pairs", work.candidate_pairs},
+          {"crossing_pairs", work.crossing_pairs}, {"vertices_transformed", work.vertices_transformed},
+          {"predicates", work.predicates},         {"exact_predicates", work.exact_predicates},
           {"tie_breaks", work.tie_breaks}};
 }
 
@@ -93,6 +92,7 @@ Json contact_json(const reference::Answer& answer) {
   Json json = common_json(answer, answer.volume, answer.elements.size(), Json::object());
   json["E"]["area_interval"] = interval_json(answer.E.area_interval);
   json["F"]["area_interval"] = interval_json(answer.F.area_interval);
+  json["undefined_areas"] = answer.undefined_areas;
   json["certified"] = answer.certified;
   return json;
 }

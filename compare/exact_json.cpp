@@ -50,7 +50,9 @@ void append(const Json& value, const std::string& key, std::string& text) {
 
 }  // namespace
 
-Json json_vector(const Eigen::Vector3d& vector) { return Json::array({vector.x(), vector.y(), vector.z()}); }
+Json json_vector(const Eigen::Vector3d& vector) {
+  return Json::array({vector.x(), vector.y(), vector.z()});
+}
 
 std::string dump_exactly(const Json& value) {
   std::string text;

@@ -34,7 +34,8 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 /// c = K / b with K = (1 - nu) / ((1 + nu)(1 - 2 nu)) E_young, (2) and (3).
 double layer_stiffness(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = split_at_commas(text);
-  if (parts.size() != 3) throw BadInput(option + ": '" + text + "' is not YOUNG,NU,THICKNESS, three numbers with commas");
+  if (parts.size() != 3)
+    throw BadInput(option + ": '" + text + "' is not YOUNG,NU,THICKNESS, three numbers with commas");
   const double young = positive_or_rigid(option, parts[0]);
   const double nu = finite_number(option, parts[1]);
   const double thickness = positive_number(option, parts[2]);
@@ -60,11 +61,12 @@ void add_law_options(CLI::App& command, LawOptions& options) {
   };
   CLI::Option* stiffness =
       add("--stiffness", options.stiffness, "c_l", "Areal stiffness of both layers together, N/m^3 (default 1e6)");
-  CLI::Option* stiffness_E = add("--stiffness-E", options.stiffness_E, "c_E",
-                                 "Instead: stiffness of E's layer, N/m^3; inf if rigid");
+  CLI::Option* stiffness_E =
+      add("--stiffness-E", options.stiffness_E, "c_E", "Instead: stiffness of E's layer, N/m^3; inf if rigid");
   CLI::Option* stiffness_F = add("--stiffness-F", options.stiffness_F, "c_F", "The same of F's layer");
-  CLI::Option* layer_E = add("--layer-E", options.layer_E, "YOUNG,NU,THICKNESS",
-                             "Instead: Young's modulus (Pa; inf if rigid), Poisson's ratio and thickness (m) of E's layer");
+  CLI::Option* layer_E =
+      add("--layer-E", options.layer_E, "YOUNG,NU,THICKNESS",
+          "Instead: Young's modulus (Pa; inf if rigid), Poisson's ratio and thickness (m) of E's layer");
   CLI::Option* layer_F = add("--layer-F", options.layer_F, "YOUNG,NU,THICKNESS", "The same of F's layer");
   stiffness_E->needs(stiffness_F);
   stiffness_F->needs(stiffness_E);
@@ -98,7 +100,8 @@ ContactLaw law_from(const LawOptions& options) {
     law.layers = {layer_stiffness("--layer-E", options.layer_E), layer_stiffness("--layer-F", options.layer_F)};
   }
   if (law.layers && law.layers->c_E == kRigid && law.layers->c_F == kRigid) {
-    const std::string given = options.stiffness_E.empty() ? "--layer-E and --layer-F" : "--stiffness-E and --stiffness-F";
+    const std::string given =
+        options.stiffness_E.empty() ? "--layer-E and --layer-F" : "--stiffness-E and --stiffness-F";
     throw BadInput(given + ": both bodies are rigid; give one of them a finite stiffness");
   }
   if (!options.damping.empty()) law.damping = nonnegative_number("--damping", options.damping);

@@ -39,13 +39,14 @@ std::optional<State> parse_state(std::string_view line) {
   std::size_t count = 0;
   while (const std::optional<std::string_view> word = take_word(rest)) {
     const std::optional<double> number = parse_number(*word);
-    if (!number) throw BadInput(quoted(*word) + " is not a finite number; write it as 0.1 or 0x1.8p-3");
+    if (!number) throw BadInput(in_quotes(*word) + " is not a finite number; write it as 0.1 or 0x1.8p-3");
     if (count < kStateNumbers) numbers[count] = *number;
     ++count;
   }
   if (count == 0) return std::nullopt;
   if (count != kPoseNumbers && count != kStateNumbers)
-    throw BadInput(std::to_string(count) + " numbers; a pose has 12 (the rotation A by rows, then r) or 18 (then v, w)");
+    throw BadInput(std::to_string(count) +
+                   " numbers; a pose has 12 (the rotation A by rows, then r) or 18 (then v, w)");
 
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   State state;
@@ -84,6 +85,8 @@ std::optional<State> PosesFile::next() {
   return std::nullopt;
 }
 
-std::string PosesFile::place() const { return name_ + ":" + std::to_string(line_); }
+std::string PosesFile::place() const {
+  return name_ + ":" + std::to_string(line_);
+}
 
 }  // namespace pcm::compare
