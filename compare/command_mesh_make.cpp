@@ -68,6 +68,7 @@ std::string list_of_shapes() {
 void add_mesh_make_command(CLI::App& mesh, Run& run) {
   auto options = std::make_shared<MakeOptions>();
   CLI::App* command = mesh.add_subcommand("make", "Generate a surface and write it as Wavefront OBJ");
+  command->footer(std::string());  // Inherited from the parent, it would be printed after the one below.
   command->footer([] {
     return list_of_shapes() +
            "Example:\n"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/contact_json.h"
 
-#include <optional>
+#include <utility>
 
 namespace pcm::compare {
 namespace {
@@ -59,7 +59,7 @@ Json statistics_json(const fast::Statistics& statistics) {
 
 /// The keys that both answers share; what their types spell differently comes as arguments.
 template <typename Result>
-Json common_json(const Result& result, std::optional<double> volume, std::size_t elements, Json work) {
+Json common_json(const Result& result, Json volume, std::size_t elements, Json work) {
   Json json;
   json["touching"] = result.touching;
   json["nested"] = result.nested;
@@ -67,7 +67,7 @@ Json common_json(const Result& result, std::optional<double> volume, std::size_t
   json["polygons"] = polygons_json(result);
   json["E"] = area_json(result.E);
   json["F"] = area_json(result.F);
-  json["volume"] = volume ? Json(*volume) : Json(nullptr);
+  json["volume"] = std::move(volume);
   json["elements"] = elements;
   json["force"] = json_vector(result.force_Me);
   json["torque"] = json_vector(result.torque_Me);
@@ -82,14 +82,16 @@ Json common_json(const Result& result, std::optional<double> volume, std::size_t
 }  // namespace
 
 Json contact_json(const fast::Contact& contact) {
-  const std::optional<double> volume = contact.has_volume ? std::optional<double>(contact.volume) : std::nullopt;
-  Json json = common_json(contact, volume, static_cast<std::size_t>(contact.element_count), work_json(contact.work));
+  Json volume = contact.has_volume ? Json(contact.volume) : Json();
+  Json json =
+      common_json(contact, std::move(volume), static_cast<std::size_t>(contact.element_count), work_json(contact.work));
   json["statistics"] = statistics_json(contact.statistics);
   return json;
 }
 
 Json contact_json(const reference::Answer& answer) {
-  Json json = common_json(answer, answer.volume, answer.elements.size(), Json::object());
+  Json volume = answer.volume ? Json(*answer.volume) : Json();
+  Json json = common_json(answer, std::move(volume), answer.elements.size(), Json::object());
   json["E"]["area_interval"] = interval_json(answer.E.area_interval);
   json["F"]["area_interval"] = interval_json(answer.F.area_interval);
   json["undefined_areas"] = answer.undefined_areas;

@@ -28,7 +28,9 @@ void append(const Json& value, const std::string& key, std::string& text) {
   if (value.is_object()) {
     text += '{';
     for (const auto& [name, member] : value.items()) {
-      text += separator + Json(name).dump() + ':';
+      text += separator;
+      text += Json(name).dump();
+      text += ':';
       append(member, name, text);
       separator = ",";
     }

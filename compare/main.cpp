@@ -10,7 +10,6 @@
 #include <string>
 #include <system_error>
 
-#include "compare/command_contact.h"
 #include "compare/command_line.h"
 #include "compare/command_mesh.h"
 #include "meshes/bad_input.h"
@@ -71,7 +70,6 @@ Exit run_program(int argc, char** argv) {
       "Exit status: 0 if all is well, 1 for a negative verdict, 2 for bad input.\n"
       "Example:\n  pcm contact E.obj F.obj\n'pcm COMMAND --help' describes a command.");
   Run run;
-  add_contact_command(program, run);
   add_mesh_command(program, run);
 
   try {
