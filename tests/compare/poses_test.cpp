@@ -3,6 +3,9 @@
 // The poses that verification draws: the same everywhere, and what their strata promise.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
