@@ -145,6 +145,7 @@ Exit verify(const VerifyOptions& options) {
   const int jobs =
       options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
   while (!run.finished() && interrupted == 0) {
     run.run_batch(
         jobs, [] { return interrupted != 0; }, progress);
@@ -152,6 +153,7 @@ Exit verify(const VerifyOptions& options) {
     if (folder && interrupted == 0) write_whole_file(*folder / "state.json", run.state().dump() + "\n");
   }
   std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
   if (terminal) std::cerr << '\n';
 
   if (folder) write_tables(*folder, run);

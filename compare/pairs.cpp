@@ -66,6 +66,8 @@ class PairList {
     pair.law = verification_law(turn_++, mesh_E, mesh_F);
     pair.E = std::move(mesh_E);
     pair.F = std::move(mesh_F);
+    if (pair.faces() > 8000) pair.share = 4;
+    if (pair.faces() > 20000) pair.share = 1;
     pairs.push_back(std::move(pair));
   }
 

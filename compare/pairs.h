@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@ struct SurfacePair {
   ContactLaw law;
   bool for_hard_strata = false;  ///< takes the bulk of degenerate and near-degenerate
   bool for_all_strata = true;    ///< takes part in the others, and in one of fifty poses of the hard ones
+
+  /// Its part of the poses beside that of the other pairs, in sixteenths: large surfaces take less, or a run's time
+  /// would be theirs alone.
+  std::int64_t share = 16;
 
   std::size_t faces() const { return E.faces.size() + F.faces.size(); }
 };

@@ -105,7 +105,7 @@ std::string verification_markdown(const Verification& run) {
 
 std::string verification_csv(const Verification& run) {
   std::string text = "pair,stratum,poses,touching,disagreements";
-  for (int k = 0; k < kKinds; ++k) text += fmt::format(",{}", name(static_cast<Kind>(k)));
+  for (int k = 0; k < kKinds; ++k) text += fmt::format(",{} disagreements", name(static_cast<Kind>(k)));
   text +=
       ",nested,ambiguous,flipped,too_deep,exact_fallback_rate,rate_bound_95,backward_error_ulps,backward_error_pose";
   for (const char* error : kErrorNames)

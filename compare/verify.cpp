@@ -47,15 +47,20 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
     }
   });
 
-  // The first strata, and in each the first pairs, take the poses left over.
-  const auto share = [](std::int64_t all, std::size_t parts, std::size_t part) {
-    const auto n = static_cast<std::int64_t>(parts);
-    return all / n + (static_cast<std::int64_t>(part) < all % n ? 1 : 0);
+  // Part k of a whole cut in the ratio of the weights: the difference of two rounded-down running sums.
+  const auto part = [](std::int64_t whole, std::int64_t before, std::int64_t weight, std::int64_t all) {
+    return whole * (before + weight) / all - whole * before / all;
   };
   const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
-    for (std::size_t k = 0; k < pairs.size(); ++k)
-      if (const std::int64_t n = share(poses, pairs.size(), k); n > 0) cells_.push_back({pairs[k], stratum, n, {}});
+    std::int64_t all = 0, before = 0;
+    for (const std::size_t k : pairs) all += plan_.pairs[k].share;
+    for (const std::size_t k : pairs) {
+      const std::int64_t share = plan_.pairs[k].share;
+      if (const std::int64_t n = part(poses, before, share, all); n > 0) cells_.push_back({k, stratum, n, {}});
+      before += share;
+    }
   };
+  const auto strata = static_cast<std::int64_t>(plan_.strata.size());
   for (std::size_t s = 0; s < plan_.strata.size(); ++s) {
     const Stratum stratum = plan_.strata[s];
     std::vector<std::size_t> general, small;
@@ -68,7 +73,7 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
       else if (pair.for_all_strata)
         omissions_.push_back("nested: no ball was found inside either surface of " + pair.name);
     }
-    const std::int64_t poses = share(plan_.poses, plan_.strata.size(), s);
+    const std::int64_t poses = part(plan_.poses, static_cast<std::int64_t>(s), 1, strata);
     const std::int64_t for_general = small.empty() ? poses : general.empty() ? 0 : poses / kGeneralShare;
     add_cells(stratum, for_general, general);
     add_cells(stratum, poses - for_general, small);

@@ -43,8 +43,9 @@ struct Finding {
 /// No more cases than this are kept; the counts go on.
 inline constexpr std::size_t kMostFindings = 300;
 
-/// A run over a plan, batch by batch. Poses are spread evenly over the strata, and within a stratum over its pairs: in
-/// degenerate and near-degenerate one pose in fifty falls to the general pairs, the others to those made for them.
+/// A run over a plan, batch by batch. Poses are spread evenly over the strata, and within a stratum over its pairs by
+/// their shares: in degenerate and near-degenerate one pose in fifty falls to the general pairs, the others to those
+/// made for them.
 class Verification {
  public:
   /// Prepares every pair, on all cores. Throws BadInput where a mesh is unfit, naming the pair.

@@ -245,8 +245,9 @@ TEST(Pairs, AThirdOfThePosesFallsToLargePairs) {
   EXPECT_EQ(missing.size(), 5U);
   double general = 0, large = 0;
   for (const SurfacePair& pair : pairs) {
-    general += pair.for_all_strata;
-    large += pair.for_all_strata && pair.faces() >= 2000;
+    if (!pair.for_all_strata) continue;
+    general += static_cast<double>(pair.share);
+    if (pair.faces() >= 2000) large += static_cast<double>(pair.share);
   }
   EXPECT_GE(pairs.size(), 12U);
   // Four of six strata spread evenly over the general pairs.
