@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <limits>
-#include <string>
 
 #include "meshes/dyadic.h"
 #include "tests/fast/exact_numbers.h"

@@ -208,6 +208,8 @@ TEST(Orientation, FilterAndExactStageAgreeWithRationals) {
   expect_filter_right(
       "any bit pattern", 20000, [&] { return points([&] { return doubles.any(); }); }, 1);
   expect_filter_right(
+      "ends of the range", 5000, [&] { return points([&] { return doubles.extreme(); }); }, 1);
+  expect_filter_right(
       "denormals", 5000, [&] { return points([&] { return doubles.denormal(); }); }, 1);
   expect_filter_right(
       "exponents about the underflow of products", 20000,

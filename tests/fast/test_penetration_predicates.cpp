@@ -151,6 +151,8 @@ TEST(PenetrationPredicates, AgreeWithTheirDefinitionsOverRationals) {
   check(
       "any bit pattern", 500, [&] { return doubles.any(); }, 1);
   check(
+      "ends of the range", 1000, [&] { return doubles.extreme(); }, 1);
+  check(
       "denormals", 2000, [&] { return doubles.denormal(); }, 1);
 }
 
