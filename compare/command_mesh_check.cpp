@@ -3,7 +3,6 @@
 #include "compare/command_mesh_check.h"
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -12,30 +11,14 @@
 #include "meshes/bad_input.h"
 #include "meshes/check.h"
 #include "meshes/read_mesh.h"
-#include "reference/self_intersections.h"
 
 namespace pcm::compare {
 namespace {
-
-/// A line on the face pairs of the surface that intersect, by the numbers of an OBJ file; empty where there is none.
-std::string describe_self_intersections(const std::vector<std::array<Index, 2>>& pairs) {
-  constexpr std::size_t kShown = 5;
-  if (pairs.empty()) return {};
-  std::string text = "  warning: " + std::to_string(pairs.size());
-  text += pairs.size() == 1 ? " pair of faces that intersect: " : " pairs of faces that intersect: ";
-  for (std::size_t i = 0; i < std::min(pairs.size(), kShown); ++i) {
-    if (i > 0) text += ", ";
-    text += std::to_string(pairs[i][0] + 1) + "-" + std::to_string(pairs[i][1] + 1);
-  }
-  if (pairs.size() > kShown) text += " and " + std::to_string(pairs.size() - kShown) + " more";
-  return text + "; where the surface covers a place more than once, so do areas and volume\n";
-}
 
 Exit check_file(const std::string& file) {
   const TriangleMesh mesh = read_mesh(file);
   const MeshReport report = check(mesh);
   std::cout << report.summary() << '\n';
-  if (report.fit()) std::cout << describe_self_intersections(reference::self_intersections(mesh));
   flush_output();
   return report.fit() ? Exit::success : Exit::negative;
 }
