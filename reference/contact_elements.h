@@ -8,7 +8,8 @@
 
 namespace pcm::reference {
 
-/// A barycentric contact element before its numbers: a master face and the slave face its penetration line leaves through.
+/// A barycentric contact element before its numbers: a master face and the slave face its penetration line leaves
+/// through.
 struct ElementPair {
   Side master = Side::E;
   Index master_face = 0;

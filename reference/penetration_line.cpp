@@ -75,8 +75,8 @@ Meeting exact_meeting(const LineNumbers<Exact>& line, const FaceNumbers<Exact>& 
   const int ahead = -meeting.facing * sign_of(height(line, f));
   if (ahead < 0) return meeting;
   const int side = exact_side(line, f.corners[0], f.corners[1]);
-  meeting.met = exact_side(line, f.corners[1], f.corners[2]) == side &&
-                exact_side(line, f.corners[2], f.corners[0]) == side;
+  meeting.met =
+      exact_side(line, f.corners[1], f.corners[2]) == side && exact_side(line, f.corners[2], f.corners[0]) == side;
   meeting.ahead = ahead > 0;
   return meeting;
 }

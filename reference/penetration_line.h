@@ -27,8 +27,8 @@ struct FaceNumbers {
 /// How a line meets a face.
 struct Meeting {
   bool met = false;
-  int facing = 0;     ///< sign of N_e . N_f: -1 the line leaves F's body there, +1 it enters (for own faces alike)
-  bool ahead = false; ///< q > 0 before the shift; otherwise q = 0
+  int facing = 0;      ///< sign of N_e . N_f: -1 the line leaves F's body there, +1 it enters (for own faces alike)
+  bool ahead = false;  ///< q > 0 before the shift; otherwise q = 0
 };
 
 /// The penetration line of one master face. Every decision is made for all vertices within their rounding boxes at once
@@ -47,8 +47,8 @@ class PenetrationLine {
   /// Sign of q_a - q_b for two faces that the line meets; ties by the shift. 0 where the shift does not tell either.
   int compare(Side side_a, Index face_a, Side side_b, Index face_b);
 
-  /// Boxes that together hold the line from q = 0 to where it has left `room`, and no further than the face `until` where
-  /// given; cut into `pieces` so that they hug it.
+  /// Boxes that together hold the line from q = 0 to where it has left `room`, and no further than the face `until`
+  /// where given; cut into `pieces` so that they hug it.
   std::vector<Box> pieces_within(const Box& room, int pieces, std::optional<Index> until_slave_face) const;
 
  private:
