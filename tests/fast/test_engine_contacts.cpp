@@ -168,8 +168,8 @@ TEST(Engine, BoxInCavityIsOutsideTheBody) {
 
 TEST(Engine, BubbleInOpenContainerIsPushedUp) {
   for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
-    const Contact contact = answer(generate::pyramid(), generate::bubble(), turned(0.3, {0.013, 0.02, 0.195}),
-                                   stiffness(1.2e6), mode);
+    const Contact contact =
+        answer(generate::pyramid(), generate::bubble(), turned(0.3, {0.013, 0.02, 0.195}), stiffness(1.2e6), mode);
     expect_sound(contact);
     ASSERT_TRUE(contact.touching);
     EXPECT_FALSE(contact.has_volume);
