@@ -215,13 +215,12 @@ TEST(EngineAgainstBruteForce, CatalogueOfDegeneratePairs) {
 
 TEST(EngineAgainstBruteForce, FarFromTheOriginWhereVerticesCoincide) {
   Workspace workspace;
-  for (const double distance : {1e6, 1e12, 1e15, 1e17}) {
-    SCOPED_TRACE(distance);
-    const Eigen::Vector3d offset(distance, -0.75 * distance, 0.5 * distance);
-    const TriangleMesh E = moved(generate::icosphere(1, 1), offset);
-    expect_same(E, generate::box(Eigen::Vector3d(2, 2, 2)), turned(0.3, offset + Eigen::Vector3d(1, 0.5, 0.25)),
-                workspace);
-    expect_same(E, generate::icosphere(1, 1), turned(0.3, offset + Eigen::Vector3d(1, 0.5, 0.25)), workspace);
+  const TriangleMesh big = generate::gridded_box(2e12, 2);
+  for (const double size : {1e-12, 1e-5, 1e-4, 1e-3, 1e-2, 1.0}) {
+    SCOPED_TRACE(size);
+    expect_same(big, generate::icosphere(size, 1), turned(0.3, {1e12, 0.3e12, 0.5e12}), workspace);
+    expect_same(big, generate::icosphere(size, 1), turned(0.3, {1e12, 1e12, 0}), workspace);
+    expect_same(big, generate::box({size, size, size}), shifted(1e12, 1e12, 1e12), workspace);
   }
 }
 
