@@ -15,13 +15,13 @@ namespace {
 std::vector<IndexPair> faces_near_lines(const std::vector<PenetrationLine>& lines,
                                         const std::vector<std::optional<Index>>& until, const FaceBoxes& faces,
                                         const std::vector<bool>& wanted) {
-  // Enough pieces that a piece's box is not much larger than the faces it looks for.
-  const int pieces = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(faces.faces.size())) / 4), 1, 64);
+  // Enough pieces that a whole line's box is not much larger than the faces it looks for; short lines need one.
+  const int whole = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(faces.faces.size())) / 4), 1, 64);
   std::vector<Box> boxes;
   std::vector<Index> line_of;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!wanted[i]) continue;
-    for (const Box& box : lines[i].pieces_within(faces.all, pieces, until[i])) {
+    for (const Box& box : lines[i].pieces_within(faces.all, until[i] ? 1 : whole, until[i])) {
       boxes.push_back(box);
       line_of.push_back(static_cast<Index>(i));
     }

@@ -3,13 +3,14 @@
 #include "reference/contact_force.h"
 
 #include <cmath>
+#include <utility>
 
 #include "reference/ball.h"
 
 namespace pcm::reference {
 namespace {
 
-constexpr mpfr_prec_t kFirstPrecision = 160;
+constexpr mpfr_prec_t kFirstPrecision = 120;
 constexpr mpfr_prec_t kLastPrecision = 1280;
 
 template <class T>
@@ -172,36 +173,24 @@ bool settle(const Vec3<Ball>& value, bool last, Eigen::Vector3d& target) {
   return all;
 }
 
-Element settled_element(const ExactPose& pose, const ElementPair& pair, const ContactLaw& law, const Velocity& velocity,
-                        const Decisions& decisions) {
-  Element element;
-  element.master = pair.master;
-  element.master_face = pair.master_face;
-  element.slave_face = pair.slave_face;
-  for (mpfr_prec_t precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
-    const ElementValues values = evaluate(pose, pair, law, velocity, decisions, Field<Ball>{precision});
-    const bool last = 2 * precision > kLastPrecision;
-    const bool all = settle(values.area, last, element.area) & settle(values.penetration, last, element.penetration) &
-                     settle(values.cosine, last, element.cosine) & settle(values.position, last, element.position_Me) &
-                     settle(values.force_on_E, last, element.force_Me);
-    if (all) break;
-  }
-  return element;
+/// True once every number of the element is settled.
+bool settle(const ElementValues& values, bool last, Element& element) {
+  return settle(values.area, last, element.area) & settle(values.penetration, last, element.penetration) &
+         settle(values.cosine, last, element.cosine) & settle(values.position, last, element.position_Me) &
+         settle(values.force_on_E, last, element.force_Me);
 }
 
-bool report_totals(const ExactPose& pose, const std::vector<ElementPair>& elements, const ContactLaw& law, Mode mode,
-                   const Velocity& velocity, const std::vector<Decisions>& decisions, const Field<Ball>& field,
+bool settle_totals(const std::vector<ElementValues>& elements, const Vec3<Ball>& r, Mode mode, const Field<Ball>& field,
                    bool last, Answer& answer) {
   const Ball zero = field(0.0);
-  Vec3<Ball> force{zero, zero, zero}, torque{zero, zero, zero};
+  Vec3<Ball> force{zero, zero, zero}, torque{zero, zero, zero};  // (23), (24)
   Ball force_scale = zero, torque_scale = zero, greatest = zero;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const ElementValues values = evaluate(pose, elements[i], law, velocity, decisions[i], field);
+  for (const ElementValues& values : elements) {
     force = force + values.force_on_E;
     torque = torque + values.torque_on_E;
     const Ball size = length_of(values.force_on_E);
     force_scale = force_scale + size;
-    torque_scale = torque_scale + length_of(values.position - lifted(pose.pose().r, field)) * size;
+    torque_scale = torque_scale + length_of(values.position - r) * size;
     greatest = max(greatest, values.unclamped);
   }
   const Ball factor = field(mode == Mode::both ? 0.5 : 1.0);
@@ -219,13 +208,25 @@ void report_force(const ExactPose& pose, const std::vector<ElementPair>& element
     decisions.push_back(decide(pose, element, law, velocity));
     answer.penetration_exceeded = answer.penetration_exceeded || decisions.back().exceeded;
   }
-  if (wanted.elements)
+  std::vector<Element> settled(elements.size());
+  bool all = false;
+  for (mpfr_prec_t precision = kFirstPrecision; !all && precision <= kLastPrecision; precision *= 2) {
+    const Field<Ball> field{precision};
+    const bool last = 2 * precision > kLastPrecision;
+    std::vector<ElementValues> values;
     for (std::size_t i = 0; i < elements.size(); ++i)
-      answer.elements.push_back(settled_element(pose, elements[i], law, velocity, decisions[i]));
-  for (mpfr_prec_t precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2)
-    if (report_totals(pose, elements, law, mode, velocity, decisions, Field<Ball>{precision},
-                      2 * precision > kLastPrecision, answer))
-      return;
+      values.push_back(evaluate(pose, elements[i], law, velocity, decisions[i], field));
+    all = settle_totals(values, lifted(pose.pose().r, field), mode, field, last, answer);
+    if (!wanted.elements) continue;
+    for (std::size_t i = 0; i < elements.size(); ++i) all = settle(values[i], last, settled[i]) && all;
+  }
+  if (!wanted.elements) return;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    settled[i].master = elements[i].master;
+    settled[i].master_face = elements[i].master_face;
+    settled[i].slave_face = elements[i].slave_face;
+  }
+  answer.elements = std::move(settled);
 }
 
 }  // namespace pcm::reference

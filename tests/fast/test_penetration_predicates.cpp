@@ -151,6 +151,10 @@ TEST(PenetrationPredicates, AgreeWithTheirDefinitionsOverRationals) {
   check(
       "any bit pattern", 500, [&] { return doubles.any(); }, 1);
   check(
+      "products of four about underflow", 2000, [&] { return doubles.unit() * 0x1p-267; }, 1);
+  check(
+      "products of seven about underflow", 2000, [&] { return doubles.unit() * 0x1p-153; }, 1);
+  check(
       "ends of the range", 1000, [&] { return doubles.extreme(); }, 1);
   check(
       "denormals", 2000, [&] { return doubles.denormal(); }, 1);
