@@ -13,6 +13,7 @@
 #include "compare/poses_file.h"
 #include "fast/engine.h"
 #include "meshes/bad_input.h"
+#include "meshes/check.h"
 #include "meshes/read_mesh.h"
 #include "reference/oracle.h"
 
@@ -49,6 +50,13 @@ Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const Cont
   };
 }
 
+/// A surface that contact is defined for; others are refused here, alike for engine and oracle.
+TriangleMesh read_surface(const std::string& file) {
+  TriangleMesh mesh = read_mesh(file);
+  require_fit(mesh);
+  return mesh;
+}
+
 Mode mode_named(const std::string& name) {
   if (name == "F") return Mode::F;
   return name == "both" ? Mode::both : Mode::E;
@@ -70,8 +78,8 @@ Exit contact(const ContactOptions& options) {
   std::optional<PosesFile> poses;
   if (options.poses) poses.emplace(*options.poses);
 
-  TriangleMesh mesh_E = read_mesh(options.file_E);
-  TriangleMesh mesh_F = read_mesh(options.file_F);
+  TriangleMesh mesh_E = read_surface(options.file_E);
+  TriangleMesh mesh_F = read_surface(options.file_F);
   const Mode mode = mode_named(options.mode);
   const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
   const Evaluate evaluate = by_engine ? evaluate_by_engine(std::move(mesh_E), std::move(mesh_F), law, mode)

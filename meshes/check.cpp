@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshes/check.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "meshes/edge_table.h"
 #include "meshes/enclosure.h"
@@ -147,6 +149,29 @@ std::vector<bool> find_closed_components(const EdgeTable& edges, MeshReport& rep
   return closed;
 }
 
+/// The bounding box of each component; one with a vertex that is not finite may have any.
+std::vector<Eigen::AlignedBox3d> find_boxes(const TriangleMesh& mesh, const MeshReport& report) {
+  std::vector<Eigen::AlignedBox3d> boxes(static_cast<std::size_t>(report.component_count));
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if (report.component_of_face[f] >= 0)
+      for (const Index v : mesh.faces[f]) boxes[report.component_of_face[f]].extend(mesh.vertices[v]);
+  return boxes;
+}
+
+/// Tells from the inside-out components those that may be cavities of an open one.
+void set_possible_cavities_apart(const TriangleMesh& mesh, const std::vector<bool>& closed, MeshReport& report) {
+  if (report.inside_out.empty() || report.closed_component_count == report.component_count) return;
+  const std::vector<Eigen::AlignedBox3d> boxes = find_boxes(mesh, report);
+  std::vector<InsideOutComponent> certain;
+  for (const InsideOutComponent& component : report.inside_out) {
+    bool in_open_one = false;
+    for (std::size_t c = 0; c < boxes.size() && !in_open_one; ++c)
+      in_open_one = !closed[c] && boxes[c].contains(boxes[component.component]);
+    (in_open_one && component.volume_sign < 0 ? report.possible_cavities : certain).push_back(component);
+  }
+  report.inside_out = std::move(certain);
+}
+
 /// Closed components of finite vertices must enclose a positive volume, cavities a negative one.
 void find_inside_out_components(const TriangleMesh& mesh, std::vector<bool> closed, MeshReport& report) {
   // Faces grouped by component, in file order within each.
@@ -198,7 +223,9 @@ MeshReport check(const TriangleMesh& mesh) {
   find_edge_issues(edges, report);
   find_pinched_vertices(mesh, usable, edges, report);
   find_components(usable, edges, report);
-  find_inside_out_components(mesh, find_closed_components(edges, report), report);
+  const std::vector<bool> closed = find_closed_components(edges, report);
+  find_inside_out_components(mesh, closed, report);
+  set_possible_cavities_apart(mesh, closed, report);
   return report;
 }
 

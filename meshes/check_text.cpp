@@ -121,6 +121,9 @@ std::vector<MeshIssue> MeshReport::issues() const {
   list.add(MeshIssueKind::inside_out_components, Severity::error, inside_out, "closed component that is inside out",
            "closed components that are inside out", describe_inside_out,
            "; reverse the order of the vertices of all its faces (outer shells look outward, cavities inward)");
+  list.add(MeshIssueKind::possible_cavities, Severity::warning, possible_cavities, "closed component that looks inward",
+           "closed components that look inward", describe_inside_out,
+           "; reverse the order of the vertices of all its faces unless it is a cavity of the open part around it");
   list.add(MeshIssueKind::unused_vertices, Severity::warning, unused_vertices, "vertex that no face uses",
            "vertices that no face uses", number, "; they may be removed");
   list.add(MeshIssueKind::border_edges, Severity::note, border_edges, "border edge", "border edges", describe_edge,

@@ -10,7 +10,7 @@ namespace pcm::reference {
 namespace {
 
 /// Precision of the enclosures to begin with: enough for nearly all values.
-constexpr mpfr_prec_t kFirstPrecision = 160;
+constexpr mpfr_prec_t kFirstPrecision = 120;
 constexpr mpfr_prec_t kLastPrecision = 4096;
 
 bool round_into(const Ball& value, double& target) {

@@ -52,5 +52,4 @@ inline TriangleMesh scaled(TriangleMesh mesh, double factor) {
   return mesh;
 }
 
-
 }  // namespace pcm::fast::test
