@@ -203,11 +203,14 @@ TEST(Verification, SmallPairAgreesInEveryStratum) {
       ADD_FAILURE() << run.pose_name(run.cells()[finding.cell], finding.pose) << ": " << name(d.kind) << ": " << d.text;
   for (const Cell& cell : run.cells()) {
     const double touching = static_cast<double>(cell.tally.touching) / static_cast<double>(cell.poses);
-    if (cell.stratum == Stratum::separated || cell.stratum == Stratum::nested)
+    if (cell.stratum == Stratum::separated || cell.stratum == Stratum::nested) {
       EXPECT_EQ(cell.tally.touching, 0) << name(cell.stratum);
-    else
+    } else {
       EXPECT_GE(touching, 0.5) << name(cell.stratum);
-    if (cell.stratum == Stratum::nested) EXPECT_EQ(cell.tally.nested, cell.poses);
+    }
+    if (cell.stratum == Stratum::nested) {
+      EXPECT_EQ(cell.tally.nested, cell.poses);
+    }
   }
 }
 
