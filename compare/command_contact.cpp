@@ -114,8 +114,8 @@ void add_contact_command(CLI::App& program, Run& run) {
       "rest.\n"
       "Example:\n"
       "  pcm mesh make box -o E.obj\n"
-      "  pcm mesh make icosphere -o F.obj\n"
-      "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.2' > poses.txt\n"
+      "  pcm mesh make icosphere --radius=0.5 -o F.obj\n"
+      "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.9' > poses.txt\n"
       "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3");
   command->add_option("E", options->file_E, "Surface of body E, .obj or .off")->required()->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
@@ -127,7 +127,9 @@ void add_contact_command(CLI::App& program, Run& run) {
   command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")
       ->type_name("MODE")
       ->check(CLI::IsMember({"E", "F", "both"}));
-  command->add_option("--scheme", options->scheme, "How elements sample the penetration: barycentric")
+  command
+      ->add_option("--scheme", options->scheme,
+                   "How elements sample the penetration: barycentric (default; clipped is not available yet)")
       ->type_name("SCHEME")
       ->check(CLI::IsMember({"barycentric", "clipped"}));
   command

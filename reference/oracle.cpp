@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "meshes/check.h"
 #include "reference/combinatorics.h"
 #include "reference/contact_elements.h"
 #include "reference/contact_force.h"
@@ -23,6 +24,8 @@ struct Oracle::Data {
 
 Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mode) {
   require_fit(law);
+  require_fit(mesh_E);
+  require_fit(mesh_F);
   data_ =
       std::make_unique<const Data>(Data{make_surface(std::move(mesh_E)), make_surface(std::move(mesh_F)), law, mode});
 }
@@ -44,7 +47,7 @@ Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity&
   answer.F.inner = found.F.inner;
   if (wanted.polygons) {
     const std::vector<Index> patches = group_into_patches(pose, found.crossings, found.polygons, found.E, found.F);
-    report_polygons(CrossingPoints(pose, found.crossings.ids), found.polygons, patches, answer);
+    report_polygons(pose, CrossingPoints(pose, found.crossings.ids), found.polygons, patches, answer);
   }
   if (wanted.areas)
     report_areas(pose, found.clip(pose), data_->E.closed && data_->F.closed && !answer.ambiguous, answer);
