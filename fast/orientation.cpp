@@ -7,12 +7,17 @@
 #include <cstddef>
 #include <utility>
 
+#include "fast/bounded.h"
 #include "fast/number_vector.h"
 #include "meshes/dyadic.h"
 
 namespace pcm::fast {
 
 namespace {
+
+static_assert(dot(cross(kRoundedDifference, kRoundedDifference), kRoundedDifference).count == 8,
+              "the filter's bound is for eight roundings");
+static_assert(kFilterUnderflow == Bounded::kUnderflow);
 
 constexpr std::size_t kX = 0, kY = 1, kZ = 2;
 constexpr std::size_t kNone = 4;

@@ -5,6 +5,7 @@
 #include <gmpxx.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <bit>
 #include <cmath>

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "meshes/text_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "meshes/bad_input.h"
+
+namespace pcm {
+namespace {
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+}  // namespace
+
+std::string read_text_file(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) throw BadInput(name + ": no such file; check the path");
+  if (std::filesystem::is_directory(status)) throw BadInput(name + ": this is a folder; name a file in it");
+
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw BadInput(name + ": the file can't be opened; check its permissions");
+  std::string text;
+  const std::uintmax_t size = std::filesystem::is_regular_file(status) ? std::filesystem::file_size(path, error) : 0;
+  if (size > 0 && !error) {
+    text.resize(size);
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+  } else {
+    std::ostringstream content;  // A pipe or a device has no size.
+    content << file.rdbuf();
+    text = std::move(content).str();
+  }
+  if (file.bad()) throw BadInput(name + ": reading the file failed; check the disk");
+  if (text.find('\0') != std::string::npos)
+    throw BadInput(name + ": this is a binary file (it holds NUL bytes); a text file is needed");
+  return text;
+}
+
+TextLines::TextLines(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+}
+
+bool TextLines::next() {
+  words_.clear();
+  while (words_.empty() && !rest_.empty()) {
+    line_ = next_line_;
+    std::string_view line = take_physical_line();
+    if (!line.ends_with('\\')) {
+      split(line);
+      continue;
+    }
+    joined_.clear();
+    while (line.ends_with('\\')) {
+      line.remove_suffix(1);
+      joined_.append(line).push_back(' ');
+      line = rest_.empty() ? std::string_view() : take_physical_line();
+    }
+    joined_.append(line);
+    split(joined_);
+  }
+  return !words_.empty();
+}
+
+std::string_view TextLines::take_physical_line() {
+  std::size_t end = 0;
+  while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
+  std::string_view line = rest_.substr(0, end);
+  const std::size_t ending = rest_.substr(end).starts_with("\r\n") ? 2 : 1;
+  rest_ = rest_.substr(std::min(end + ending, rest_.size()));
+  ++next_line_;
+  line = line.substr(0, line.find('#'));
+  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  return line;
+}
+
+void TextLines::split(std::string_view line) {
+  std::size_t i = 0;
+  while (i < line.size()) {
+    if (is_blank(line[i])) {
+      ++i;
+      continue;
+    }
+    const std::size_t start = i;
+    while (i < line.size() && !is_blank(line[i])) ++i;
+    words_.push_back(line.substr(start, i - start));
+  }
+}
+
+void TextLines::fail_at(std::int64_t line, const std::string& what) const {
+  throw BadInput(name_ + ":" + std::to_string(line) + ": " + what);
+}
+
+void TextLines::fail_as_a_whole(const std::string& what) const {
+  throw BadInput(name_ + ": " + what);
+}
+
+std::string in_quotes(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  std::string text = "'";
+  for (const char c : word.substr(0, kLongest)) text.push_back(c >= ' ' && c <= '~' ? c : '?');
+  return text + (word.size() > kLongest ? "...'" : "'");
+}
+
+}  // namespace pcm
