@@ -119,9 +119,9 @@ TEST(BruteForce, TieRuleIsAntisymmetricAndNeverUndecided) {
 }
 
 TEST(BruteForce, RootsThatCancelAreZeroAndSquaresAreExact) {
-  EXPECT_EQ(rounded({{1, 2}, {Rational(-1, 2), 8}}), 0);
-  EXPECT_EQ(rounded({{3, Rational(4, 9)}, {1, 1}}), 3);
-  EXPECT_EQ(rounded({{1, 2}}), 1.4142135623730951);
+  EXPECT_EQ(rounded(std::vector<Root>{{1, 2}, {Rational(-1, 2), 8}}), 0);
+  EXPECT_EQ(rounded(std::vector<Root>{{3, Rational(4, 9)}, {1, 1}}), 3);
+  EXPECT_EQ(rounded(std::vector<Root>{{1, 2}}), 1.4142135623730951);
 }
 
 class BruteForceIdentities : public testing::TestWithParam<Kind> {};
@@ -145,7 +145,8 @@ TEST_P(BruteForceIdentities, VectorAreasCancelAndFluxesGiveOneVolume) {
       for (const Share& share : active.shares) {
         EXPECT_GE(share.below, 0);
         EXPECT_LE(share.below + share.opposite, 1);
-        if (share.equal == 0 && share.opposite == 0) EXPECT_EQ(share.perturbed, share.below);
+        if (share.equal != 0 || share.opposite != 0) continue;
+        EXPECT_EQ(share.perturbed, share.below);
       }
     }
   }
@@ -154,10 +155,7 @@ TEST_P(BruteForceIdentities, VectorAreasCancelAndFluxesGiveOneVolume) {
 
 INSTANTIATE_TEST_SUITE_P(Poses, BruteForceIdentities,
                          testing::Values(Kind::generic, Kind::lattice, Kind::near_lattice, Kind::grids),
-                         [](const auto& info) {
-                           static constexpr const char* kNames[] = {"Generic", "Lattice", "NearLattice", "Grids"};
-                           return kNames[static_cast<int>(info.param)];
-                         });
+                         [](const testing::TestParamInfo<Kind>& test) { return name_of(test.param); });
 
 }  // namespace
 }  // namespace pcm::brute_force

@@ -72,14 +72,13 @@ TEST_P(BruteTwinPoses, AgreeWithTheOracle) {
   EXPECT_GE(touching, count / 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, BruteTwinPoses,
-    testing::Values(std::tuple{Kind::generic, 200}, std::tuple{Kind::lattice, 400}, std::tuple{Kind::near_lattice, 300},
-                    std::tuple{Kind::grids, 60}, std::tuple{Kind::open, 300}),
-    [](const auto& info) {
-      static constexpr const char* kNames[] = {"Generic", "Lattice", "NearLattice", "Grids", "Open"};
-      return kNames[static_cast<int>(std::get<0>(info.param))];
-    });
+INSTANTIATE_TEST_SUITE_P(Kinds, BruteTwinPoses,
+                         testing::Values(std::tuple{Kind::generic, 200}, std::tuple{Kind::lattice, 400},
+                                         std::tuple{Kind::near_lattice, 300}, std::tuple{Kind::grids, 60},
+                                         std::tuple{Kind::open, 300}),
+                         [](const testing::TestParamInfo<std::tuple<Kind, int>>& test) {
+                           return name_of(std::get<0>(test.param));
+                         });
 
 }  // namespace
 }  // namespace pcm::brute_force

@@ -113,6 +113,10 @@ Eigen::Matrix3d right_angles(Draw& draw) {
   return A;
 }
 
+Eigen::Vector3d any_vertex(const TriangleMesh& mesh, Draw& draw) {
+  return mesh.vertices[draw.integer(0, static_cast<int>(mesh.vertices.size()) - 1)];
+}
+
 void move_by_ulps(double& x, Draw& draw) {
   const double towards =
       draw.integer(0, 1) == 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
@@ -123,12 +127,15 @@ void move_by_ulps(double& x, Draw& draw) {
 
 }  // namespace
 
+std::string name_of(Kind kind) {
+  static constexpr const char* kNames[] = {"Generic", "Lattice", "NearLattice", "Grids", "Open"};
+  return kNames[static_cast<int>(kind)];
+}
+
 Trial draw_trial(Kind kind, std::uint64_t seed, int number) {
-  static constexpr const char* kNames[] = {"generic", "lattice", "near-lattice", "grids", "open"};
   Draw draw(kind, seed, number);
   Trial trial;
-  trial.description = std::string(kNames[static_cast<int>(kind)]) + ", seed " + std::to_string(seed) + ", number " +
-                      std::to_string(number);
+  trial.description = name_of(kind) + ", seed " + std::to_string(seed) + ", number " + std::to_string(number);
   switch (kind) {
     case Kind::generic:
       trial.E = generic_body(draw);
@@ -139,7 +146,8 @@ Trial draw_trial(Kind kind, std::uint64_t seed, int number) {
     case Kind::near_lattice:
       trial.E = lattice_body(draw);
       trial.F = draw.integer(0, 9) == 0 ? trial.E : lattice_body(draw);
-      trial.pose = {right_angles(draw), draw.lattice_point(-3, 3)};
+      trial.pose.A = right_angles(draw);
+      trial.pose.r = any_vertex(trial.E, draw) - trial.pose.A * any_vertex(trial.F, draw) + draw.lattice_point(-1, 1);
       if (kind == Kind::near_lattice)
         for (auto& x : trial.F.vertices)
           for (double& c : x) move_by_ulps(c, draw);
@@ -150,7 +158,9 @@ Trial draw_trial(Kind kind, std::uint64_t seed, int number) {
       trial.E = generate::gridded_box(2.0, n);
       trial.F = generate::gridded_box(1.0, m);
       const double parts = draw.integer(2, 6);
-      trial.pose = {right_angles(draw), draw.lattice_point(-12, 12) / parts};
+      trial.pose.A = right_angles(draw);
+      trial.pose.r =
+          any_vertex(trial.E, draw) - trial.pose.A * any_vertex(trial.F, draw) + draw.lattice_point(-4, 4) / parts;
       break;
     }
     case Kind::open:

@@ -19,6 +19,9 @@ enum class Kind : std::uint8_t {
   open,          ///< containers, plates and boxes with faces missing, on a lattice or not
 };
 
+/// "Generic", "NearLattice" ...
+std::string name_of(Kind kind);
+
 struct Trial {
   std::string description;  ///< kind, seed and number: enough to draw it again
   TriangleMesh E;
