@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "meshes/bad_input.h"
+#include "meshes/parse_number.h"
 
 namespace pcm::compare {
 void flush_output() {
@@ -16,6 +17,24 @@ void flush_output() {
   const std::string reason = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
   std::cout.clear();  // Reported once.
   throw BadInput("cannot write to standard output" + reason);
+}
+
+double finite_number(const std::string& option, const std::string& text) {
+  const std::optional<double> number = parse_number(text);
+  if (!number) throw BadInput(option + ": '" + text + "' is not a finite number");
+  return *number;
+}
+
+double positive_number(const std::string& option, const std::string& text) {
+  const double number = finite_number(option, text);
+  if (!(number > 0)) throw BadInput(option + ": " + text + " is not positive");
+  return number;
+}
+
+double nonnegative_number(const std::string& option, const std::string& text) {
+  const double number = finite_number(option, text);
+  if (number < 0) throw BadInput(option + ": " + text + " is negative");
+  return number;
 }
 
 }  // namespace pcm::compare

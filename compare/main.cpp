@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "compare/command_line.h"
+#include "compare/command_mesh.h"
 #include "meshes/bad_input.h"
 
 namespace pcm::compare {
@@ -69,6 +70,7 @@ Exit run_program(int argc, char** argv) {
       "Exit status: 0 if all is well, 1 for a negative verdict, 2 for bad input.\n"
       "Example:\n  pcm contact E.obj F.obj\n'pcm COMMAND --help' describes a command.");
   Run run;
+  add_mesh_command(program, run);
 
   try {
     program.parse(argc, argv);

@@ -20,7 +20,7 @@ struct CosineSine {
   double sine = 0;
 };
 
-/// Of the angle 2 pi numerator / denominator. Precondition: denominator >= 1, both below 2^59 in magnitude.
+/// Of the angle 2 pi numerator / denominator. Precondition: denominator >= 1, both below 2^53 in magnitude.
 CosineSine cosine_sine_of_turn(std::int64_t numerator, std::int64_t denominator);
 
 /// Of a finite angle in degrees, reduced exactly.

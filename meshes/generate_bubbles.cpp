@@ -19,7 +19,7 @@ TriangleMesh bubble(double length) {
     const auto [cosine, sine] = cosine_sine_of_turn(j, 2 * kBands);
     const double cosine_of_double = cosine_sine_of_turn(j, kBands).cosine;
     const double distance = length / 2 * ((1 + cosine_of_double / 2) / 1.5);
-    profile.push_back({distance * sine, -distance * cosine});
+    profile.push_back({distance * sine, 0.0 - distance * cosine});
   }
   return surface_of_revolution("bubble", profile, kSegments);
 }

@@ -108,7 +108,8 @@ TriangleMesh bumpy_sphere(double radius, double amplitude, Index bumps, Index se
       const auto [cosine, sine] = cosine_sine_of_turn(k, segments);
       const double wave = cosine_sine_of_turn(static_cast<std::int64_t>(bumps) * k, segments).cosine;
       const double distance = radius * (1 + amplitude * sine_polar * wave_polar * wave);
-      vertices.emplace_back(distance * sine_polar * cosine, distance * sine_polar * sine, -distance * cosine_polar);
+      vertices.emplace_back(distance * sine_polar * cosine, distance * sine_polar * sine,
+                            0.0 - distance * cosine_polar);
     }
   }
   vertices.emplace_back(0.0, 0.0, radius);

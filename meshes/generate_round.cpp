@@ -73,7 +73,7 @@ TriangleMesh uv_sphere(double radius, Index segments, Index bands) {
   std::vector<ProfilePoint> profile;
   for (Index j = 0; j <= bands; ++j) {
     const auto [cosine, sine] = cosine_sine_of_turn(j, 2 * bands);
-    profile.push_back({radius * sine, -radius * cosine});
+    profile.push_back({radius * sine, 0.0 - radius * cosine});
   }
   return surface_of_revolution("uv_sphere", profile, segments);
 }

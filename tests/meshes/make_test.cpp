@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -22,6 +23,9 @@ TEST(Make, EveryShapeIsMadeWithItsDefaults) {
     const TriangleMesh mesh = make(shape.name);
     EXPECT_EQ(mesh.name, "make " + shape.name);
     EXPECT_EQ(test::flaw(mesh), "");
+    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+      for (const double x : vertex) EXPECT_FALSE(x == 0 && std::signbit(x)) << "a negative zero";
+    }
     const bool open = shape.name == "pyramid" || shape.name == "rectangle";
     EXPECT_EQ(test::border_edges(mesh) > 0, open);
     EXPECT_TRUE(open || test::signed_volume(mesh) > 0);

@@ -51,7 +51,7 @@ inline int euler_characteristic(const TriangleMesh& mesh) {
 }
 
 /// Empty where the mesh has no duplicate and no unused vertex, every index in range, no face without an area and every
-/// coordinate finite and not a negative zero; else what is wrong.
+/// coordinate finite; else what is wrong.
 inline std::string flaw(const TriangleMesh& mesh) {
   std::set<std::array<double, 3>> positions;
   for (const Eigen::Vector3d& vertex : mesh.vertices) {

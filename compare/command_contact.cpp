@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/command_contact.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "compare/contact_json.h"
+#include "compare/law_options.h"
+#include "compare/poses_file.h"
+#include "fast/engine.h"
+#include "meshes/bad_input.h"
+#include "meshes/read_mesh.h"
+#include "reference/oracle.h"
+
+namespace pcm::compare {
+namespace {
+
+struct ContactOptions {
+  std::string file_E, file_F;
+  std::optional<std::string> poses;
+  std::string engine = "fast";
+  std::string mode = "E";
+  std::string scheme = "barycentric";
+  std::optional<std::string> problem;
+  LawOptions law;
+};
+
+/// The pairing as either of the two sees it: the answer to one state.
+using Evaluate = std::function<Json(const State&)>;
+
+Evaluate evaluate_by_engine(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode) {
+  auto pairing = std::make_shared<const fast::Pairing>(fast::Surface(std::move(mesh_E)),
+                                                       fast::Surface(std::move(mesh_F)), law, mode);
+  auto workspace = std::make_shared<fast::Workspace>();
+  return [pairing, workspace](const State& state) {
+    return contact_json(fast::evaluate(*pairing, state.pose, state.velocity, Wanted{}, *workspace));
+  };
+}
+
+Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
+                            reference::Problem problem) {
+  auto oracle = std::make_shared<const reference::Oracle>(std::move(mesh_E), std::move(mesh_F), law, mode);
+  return [oracle, problem](const State& state) {
+    return contact_json(oracle->answer(problem, state.pose, state.velocity));
+  };
+}
+
+Mode mode_named(const std::string& name) {
+  if (name == "F") return Mode::F;
+  return name == "both" ? Mode::both : Mode::E;
+}
+
+/// Each line leaves as soon as it is there, so that what was printed before an error or an interruption is whole.
+void print_line(const Json& answer) {
+  std::cout << dump_exactly(answer) << '\n';
+  flush_output();
+}
+
+Exit contact(const ContactOptions& options) {
+  if (options.scheme == "clipped")
+    throw BadInput("--scheme: the clipped scheme is not available yet; leave the option out for the barycentric one");
+  const bool by_engine = options.engine == "fast";
+  if (by_engine && options.problem)
+    throw BadInput("--problem: the engine knows the rounded problem only; add '--engine reference'");
+  const ContactLaw law = law_from(options.law);
+  std::optional<PosesFile> poses;
+  if (options.poses) poses.emplace(*options.poses);
+
+  TriangleMesh mesh_E = read_mesh(options.file_E);
+  TriangleMesh mesh_F = read_mesh(options.file_F);
+  const Mode mode = mode_named(options.mode);
+  const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
+  const Evaluate evaluate = by_engine ? evaluate_by_engine(std::move(mesh_E), std::move(mesh_F), law, mode)
+                                      : evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, problem);
+  if (!poses) {
+    print_line(evaluate(State{}));
+    return Exit::success;
+  }
+  while (const std::optional<State> state = poses->next()) {
+    Json answer;
+    try {
+      answer = evaluate(*state);
+    } catch (const BadInput& error) {
+      throw BadInput(poses->place() + ": " + error.what());
+    }
+    print_line(answer);
+  }
+  return Exit::success;
+}
+
+}  // namespace
+
+void add_contact_command(CLI::App& program, Run& run) {
+  auto options = std::make_shared<ContactOptions>();
+  CLI::App* command = program.add_subcommand(
+      "contact",
+      "Contact between two surfaces: polygons, areas, force and torque, one JSON object a line for each pose");
+  command->footer(
+      "Force and torque (about F's marker) act on E; all vectors are resolved in E's marker, in SI units.\n"
+      "A poses file holds one pose a line: 12 numbers, the rotation A by rows, then r (x_E = A x_F + r); or 18, with\n"
+      "v and w of F relative to E; decimal or C hexadecimal floats; comments from # on. Without it: A = 1, r = 0, at "
+      "rest.\n"
+      "Example:\n"
+      "  pcm mesh make box -o E.obj\n"
+      "  pcm mesh make icosphere -o F.obj\n"
+      "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.2' > poses.txt\n"
+      "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3");
+  command->add_option("E", options->file_E, "Surface of body E, .obj or .off")->required()->type_name("FILE");
+  command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
+  command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity, at rest)")
+      ->type_name("FILE");
+  command->add_option("--engine", options->engine, "Who answers: fast (default) or reference, the exact oracle")
+      ->type_name("WHO")
+      ->check(CLI::IsMember({"fast", "reference"}));
+  command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")
+      ->type_name("MODE")
+      ->check(CLI::IsMember({"E", "F", "both"}));
+  command->add_option("--scheme", options->scheme, "How elements sample the penetration: barycentric")
+      ->type_name("SCHEME")
+      ->check(CLI::IsMember({"barycentric", "clipped"}));
+  command
+      ->add_option("--problem", options->problem,
+                   "With --engine reference: rounded (default; F's vertices rounded into E's marker) or exact")
+      ->type_name("PROBLEM")
+      ->check(CLI::IsMember({"rounded", "exact"}));
+  add_law_options(*command, options->law);
+  command->callback([options, &run] { run = [options] { return contact(*options); }; });
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "reference/ball.h"
+#include "reference/clipped_areas.h"
+
+/// Areas, vector areas and volume as numbers of any kind with division: Ball to report them, Rational to prove
+/// identities.
+namespace pcm::reference {
+
+/// A face's clipped area in units of its doubled normal's length |N|: without coplanar overlaps, by the convention
+/// (opposite ones count in neither area, equal ones in E's only), with all of them.
+template <class T>
+struct Shares {
+  T open, counted, closed;
+};
+
+template <class T>
+std::vector<Vec3<T>> all_positions(const CrossingPoints& points, const Field<T>& field = {}) {
+  std::vector<Vec3<T>> positions;
+  positions.reserve(points.ids().size());
+  for (Index i = 0; i < static_cast<Index>(points.ids().size()); ++i) positions.push_back(points.position(i, field));
+  return positions;
+}
+
+inline Rational limited_to(const Rational& low, const Rational& x, const Rational& high) {
+  return std::max(low, std::min(x, high));
+}
+inline Ball limited_to(const Ball& low, const Ball& x, const Ball& high) {
+  return max(low, min(x, high));
+}
+
+/// Green's theorem (clipped_areas.h): the integral of the winding number over the face, divided by |N|.
+template <class T>
+T inside_share(const FaceClip& clip, const std::array<Vec3<T>, 3>& corners, const std::vector<Vec3<T>>& positions,
+               const Field<T>& field = {}) {
+  T sum = field(0.0);
+  if (clip.axis < 0) return sum;
+  const int i = (clip.axis + 1) % 3, j = (clip.axis + 2) % 3;
+  const Vec3<T>& o = corners[0];
+  for_each_chord(clip, corners, positions, [&](int weight, const Vec3<T>& p, const Vec3<T>& q) {
+    const T moment = (p[i] - o[i]) * (q[j] - o[j]) - (p[j] - o[j]) * (q[i] - o[i]);
+    sum = sum + (weight == 1 ? moment : field(weight) * moment);
+  });
+  const Vec3<T>&b = corners[1], &c = corners[2];
+  const T normal = (b[i] - o[i]) * (c[j] - o[j]) - (b[j] - o[j]) * (c[i] - o[i]);
+  const T share = sum / (field(2.0) * normal);
+  return clip.limited ? limited_to(field(0.0), share, field(0.5)) : share;
+}
+
+template <class T>
+Shares<T> shares_of(const ClippedAreas& areas, Side side, const FaceClip& clip, const std::array<Vec3<T>, 3>& corners,
+                    const std::vector<Vec3<T>>& positions, const Field<T>& field = {}) {
+  const T from_inside = inside_share(clip, corners, positions, field);
+  if (clip.overlaps.empty()) return {from_inside, from_inside, from_inside};
+  Rational equal = 0, opposite = 0;
+  for (const Index i : clip.overlaps)
+    (areas.overlaps[i].equal_normals ? equal : opposite) += areas.overlaps[i].share(side);
+  const T open = from_inside - field(equal);
+  return {open, side == Side::E ? from_inside : open, from_inside + field(opposite)};
+}
+
+/// A clipped face: doubled normal N and its shares of |N|.
+template <class T>
+struct FaceArea {
+  Index face;
+  Vec3<T> point;  ///< a corner
+  Vec3<T> normal;
+  Shares<T> shares;
+};
+
+template <class T>
+std::vector<FaceArea<T>> face_areas(const ExactPose& pose, const ClippedAreas& areas, Side side,
+                                    const std::vector<Vec3<T>>& positions, const Field<T>& field = {}) {
+  std::vector<FaceArea<T>> faces;
+  for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) {
+    const auto corners = pose.corners<T>(side, clip.face, field);
+    faces.push_back({clip.face, corners[0], doubled_normal(corners[0], corners[1], corners[2]),
+                     shares_of(areas, side, clip, corners, positions, field)});
+  }
+  return faces;
+}
+
+template <class T>
+Vec3<T> vector_area(const std::vector<FaceArea<T>>& faces, const Field<T>& field = {}) {
+  Vec3<T> sum{field(0.0), field(0.0), field(0.0)};
+  for (const FaceArea<T>& face : faces) sum = sum + face.shares.counted * face.normal;
+  return sum;
+}
+
+/// One third of the flux of x - origin through the clipped faces. Over both surfaces: the volume of the intersection.
+template <class T>
+T flux_third(const std::vector<FaceArea<T>>& faces, const Vec3<T>& origin, const Field<T>& field = {}) {
+  T sum = field(0.0);
+  for (const FaceArea<T>& face : faces) sum = sum + dot(face.point - origin, face.normal) * face.shares.counted;
+  return sum / field(3.0);
+}
+
+}  // namespace pcm::reference

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "reference/candidates.h"
+#include "reference/orientation.h"
+
+namespace pcm::reference {
+
+/// A face of E and a face of F in one plane, before any perturbation, with a common part of positive area.
+struct CoplanarOverlap {
+  Index face_E = 0;
+  Index face_F = 0;
+  bool equal_normals = false;           ///< otherwise opposite
+  std::vector<Vec3<Rational>> polygon;  ///< the common part, counterclockwise seen from outside E; exact
+  Rational share_E = 0;                 ///< its area in units of the doubled normal's length of face_E, > 0
+  Rational share_F = 0;                 ///< the same for face_F
+
+  const Rational& share(Side side) const { return side == Side::E ? share_E : share_F; }
+};
+
+/// All such pairs among the candidates. Exact.
+std::vector<CoplanarOverlap> find_coplanar_overlaps(const ExactPose& pose, const std::vector<IndexPair>& candidates);
+
+}  // namespace pcm::reference

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/identities.h"
+
+#include "reference/area_values.h"
+#include "reference/combinatorics.h"
+#include "reference/validate.h"
+
+namespace pcm::reference {
+namespace {
+
+/// The integral of x over the triangle (o, p, q), counted positive where it turns like N, in units of |N|.
+Vec3<Rational> triangle_moment(const Vec3<Rational>& o, const Vec3<Rational>& p, const Vec3<Rational>& q,
+                               const Vec3<Rational>& normal) {
+  const Rational share = dot(doubled_normal(o, p, q), normal) / (Rational(2) * dot(normal, normal));
+  return Rational(share / Rational(3)) * (o + p + q);
+}
+
+/// Adds the fluxes of x n_x, y n_y, z n_z through a face's clipped part: component by component, N times its moment.
+void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip,
+                const std::array<Vec3<Rational>, 3>& corners, const std::vector<Vec3<Rational>>& positions,
+                Vec3<Rational>& fluxes) {
+  if (clip.axis < 0) return;
+  const Vec3<Rational>& o = corners[0];
+  const Vec3<Rational> normal = doubled_normal(corners[0], corners[1], corners[2]);
+  Vec3<Rational> moment{0, 0, 0};
+  for_each_chord(clip, corners, positions, [&](int weight, const Vec3<Rational>& p, const Vec3<Rational>& q) {
+    moment = moment + Rational(weight) * triangle_moment(o, p, q, normal);
+  });
+  if (side == Side::F)
+    for (const Index i : clip.overlaps) {
+      if (!areas.overlaps[i].equal_normals) continue;
+      const std::vector<Vec3<Rational>>& polygon = areas.overlaps[i].polygon;
+      for (std::size_t j = 1; j + 1 < polygon.size(); ++j)
+        moment = moment - triangle_moment(polygon[0], polygon[j], polygon[j + 1], normal);
+    }
+  fluxes = fluxes + Vec3<Rational>{normal.x * moment.x, normal.y * moment.y, normal.z * moment.z};
+}
+
+}  // namespace
+
+Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Problem problem,
+                            const Pose& pose_doubles) {
+  require_fit(pose_doubles, {});
+  const Surface E = make_surface(mesh_E), F = make_surface(mesh_F);
+  Identities identities;
+  identities.applicable = E.closed && F.closed;
+  if (!identities.applicable) return identities;
+
+  const ExactPose pose(problem, E, F, pose_doubles);
+  const Combinatorics combinatorics = find_combinatorics(pose);
+  const ClippedAreas areas = combinatorics.clip(pose);
+  const std::vector<Vec3<Rational>> positions = all_positions<Rational>(areas.points);
+  Vec3<Rational> sum{0, 0, 0}, fluxes{0, 0, 0};
+  for (const Side side : {Side::E, Side::F}) {
+    sum = sum + vector_area(face_areas(pose, areas, side, positions));
+    for (const FaceClip& clip : side == Side::E ? areas.E : areas.F)
+      add_fluxes(areas, side, clip, pose.corners<Rational>(side, clip.face), positions, fluxes);
+  }
+  identities.vector_areas_cancel = sum.x == 0 && sum.y == 0 && sum.z == 0;
+  identities.fluxes_agree = fluxes.x == fluxes.y && fluxes.y == fluxes.z;
+  identities.volume = nearest_double(fluxes.x);
+  return identities;
+}
+
+}  // namespace pcm::reference

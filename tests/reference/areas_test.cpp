@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "meshes/generate_boxes.h"
+#include "meshes/generate_bubbles.h"
+#include "meshes/generate_round.h"
+#include "reference/identities.h"
+#include "reference/oracle.h"
+#include "tests/reference/poses.h"
+
+namespace pcm::reference {
+namespace {
+
+const Problem kProblems[] = {Problem::rounded, Problem::exact};
+
+Answer answer_of(const TriangleMesh& E, const TriangleMesh& F, Problem problem, const Pose& pose = {}) {
+  return Oracle(E, F).answer(problem, pose);
+}
+
+void expect_identities(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose = {}) {
+  for (const Problem problem : kProblems) {
+    const Identities identities = prove_identities(E, F, problem, pose);
+    EXPECT_TRUE(identities.applicable);
+    EXPECT_TRUE(identities.vector_areas_cancel);
+    EXPECT_TRUE(identities.fluxes_agree);
+    EXPECT_EQ(identities.volume, answer_of(E, F, problem, pose).volume);
+  }
+}
+
+TEST(OracleAreas, BoxCornerInBox) {
+  const TriangleMesh E = generate::box({0, 0, 0}, {2, 2, 2}), F = generate::box({1, 1, 1}, {3, 3, 3});
+  for (const Problem problem : kProblems) {
+    const Answer answer = answer_of(E, F, problem);
+    EXPECT_EQ(answer.E.area, 3);
+    EXPECT_EQ(answer.F.area, 3);
+    EXPECT_EQ(answer.E.area_interval.open, 3);
+    EXPECT_EQ(answer.E.area_interval.closed, 3);
+    EXPECT_EQ(answer.E.vector_area_Me, Eigen::Vector3d(1, 1, 1));
+    EXPECT_EQ(answer.F.vector_area_Me, Eigen::Vector3d(-1, -1, -1));
+    EXPECT_EQ(answer.volume, 1);
+  }
+  expect_identities(E, F);
+}
+
+TEST(OracleAreas, StackedBoxesTouchWithAnIntervalOfAreas) {
+  const TriangleMesh E = generate::box({0, 0, 0}, {2, 2, 2}), F = generate::box({0, 0, 2}, {2, 2, 4});
+  for (const auto& [first, second] : {std::pair(E, F), std::pair(F, E)})
+    for (const Problem problem : kProblems) {
+      const Answer answer = answer_of(first, second, problem);
+      for (const ActiveArea* area : {&answer.E, &answer.F}) {
+        EXPECT_EQ(area->area, 0);
+        EXPECT_EQ(area->area_interval.open, 0);
+        EXPECT_EQ(area->area_interval.closed, 4);
+        EXPECT_EQ(area->vector_area_Me, Eigen::Vector3d(0, 0, 0));
+      }
+      EXPECT_EQ(answer.volume, 0);
+    }
+  expect_identities(E, F);
+}
+
+TEST(OracleAreas, FlushFlanksCountInTheAreaOfE) {
+  const TriangleMesh E = generate::box({0, 0, 0}, {2, 2, 2}), F = generate::box({0, 0, 1}, {2, 2, 3});
+  for (const auto& [first, second] : {std::pair(E, F), std::pair(F, E)})
+    for (const Problem problem : kProblems) {
+      const Answer answer = answer_of(first, second, problem);
+      EXPECT_EQ(answer.E.area, 12);
+      EXPECT_EQ(answer.F.area, 4);
+      EXPECT_EQ(answer.E.area_interval.open, 4);
+      EXPECT_EQ(answer.E.area_interval.closed, 12);
+      EXPECT_EQ(answer.F.area_interval.open, 4);
+      EXPECT_EQ(answer.F.area_interval.closed, 12);
+      EXPECT_EQ(answer.volume, 4);
+    }
+  expect_identities(E, F);
+}
+
+TEST(OracleAreas, IdenticalBodiesHaveTheirOwnSurfaceAndVolume) {
+  const TriangleMesh box = generate::gridded_box({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+  for (const Problem problem : kProblems) {
+    const Answer answer = answer_of(box, box, problem);
+    EXPECT_EQ(answer.E.area, 6);
+    EXPECT_EQ(answer.F.area, 0);
+    EXPECT_EQ(answer.F.area_interval.closed, 6);
+    EXPECT_EQ(answer.volume, 1);
+  }
+  expect_identities(box, box);
+}
+
+TEST(OracleAreas, GridUponShiftedGridIsExact) {
+  const TriangleMesh E = generate::gridded_box({0, 0, 0}, {2, 2, 2}, {2, 2, 2});
+  const TriangleMesh F = generate::gridded_box({0.5, 0.25, 0}, {2.5, 2.25, 2}, {3, 2, 4});
+  const Answer answer = answer_of(E, F, Problem::exact);
+  // E's parts: flank x = 2 inside F, flank y = 2, and the flush bottom and top of the common column.
+  EXPECT_EQ(answer.E.area, 1.75 * 2 + 1.5 * 2 + 2 * 1.5 * 1.75);
+  EXPECT_EQ(answer.F.area, 1.75 * 2 + 1.5 * 2);
+  EXPECT_EQ(answer.volume, 1.5 * 1.75 * 2);
+  expect_identities(E, F);
+}
+
+TEST(OracleAreas, NestedBodyHasItsWholeSurface) {
+  const TriangleMesh E = generate::box({0, 0, 0}, {1, 1, 1}), F = generate::box({-1, -1, -1}, {2, 2, 2});
+  const Answer answer = answer_of(E, F, Problem::exact);
+  EXPECT_EQ(answer.E.area, 6);
+  EXPECT_EQ(answer.F.area, 0);
+  EXPECT_EQ(answer.volume, 1);
+  expect_identities(E, F);
+}
+
+TEST(OracleAreas, RingPatch) {
+  // A plate's hole lies over the middle of the box: the box's top inside the frame is a ring.
+  const TriangleMesh frame =
+      with_cavity(generate::box({-2, -2, -2}, {3, 3, 3}), generate::box({0.25, 0.25, -1}, {0.75, 0.75, 2}));
+  const TriangleMesh box = generate::box({0, 0, 0}, {1, 1, 1});
+  const Answer answer = answer_of(box, frame, Problem::rounded);
+  EXPECT_EQ(answer.E.area, 6 - 2 * 0.25);
+  EXPECT_EQ(answer.volume, 0.75);
+  EXPECT_EQ(answer.polygons.size(), 2u);
+  expect_identities(box, frame);
+}
+
+TEST(OracleAreas, SelfCrossingFreeRandomPosesProveTheIdentities) {
+  const std::uint64_t seed = 20261121;
+  std::cout << "seed " << seed << "\n";
+  std::mt19937_64 random(seed);
+  const TriangleMesh shapes[] = {generate::gridded_box(1.0, 2), generate::icosphere(0.6, 1),
+                                 generate::torus(0.5, 0.25, 8, 6), generate::cone(0.5, 1, 9)};
+  int touching = 0;
+  for (int i = 0; i < 24; ++i) {
+    const TriangleMesh &E = shapes[random() % 4], &F = shapes[random() % 4];
+    const Pose pose = random_pose(random, 0.7);
+    expect_identities(E, F, pose);
+    touching += Oracle(E, F).answer(Problem::rounded, pose).touching;
+  }
+  EXPECT_GE(touching, 12);
+}
+
+TEST(OracleAreas, DegenerateGridPosesProveTheIdentities) {
+  // Moves by multiples of half a cell and turns by quarters: faces, edges and vertices fall upon one another.
+  const TriangleMesh E = generate::gridded_box(2.0, 2), F = generate::gridded_box(2.0, 2);
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 12; ++i) {
+    Pose pose = moved_by(static_cast<double>(random() % 5) / 2 - 1, static_cast<double>(random() % 5) / 2 - 1,
+                         static_cast<double>(random() % 5) / 2 - 1);
+    if (random() % 2 == 0) pose.A << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    expect_identities(E, F, pose);
+    Eigen::Vector3d overlap;
+    for (int j = 0; j < 3; ++j) overlap[j] = std::max(0.0, 2 - std::abs(pose.r[j]));
+    EXPECT_EQ(answer_of(E, F, Problem::rounded, pose).volume, overlap.prod());
+  }
+}
+
+TEST(OracleAreas, OpenContainerClipsTheBoxBelowItsFloor) {
+  const TriangleMesh floor = generate::rectangle(10, 10);
+  const TriangleMesh box = generate::box({-1, -1, -0.25}, {1, 1, 1});
+  for (const Problem problem : kProblems) {
+    const Answer answer = answer_of(box, floor, problem, moved_by(0.125, 0.0625, 0));
+    EXPECT_TRUE(answer.touching);
+    EXPECT_FALSE(answer.volume.has_value());
+    EXPECT_EQ(answer.E.area, 4 + 8 * 0.25);
+    EXPECT_EQ(answer.F.area, 4);
+  }
+}
+
+TEST(OracleAreas, BoxRestingOnOpenFloorHasAnInterval) {
+  const TriangleMesh floor = generate::rectangle(10, 10);
+  const TriangleMesh box = generate::box({-1, -1, 0}, {1, 1, 1});
+  const Answer answer = answer_of(box, floor, Problem::exact);
+  EXPECT_EQ(answer.E.area, 0);
+  EXPECT_EQ(answer.E.area_interval.closed, 4);
+  EXPECT_EQ(answer.F.area, 0);
+  EXPECT_EQ(answer.F.area_interval.closed, 4);
+}
+
+}  // namespace
+}  // namespace pcm::reference
