@@ -79,7 +79,6 @@ void clip_by_prisms(Answer& answer) {
     const Body& surface = answer.scene.body(other(side));
     ActiveArea& active = side == Side::E ? answer.E : answer.F;
     active.shares.resize(body.faces.size());
-    if (!surface.closed) continue;
     for (Index e = 0; e < std::ssize(body.faces); ++e) {
       const Vector& normal = body.normals[e];
       if (normal == Vector{}) continue;
@@ -88,7 +87,7 @@ void clip_by_prisms(Answer& answer) {
       for (Index f = 0; f < std::ssize(surface.faces); ++f) {
         const Vector& surface_normal = surface.normals[f];
         if (surface_normal == Vector{}) continue;
-        if (surface_normal[2] != 0) {
+        if (surface.closed && surface_normal[2] != 0) {
           const Measure part = measure(below_face(corners(body, e), surface, f, inward), normal);
           const Rational sign = sgn(surface_normal[2]);
           share.below += sign * part.fraction;

@@ -121,8 +121,10 @@ void move_by_ulps(double& x, Draw& draw) {
   const double towards =
       draw.integer(0, 1) == 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
   // From zero, ulps are those of the body's size.
-  if (x == 0) x = 1;
+  const double offset = x == 0 ? 1 : 0;
+  x += offset;
   for (int ulps = draw.integer(0, 8); ulps > 0; --ulps) x = std::nextafter(x, towards);
+  x -= offset;
 }
 
 }  // namespace
@@ -166,8 +168,9 @@ Trial draw_trial(Kind kind, std::uint64_t seed, int number) {
     case Kind::open:
       trial.E = draw.integer(0, 1) == 0 ? open_body(draw) : lattice_body(draw);
       trial.F = open_body(draw);
-      trial.pose = {draw.integer(0, 1) == 0 ? right_angles(draw) : any_rotation(draw), draw.lattice_point(-2, 2)};
-      if (draw.integer(0, 2) != 0) trial.pose.r += draw.point(0.5);
+      trial.pose.A = draw.integer(0, 1) == 0 ? right_angles(draw) : any_rotation(draw);
+      trial.pose.r = any_vertex(trial.E, draw) - trial.pose.A * any_vertex(trial.F, draw);
+      trial.pose.r += draw.integer(0, 2) == 0 ? draw.lattice_point(-1, 1) : draw.point(0.5);
       break;
   }
   return trial;
