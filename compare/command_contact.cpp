@@ -13,6 +13,7 @@
 #include "compare/poses_file.h"
 #include "fast/engine.h"
 #include "meshes/bad_input.h"
+#include "meshes/check.h"
 #include "meshes/read_mesh.h"
 #include "reference/oracle.h"
 
@@ -49,6 +50,13 @@ Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const Cont
   };
 }
 
+/// A surface that contact is defined for; others are refused here, alike for engine and oracle.
+TriangleMesh read_surface(const std::string& file) {
+  TriangleMesh mesh = read_mesh(file);
+  require_fit(mesh);
+  return mesh;
+}
+
 Mode mode_named(const std::string& name) {
   if (name == "F") return Mode::F;
   return name == "both" ? Mode::both : Mode::E;
@@ -70,8 +78,8 @@ Exit contact(const ContactOptions& options) {
   std::optional<PosesFile> poses;
   if (options.poses) poses.emplace(*options.poses);
 
-  TriangleMesh mesh_E = read_mesh(options.file_E);
-  TriangleMesh mesh_F = read_mesh(options.file_F);
+  TriangleMesh mesh_E = read_surface(options.file_E);
+  TriangleMesh mesh_F = read_surface(options.file_F);
   const Mode mode = mode_named(options.mode);
   const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
   const Evaluate evaluate = by_engine ? evaluate_by_engine(std::move(mesh_E), std::move(mesh_F), law, mode)
@@ -106,8 +114,8 @@ void add_contact_command(CLI::App& program, Run& run) {
       "rest.\n"
       "Example:\n"
       "  pcm mesh make box -o E.obj\n"
-      "  pcm mesh make icosphere -o F.obj\n"
-      "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.2' > poses.txt\n"
+      "  pcm mesh make icosphere --radius=0.5 -o F.obj\n"
+      "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.9' > poses.txt\n"
       "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3");
   command->add_option("E", options->file_E, "Surface of body E, .obj or .off")->required()->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
@@ -119,7 +127,9 @@ void add_contact_command(CLI::App& program, Run& run) {
   command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")
       ->type_name("MODE")
       ->check(CLI::IsMember({"E", "F", "both"}));
-  command->add_option("--scheme", options->scheme, "How elements sample the penetration: barycentric")
+  command
+      ->add_option("--scheme", options->scheme,
+                   "How elements sample the penetration: barycentric (default; clipped is not available yet)")
       ->type_name("SCHEME")
       ->check(CLI::IsMember({"barycentric", "clipped"}));
   command

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/command_line.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <iostream>
@@ -10,6 +11,7 @@
 #include "meshes/parse_number.h"
 
 namespace pcm::compare {
+
 void flush_output() {
   errno = 0;
   std::cout.flush();
@@ -17,6 +19,12 @@ void flush_output() {
   const std::string reason = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
   std::cout.clear();  // Reported once.
   throw BadInput("cannot write to standard output" + reason);
+}
+
+void complain(std::string message) {
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << "pcm: " << message << '\n';
 }
 
 double finite_number(const std::string& option, const std::string& text) {

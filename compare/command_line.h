@@ -36,6 +36,10 @@ using Run = std::function<Exit()>;
 /// Sends on what was written to std::cout; throws BadInput where it can't be written (a full disk, a closed pipe).
 void flush_output();
 
+/// Prints "pcm: message" as one line on standard error, whatever the message holds. Errors are thrown rather than
+/// printed wherever they end the work.
+void complain(std::string message);
+
 /// The number that an option was given, e.g. "--damping". All numbers are read by `parse_number`, correctly rounded;
 /// bind options to a std::string, not to a double, whose reading by CLI11 rounds twice. These throw BadInput naming the
 /// option where the text is no finite number or out of the range that the function's name says.

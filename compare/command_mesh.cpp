@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "compare/command_mesh_check.h"
 #include "compare/command_mesh_make.h"
 #include "meshes/bad_input.h"
 #include "meshes/read_mesh.h"
@@ -47,6 +48,7 @@ void add_mesh_command(CLI::App& program, Run& run) {
       "Example:\n"
       "  pcm mesh make box -o box.obj\n"
       "  pcm mesh check box.obj");
+  add_mesh_check_command(*mesh, run);
   add_mesh_make_command(*mesh, run);
   add_convert_command(*mesh, run);
 }

@@ -76,6 +76,7 @@ Json common_json(const Result& result, Json volume, std::size_t elements, Json w
   json["too_deep"] = result.too_deep;
   json["patches"] = result.patches;
   json["work"] = std::move(work);
+  json["undefined_areas"] = result.undefined_areas;
   return json;
 }
 
@@ -94,7 +95,6 @@ Json contact_json(const reference::Answer& answer) {
   Json json = common_json(answer, std::move(volume), answer.elements.size(), Json::object());
   json["E"]["area_interval"] = interval_json(answer.E.area_interval);
   json["F"]["area_interval"] = interval_json(answer.F.area_interval);
-  json["undefined_areas"] = answer.undefined_areas;
   json["certified"] = answer.certified;
   return json;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/command_line.h"
+#include "fast/law.h"
 #include "meshes/bad_input.h"
 
 namespace pcm::compare {
@@ -31,19 +32,24 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return parts;
 }
 
-/// c = K / b with K = (1 - nu) / ((1 + nu)(1 - 2 nu)) E_young, (2) and (3).
-double layer_stiffness(const std::string& option, const std::string& text) {
+/// Stiffness of a layer given as YOUNG,NU,THICKNESS.
+double stiffness_of_layer(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = split_at_commas(text);
   if (parts.size() != 3)
     throw BadInput(option + ": '" + text + "' is not YOUNG,NU,THICKNESS, three numbers with commas");
-  const double young = positive_or_rigid(option, parts[0]);
-  const double nu = finite_number(option, parts[1]);
+  const bool rigid = parts[0] == "inf";
+  const double young = rigid ? 1 : positive_number(option, parts[0]);
+  const double poisson = finite_number(option, parts[1]);
   const double thickness = positive_number(option, parts[2]);
-  if (!(nu > -1 && nu < 0.45)) throw BadInput(option + ": Poisson's ratio " + parts[1] + " is not between -1 and 0.45");
-  const double stiffness = (1 - nu) / ((1 + nu) * (1 - 2 * nu)) * young / thickness;
-  if (young != kRigid && !(stiffness > 0 && std::isfinite(stiffness)))
-    throw BadInput(option + ": the stiffness of '" + text + "' is beyond what a double can hold");
-  return stiffness;
+  try {
+    const double stiffness = fast::layer_stiffness(young, poisson, thickness);
+    if (rigid) return kRigid;
+    if (!(stiffness > 0 && std::isfinite(stiffness)))
+      throw BadInput("the stiffness of '" + text + "' is beyond what a double can hold");
+    return stiffness;
+  } catch (const BadInput& error) {
+    throw BadInput(option + ": " + error.what());
+  }
 }
 
 DampingMode damping_mode_named(const std::string& name) {
@@ -97,7 +103,7 @@ ContactLaw law_from(const LawOptions& options) {
     law.layers = {positive_or_rigid("--stiffness-E", options.stiffness_E),
                   positive_or_rigid("--stiffness-F", options.stiffness_F)};
   } else if (!options.layer_E.empty()) {
-    law.layers = {layer_stiffness("--layer-E", options.layer_E), layer_stiffness("--layer-F", options.layer_F)};
+    law.layers = {stiffness_of_layer("--layer-E", options.layer_E), stiffness_of_layer("--layer-F", options.layer_F)};
   }
   if (law.layers && law.layers->c_E == kRigid && law.layers->c_F == kRigid) {
     const std::string given =

@@ -3,27 +3,19 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
 #include <system_error>
 
+#include "compare/command_contact.h"
 #include "compare/command_line.h"
 #include "compare/command_mesh.h"
 #include "meshes/bad_input.h"
 
 namespace pcm::compare {
 namespace {
-
-/// One line on standard error, whatever the message holds.
-Exit complain(std::string message) {
-  while (!message.empty() && message.back() == '\n') message.pop_back();
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << "pcm: " << message << '\n';
-  return Exit::bad_input;
-}
 
 /// A closed standard stream would lend its number to the next file opened, and what is printed would end up there. So
 /// each such number is taken by something that can't be written to: printing then fails and is reported.
@@ -70,6 +62,7 @@ Exit run_program(int argc, char** argv) {
       "Exit status: 0 if all is well, 1 for a negative verdict, 2 for bad input.\n"
       "Example:\n  pcm contact E.obj F.obj\n'pcm COMMAND --help' describes a command.");
   Run run;
+  add_contact_command(program, run);
   add_mesh_command(program, run);
 
   try {
@@ -78,7 +71,8 @@ Exit run_program(int argc, char** argv) {
     program.exit(request);
     return Exit::success;
   } catch (const CLI::ParseError& error) {
-    return complain(describe(error, program));
+    complain(describe(error, program));
+    return Exit::bad_input;
   }
   return run();
 }
@@ -89,16 +83,17 @@ Exit run_program(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace pcm::compare;
   occupy_closed_streams();
-  Exit status = Exit::success;
+  Exit status = Exit::bad_input;
   try {
-    status = run_program(argc, argv);
+    const Exit verdict = run_program(argc, argv);
     flush_output();
+    status = verdict;
   } catch (const pcm::BadInput& error) {
-    status = complain(error.what());
+    complain(error.what());
   } catch (const std::system_error& error) {
-    status = complain(error.what());
+    complain(error.what());
   } catch (const std::bad_alloc&) {
-    status = complain("out of memory");
+    complain("out of memory");
   }
   return static_cast<int>(status);
 }

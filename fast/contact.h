@@ -14,9 +14,9 @@ namespace pcm::fast {
 
 /// A crossing: an edge of one surface passes through a face of the other (PCM section 4).
 struct Crossing {
-  Side edge_side = Side::E;      ///< the surface the edge belongs to; the face belongs to the other
-  std::array<Index, 2> edge{};   ///< its end vertices, the smaller index first
-  Index face = 0;                ///< the face it passes through
+  Side edge_side = Side::E;     ///< the surface the edge belongs to; the face belongs to the other
+  std::array<Index, 2> edge{};  ///< its end vertices, the smaller index first
+  Index face = 0;               ///< the face it passes through
   Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< m; at a degenerate crossing the midpoint of edge and face
 };
 
@@ -32,9 +32,9 @@ struct Polygon {
 
 /// What the contact is on one of the surfaces. Nested faces count as inner (PCM section 5).
 struct ActiveArea {
-  std::vector<Index> intersected;  ///< faces in a crossing pair, ascending
-  std::vector<Index> inner;        ///< uncrossed faces inside the other body, ascending
-  double area = 0;                 ///< of the clipped active area, m^2
+  std::vector<Index> intersected;                            ///< faces in a crossing pair, ascending
+  std::vector<Index> inner;                                  ///< uncrossed faces inside the other body, ascending
+  double area = 0;                                           ///< of the clipped active area, m^2
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();  ///< integral of the outward normal over it, m^2
 };
 
@@ -43,12 +43,12 @@ struct Element {
   Side master = Side::E;
   Index master_face = 0;
   Index slave_face = 0;
-  double area = 0;                 ///< A_k (6), m^2
-  double penetration = 0;          ///< u_k (11), m, > 0, after clamping to max_penetration
-  double normal_velocity = 0;      ///< v_n (16), m/s, positive when approaching
-  double tangential_velocity = 0;  ///< v_t (19), m/s
-  double normal_force = 0;         ///< F_n (18), N
-  double tangential_force = 0;     ///< F_t (20), N
+  double area = 0;                                        ///< A_k (6), m^2
+  double penetration = 0;                                 ///< u_k (11), m, > 0, after clamping to max_penetration
+  double normal_velocity = 0;                             ///< v_n (16), m/s, positive when approaching
+  double tangential_velocity = 0;                         ///< v_t (19), m/s
+  double normal_force = 0;                                ///< F_n (18), N
+  double tangential_force = 0;                            ///< F_t (20), N
   Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();    ///< n_k = -n of the master face
   Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), m
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E, N (not halved in mode `both`)
@@ -56,42 +56,43 @@ struct Element {
 
 /// Summary over the elements (PCM section 9); all zero where there is none.
 struct Statistics {
-  double patch_area = 0;                 ///< sum of A_k, m^2
-  double mean_penetration = 0;           ///< area-weighted, m
-  double max_pressure = 0;               ///< greatest F_n / A_k, Pa
-  double mean_pressure = 0;              ///< area-weighted, Pa
-  double max_normal_velocity = 0;        ///< greatest |v_n|, m/s
-  double max_tangential_velocity = 0;    ///< greatest v_t, m/s
+  double patch_area = 0;                                            ///< sum of A_k, m^2
+  double mean_penetration = 0;                                      ///< area-weighted, m
+  double max_pressure = 0;                                          ///< greatest F_n / A_k, Pa
+  double mean_pressure = 0;                                         ///< area-weighted, Pa
+  double max_normal_velocity = 0;                                   ///< greatest |v_n|, m/s
+  double max_tangential_velocity = 0;                               ///< greatest v_t, m/s
   Eigen::Vector3d centre_of_pressure_Me = Eigen::Vector3d::Zero();  ///< C_k weighted by F_n, m
 };
 
 /// How much work an evaluation did, and how much it was spared.
 struct WorkCounters {
   std::int64_t box_tests = 0;
-  std::int64_t candidate_pairs = 0;      ///< face pairs whose boxes overlap
-  std::int64_t crossing_pairs = 0;       ///< face pairs that cross
-  std::int64_t vertices_transformed = 0; ///< of F, each at most once
-  std::int64_t predicates = 0;           ///< signs asked for
-  std::int64_t exact_predicates = 0;     ///< signs the floating-point filter could not decide
-  std::int64_t tie_breaks = 0;           ///< exact zeros decided by the tie rule
+  std::int64_t candidate_pairs = 0;       ///< face pairs whose boxes overlap
+  std::int64_t crossing_pairs = 0;        ///< face pairs that cross
+  std::int64_t vertices_transformed = 0;  ///< of F, each at most once
+  std::int64_t predicates = 0;            ///< signs asked for
+  std::int64_t exact_predicates = 0;      ///< signs the floating-point filter could not decide
+  std::int64_t tie_breaks = 0;            ///< exact zeros decided by the tie rule
 };
 
 /// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation.
 struct Contact {
-  bool touching = false;   ///< the surfaces cross
-  bool nested = false;     ///< a component of one lies in the other without crossing
-  bool ambiguous = false;  ///< an open surface labels a set of faces both ways (PCM section 5)
+  bool touching = false;            ///< the surfaces cross
+  bool nested = false;              ///< a component of one lies in the other without crossing
+  bool ambiguous = false;           ///< an open surface labels a set of faces both ways (PCM section 5)
   std::vector<Crossing> crossings;  ///< of all polygons, one polygon after the other
   std::vector<Polygon> polygons;    ///< ordered by their first crossing
   Index patches = 0;
   ActiveArea E;
   ActiveArea F;
-  bool has_volume = false;  ///< false where a surface is open or the answer is ambiguous
-  double volume = 0;        ///< of the intersection, m^3
-  std::vector<Element> elements;   ///< by master (E first), then master face; empty unless wanted
-  Index element_count = 0;         ///< over all masters evaluated
-  Index too_deep = 0;              ///< active faces whose penetration line leaves the master first
-  double max_penetration = 0;      ///< greatest u over all masters evaluated, before clamping, m
+  Index undefined_areas = 0;  ///< intersected faces in which a border of the other surface ends: their area counts as 0
+  bool has_volume = false;    ///< false where a surface is open or the answer is ambiguous
+  double volume = 0;          ///< of the intersection, m^3
+  std::vector<Element> elements;  ///< by master (E first), then master face; empty unless wanted
+  Index element_count = 0;        ///< over all masters evaluated
+  Index too_deep = 0;             ///< active faces whose penetration line leaves the master first
+  double max_penetration = 0;     ///< greatest u over all masters evaluated, before clamping, m
   bool penetration_exceeded = false;
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m

@@ -3,6 +3,7 @@
 #include "meshes/exact_signs.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,25 @@ int exact_turn_sign(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Ei
   const Dyadic ax(a.x());
   const Dyadic ay(a.y());
   return compare((Dyadic(b.x()) - ax) * (Dyadic(c.y()) - ay), (Dyadic(b.y()) - ay) * (Dyadic(c.x()) - ax));
+}
+
+/// (a x b) . c of rounded differences, and what its error is measured by.
+struct TripleProduct {
+  double value = 0;
+  double size = 0;      ///< the sum of its six products' magnitudes
+  double greatest = 0;  ///< magnitude among the coordinates of c
+
+  /// Between these limits what underflow loses of a partial product, 2^-1075, doesn't count beside the error bound.
+  bool is_in_range() const { return size > 0x1p-500 && greatest < 0x1p400; }
+};
+
+/// Each of the six products of three rounded differences is off by 5 u of its size to first order and passes through
+/// four additions: an error below 10 u of `size`.
+TripleProduct triple_product(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const Eigen::Vector3d minors(std::abs(a.y() * b.z()) + std::abs(a.z() * b.y()),
+                               std::abs(a.z() * b.x()) + std::abs(a.x() * b.z()),
+                               std::abs(a.x() * b.y()) + std::abs(a.y() * b.x()));
+  return {a.cross(b).dot(c), minors.dot(c.cwiseAbs()), c.cwiseAbs().maxCoeff()};
 }
 
 int exact_side_sign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
@@ -80,18 +100,9 @@ int area_sign(std::span<const Eigen::Vector2d> polygon) {
 }
 
 int side_sign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& p) {
-  // Every one of the six products of three rounded differences is off by 5 u of its size to first order, and passes
-  // through four additions. Between these limits what underflow loses of a partial product, 2^-1075, doesn't count.
-  const Eigen::Vector3d ab = b - a;
-  const Eigen::Vector3d ac = c - a;
-  const Eigen::Vector3d ap = p - a;
-  const double volume = ab.cross(ac).dot(ap);
-  const Eigen::Vector3d minors(std::abs(ab.y() * ac.z()) + std::abs(ab.z() * ac.y()),
-                               std::abs(ab.z() * ac.x()) + std::abs(ab.x() * ac.z()),
-                               std::abs(ab.x() * ac.y()) + std::abs(ab.y() * ac.x()));
-  const double size = minors.dot(ap.cwiseAbs());
-  if (size > 0x1p-500 && ap.cwiseAbs().maxCoeff() < 0x1p400) {
-    const int sign = certain_sign(volume, 12 * kRoundoff * size);
+  const TripleProduct volume = triple_product(b - a, c - a, p - a);
+  if (volume.is_in_range()) {
+    const int sign = certain_sign(volume.value, 12 * kRoundoff * volume.size);
     if (sign != 0) return sign;
   }
   return exact_side_sign(a, b, c, p);
@@ -104,6 +115,35 @@ bool are_collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   for (int axis = 0; axis < 3; ++axis)
     if (exact_turn_sign(without_axis(a, axis), without_axis(b, axis), without_axis(c, axis)) != 0) return false;
   return true;
+}
+
+int volume_sign(const std::vector<Eigen::Vector3d>& vertices, std::span<const Triangle> faces) {
+  if (faces.empty()) return 0;
+  // Six times the volume is the sum of a . (b x c) over the faces, seen from any point: here from a vertex.
+  const Eigen::Vector3d& origin = vertices[faces[0][0]];
+  TripleProduct volume;
+  for (const Triangle& face : faces) {
+    const TripleProduct term =
+        triple_product(vertices[face[0]] - origin, vertices[face[1]] - origin, vertices[face[2]] - origin);
+    volume.value += term.value;
+    volume.size += term.size;
+    volume.greatest = std::max(volume.greatest, term.greatest);
+  }
+  if (volume.is_in_range()) {
+    const double additions = static_cast<double>(faces.size());
+    const int sign = certain_sign(volume.value, 2 * (additions + 12) * kRoundoff * volume.size);
+    if (sign != 0) return sign;
+  }
+  Dyadic exact;
+  for (const Triangle& face : faces) {
+    const auto coordinate = [&](std::size_t corner, int k) { return Dyadic(vertices[face[corner]][k]); };
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3;
+      const int j = (k + 2) % 3;
+      exact = exact + coordinate(0, k) * (coordinate(1, i) * coordinate(2, j) - coordinate(1, j) * coordinate(2, i));
+    }
+  }
+  return exact.sign();
 }
 
 }  // namespace pcm

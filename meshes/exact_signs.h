@@ -4,6 +4,9 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
+
+#include "meshes/triangle_mesh.h"
 
 /// Signs that reading and checking a surface hang on, exact for every finite input: floating point with an error bound
 /// first, exact numbers where that can't tell. The engine and the oracle have predicates of their own.
@@ -20,6 +23,10 @@ int side_sign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
 
 /// Whether a, b and c lie on one line, coincidence included: a face of exactly zero area.
 bool are_collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+/// The sign of the volume that closed faces enclose: +1 where they are oriented outward, 0 where they enclose nothing.
+/// The faces must be closed among themselves (every edge used as often in one direction as in the other).
+int volume_sign(const std::vector<Eigen::Vector3d>& vertices, std::span<const Triangle> faces);
 
 /// The coordinates of `p` other than `axis`, in the order that keeps a turn seen against that axis: (y, z) for x,
 /// (z, x) for y, (x, y) for z.

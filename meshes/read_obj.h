@@ -20,7 +20,7 @@ namespace pcm {
 ///
 /// Throws BadInput naming the file, and the line where there is one, and what to do: missing, a folder, binary, not a
 /// finite number, an index out of range, a face of fewer than three corners, no vertex, no face.
-/// Cost: linear, about 100 MB/s, but for concave polygons of many corners.
+/// Cost: linear, tens of megabytes a second, but for concave polygons of many corners.
 TriangleMesh read_obj(const std::filesystem::path& path);
 
 /// The same from the text of such a file; `name` becomes the mesh's and stands for the file in messages.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "meshes/exact_signs.h"
@@ -109,15 +110,31 @@ std::size_t find_ear(const Ring& ring, std::size_t start, std::size_t left) {
 
 void clip_ears(const std::vector<Eigen::Vector2d>& points, std::span<const Index> corners,
                std::vector<Triangle>& faces) {
+  // In a simple polygon only the neighbours of a clipped ear can become ears, so every corner is tried once and they
+  // once more each time. One that touches itself may hide an ear from this; then all corners are searched.
   Ring ring(points);
-  std::size_t start = 0;
-  for (std::size_t left = points.size(); left > 3; --left) {
-    const std::size_t ear = find_ear(ring, start, left);
+  std::vector<std::size_t> to_try(points.size());
+  std::iota(to_try.begin(), to_try.end(), std::size_t{0});
+  std::vector<bool> clipped(points.size(), false);
+  std::size_t tried = 0;
+  std::size_t last = 0;  // a corner that is still there
+  for (std::size_t left = points.size(); left > 3;) {
+    std::size_t ear = 0;
+    if (tried < to_try.size()) {
+      ear = to_try[tried++];
+      if (clipped[ear] || !ring.is_ear(ear)) continue;
+    } else {
+      ear = find_ear(ring, last, left);
+    }
     faces.push_back({corners[ring.previous(ear)], corners[ear], corners[ring.next(ear)]});
-    start = ring.next(ear);
+    to_try.push_back(ring.previous(ear));
+    to_try.push_back(ring.next(ear));
+    last = ring.next(ear);
+    clipped[ear] = true;
     ring.remove(ear);
+    --left;
   }
-  faces.push_back({corners[ring.previous(start)], corners[start], corners[ring.next(start)]});
+  faces.push_back({corners[ring.previous(last)], corners[last], corners[ring.next(last)]});
 }
 
 }  // namespace

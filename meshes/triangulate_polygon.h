@@ -19,7 +19,8 @@ namespace pcm {
 /// none of zero area. For a polygon that crosses itself or has no area the triangles are arbitrary, but there are
 /// still n - 2 of them.
 ///
-/// `corners` are valid indices of finite `vertices`. Cost: O(n) where convex, else mostly O(n^2), at worst O(n^3).
+/// `corners` are valid indices of finite `vertices`. Cost: O(n) where convex, else O(n^2); O(n^3) at worst where it
+/// touches or crosses itself.
 void triangulate_polygon(const std::vector<Eigen::Vector3d>& vertices, std::span<const Index> corners,
                          std::vector<Triangle>& faces);
 

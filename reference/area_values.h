@@ -19,14 +19,6 @@ struct Shares {
   T open, counted, closed;
 };
 
-template <class T>
-std::vector<Vec3<T>> all_positions(const CrossingPoints& points, const Field<T>& field = {}) {
-  std::vector<Vec3<T>> positions;
-  positions.reserve(points.ids().size());
-  for (Index i = 0; i < static_cast<Index>(points.ids().size()); ++i) positions.push_back(points.position(i, field));
-  return positions;
-}
-
 inline Rational limited_to(const Rational& low, const Rational& x, const Rational& high) {
   return std::max(low, std::min(x, high));
 }
@@ -37,67 +29,66 @@ inline Ball limited_to(const Ball& low, const Ball& x, const Ball& high) {
 /// Green's theorem (clipped_areas.h): the integral of the winding number over the face, divided by |N|.
 template <class T>
 T inside_share(const FaceClip& clip, const std::array<Vec3<T>, 3>& corners, const std::vector<Vec3<T>>& positions,
-               const Field<T>& field = {}) {
-  T sum = field(0.0);
+               const LiftedPose<T>& pose) {
+  T sum = pose.number(0.0);
   if (clip.axis < 0) return sum;
   const int i = (clip.axis + 1) % 3, j = (clip.axis + 2) % 3;
   const Vec3<T>& o = corners[0];
+  const auto moment = [&](const Vec3<T>& p, const Vec3<T>& q) -> T {
+    return (p[i] - o[i]) * (q[j] - o[j]) - (p[j] - o[j]) * (q[i] - o[i]);
+  };
   for_each_chord(clip, corners, positions, [&](int weight, const Vec3<T>& p, const Vec3<T>& q) {
-    const T moment = (p[i] - o[i]) * (q[j] - o[j]) - (p[j] - o[j]) * (q[i] - o[i]);
-    sum = sum + (weight == 1 ? moment : field(weight) * moment);
+    if (&p == &o || &q == &o) return;  // no moment about a corner of its own
+    sum = sum + (weight == 1 ? moment(p, q) : pose.number(static_cast<double>(weight)) * moment(p, q));
   });
-  const Vec3<T>&b = corners[1], &c = corners[2];
-  const T normal = (b[i] - o[i]) * (c[j] - o[j]) - (b[j] - o[j]) * (c[i] - o[i]);
-  const T share = sum / (field(2.0) * normal);
-  return clip.limited ? limited_to(field(0.0), share, field(0.5)) : share;
+  const T share = sum / (pose.number(2.0) * moment(corners[1], corners[2]));
+  return clip.limited ? limited_to(pose.number(0.0), share, pose.number(0.5)) : share;
 }
 
 template <class T>
-Shares<T> shares_of(const ClippedAreas& areas, Side side, const FaceClip& clip, const std::array<Vec3<T>, 3>& corners,
-                    const std::vector<Vec3<T>>& positions, const Field<T>& field = {}) {
-  const T from_inside = inside_share(clip, corners, positions, field);
+Shares<T> shares_of(const ClippedAreas& areas, Side side, const FaceClip& clip, const T& from_inside,
+                    const LiftedPose<T>& pose) {
   if (clip.overlaps.empty()) return {from_inside, from_inside, from_inside};
   Rational equal = 0, opposite = 0;
   for (const Index i : clip.overlaps)
     (areas.overlaps[i].equal_normals ? equal : opposite) += areas.overlaps[i].share(side);
-  const T open = from_inside - field(equal);
-  return {open, side == Side::E ? from_inside : open, from_inside + field(opposite)};
+  const T open = from_inside - pose.number(equal);
+  return {open, side == Side::E ? from_inside : open, from_inside + pose.number(opposite)};
 }
 
 /// A clipped face: doubled normal N and its shares of |N|.
 template <class T>
 struct FaceArea {
-  Index face;
   Vec3<T> point;  ///< a corner
   Vec3<T> normal;
   Shares<T> shares;
 };
 
 template <class T>
-std::vector<FaceArea<T>> face_areas(const ExactPose& pose, const ClippedAreas& areas, Side side,
-                                    const std::vector<Vec3<T>>& positions, const Field<T>& field = {}) {
+std::vector<FaceArea<T>> face_areas(const ClippedAreas& areas, Side side, const std::vector<Vec3<T>>& positions,
+                                    LiftedPose<T>& pose) {
   std::vector<FaceArea<T>> faces;
   for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) {
-    const auto corners = pose.corners<T>(side, clip.face, field);
-    faces.push_back({clip.face, corners[0], doubled_normal(corners[0], corners[1], corners[2]),
-                     shares_of(areas, side, clip, corners, positions, field)});
+    const auto corners = pose.corners(side, clip.face);
+    faces.push_back({corners[0], doubled_normal(corners[0], corners[1], corners[2]),
+                     shares_of(areas, side, clip, inside_share(clip, corners, positions, pose), pose)});
   }
   return faces;
 }
 
 template <class T>
-Vec3<T> vector_area(const std::vector<FaceArea<T>>& faces, const Field<T>& field = {}) {
-  Vec3<T> sum{field(0.0), field(0.0), field(0.0)};
+Vec3<T> vector_area(const std::vector<FaceArea<T>>& faces, const LiftedPose<T>& pose) {
+  Vec3<T> sum = pose.zero();
   for (const FaceArea<T>& face : faces) sum = sum + face.shares.counted * face.normal;
   return sum;
 }
 
 /// One third of the flux of x - origin through the clipped faces. Over both surfaces: the volume of the intersection.
 template <class T>
-T flux_third(const std::vector<FaceArea<T>>& faces, const Vec3<T>& origin, const Field<T>& field = {}) {
-  T sum = field(0.0);
+T flux_third(const std::vector<FaceArea<T>>& faces, const Vec3<T>& origin, const LiftedPose<T>& pose) {
+  T sum = pose.number(0.0);
   for (const FaceArea<T>& face : faces) sum = sum + dot(face.point - origin, face.normal) * face.shares.counted;
-  return sum / field(3.0);
+  return sum / pose.number(3.0);
 }
 
 }  // namespace pcm::reference

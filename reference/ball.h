@@ -2,41 +2,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <mpfi.h>
+#include <mpfr.h>
 
+#include <array>
+#include <memory>
 #include <optional>
 
 #include "reference/numbers.h"
 
 namespace pcm::reference {
 
-/// An interval that encloses a real number, with as many bits as asked for. A result has the greatest precision of its
-/// operands. Precision belongs to each number, so threads do not meet.
+/// An interval that encloses a real number, with as many bits as asked for: both ends are MPFR numbers, rounded
+/// outward. A result has the greater precision of its operands. Precision belongs to each number, so threads do not
+/// meet. Ends of up to 256 bits live in the object itself; only finer ones need the heap.
 class Ball {
  public:
-  explicit Ball(double x, mpfr_prec_t precision = 53) : Ball(Uninitialised{}, precision) { mpfi_set_d(value_, x); }
-  Ball(const Rational& x, mpfr_prec_t precision) : Ball(Uninitialised{}, precision) { mpfi_set_q(value_, x.mpq()); }
-  Ball(const Ball& x) : Ball(Uninitialised{}, mpfi_get_prec(x.value_)) { mpfi_set(value_, x.value_); }
-  Ball(Ball&& x) noexcept : Ball(Uninitialised{}, MPFR_PREC_MIN) { mpfi_swap(value_, x.value_); }
-  Ball& operator=(Ball x) noexcept {
-    mpfi_swap(value_, x.value_);
-    return *this;
-  }
-  ~Ball() { mpfi_clear(value_); }
+  Ball(double x, mpfr_prec_t precision);
+  Ball(const Rational& x, mpfr_prec_t precision);
+  Ball(const Ball& x);
+  Ball& operator=(const Ball& x);
 
-  friend Ball operator+(const Ball& a, const Ball& b) { return combine(mpfi_add, a, b); }
-  friend Ball operator-(const Ball& a, const Ball& b) { return combine(mpfi_sub, a, b); }
-  friend Ball operator*(const Ball& a, const Ball& b) { return combine(mpfi_mul, a, b); }
-  friend Ball operator/(const Ball& a, const Ball& b) { return combine(mpfi_div, a, b); }
-  friend Ball sqrt(const Ball& a) {
-    Ball result(Uninitialised{}, mpfi_get_prec(a.value_));
-    mpfi_sqrt(result.value_, a.value_);
-    return result;
-  }
-  /// Enclosures of the smaller, the greater of two numbers, and of either.
-  friend Ball min(const Ball& a, const Ball& b) { return endpoints(mpfr_min, mpfr_min, a, b); }
-  friend Ball max(const Ball& a, const Ball& b) { return endpoints(mpfr_max, mpfr_max, a, b); }
-  friend Ball hull(const Ball& a, const Ball& b) { return endpoints(mpfr_min, mpfr_max, a, b); }
+  friend Ball operator+(const Ball& a, const Ball& b);
+  friend Ball operator-(const Ball& a, const Ball& b);
+  friend Ball operator*(const Ball& a, const Ball& b);
+  /// The whole line where b holds 0.
+  friend Ball operator/(const Ball& a, const Ball& b);
+  /// Of a number known not to be negative: what of the enclosure lies below zero is left out.
+  friend Ball sqrt(const Ball& a);
+  /// Enclosures of the smaller, of the greater of two numbers, and of either.
+  friend Ball min(const Ball& a, const Ball& b);
+  friend Ball max(const Ball& a, const Ball& b);
+  friend Ball hull(const Ball& a, const Ball& b);
 
   /// -1 or 1 where the enclosure lies on one side of zero, 0 where it is zero itself; nothing where it does not tell.
   std::optional<int> sign() const;
@@ -48,24 +44,20 @@ class Ball {
   double middle() const;
 
  private:
-  struct Uninitialised {};
-  Ball(Uninitialised, mpfr_prec_t precision) { mpfi_init2(value_, precision); }
+  static constexpr std::size_t kInlineLimbs = 4;
 
-  template <class Operation>
-  static Ball combine(Operation operation, const Ball& a, const Ball& b) {
-    Ball result(Uninitialised{}, std::max(mpfi_get_prec(a.value_), mpfi_get_prec(b.value_)));
-    operation(result.value_, a.value_, b.value_);
-    return result;
-  }
-  template <class Lower, class Upper>
-  static Ball endpoints(Lower lower, Upper upper, const Ball& a, const Ball& b) {
-    Ball result(Uninitialised{}, std::max(mpfi_get_prec(a.value_), mpfi_get_prec(b.value_)));
-    lower(&result.value_->left, &a.value_->left, &b.value_->left, MPFR_RNDD);
-    upper(&result.value_->right, &a.value_->right, &b.value_->right, MPFR_RNDU);
-    return result;
-  }
+  /// Room for both ends, which are set to 0.
+  explicit Ball(mpfr_prec_t precision);
+  void make_room(mpfr_prec_t precision);
+  /// Room for a result of a and b.
+  Ball(const Ball& a, const Ball& b);
+  bool not_negative() const { return mpfr_sgn(lower_) >= 0; }
+  bool not_positive() const { return mpfr_sgn(upper_) <= 0; }
 
-  mpfi_t value_;
+  std::array<mp_limb_t, 2 * kInlineLimbs> inline_limbs_;
+  std::unique_ptr<mp_limb_t[]> heap_limbs_;
+  mpfr_t lower_;
+  mpfr_t upper_;
 };
 
 template <>

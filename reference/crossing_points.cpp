@@ -68,7 +68,7 @@ std::optional<Vec3<Rational>> degenerate_midpoint(const ExactPose& pose, const C
 
 }  // namespace
 
-CrossingPoints::CrossingPoints(const ExactPose& pose, std::vector<CrossingId> ids) : pose_(pose), ids_(std::move(ids)) {
+CrossingPoints::CrossingPoints(const ExactPose& pose, std::vector<CrossingId> ids) : ids_(std::move(ids)) {
   for (const CrossingId& id : ids_) midpoints_.push_back(degenerate_midpoint(pose, id));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/crossings.h"
+#include "reference/lifted_pose.h"
 
 namespace pcm::reference {
 
@@ -14,28 +15,33 @@ namespace pcm::reference {
 /// choice.
 class CrossingPoints {
  public:
-  /// The pose must outlive this.
   CrossingPoints(const ExactPose& pose, std::vector<CrossingId> ids);
 
   const std::vector<CrossingId>& ids() const { return ids_; }
 
   /// Number kinds with division: Rational, Ball.
   template <class T>
-  Vec3<T> position(Index crossing, const Field<T>& field = {}) const {
+  Vec3<T> position(Index crossing, LiftedPose<T>& pose) const {
     if (const auto& midpoint = midpoints_[crossing])
-      return {field(midpoint->x), field(midpoint->y), field(midpoint->z)};
+      return {pose.number(midpoint->x), pose.number(midpoint->y), pose.number(midpoint->z)};
     const CrossingId& id = ids_[crossing];
-    const Vec3<T> a = pose_.point<T>({id.edge_side, id.edge[0]}, field);
-    const Vec3<T> b = pose_.point<T>({id.edge_side, id.edge[1]}, field);
-    const auto [p, q, s] = pose_.corners<T>(other(id.edge_side), id.face, field);
+    const Vec3<T>& a = pose.point({id.edge_side, id.edge[0]});
+    const Vec3<T>& b = pose.point({id.edge_side, id.edge[1]});
+    const auto [p, q, s] = pose.corners(other(id.edge_side), id.face);
     const Vec3<T> normal = doubled_normal(p, q, s);
-    const T height_a = dot(normal, a - p);
-    const T t = height_a / dot(normal, a - b);
+    const T t = dot(normal, a - p) / dot(normal, a - b);
     return a + t * (b - a);
   }
 
+  template <class T>
+  std::vector<Vec3<T>> positions(LiftedPose<T>& pose) const {
+    std::vector<Vec3<T>> all;
+    all.reserve(ids_.size());
+    for (Index i = 0; i < static_cast<Index>(ids_.size()); ++i) all.push_back(position(i, pose));
+    return all;
+  }
+
  private:
-  const ExactPose& pose_;
   std::vector<CrossingId> ids_;
   std::vector<std::optional<Vec3<Rational>>> midpoints_;
 };

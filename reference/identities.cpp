@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/identities.h"
 
+#include "meshes/check.h"
 #include "reference/area_values.h"
 #include "reference/combinatorics.h"
 #include "reference/validate.h"
@@ -41,21 +42,23 @@ void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip,
 
 Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Problem problem,
                             const Pose& pose_doubles) {
+  require_fit(mesh_E);
+  require_fit(mesh_F);
   require_fit(pose_doubles, {});
   const Surface E = make_surface(mesh_E), F = make_surface(mesh_F);
   Identities identities;
   identities.applicable = E.closed && F.closed;
   if (!identities.applicable) return identities;
 
-  const ExactPose pose(problem, E, F, pose_doubles);
-  const Combinatorics combinatorics = find_combinatorics(pose);
-  const ClippedAreas areas = combinatorics.clip(pose);
-  const std::vector<Vec3<Rational>> positions = all_positions<Rational>(areas.points);
+  const ExactPose exact_pose(problem, E, F, pose_doubles);
+  const ClippedAreas areas = find_combinatorics(exact_pose).clip(exact_pose);
+  LiftedPose<Rational> pose(exact_pose);
+  const std::vector<Vec3<Rational>> positions = areas.points.positions(pose);
   Vec3<Rational> sum{0, 0, 0}, fluxes{0, 0, 0};
   for (const Side side : {Side::E, Side::F}) {
-    sum = sum + vector_area(face_areas(pose, areas, side, positions));
+    sum = sum + vector_area(face_areas(areas, side, positions, pose), pose);
     for (const FaceClip& clip : side == Side::E ? areas.E : areas.F)
-      add_fluxes(areas, side, clip, pose.corners<Rational>(side, clip.face), positions, fluxes);
+      add_fluxes(areas, side, clip, pose.corners(side, clip.face), positions, fluxes);
   }
   identities.vector_areas_cancel = sum.x == 0 && sum.y == 0 && sum.z == 0;
   identities.fluxes_agree = fluxes.x == fluxes.y && fluxes.y == fluxes.z;

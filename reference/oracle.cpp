@@ -4,7 +4,10 @@
 
 #include <utility>
 
+#include "meshes/check.h"
 #include "reference/combinatorics.h"
+#include "reference/contact_elements.h"
+#include "reference/contact_force.h"
 #include "reference/exact_pose.h"
 #include "reference/report.h"
 #include "reference/surface.h"
@@ -21,6 +24,8 @@ struct Oracle::Data {
 
 Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mode) {
   require_fit(law);
+  require_fit(mesh_E);
+  require_fit(mesh_F);
   data_ =
       std::make_unique<const Data>(Data{make_surface(std::move(mesh_E)), make_surface(std::move(mesh_F)), law, mode});
 }
@@ -42,10 +47,21 @@ Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity&
   answer.F.inner = found.F.inner;
   if (wanted.polygons) {
     const std::vector<Index> patches = group_into_patches(pose, found.crossings, found.polygons, found.E, found.F);
-    report_polygons(CrossingPoints(pose, found.crossings.ids), found.polygons, patches, answer);
+    report_polygons(pose, CrossingPoints(pose, found.crossings.ids), found.polygons, patches, answer);
   }
   if (wanted.areas)
     report_areas(pose, found.clip(pose), data_->E.closed && data_->F.closed && !answer.ambiguous, answer);
+  if (wanted.force) {
+    std::vector<ElementPair> elements;
+    for (const Side master : {Side::E, Side::F}) {
+      if (data_->mode == (master == Side::E ? Mode::F : Mode::E)) continue;
+      const ElementPairs of_master = find_elements(pose, master, found);
+      elements.insert(elements.end(), of_master.pairs.begin(), of_master.pairs.end());
+      answer.too_deep += of_master.too_deep;
+      answer.certified = answer.certified && of_master.certified;
+    }
+    report_force(pose, elements, data_->law, data_->mode, velocity, wanted, answer);
+  }
   return answer;
 }
 

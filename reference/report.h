@@ -14,8 +14,8 @@
 namespace pcm::reference {
 
 /// Writes polygons with the positions of their points, and the number of patches.
-void report_polygons(const CrossingPoints& points, const std::vector<Chain>& chains, const std::vector<Index>& patches,
-                     Answer& answer);
+void report_polygons(const ExactPose& pose, const CrossingPoints& points, const std::vector<Chain>& chains,
+                     const std::vector<Index>& patches, Answer& answer);
 
 /// Writes areas, their intervals, vector areas, and the volume where `has_volume`. Vector areas and volume are rational
 /// and rounded correctly without exception; areas are sums of shares of |N|, zero is proven by the shares, and the

@@ -10,6 +10,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <limits>
 #include <random>
 
 /// Rational arithmetic and hard doubles that the predicates' tests are made of.
@@ -36,7 +38,9 @@ inline RationalVector cross(const RationalVector& a, const RationalVector& b) {
 /// Draws doubles of the kinds that break predicates.
 class Doubles {
  public:
-  explicit Doubles(std::uint64_t seed) : random_(seed) {}
+  explicit Doubles(std::uint64_t seed) : random_(seed) {
+    std::printf("  seed %llu\n", static_cast<unsigned long long>(seed));
+  }
 
   std::int64_t integer(std::int64_t least, std::int64_t greatest) {
     return std::uniform_int_distribution<std::int64_t>(least, greatest)(random_);
@@ -55,6 +59,12 @@ class Doubles {
     return std::ldexp(unit(), static_cast<int>(integer(-exponent, exponent)));
   }
   double denormal() { return std::ldexp(static_cast<double>(integer(-9, 9)), -1074); }
+  /// The ends of double's range, and one.
+  double extreme() {
+    constexpr std::array<double, 4> kMagnitudes{0, std::numeric_limits<double>::denorm_min(), 1,
+                                                std::numeric_limits<double>::max()};
+    return (integer(0, 1) == 0 ? -1 : 1) * kMagnitudes[static_cast<std::size_t>(integer(0, 3))];
+  }
   double small_integer(std::int64_t greatest) { return static_cast<double>(integer(-greatest, greatest)); }
   /// Moves x by up to `ulps` units in the last place.
   double nudged(double x, int ulps) {

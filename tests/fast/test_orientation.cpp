@@ -69,9 +69,7 @@ TEST(Orientation, IsPositiveAboveThePlane) {
 /// Every one of the 24 assignments of ranks, on points of a small grid: coplanar, collinear and coinciding ones. Four
 /// points in one place reach the constant at the end of the table.
 TEST(Orientation, TieRuleIsTheDeterminantOfPointsMovedByTinyEps) {
-  constexpr std::uint64_t kSeed = 4711;
-  SCOPED_TRACE("seed " + std::to_string(kSeed));
-  Doubles doubles(kSeed);
+  Doubles doubles(4711);
   WorkCounters work;
   for (int i = 0; i < 150; ++i) {
     const std::int64_t greatest = i % 5;  // 0: all coordinates coincide
@@ -182,9 +180,7 @@ void expect_filter_right(const std::string& what, int count, const std::function
 }
 
 TEST(Orientation, FilterAndExactStageAgreeWithRationals) {
-  constexpr std::uint64_t kSeed = 99;
-  SCOPED_TRACE("seed " + std::to_string(kSeed));
-  Doubles doubles(kSeed);
+  Doubles doubles(99);
   const auto points = [&](auto&& coordinate) {
     Points p;
     for (auto& x : p) x = Doubles::point(coordinate);
@@ -211,6 +207,8 @@ TEST(Orientation, FilterAndExactStageAgreeWithRationals) {
       "exponents between -300 and 300", 20000, [&] { return points([&] { return doubles.scaled(300); }); }, 1);
   expect_filter_right(
       "any bit pattern", 20000, [&] { return points([&] { return doubles.any(); }); }, 1);
+  expect_filter_right(
+      "ends of the range", 5000, [&] { return points([&] { return doubles.extreme(); }); }, 1);
   expect_filter_right(
       "denormals", 5000, [&] { return points([&] { return doubles.denormal(); }); }, 1);
   expect_filter_right(

@@ -122,9 +122,7 @@ Query query_of(const std::function<double()>& coordinate) {
 }
 
 TEST(PenetrationPredicates, AgreeWithTheirDefinitionsOverRationals) {
-  constexpr std::uint64_t kSeed = 1848;
-  SCOPED_TRACE("seed " + std::to_string(kSeed));
-  Doubles doubles(kSeed);
+  Doubles doubles(1848);
   const auto check = [&](const std::string& what, int count, const std::function<double()>& coordinate,
                          double ceiling) {
     expect_right(
@@ -153,15 +151,19 @@ TEST(PenetrationPredicates, AgreeWithTheirDefinitionsOverRationals) {
   check(
       "any bit pattern", 500, [&] { return doubles.any(); }, 1);
   check(
+      "products of four about underflow", 2000, [&] { return doubles.unit() * 0x1p-267; }, 1);
+  check(
+      "products of seven about underflow", 2000, [&] { return doubles.unit() * 0x1p-153; }, 1);
+  check(
+      "ends of the range", 1000, [&] { return doubles.extreme(); }, 1);
+  check(
       "denormals", 2000, [&] { return doubles.denormal(); }, 1);
 }
 
 /// Faces whose edge or vertex the line meets and pairs of faces whose planes it meets in one point, up to rounding and
 /// a few units in the last place.
 TEST(PenetrationPredicates, AgreeWithTheirDefinitionsNearDegeneracy) {
-  constexpr std::uint64_t kSeed = 1905;
-  SCOPED_TRACE("seed " + std::to_string(kSeed));
-  Doubles doubles(kSeed);
+  Doubles doubles(1905);
   const auto draw = [&](double offset, double scale, int ulps) {
     Query query = query_of([&] { return (offset + doubles.unit()) * scale; });
     const auto& p = query.master;

@@ -97,6 +97,20 @@ TEST(TriangulatePolygon, SpiralIsCutWithoutOverlap) {
   expect_valid(outer);
 }
 
+TEST(TriangulatePolygon, SpiralOfThousandsOfCornersIsCutWithoutOverlap) {
+  Points points;
+  for (const double start : {1.0, 0.5}) {
+    Points arm;
+    for (int i = 0; i < 2000; ++i) {
+      const double angle = 0.05 * i;
+      arm.emplace_back((start + angle) * std::cos(angle), (start + angle) * std::sin(angle));
+    }
+    if (start < 1) std::reverse(arm.begin(), arm.end());
+    points.insert(points.end(), arm.begin(), arm.end());
+  }
+  expect_valid(points);
+}
+
 TEST(TriangulatePolygon, CornersOnStraightLinesGiveNoZeroAreaTriangle) {
   expect_valid_however_listed({{0, 0}, {1, 0}, {2, 0}, {0, 2}});
   expect_valid_however_listed({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});

@@ -96,6 +96,14 @@ TEST(OracleInput, BadPoseIsRefused) {
   EXPECT_THROW(oracle.answer(Problem::rounded, moved_by(std::numeric_limits<double>::infinity(), 0, 0)), BadInput);
 }
 
+TEST(OracleInput, UnfitMeshIsRefused) {
+  TriangleMesh box = generate::box({0, 0, 0}, {1, 1, 1});
+  TriangleMesh bad = box;
+  bad.faces.push_back(bad.faces[0]);
+  EXPECT_THROW(Oracle(box, bad), BadInput);
+  EXPECT_THROW(Oracle(bad, box), BadInput);
+}
+
 TEST(OracleInput, BadLawIsRefused) {
   const TriangleMesh box = generate::box({0, 0, 0}, {1, 1, 1});
   ContactLaw law;

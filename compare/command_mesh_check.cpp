@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/command_mesh_check.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "meshes/bad_input.h"
+#include "meshes/check.h"
+#include "meshes/read_mesh.h"
+#include "reference/self_intersections.h"
+
+namespace pcm::compare {
+namespace {
+
+/// A line on the face pairs of the surface that intersect, by the numbers of an OBJ file; empty where there is none.
+std::string describe_self_intersections(const std::vector<std::pair<Index, Index>>& pairs) {
+  constexpr std::size_t kShown = 5;
+  if (pairs.empty()) return {};
+  std::string text = "  warning: " + std::to_string(pairs.size());
+  text += pairs.size() == 1 ? " pair of faces that intersect: " : " pairs of faces that intersect: ";
+  for (std::size_t i = 0; i < std::min(pairs.size(), kShown); ++i) {
+    if (i > 0) text += ", ";
+    text += std::to_string(pairs[i].first + 1) + "-" + std::to_string(pairs[i].second + 1);
+  }
+  if (pairs.size() > kShown) text += " and " + std::to_string(pairs.size() - kShown) + " more";
+  return text + "; where the surface covers a place more than once, so do areas and volume\n";
+}
+
+Exit check_file(const std::string& file) {
+  const TriangleMesh mesh = read_mesh(file);
+  const MeshReport report = check(mesh);
+  std::cout << report.summary() << '\n';
+  const bool has_triangles =
+      report.out_of_range_faces.empty() && report.repeated_vertex_faces.empty() && report.non_finite_vertices.empty();
+  if (has_triangles) std::cout << describe_self_intersections(reference::self_intersections(mesh));
+  flush_output();
+  return report.fit() ? Exit::success : Exit::negative;
+}
+
+Exit check_files(const std::vector<std::string>& files) {
+  Exit worst = Exit::success;
+  for (const std::string& file : files) {
+    Exit status = Exit::bad_input;
+    try {
+      status = check_file(file);
+    } catch (const BadInput& error) {
+      complain(error.what());
+    }
+    worst = std::max(worst, status);
+  }
+  return worst;
+}
+
+}  // namespace
+
+void add_mesh_check_command(CLI::App& mesh, Run& run) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* command =
+      mesh.add_subcommand("check", "Say whether surfaces are fit for contact, and if not, why and where");
+  command->footer(
+      "Open surfaces are fit. Unused vertices and faces that intersect are warned of. Elements have the numbers of an\n"
+      "OBJ file, from 1. Exit status: 0 if all are fit, 1 if one is not, 2 if one can't be read.\n"
+      "Example:\n"
+      "  pcm mesh check bolt.obj nut.obj");
+  command->add_option("FILE", *files, "Surfaces, .obj or .off")->required()->type_name("");
+  command->callback([files, &run] { run = [files] { return check_files(*files); }; });
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/active_areas.h"
+
+#include <algorithm>
+
+#include "fast/winding.h"
+
+namespace pcm::fast {
+
+namespace {
+
+/// Change of the winding number along `edge` from its end v to the other one.
+Index change_from(const SideState& side, Index edge, Index v) {
+  const Index change = side.edge_crossings.get(edge, {}).winding_change;
+  return side.surface().edge(edge)[0] == v ? change : -change;
+}
+
+/// Spreads the winding number of a newly located vertex. `winding` of the intersected faces' vertices that still wait
+/// for theirs holds kWaiting.
+constexpr Index kWaiting = std::numeric_limits<Index>::min();
+
+void settle(SideState& side, std::vector<Index>& stack, Index v, Index winding) {
+  side.winding[v] = winding;
+  if (winding >= 1) side.inside_vertices.push_back(v);
+  stack.push_back(v);
+}
+
+void spread(SideState& side, std::vector<Index>& stack, Index seed, Index seed_winding) {
+  const Surface::Data& surface = side.surface();
+  stack.clear();
+  settle(side, stack, seed, seed_winding);
+  while (!stack.empty()) {
+    const Index v = stack.back();
+    stack.pop_back();
+    const Index winding = side.winding[v];
+    for (const Index edge : surface.vertex_edges[v]) {
+      const Index u = surface.other_end(edge, v);
+      const bool waiting = side.winding.get(u, 0) == kWaiting;
+      if (side.winding.contains(u) && !waiting) continue;
+      if (!waiting && winding < 1) continue;
+      settle(side, stack, u, winding + change_from(side, edge, v));
+    }
+    if (winding < 1) continue;
+    for (const Index face : surface.vertex_faces[v]) {
+      if (side.is_intersected.contains(face) || side.is_inner.contains(face)) continue;
+      side.is_inner[face] = true;
+      side.inner.push_back(face);
+    }
+  }
+}
+
+/// Components without any crossing whose box reaches into the other surface's.
+void find_nested(Workspace::Data& workspace, Side side_name) {
+  SideState& side = workspace.side(side_name);
+  const Surface::Data& surface = side.surface();
+  const Box& other_hull = workspace.side(opposite(side_name)).surface().tree.root().box;
+  side.component_crossed.start(surface.component_faces.items());
+  for (const Index face : side.intersected) {
+    side.component_crossed[surface.face_component[static_cast<std::size_t>(face)]] = true;
+  }
+  for (std::size_t c = 0; c < surface.component_faces.items(); ++c) {
+    if (side.component_crossed.contains(c)) continue;
+    const Box& box = surface.component_boxes[c];
+    const bool may_be_inside = side_name == Side::E ? boxes_may_touch(workspace.placement, box, other_hull)
+                                                    : boxes_may_touch(workspace.placement, other_hull, box);
+    if (!may_be_inside) continue;
+    const Incidence::Span faces = surface.component_faces[static_cast<Index>(c)];
+    if (winding_about_vertex(workspace, side_name, surface.face(*faces.begin())[0]) < 1) continue;
+    workspace.contact.nested = true;
+    side.inner.insert(side.inner.end(), faces.begin(), faces.end());
+  }
+}
+
+}  // namespace
+
+void find_active_area_in_closed(Workspace::Data& workspace, Side side_name) {
+  SideState& side = workspace.side(side_name);
+  const Surface::Data& surface = side.surface();
+  side.winding.start(surface.mesh.vertices.size());
+  side.is_inner.start(surface.mesh.faces.size());
+  for (const Index face : side.intersected) {
+    for (const Index v : surface.face(face)) side.winding[v] = kWaiting;
+  }
+  for (const Index face : side.intersected) {
+    for (const Index v : surface.face(face)) {
+      if (side.winding[v] != kWaiting) continue;
+      spread(side, workspace.stack, v, winding_about_vertex(workspace, side_name, v));
+    }
+  }
+  find_nested(workspace, side_name);
+}
+
+void find_active_area(Workspace::Data& workspace, Side side_name) {
+  SideState& side = workspace.side(side_name);
+  side.inner.clear();
+  side.inside_vertices.clear();
+  if (workspace.side(opposite(side_name)).surface().closed) {
+    find_active_area_in_closed(workspace, side_name);
+  } else {
+    find_active_area_in_open(workspace, side_name);
+  }
+  std::sort(side.inner.begin(), side.inner.end());
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/contact_force.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fast/geometry.h"
+
+namespace pcm::fast {
+
+void apply_force(const ForceProblem& problem, const Eigen::Vector3d& barycentre_Me, Element& element) {
+  const Eigen::Vector3d& n = element.normal_Me;
+  const bool master_E = element.master == Side::E;
+  const double shift = master_E ? problem.stiffness.shift_from_E : problem.stiffness.shift_from_F;
+  element.position_Me = barycentre_Me + (shift * element.penetration) * n;  // (13)
+  Eigen::Vector3d slip_Me = Eigen::Vector3d::Zero();
+  if (problem.with_velocities) {
+    // (17): velocity of the slave at C_k seen from the master, so that along n_k it approaches.
+    const Eigen::Vector3d lever = element.position_Me - problem.pose.r;
+    const Eigen::Vector3d v_F = problem.velocity.v + problem.velocity.w.cross(lever);
+    const Eigen::Vector3d v_k = master_E ? v_F : Eigen::Vector3d(-v_F);
+    element.normal_velocity = n.dot(v_k);  // (16)
+    slip_Me = v_k - element.normal_velocity * n;
+    element.tangential_velocity = length(slip_Me);  // (19)
+  }
+  const ElementForce force = element_force(problem.law, problem.stiffness.c_l, element.area, element.penetration,
+                                           element.normal_velocity, element.tangential_velocity);
+  element.normal_force = force.normal;
+  element.tangential_force = force.tangential;
+  Eigen::Vector3d on_master = force.normal * n;  // (21)
+  if (element.tangential_velocity > 0) on_master += force.tangential * (slip_Me / element.tangential_velocity);
+  element.force_Me = master_E ? on_master : Eigen::Vector3d(-on_master);
+}
+
+Statistics summarize(const std::vector<Element>& elements) {
+  Statistics statistics;
+  double volume = 0, force = 0;
+  Eigen::Vector3d moment_Me = Eigen::Vector3d::Zero();
+  for (const Element& element : elements) {
+    statistics.patch_area += element.area;
+    volume += element.area * element.penetration;
+    force += element.normal_force;
+    moment_Me += element.normal_force * element.position_Me;
+    if (element.area > 0) {
+      statistics.max_pressure = std::max(statistics.max_pressure, element.normal_force / element.area);
+    }
+    statistics.max_normal_velocity = std::max(statistics.max_normal_velocity, std::abs(element.normal_velocity));
+    statistics.max_tangential_velocity = std::max(statistics.max_tangential_velocity, element.tangential_velocity);
+  }
+  if (statistics.patch_area > 0) {
+    statistics.mean_penetration = volume / statistics.patch_area;
+    statistics.mean_pressure = force / statistics.patch_area;
+  }
+  if (force > 0) statistics.centre_of_pressure_Me = moment_Me / force;
+  return statistics;
+}
+
+void compute_force(Workspace::Data& workspace, Mode mode, const ForceProblem& problem) {
+  Contact& contact = workspace.contact;
+  if (mode == Mode::both) {
+    const MasterForce on_E = sum_elements(workspace, Side::E, problem);
+    const MasterForce on_F = sum_elements(workspace, Side::F, problem);
+    contact.force_Me = 0.5 * (on_E.force_Me + on_F.force_Me);
+    contact.torque_Me = 0.5 * (on_E.torque_Me + on_F.torque_Me);
+  } else {
+    const MasterForce total = sum_elements(workspace, mode == Mode::E ? Side::E : Side::F, problem);
+    contact.force_Me = total.force_Me;
+    contact.torque_Me = total.torque_Me;
+  }
+  if (problem.keep_elements) contact.statistics = summarize(contact.elements);
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fast/contact_elements.h"
+
+namespace pcm::fast {
+
+/// Fills an element's position (13), velocities (16), (17), (19) and forces (14), (15), (18), (20), (21). `element`
+/// brings its master, area, penetration and normal; `barycentre_Me` is C_e. Velocities stay 0 where the problem needs
+/// none.
+void apply_force(const ForceProblem& problem, const Eigen::Vector3d& barycentre_Me, Element& element);
+
+/// Summary over elements, in their order; all zero where there is none.
+Statistics summarize(const std::vector<Element>& elements);
+
+/// Force and torque of the pairing (23), (24): of the master's elements, in mode `both` the mean of both masters'.
+/// Fills the answer's force, torque, elements, counts and statistics.
+void compute_force(Workspace::Data& workspace, Mode mode, const ForceProblem& problem);
+
+}  // namespace pcm::fast

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+namespace pcm::fast {
+
+/// The length of v, correct also where its square would overflow or underflow. Scales exactly with powers of two.
+inline double length(const Eigen::Vector3d& v) {
+  const double greatest = v.cwiseAbs().maxCoeff();
+  // Outside this range squares of coordinates are scaled; inside, scaling would change no bit.
+  if (greatest > 0x1p-450 && greatest < 0x1p450) return std::sqrt(v.dot(v));
+  if (greatest == 0 || !std::isfinite(greatest)) return greatest;
+  const int exponent = std::ilogb(greatest);
+  const Eigen::Vector3d w(std::ldexp(v[0], -exponent), std::ldexp(v[1], -exponent), std::ldexp(v[2], -exponent));
+  return std::ldexp(std::sqrt(w.dot(w)), exponent);
+}
+
+/// A face's normal (7) and area (6), from the differences of its vertices in Me. A face whose vertices lie on a line
+/// has area 0 and normal 0, never NaN.
+struct FaceGeometry {
+  std::array<Eigen::Vector3d, 3> points_Me;
+  Eigen::Vector3d N_Me;  ///< (p1 - p0) x (p2 - p0), m^2
+  Eigen::Vector3d n_Me;  ///< unit outward normal, 0 where N = 0
+  double area;           ///< m^2
+
+  explicit FaceGeometry(const std::array<Eigen::Vector3d, 3>& points)
+      : points_Me(points), N_Me((points[1] - points[0]).cross(points[2] - points[0])) {
+    const double twice_area = length(N_Me);
+    area = 0.5 * twice_area;
+    n_Me = twice_area > 0 ? Eigen::Vector3d(N_Me / twice_area) : Eigen::Vector3d::Zero();
+  }
+
+  /// Barycentre (8), averaged about the first vertex so that only differences are rounded away from it.
+  Eigen::Vector3d barycentre_Me() const {
+    return points_Me[0] + ((points_Me[1] - points_Me[0]) + (points_Me[2] - points_Me[0])) / 3;
+  }
+};
+
+}  // namespace pcm::fast

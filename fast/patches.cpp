@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/polygons.h"
+
+namespace pcm::fast {
+
+namespace {
+
+Index root_of(std::vector<Index>& parents, Index i) {
+  while (parents[static_cast<std::size_t>(i)] != i) {
+    Index& parent = parents[static_cast<std::size_t>(i)];
+    parent = parents[static_cast<std::size_t>(parent)];
+    i = parent;
+  }
+  return i;
+}
+
+void join(std::vector<Index>& parents, Index i, Index j) {
+  parents[static_cast<std::size_t>(root_of(parents, i))] = root_of(parents, j);
+}
+
+/// Numbers the regions of inside vertices joined by uncrossed edges; each becomes a set after the polygons' sets.
+void flood_regions(Workspace::Data& workspace, SideState& side) {
+  const Surface::Data& surface = side.surface();
+  side.region.start(surface.mesh.vertices.size());
+  for (const Index v : side.inside_vertices) side.region[v] = -1;
+  for (const Index seed : side.inside_vertices) {
+    if (side.region[seed] >= 0) continue;
+    const auto region = static_cast<Index>(workspace.parents.size());
+    workspace.parents.push_back(region);
+    side.region[seed] = region;
+    workspace.stack.assign(1, seed);
+    while (!workspace.stack.empty()) {
+      const Index v = workspace.stack.back();
+      workspace.stack.pop_back();
+      for (const Index edge : surface.vertex_edges[v]) {
+        if (side.edge_crossings.contains(edge)) continue;
+        const Index u = surface.other_end(edge, v);
+        if (side.region.get(u, 0) >= 0) continue;
+        side.region[u] = region;
+        workspace.stack.push_back(u);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void group_patches(Workspace::Data& workspace) {
+  const auto& crossings = workspace.crossings;
+  std::vector<Index>& parents = workspace.parents;
+  parents.clear();
+  for (std::size_t p = 0; p < workspace.polygons.size(); ++p) parents.push_back(static_cast<Index>(p));
+  for (SideState& side : workspace.sides) flood_regions(workspace, side);
+  for (std::size_t c = 0; c < crossings.size(); ++c) {
+    const CrossingNode& crossing = crossings[c];
+    SideState& side = workspace.side(crossing.edge_side);
+    const EdgeCrossings& list = side.edge_crossings[crossing.edge];
+    if (list.first != static_cast<Index>(c)) continue;
+    const std::array<Index, 2>& ends = side.surface().edge(crossing.edge);
+    const Index regions[2] = {side.region.get(ends[0], -1), side.region.get(ends[1], -1)};
+    if (list.count == 1) {
+      for (const Index region : regions) {
+        if (region >= 0) join(parents, region, crossing.polygon);
+      }
+    } else if (list.count == 2 && regions[0] < 0 && regions[1] < 0) {
+      join(parents, crossing.polygon, crossings[static_cast<std::size_t>(crossing.next_on_edge)].polygon);
+    }
+  }
+  workspace.patch_of_set.assign(parents.size(), -1);
+  Index patches = 0;
+  for (std::size_t p = 0; p < workspace.polygons.size(); ++p) {
+    Index& patch = workspace.patch_of_set[static_cast<std::size_t>(root_of(parents, static_cast<Index>(p)))];
+    if (patch < 0) patch = patches++;
+    workspace.polygons[p].patch = patch;
+  }
+  workspace.contact.patches = patches;
+}
+
+}  // namespace pcm::fast

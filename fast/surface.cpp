@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/surface.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "fast/thickness.h"
+#include "meshes/check.h"
+
+namespace pcm::fast {
+
+namespace {
+
+/// Groups `pairs` (item, entry) by item, keeping the order of the entries.
+template <class Pairs>
+Incidence incidence(std::size_t items, const Pairs& for_each_pair) {
+  Incidence result;
+  result.offset.assign(items + 1, 0);
+  for_each_pair([&](Index item, Index) { ++result.offset[static_cast<std::size_t>(item) + 1]; });
+  for (std::size_t i = 0; i < items; ++i) result.offset[i + 1] += result.offset[i];
+  result.entries.resize(static_cast<std::size_t>(result.offset.back()));
+  std::vector<Index> next(result.offset.begin(), result.offset.end() - 1);
+  for_each_pair([&](Index item, Index entry) {
+    result.entries[static_cast<std::size_t>(next[static_cast<std::size_t>(item)]++)] = entry;
+  });
+  return result;
+}
+
+struct HalfEdge {
+  std::array<Index, 2> ends;  ///< the smaller first
+  Index face;
+  int corner;
+
+  bool operator<(const HalfEdge& other) const { return ends != other.ends ? ends < other.ends : face < other.face; }
+};
+
+void connect_edges(Surface::Data& surface) {
+  std::vector<HalfEdge> half_edges;
+  half_edges.reserve(3 * surface.mesh.faces.size());
+  for (Index f = 0; f < static_cast<Index>(surface.mesh.faces.size()); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const Index a = surface.face(f)[static_cast<std::size_t>(k)];
+      const Index b = surface.face(f)[static_cast<std::size_t>((k + 1) % 3)];
+      half_edges.push_back({{std::min(a, b), std::max(a, b)}, f, k});
+    }
+  }
+  std::sort(half_edges.begin(), half_edges.end());
+  surface.face_edges.resize(surface.mesh.faces.size());
+  for (std::size_t i = 0; i < half_edges.size(); ++i) {
+    const HalfEdge& half_edge = half_edges[i];
+    if (i > 0 && half_edges[i - 1].ends == half_edge.ends) {
+      surface.edge_faces.back()[1] = half_edge.face;
+    } else {
+      surface.edges.push_back(half_edge.ends);
+      surface.edge_faces.push_back({half_edge.face, -1});
+    }
+    surface.face_edges[static_cast<std::size_t>(half_edge.face)][static_cast<std::size_t>(half_edge.corner)] =
+        static_cast<Index>(surface.edges.size()) - 1;
+  }
+  surface.closed = std::none_of(surface.edge_faces.begin(), surface.edge_faces.end(),
+                                [](const std::array<Index, 2>& faces) { return faces[1] < 0; });
+}
+
+void find_components(Surface::Data& surface) {
+  surface.face_component.assign(surface.mesh.faces.size(), -1);
+  Index components = 0;
+  std::vector<Index> stack;
+  for (Index seed = 0; seed < static_cast<Index>(surface.mesh.faces.size()); ++seed) {
+    if (surface.face_component[static_cast<std::size_t>(seed)] >= 0) continue;
+    surface.face_component[static_cast<std::size_t>(seed)] = components;
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const Index f = stack.back();
+      stack.pop_back();
+      for (const Index edge : surface.edges_of(f)) {
+        for (const Index g : surface.faces_at(edge)) {
+          if (g < 0 || surface.face_component[static_cast<std::size_t>(g)] >= 0) continue;
+          surface.face_component[static_cast<std::size_t>(g)] = components;
+          stack.push_back(g);
+        }
+      }
+    }
+    ++components;
+  }
+  surface.component_faces = incidence(static_cast<std::size_t>(components), [&](auto&& pair) {
+    for (std::size_t f = 0; f < surface.mesh.faces.size(); ++f) pair(surface.face_component[f], static_cast<Index>(f));
+  });
+  for (Index c = 0; c < components; ++c) {
+    const Incidence::Span faces = surface.component_faces[c];
+    surface.component_boxes.push_back(box_of_faces(surface.mesh, faces.begin(), faces.size()));
+  }
+}
+
+}  // namespace
+
+Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
+  require_fit(mesh);
+  connect_edges(*this);
+  vertex_edges = incidence(mesh.vertices.size(), [&](auto&& pair) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      for (const Index v : edges[e]) pair(v, static_cast<Index>(e));
+    }
+  });
+  vertex_faces = incidence(mesh.vertices.size(), [&](auto&& pair) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      for (const Index v : mesh.faces[f]) pair(v, static_cast<Index>(f));
+    }
+  });
+  find_components(*this);
+  tree = BoxTree(mesh);
+  for (const Triangle& triangle : mesh.faces) {
+    for (const Index v : triangle) reach = reach.cwiseMax(vertex(v).cwiseAbs());
+  }
+  thickness = lower_bounds_of_thickness(*this);
+}
+
+Surface::Surface(TriangleMesh mesh) : data_(std::make_shared<const Data>(std::move(mesh))) {}
+
+const TriangleMesh& Surface::mesh() const {
+  return data_->mesh;
+}
+
+bool Surface::closed() const {
+  return data_->closed;
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fast/box_tree.h"
+#include "fast/engine.h"
+
+namespace pcm::fast {
+
+/// For each of some items the entries that belong to it: those of item i are entries[begin[i] .. begin[i + 1]).
+struct Incidence {
+  struct Span {
+    const Index* first;
+    const Index* last;
+    const Index* begin() const { return first; }
+    const Index* end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  };
+  std::vector<Index> offset;
+  std::vector<Index> entries;
+
+  std::size_t items() const { return offset.size() - 1; }
+  Span operator[](Index item) const {
+    const auto i = static_cast<std::size_t>(item);
+    return {entries.data() + offset[i], entries.data() + offset[i + 1]};
+  }
+};
+
+/// What is derived from a mesh once, in the surface's own frame; read by every step of the evaluation.
+struct Surface::Data {
+  explicit Data(TriangleMesh surface_mesh);
+
+  TriangleMesh mesh;
+  /// Edges as pairs (smaller, greater vertex), in lexicographic order: comparing edge indices compares the pairs.
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<std::array<Index, 2>> edge_faces;  ///< faces at an edge, the smaller first; -1 second at a border
+  std::vector<std::array<Index, 3>> face_edges;  ///< edge k of a face joins its vertices k and k + 1
+  Incidence vertex_edges;                        ///< ascending
+  Incidence vertex_faces;                        ///< ascending
+  std::vector<Index> face_component;             ///< component (connected by edges) of each face
+  Incidence component_faces;                     ///< ascending
+  std::vector<Box> component_boxes;
+  bool closed = true;  ///< no border edge at all (rule: a surface is open as a whole)
+  BoxTree tree;
+  Eigen::Vector3d reach = Eigen::Vector3d::Zero();  ///< greatest |coordinate| along each axis, m
+  /// Lower bound of the distance from each face's barycentre along its inward normal to the next face of the same
+  /// surface, m; see fast/thickness.h.
+  std::vector<double> thickness;
+
+  const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }
+  const Eigen::Vector3d& vertex(Index v) const { return mesh.vertices[static_cast<std::size_t>(v)]; }
+  const std::array<Index, 2>& edge(Index e) const { return edges[static_cast<std::size_t>(e)]; }
+  const std::array<Index, 2>& faces_at(Index e) const { return edge_faces[static_cast<std::size_t>(e)]; }
+  const std::array<Index, 3>& edges_of(Index f) const { return face_edges[static_cast<std::size_t>(f)]; }
+  Index other_end(Index e, Index v) const { return edge(e)[0] == v ? edge(e)[1] : edge(e)[0]; }
+  bool border(Index e) const { return faces_at(e)[1] < 0; }
+};
+
+}  // namespace pcm::fast

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "reference/exact_pose.h"
+
+namespace pcm::reference {
+
+/// The line along which a master face e looks for the slave, in numbers of kind T: x = C - q N, q >= 0, with C its
+/// barycentre and N its doubled normal (PCM section 6). Three times C is kept, so that no division is needed.
+template <class T>
+struct LineNumbers {
+  Vec3<T> C3, N, v1, v2;  ///< 3 C, N, and the shifts p1 - p0, p2 - p0 that break ties
+  Vec3<T> N_x_v1, N_x_v2;
+};
+
+/// A face in the way of a line, with its normal, in numbers of kind T.
+template <class T>
+struct FaceNumbers {
+  std::array<Vec3<T>, 3> corners;
+  Vec3<T> normal;
+};
+
+/// How a line meets a face.
+struct Meeting {
+  bool met = false;
+  int facing = 0;      ///< sign of N_e . N_f: -1 the line leaves F's body there, +1 it enters (for own faces alike)
+  bool ahead = false;  ///< q > 0 before the shift; otherwise q = 0
+};
+
+/// The penetration line of one master face. Every decision is made for all vertices within their rounding boxes at once
+/// where that is possible; where it is not, exactly on the pose's own problem, and `certified` drops to false.
+class PenetrationLine {
+ public:
+  PenetrationLine(const ExactPose& pose, Side master, Index face);
+
+  Side master() const { return master_; }
+  Index face() const { return face_; }
+  bool certified() const { return certified_; }
+
+  /// Whether the line meets the face at q >= 0, ties of the side tests by the shift d v1 + d^2 v2, d -> 0+.
+  Meeting meets(Side side, Index face);
+
+  /// Sign of q_a - q_b for two faces that the line meets; ties by the shift. 0 where the shift does not tell either.
+  int compare(Side side_a, Index face_a, Side side_b, Index face_b);
+
+  /// Boxes that together hold the line from q = 0 to where it has left `room`, and no further than the face `until`
+  /// where given; cut into `pieces` so that they hug it.
+  std::vector<Box> pieces_within(const Box& room, int pieces, std::optional<Index> until_slave_face) const;
+
+ private:
+  const LineNumbers<Exact>& exact();
+
+  const ExactPose& pose_;
+  Side master_;
+  Index face_;
+  LineNumbers<Interval> enclosed_;
+  std::optional<LineNumbers<Exact>> exact_;
+  bool certified_ = true;
+};
+
+}  // namespace pcm::reference

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/compare/run_pcm.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace pcm::compare {
+namespace {
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+}  // namespace
+
+Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output) {
+  const ScratchFolder scratch;
+  const std::string out = output.empty() ? scratch.path("out") : output.string();
+  const std::string err = scratch.path("err");
+
+  std::vector<std::string> words{PCM_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
+  pid_t process = 0;
+  const int failed = posix_spawn(&process, PCM_PROGRAM, &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) throw std::runtime_error("could not start " PCM_PROGRAM);
+
+  int ended = 0;
+  waitpid(process, &ended, 0);
+  Outcome outcome;
+  outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+  if (output.empty()) outcome.out = content_of(out);
+  outcome.err = content_of(err);
+  return outcome;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "pcm-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("could not make a folder " + pattern);
+  folder_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code error;
+  std::filesystem::remove_all(folder_, error);
+}
+
+std::string ScratchFolder::write(const std::string& name, std::string_view text) const {
+  std::ofstream file(folder_ / name, std::ios::binary);
+  file << text;
+  return path(name);
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pcm::compare {
+
+/// What a run of the program left behind.
+struct Outcome {
+  int status = -1;  ///< exit status; -1 where a signal ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs the built program with these arguments (no shell in between) and waits for its end.
+/// `output` is where standard output goes instead of into the outcome, e.g. "/dev/full".
+Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output = {});
+
+/// The lines of a text, without their line feeds.
+std::vector<std::string> lines_of(const std::string& text);
+
+/// A folder of its own for each test, removed at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  /// The path of a file in the folder.
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// Writes a file in the folder; returns its path.
+  std::string write(const std::string& name, std::string_view text) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace pcm::compare

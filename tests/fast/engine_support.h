@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <utility>
+
+#include "fast/engine.h"
+#include "meshes/degenerate/bodies.h"
+#include "meshes/generate_boxes.h"
+#include "meshes/generate_bubbles.h"
+#include "meshes/generate_round.h"
+
+/// What the tests of the engine share: short names for poses and one-off evaluations.
+namespace pcm::fast::test {
+
+inline Pose shifted(double x, double y, double z) {
+  Pose pose;
+  pose.r = {x, y, z};
+  return pose;
+}
+
+/// A rotation that no coordinate plane survives, about an axis in general position.
+inline Pose turned(double angle, const Eigen::Vector3d& r) {
+  Pose pose;
+  pose.A = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  pose.r = r;
+  return pose;
+}
+
+inline ContactLaw stiffness(double c_l) {
+  ContactLaw law;
+  law.stiffness = c_l;
+  return law;
+}
+
+/// A copy of the answer to one question.
+inline Contact answer(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose = {},
+                      const ContactLaw& law = stiffness(1), Mode mode = Mode::E, const Velocity& velocity = {},
+                      const Wanted& wanted = {}) {
+  Workspace workspace;
+  return evaluate(Pairing(Surface(E), Surface(F), law, mode), pose, velocity, wanted, workspace);
+}
+
+inline TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by) {
+  for (Eigen::Vector3d& x : mesh.vertices) x += by;
+  return mesh;
+}
+
+inline TriangleMesh scaled(TriangleMesh mesh, double factor) {
+  for (Eigen::Vector3d& x : mesh.vertices) x *= factor;
+  return mesh;
+}
+
+}  // namespace pcm::fast::test

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "tests/fast/engine_support.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace pcm::fast {
+namespace {
+
+TEST(Allocations, NoneOnceTheWorkspaceHasGrown) {
+  const Surface bubble(generate::bubble());
+  ContactLaw law;
+  law.friction = 0.5;
+  const Pairing closed(bubble, bubble, law, Mode::both);
+  const Pairing open(Surface(generate::pyramid()), bubble, law, Mode::both);
+  Workspace workspace;
+  const auto run = [&] {
+    for (int i = 0; i < 20; ++i) {
+      const Pose deep = test::turned(0.3 * i, {0.05, 0.1, 0.12});
+      EXPECT_TRUE(evaluate(closed, deep, {}, {}, workspace).touching);
+      EXPECT_TRUE(evaluate(open, test::turned(0.3 * i, {0.01, 0.02, 0.05}), {}, {}, workspace).touching);
+    }
+  };
+  run();
+  const long before = allocations;
+  EXPECT_GT(before, 0);
+  run();
+  EXPECT_EQ(allocations - before, 0);
+}
+
+}  // namespace
+}  // namespace pcm::fast

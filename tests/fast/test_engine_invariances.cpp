@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "tests/fast/engine_support.h"
+
+namespace pcm::fast {
+namespace {
+
+using namespace test;
+using Eigen::Vector3d;
+
+/// A pose with everything in play: damping, friction, both masters.
+struct Scene {
+  TriangleMesh E = generate::bubble();
+  TriangleMesh F = generate::icosphere(0.15, 2);
+  Pose pose = turned(0.9, {0.02, 0.11, 0.13});
+  Velocity velocity{{0.1, -0.2, -0.7}, {0.3, 0.2, -0.4}};
+  ContactLaw law;
+  Mode mode = Mode::both;
+
+  Scene() {
+    law.stiffness = 5.9e5;
+    law.damping = 1000;
+    law.transition_depth = 0.01;
+    law.friction = 0.25;
+    law.slip_velocity = 0.5;
+  }
+  Contact answer() const { return test::answer(E, F, pose, law, mode, velocity); }
+};
+
+void expect_bits(const Contact& a, const Contact& b, double length, double area, double force, double torque) {
+  EXPECT_EQ(a.touching, b.touching);
+  ASSERT_EQ(a.crossings.size(), b.crossings.size());
+  for (std::size_t i = 0; i < a.crossings.size(); ++i) {
+    EXPECT_EQ(a.crossings[i].position_Me * length, b.crossings[i].position_Me);
+  }
+  EXPECT_EQ(a.E.area * area, b.E.area);
+  EXPECT_EQ(a.F.area * area, b.F.area);
+  EXPECT_EQ(a.E.vector_area_Me * area, b.E.vector_area_Me);
+  EXPECT_EQ(a.volume * area * length, b.volume);
+  EXPECT_EQ(a.force_Me * force, b.force_Me);
+  EXPECT_EQ(a.torque_Me * torque, b.torque_Me);
+  EXPECT_EQ(a.max_penetration * length, b.max_penetration);
+  EXPECT_EQ(a.element_count, b.element_count);
+  EXPECT_EQ(a.statistics.max_pressure * length, b.statistics.max_pressure);
+}
+
+TEST(EngineInvariance, AllLengthsTimesAPowerOfTwoScaleEveryBit) {
+  const Scene scene;
+  const Contact plain = scene.answer();
+  ASSERT_TRUE(plain.touching);
+  ASSERT_GT(plain.element_count, 10);
+  for (const int k : {-100, -40, -1, 3, 40, 100}) {
+    const double s = std::ldexp(1.0, k);
+    Scene large = scene;
+    large.E = scaled(scene.E, s);
+    large.F = scaled(scene.F, s);
+    large.pose.r *= s;
+    large.velocity.v *= s;
+    large.law.transition_depth *= s;
+    large.law.slip_velocity *= s;
+    expect_bits(plain, large.answer(), s, s * s, s * s * s, s * s * s * s);
+  }
+}
+
+TEST(EngineInvariance, TwoAxesNegatedInBothFramesNegateTheResultsBitForBit) {
+  const Scene scene;
+  const Contact plain = scene.answer();
+  for (int kept = 0; kept < 3; ++kept) {
+    Vector3d signs(-1, -1, -1);
+    signs[kept] = 1;
+    Scene negated = scene;
+    for (TriangleMesh* mesh : {&negated.E, &negated.F}) {
+      for (Vector3d& x : mesh->vertices) x = x.cwiseProduct(signs);
+    }
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) negated.pose.A(i, j) *= signs[i] * signs[j];
+    }
+    negated.pose.r = negated.pose.r.cwiseProduct(signs);
+    negated.velocity.v = negated.velocity.v.cwiseProduct(signs);
+    negated.velocity.w = negated.velocity.w.cwiseProduct(signs);
+    const Contact contact = negated.answer();
+    EXPECT_EQ(contact.force_Me, plain.force_Me.cwiseProduct(signs));
+    EXPECT_EQ(contact.torque_Me, plain.torque_Me.cwiseProduct(signs));
+    EXPECT_EQ(contact.volume, plain.volume);
+    EXPECT_EQ(contact.E.area, plain.E.area);
+    EXPECT_EQ(contact.F.vector_area_Me, plain.F.vector_area_Me.cwiseProduct(signs));
+  }
+}
+
+TEST(EngineInvariance, ModeBothIsTheMeanOfBothMasters) {
+  Scene scene;
+  const Contact both = scene.answer();
+  scene.mode = Mode::E;
+  const Contact by_E = scene.answer();
+  scene.mode = Mode::F;
+  const Contact by_F = scene.answer();
+  EXPECT_EQ(both.force_Me, 0.5 * (by_E.force_Me + by_F.force_Me));
+  EXPECT_EQ(both.torque_Me, 0.5 * (by_E.torque_Me + by_F.torque_Me));
+  EXPECT_EQ(both.element_count, by_E.element_count + by_F.element_count);
+}
+
+TEST(EngineInvariance, ExchangedBodiesGiveTheOppositeForce) {
+  Scene scene;
+  scene.mode = Mode::E;
+  const Contact direct = scene.answer();
+  Scene exchanged = scene;
+  std::swap(exchanged.E, exchanged.F);
+  exchanged.mode = Mode::F;
+  exchanged.pose.A = scene.pose.A.transpose();
+  exchanged.pose.r = -scene.pose.A.transpose() * scene.pose.r;
+  // Motion of E relative to F at E's marker, resolved in Mf.
+  exchanged.velocity.w = -scene.pose.A.transpose() * scene.velocity.w;
+  exchanged.velocity.v = -scene.pose.A.transpose() * (scene.velocity.v - scene.velocity.w.cross(scene.pose.r));
+  const Contact contact = exchanged.answer();
+  const Vector3d force_Me = -(scene.pose.A * contact.force_Me);
+  // About Me there, about Mf here.
+  const Vector3d torque_Me = -(scene.pose.A * contact.torque_Me) - scene.pose.r.cross(force_Me);
+  EXPECT_LT((force_Me - direct.force_Me).norm(), 1e-12 * direct.force_Me.norm());
+  EXPECT_LT((torque_Me - direct.torque_Me).norm(), 1e-12 * direct.force_Me.norm());
+}
+
+TEST(EngineInvariance, PermutedFacesAndVerticesGiveTheSameAnswerToRounding) {
+  const unsigned seed = 5;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  const Scene scene;
+  const Contact plain = scene.answer();
+  Scene permuted = scene;
+  for (TriangleMesh* mesh : {&permuted.E, &permuted.F}) {
+    std::vector<Index> place(mesh->vertices.size());
+    std::iota(place.begin(), place.end(), 0);
+    std::shuffle(place.begin(), place.end(), random);
+    std::vector<Vector3d> vertices(place.size());
+    for (std::size_t v = 0; v < place.size(); ++v) vertices[static_cast<std::size_t>(place[v])] = mesh->vertices[v];
+    mesh->vertices = vertices;
+    for (Triangle& face : mesh->faces) {
+      for (Index& v : face) v = place[static_cast<std::size_t>(v)];
+      std::rotate(face.begin(), face.begin() + random() % 3, face.end());
+    }
+    std::shuffle(mesh->faces.begin(), mesh->faces.end(), random);
+  }
+  const Contact contact = permuted.answer();
+  EXPECT_EQ(contact.element_count, plain.element_count);
+  EXPECT_EQ(contact.crossings.size(), plain.crossings.size());
+  EXPECT_NEAR(contact.volume, plain.volume, 1e-13 * plain.volume);
+  EXPECT_LT((contact.force_Me - plain.force_Me).norm(), 1e-12 * plain.force_Me.norm());
+}
+
+TEST(EngineInvariance, WhatIsNotWantedChangesNoBitOfTheRest) {
+  const Scene scene;
+  const Contact all = scene.answer();
+  const Pairing pairing(Surface(scene.E), Surface(scene.F), scene.law, scene.mode);
+  Workspace workspace;
+  for (int bits = 0; bits < 16; ++bits) {
+    const Wanted wanted{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
+    const Contact& part = evaluate(pairing, scene.pose, scene.velocity, wanted, workspace);
+    EXPECT_TRUE(part.touching);
+    EXPECT_EQ(part.polygons.size(), wanted.polygons ? all.polygons.size() : 0u);
+    EXPECT_EQ(part.volume, wanted.areas ? all.volume : 0);
+    EXPECT_EQ(part.elements.size(), wanted.elements ? all.elements.size() : 0u);
+    if (wanted.force) {
+      EXPECT_EQ(part.force_Me, all.force_Me);
+      EXPECT_EQ(part.torque_Me, all.torque_Me);
+    }
+  }
+}
+
+TEST(EngineInvariance, AWorkspaceUsedForOtherPairingsGivesTheSameBits) {
+  const Scene scene;
+  const Contact fresh = scene.answer();
+  Workspace workspace;
+  const Pairing other(Surface(generate::icosphere(1, 3)), Surface(generate::pyramid()));
+  evaluate(other, turned(0.3, {0.1, 0, -0.7}), {}, {}, workspace);
+  const Pairing pairing(Surface(scene.E), Surface(scene.F), scene.law, scene.mode);
+  expect_bits(fresh, evaluate(pairing, scene.pose, scene.velocity, {}, workspace), 1, 1, 1, 1);
+}
+
+TEST(EngineInvariance, VerticesOfFAreTransformedOnlyWhereTouched) {
+  const Pairing pairing(Surface(generate::icosphere(1, 4)), Surface(generate::icosphere(1, 4)));
+  Workspace workspace;
+  const Contact& contact = evaluate(pairing, turned(0.3, {1.2, 1.1, 1.105}), {}, {}, workspace);
+  EXPECT_TRUE(contact.touching);
+  EXPECT_LT(contact.work.vertices_transformed, 400);
+}
+
+}  // namespace
+}  // namespace pcm::fast
