@@ -18,8 +18,7 @@ namespace {
 
 using reference::Problem;
 
-/// The oracle's answer, after its combinatorics have been held against the twin's. `undefined_areas` is left to the
-/// caller where a face lies in the plane of an open surface.
+/// The oracle's answer, after its combinatorics have been held against the twin's.
 reference::Answer answer_held_by_twin(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, Problem problem) {
   const reference::Answer oracle = reference::Oracle(E, F).answer(problem, pose);
   EXPECT_EQ(difference(combinatorics_of(answer(E, F, pose, problem)), combinatorics_of(oracle)), "");
@@ -74,11 +73,8 @@ TEST(WorkedCases, TwoFeetInOneLargeFaceAreTwoPatches) {
   }
 }
 
-TEST(WorkedCases, BridgeUponBeamHasSeveralPatches) {
-  // The ring of the first case stands upright (turned about x by a right angle) and dips its lowest corner line and
-  // nothing else into a narrow trough between two walls: the walls' tops reach half a length into the ring's lower
-  // arms. Here simpler to see from the beam: a wall 2 wide runs under the lying ring along y; it meets two of the
-  // ring's arms.
+TEST(WorkedCases, RingUponWallHasTwoPatches) {
+  // A wall runs along y under the lying ring of the first case and meets two of its arms.
   //   Wall |x| <= 1/4, top half a length above the ring's lowest edge. At the height t above it and for given x, the
   //   ring covers 2 - t - |x| <= |y| <= 2 + t - |x|: the width 2 t in y on either side, whatever x.
   //   Wall's top (t = 1/2): 2 arms x 1/2 x 1 = 1. Wall's two flanks at |x| = 1/4: 2 arms x the triangle below t = 1/2:
@@ -122,7 +118,7 @@ TEST(WorkedCases, OpenContainerAgainstBubble) {
   // 25-gon of circumradius rho, height H > h, so the polygon is that 25-gon scaled by s = h / H.
   //   Wall: s^2 25/2 rho^2 sin(2 pi / 25). Cap: s^2 times 25 triangles of base 2 rho sin(pi / 25) and height
   //   sqrt(H^2 + rho^2 cos^2(pi / 25)).
-  //   The bubble at the angle t from its axis, t = pi / 19 at the first of its rings, is (length / 3)(1 + cos(2 t) / 2)
+  //   The bubble at the angle t from its axis, t = pi / 20 at the first of its rings, is (length / 3)(1 + cos(2 t) / 2)
   //   away from the origin.
   const double length = 0.4;
   const double pole = length / 2;
