@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cassert>
 #include <stdexcept>
 
 #include "tests/reference/brute_force/steps.h"
