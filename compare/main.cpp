@@ -12,6 +12,7 @@
 #include "compare/command_contact.h"
 #include "compare/command_line.h"
 #include "compare/command_mesh.h"
+#include "compare/command_verify.h"
 #include "meshes/bad_input.h"
 
 namespace pcm::compare {
@@ -64,6 +65,7 @@ Exit run_program(int argc, char** argv) {
   Run run;
   add_contact_command(program, run);
   add_mesh_command(program, run);
+  add_verify_command(program, run);
 
   try {
     program.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include "fast/active_areas.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "fast/winding.h"
 
@@ -16,8 +17,7 @@ Index change_from(const SideState& side, Index edge, Index v) {
   return side.surface().edge(edge)[0] == v ? change : -change;
 }
 
-/// Spreads the winding number of a newly located vertex. `winding` of the intersected faces' vertices that still wait
-/// for theirs holds kWaiting.
+/// The winding number of an intersected face's vertex that still waits for its own.
 constexpr Index kWaiting = std::numeric_limits<Index>::min();
 
 void settle(SideState& side, std::vector<Index>& stack, Index v, Index winding) {
@@ -26,6 +26,8 @@ void settle(SideState& side, std::vector<Index>& stack, Index v, Index winding) 
   stack.push_back(v);
 }
 
+/// Spreads the winding number of a located vertex to all that it decides: to waiting vertices, whose edges say by how
+/// much it changes, and all over the inside, whose uncrossed faces become inner.
 void spread(SideState& side, std::vector<Index>& stack, Index seed, Index seed_winding) {
   const Surface::Data& surface = side.surface();
   stack.clear();

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/command_verify.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <thread>
+
+#include "compare/verification_table.h"
+#include "compare/verify.h"
+#include "meshes/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct VerifyOptions {
+  std::int64_t poses = VerificationPlan().poses;
+  std::uint64_t seed = VerificationPlan().seed;
+  std::vector<std::string> strata;
+  std::vector<std::vector<std::string>> pairs;
+  std::string mode = "both";
+  int jobs = 0;
+  std::string out;
+  std::string case_file;
+};
+
+/// Set by the first interrupt; a signal can't reach anything else. The second one ends the program as usual.
+volatile std::sig_atomic_t interrupted = 0;
+
+void note_interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+VerificationPlan plan_from(const VerifyOptions& options) {
+  VerificationPlan plan;
+  if (options.poses < 1) throw BadInput(fmt::format("--poses {}: at least one pose is needed", options.poses));
+  plan.poses = options.poses;
+  plan.seed = options.seed;
+  plan.mode = options.mode == "E" ? Mode::E : options.mode == "F" ? Mode::F : Mode::both;
+  if (!options.strata.empty()) plan.strata.clear();
+  for (const std::string& word : options.strata) {
+    const std::optional<Stratum> stratum = stratum_named(word);
+    if (!stratum) {
+      std::string known;
+      for (const Stratum s : kStrata) known += (known.empty() ? "" : ", ") + std::string(name(s));
+      throw BadInput("--strata: unknown stratum '" + word + "'; known are " + known);
+    }
+    if (std::find(plan.strata.begin(), plan.strata.end(), *stratum) == plan.strata.end())
+      plan.strata.push_back(*stratum);
+  }
+  for (const std::vector<std::string>& pair : options.pairs)
+    plan.pairs.push_back(pair_from_files(pair.at(0), pair.at(1)));
+  if (!plan.pairs.empty()) {
+    // Two pairs of one name would draw the same random numbers and could not be told apart in the tables.
+    for (std::size_t i = 0; i < plan.pairs.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (plan.pairs[j].name == plan.pairs[i].name) plan.pairs[i].name += fmt::format(" ({})", i + 1);
+    return plan;
+  }
+  std::vector<std::string> missing;
+  plan.pairs = built_in_pairs(installed_real_surfaces(), missing);
+  if (!missing.empty())
+    std::cerr << fmt::format("skipped for want of the real surfaces of libcgal-demo: {}\n", fmt::join(missing, ", "));
+  return plan;
+}
+
+/// The folder of a run, made if need be. Throws BadInput where nothing can be written there.
+fs::path prepare_folder(const std::string& out) {
+  const fs::path folder = out;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder, error)) throw BadInput("--out " + out + ": no such folder, and it cannot be made");
+  write_whole_file(folder / "state.probe", "");
+  fs::remove(folder / "state.probe", error);
+  return folder;
+}
+
+void continue_from(const fs::path& state_file, Verification& run) {
+  if (!fs::exists(state_file)) return;
+  try {
+    std::ifstream stream(state_file);
+    run.restore(nlohmann::ordered_json::parse(stream));
+  } catch (const nlohmann::json::exception&) {
+    throw BadInput(state_file.string() + ": this is no state of a verification; choose another folder");
+  } catch (const BadInput& error) {
+    throw BadInput("--out " + state_file.parent_path().string() + ": " + error.what());
+  }
+  std::cerr << fmt::format("continued after {} poses\n", run.poses_done());
+}
+
+void write_cases(const fs::path& folder, const Verification& run) {
+  fast::Workspace workspace;
+  const Wanted everything;
+  for (const Finding& finding : run.findings()) {
+    const Cell& cell = run.cells()[finding.cell];
+    const Case posed = run.as_case(finding);
+    const Scene& scene = run.scene(cell);
+    nlohmann::ordered_json engine, oracle;
+    try {
+      engine = decided(fast::evaluate(scene.engine(), posed.pose, posed.velocity, everything, workspace));
+      oracle = decided(scene.oracle().answer(reference::Problem::rounded, posed.pose, posed.velocity, everything));
+    } catch (const std::exception&) {
+      // The disagreement itself says which side failed, and how.
+    }
+    std::string file = "case_" + run.pose_name(cell, finding.pose) + ".json";
+    for (char& c : file)
+      if (c == '/' || c == ' ') c = '_';
+    write_whole_file(folder / file, format_case(posed, finding.disagreements, engine, oracle));
+  }
+}
+
+void write_tables(const fs::path& folder, const Verification& run) {
+  write_whole_file(folder / "verification.md", verification_markdown(run) + "\n" + verdict_line(run) + "\n");
+  write_whole_file(folder / "verification.csv", verification_csv(run));
+  write_whole_file(folder / "verification.json", verification_json(run).dump(1) + "\n");
+  write_whole_file(folder / "times.md", times_markdown(run));
+  write_cases(folder, run);
+}
+
+Exit verify(const VerifyOptions& options) {
+  if (options.jobs < 0) throw BadInput(fmt::format("--jobs {}: at least one is needed", options.jobs));
+  VerificationPlan plan = plan_from(options);
+  std::optional<fs::path> folder;
+  if (!options.out.empty()) folder = prepare_folder(options.out);
+  Verification run(std::move(plan));
+  if (folder) continue_from(*folder / "state.json", run);
+
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const auto progress = [&](std::int64_t done) {
+    if (terminal && (done % 16 == 0 || done == run.plan().poses))
+      std::cerr << fmt::format("\r{} of {} poses", done, run.plan().poses) << std::flush;
+  };
+  const int jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+  while (!run.finished() && interrupted == 0) {
+    run.run_batch(
+        jobs, [] { return interrupted != 0; }, progress);
+    // An unfinished batch is repeated as a whole, so the state on disk stays that of the last whole one.
+    if (folder && interrupted == 0) write_whole_file(*folder / "state.json", run.state().dump() + "\n");
+  }
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  if (terminal) std::cerr << '\n';
+
+  if (folder) write_tables(*folder, run);
+  std::cout << verification_markdown(run) << '\n' << times_markdown(run) << '\n';
+  for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
+    const Finding& finding = run.findings()[k];
+    for (const Disagreement& d : finding.disagreements)
+      std::cout << fmt::format("{}: {}: {}\n", run.pose_name(run.cells()[finding.cell], finding.pose), name(d.kind),
+                               d.text);
+  }
+  std::cout << verdict_line(run) << '\n';
+  return run.total().disagreeing == 0 && run.finished() ? Exit::success : Exit::negative;
+}
+
+Exit replay(const std::string& file) {
+  const Case posed = read_case(file);
+  const Scene scene(posed.E, posed.F, posed.law, posed.mode);
+  fast::Workspace workspace;
+  const PoseOutcome outcome = scene.hold(posed.pose, posed.velocity, workspace);
+  std::cout << posed.origin << '\n';
+  for (const Disagreement& d : outcome.disagreements) std::cout << name(d.kind) << ": " << d.text << '\n';
+  const bool agrees = outcome.disagreements.empty();
+  std::cout << fmt::format("{}: 1 poses, {} touching, {} disagreements\n", agrees ? "verified" : "NOT verified",
+                           outcome.touching ? 1 : 0, agrees ? 0 : 1);
+  return agrees ? Exit::success : Exit::negative;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& program, Run& run) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command = program.add_subcommand("verify", "Hold the engine against the oracle over randomized poses");
+  command->footer(
+      "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
+      "jobs. The last line printed is the verdict; the exit status is 1 with a disagreement or when interrupted.\n"
+      "Examples:\n"
+      "  pcm verify --poses 200000 --out results\n"
+      "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
+      "  pcm verify --case results/case_cube-cube_degenerate_17.json");
+  command->add_option("--poses", options->poses, "How many poses in all")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the random poses")->capture_default_str();
+  command
+      ->add_option("--strata", options->strata,
+                   "Of generic, grazing, separated, nested, degenerate, near-degenerate (default: all)")
+      ->delimiter(',');
+  command
+      ->add_option("--pair", options->pairs,
+                   "Two surfaces E and F (OBJ or OFF) in place of the built-in pairs; may be repeated")
+      ->type_name("E F")
+      ->type_size(2);
+  command->add_option("--mode", options->mode, "Whose faces are masters: E, F or both")
+      ->check(CLI::IsMember({"E", "F", "both"}))
+      ->capture_default_str();
+  command->add_option("--jobs", options->jobs, "Threads (default: as many as cores)")->check(CLI::PositiveNumber);
+  command->add_option("--out", options->out,
+                      "Folder for tables and case files; an unfinished run with the same arguments is continued");
+  command->add_option("--case", options->case_file, "Replay a case file instead")
+      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--out");
+  command->callback([options, &run] {
+    run = [options] { return options->case_file.empty() ? verify(*options) : replay(options->case_file); };
+  });
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+#include "meshes/generate_boxes.h"
+#include "meshes/generate_bubbles.h"
+#include "meshes/generate_parts.h"
+#include "meshes/generate_round.h"
+#include "meshes/read_mesh.h"
+
+namespace pcm::compare {
+namespace {
+
+double greatest_extent(const TriangleMesh& mesh) {
+  Eigen::Vector3d low = mesh.vertices.front(), high = low;
+  for (const Eigen::Vector3d& x : mesh.vertices) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  return (high - low).maxCoeff();
+}
+
+/// Coordinates rounded to multiples of 2^-12: sums, differences and quarters of them are exact.
+TriangleMesh on_dyadic_grid(TriangleMesh mesh) {
+  for (Eigen::Vector3d& x : mesh.vertices)
+    for (int j = 0; j < 3; ++j) x[j] = std::ldexp(std::nearbyint(std::ldexp(x[j], 12)), -12);
+  mesh.name += " on a grid of 2^-12";
+  return mesh;
+}
+
+class PairList {
+ public:
+  void add_general(std::string name, TriangleMesh mesh_E, TriangleMesh mesh_F) {
+    add(std::move(name), std::move(mesh_E), std::move(mesh_F));
+  }
+  void add_hard(std::string name, TriangleMesh mesh_E, TriangleMesh mesh_F) {
+    add(std::move(name), on_dyadic_grid(std::move(mesh_E)), on_dyadic_grid(std::move(mesh_F)));
+    pairs.back().for_hard_strata = true;
+    pairs.back().for_all_strata = false;
+  }
+  void add_files(std::string name, const std::filesystem::path& file_E, const std::filesystem::path& file_F,
+                 std::vector<std::string>& missing) {
+    ++turn_;  // The laws of the others don't depend on what is installed.
+    for (const std::filesystem::path& file : {file_E, file_F})
+      if (std::error_code ignored; !std::filesystem::is_regular_file(file, ignored)) {
+        missing.push_back(name);
+        return;
+      }
+    --turn_;
+    add(std::move(name), read_mesh(file_E), read_mesh(file_F));
+    pairs.back().file_E = file_E;
+    pairs.back().file_F = file_F;
+  }
+
+  std::vector<SurfacePair> pairs;
+
+ private:
+  void add(std::string name, TriangleMesh mesh_E, TriangleMesh mesh_F) {
+    SurfacePair pair;
+    pair.name = std::move(name);
+    pair.law = verification_law(turn_++, mesh_E, mesh_F);
+    pair.E = std::move(mesh_E);
+    pair.F = std::move(mesh_F);
+    if (pair.faces() > 8000) pair.share = 4;
+    if (pair.faces() > 20000) pair.share = 1;
+    pairs.push_back(std::move(pair));
+  }
+
+  std::size_t turn_ = 0;
+};
+
+}  // namespace
+
+ContactLaw verification_law(std::size_t turn, const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
+  const double size = std::min(greatest_extent(mesh_E), greatest_extent(mesh_F));
+  ContactLaw law;
+  law.stiffness = 5.9e5;
+  switch (turn % 4) {
+    case 0:
+      law.damping = 1000;
+      law.transition_depth = size / 1024;
+      law.friction = 0.25;
+      law.slip_velocity = size / 64;
+      break;
+    case 1:
+      break;
+    case 2:
+      law.layers = LayerStiffness{1.2e6, std::numeric_limits<double>::infinity()};
+      law.damping = 500;
+      law.damping_mode = DampingMode::full;
+      law.friction = 0.5;
+      break;
+    default:
+      law.layers = LayerStiffness{3.2e7, 2.1e7};
+      law.damping = 2e5;
+      law.damping_mode = DampingMode::compression;
+      law.friction = 0.4;
+      law.slip_velocity = size / 256;
+      law.max_penetration = size / 16;
+      break;
+  }
+  return law;
+}
+
+std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfaces, std::vector<std::string>& missing) {
+  using namespace generate;
+  PairList list;
+  list.add_general("bubble-bubble", bubble(), bubble());
+  list.add_general("pyramid-bubble", pyramid(), bubble());
+  list.add_general("icosphere-plate", icosphere(0.5, 3), plate(2, 2, 0.25, 20, 20));
+  list.add_general("bumpy-bumpy", bumpy_sphere(), bumpy_sphere());
+  list.add_general("torus-plate", torus(0.5, 0.2, 48, 24), plate(2, 2, 0.25));
+  list.add_general("gear-gear", spur_gear(20, 0.1, 0.5, 4, 2), spur_gear(20, 0.1, 0.5, 4, 2));
+  list.add_general("knot-box", knotted_tube(0.5, 0.1, 96, 12), box({1.5, 1, 0.5}));
+  list.add_general("box-gridded box", box({1, 1, 1}), gridded_box(1, 4));
+  list.add_general("socket-ball", socket(1.01, 0.5, 32, 16), icosphere(1, 3));
+  list.add_general("wedge-box", wedge(30, 1, 1, 4), box({1.5, 1.5, 0.5}));
+  list.add_general("cylinder-cone", cylinder(0.3, 1, 24, 4, 2), cone(0.5, 1, 24, 4, 2));
+
+  list.add_hard("cube-cube", box({1, 1, 1}), box({1, 1, 1}));
+  list.add_hard("slab-gridded cube", box({2, 2, 0.5}), gridded_box(1, 3));
+  list.add_hard("gridded cubes", gridded_box(1, 2), gridded_box(1, 2));
+  list.add_hard("wedges", wedge(45, 1, 1, 1), wedge(45, 1, 1, 1));
+  list.add_hard("small icosphere-plate", icosphere(0.5, 1), plate(1, 1, 0.25, 2, 2));
+  list.add_hard("small icospheres", icosphere(0.5, 1), icosphere(0.5, 1));
+  list.add_hard("cylinder-cube", cylinder(0.5, 1, 12), box({1, 1, 1}));
+  list.add_hard("small pyramid-cube", pyramid(), box({1, 1, 1}));
+  list.add_hard("small tori", torus(0.5, 0.25, 8, 6), torus(0.5, 0.25, 8, 6));
+  list.add_hard("small gear-slab", spur_gear(6, 0.25, 0.5, 2), box({1, 1, 0.5}));
+
+  const auto file = [&](const char* surface) { return real_surfaces / (std::string(surface) + ".off"); };
+  list.add_files("elephant-hand", file("elephant"), file("hand"), missing);
+  list.add_files("femur-knot", file("femur"), file("knot1"), missing);
+  list.add_files("fandisk-pinion", file("fandisk"), file("pinion"), missing);
+  list.add_files("rotor-pinion", file("rotor"), file("pinion"), missing);
+  list.add_files("elephant-elephant", file("elephant"), file("elephant"), missing);
+  return std::move(list.pairs);
+}
+
+std::filesystem::path installed_real_surfaces() {
+  std::error_code error;
+  const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", error);
+  return executable.parent_path().parent_path() / "cgal-demo" / "data" / "meshes";
+}
+
+SurfacePair pair_from_files(const std::filesystem::path& file_E, const std::filesystem::path& file_F) {
+  SurfacePair pair;
+  pair.name = file_E.stem().string() + "-" + file_F.stem().string();
+  pair.E = read_mesh(file_E);
+  pair.F = read_mesh(file_F);
+  pair.file_E = file_E;
+  pair.file_F = file_F;
+  pair.law = verification_law(0, pair.E, pair.F);
+  pair.for_hard_strata = true;
+  return pair;
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/strata.h"
+#include "fast/inputs.h"
+#include "meshes/triangle_mesh.h"
+
+namespace pcm::compare {
+
+/// Two surfaces to verify on, with the law between them.
+struct SurfacePair {
+  std::string name;  ///< names the pair in tables and, with the seed, its random numbers
+  TriangleMesh E;
+  TriangleMesh F;
+  std::filesystem::path file_E;  ///< where it was read from; empty where it was generated
+  std::filesystem::path file_F;
+  ContactLaw law;
+  bool for_hard_strata = false;  ///< takes the bulk of degenerate and near-degenerate
+  bool for_all_strata = true;    ///< takes part in the others, and in one of fifty poses of the hard ones
+
+  /// Its part of the poses beside that of the other pairs, in sixteenths: large surfaces take less, or a run's time
+  /// would be theirs alone.
+  std::int64_t share = 16;
+
+  std::size_t faces() const { return E.faces.size() + F.faces.size(); }
+};
+
+/// A law that uses as many of its parameters as it can, with lengths in proportion to the smaller body: four of them in
+/// turn (all of the paper's; elastic only; one body rigid, damping in full, dry friction; two layers, damping in
+/// compression, deep elements clamped).
+ContactLaw verification_law(std::size_t turn, const TriangleMesh& mesh_E, const TriangleMesh& mesh_F);
+
+/// The built-in pairs: generated ones first, then those of the real surfaces found in `real_surfaces` (a folder of OFF
+/// files). Their order and names never change with what is installed, so neither do their poses. The small pairs of the
+/// hard strata have at most 200 faces together, and coordinates on a dyadic grid, so that coincidences are exact.
+/// The name of every file missed is added to `missing`.
+std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfaces, std::vector<std::string>& missing);
+
+/// Where `./run` unpacks the real surfaces: beside the folder of the executable, wherever the program is called from.
+std::filesystem::path installed_real_surfaces();
+
+/// A pair read from two files (OBJ or OFF). Throws BadInput where a file is no surface.
+SurfacePair pair_from_files(const std::filesystem::path& file_E, const std::filesystem::path& file_F);
+
+}  // namespace pcm::compare

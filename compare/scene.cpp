@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/scene.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "compare/rounded_vertices.h"
+
+namespace pcm::compare {
+namespace {
+
+/// Seconds since construction.
+class StopWatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Scene::Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode)
+    : mesh_E_(std::move(mesh_E)),
+      mesh_F_(std::move(mesh_F)),
+      features_(mesh_E_, mesh_F_),
+      law_(law),
+      mode_(mode),
+      engine_(fast::Surface(mesh_E_), fast::Surface(mesh_F_), law, mode),
+      oracle_(mesh_E_, mesh_F_, law, mode) {}
+
+Scene::Scene(NestedMeshes meshes, const ContactLaw& law, Mode mode)
+    : Scene(std::move(meshes.E), std::move(meshes.F), law, mode) {
+  features_.ball = meshes.ball;
+  features_.host = meshes.host;
+}
+
+PoseOutcome Scene::hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace) const {
+  PoseOutcome outcome;
+  const Wanted everything;
+  const char* who = "engine";
+  try {
+    const StopWatch engine_watch;
+    const fast::Contact& subj = fast::evaluate(engine_, pose, velocity, everything, workspace);
+    outcome.engine_seconds = engine_watch.seconds();
+
+    who = "oracle, rounded problem";
+    const StopWatch oracle_watch;
+    const reference::Answer true_rounded = oracle_.answer(reference::Problem::rounded, pose, velocity, everything);
+    outcome.oracle_seconds = oracle_watch.seconds();
+
+    who = "oracle, exact problem";
+    const StopWatch exact_watch;
+    const reference::Answer true_exact = oracle_.answer(reference::Problem::exact, pose, velocity, everything);
+    outcome.oracle_exact_seconds = exact_watch.seconds();
+
+    who = "comparison";
+    const Question asked = question(pose, velocity);
+    outcome.touching = true_rounded.touching;
+    outcome.nested = true_rounded.nested;
+    outcome.ambiguous = true_rounded.ambiguous;
+    outcome.too_deep = true_rounded.too_deep > 0;
+    outcome.flipped = flipped(true_rounded, true_exact);
+    outcome.predicates = subj.work.predicates;
+    outcome.exact_predicates = subj.work.exact_predicates;
+    outcome.disagreements = disagreements(asked, subj, true_rounded);
+    outcome.errors = relative_errors(asked, subj, true_exact, outcome.flipped);
+    outcome.backward_error_ulps = backward_error_ulps(mesh_F_, pose);
+  } catch (const std::exception& error) {
+    outcome.disagreements.push_back({Kind::failure, std::string(who) + ": " + error.what()});
+  }
+  outcome.done = true;
+  return outcome;
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/tally.h"
+
+#include <boost/math/distributions/binomial.hpp>
+#include <climits>
+#include <cmath>
+#include <optional>
+
+namespace pcm::compare {
+namespace {
+
+constexpr int kZeroBin = INT_MIN;
+
+int bin_of(double value) {
+  if (!(value > 0)) return kZeroBin;
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);  // in [1/2, 1)
+  return 8 * exponent + static_cast<int>((mantissa - 0.5) * 16);
+}
+
+double upper_end(int bin) {
+  if (bin == kZeroBin) return 0;
+  const int exponent = bin >= 0 ? bin / 8 : -((7 - bin) / 8);
+  return std::ldexp(0.5 + (bin - 8 * exponent + 1) / 16.0, exponent);
+}
+
+}  // namespace
+
+void Histogram::add(double value) {
+  ++bins_[bin_of(value)];
+  ++count_;
+}
+
+void Histogram::merge(const Histogram& other) {
+  for (const auto& [bin, count] : other.bins_) bins_[bin] += count;
+  count_ += other.count_;
+}
+
+double Histogram::quantile(double q) const {
+  const auto wanted = static_cast<std::int64_t>(std::ceil(q * static_cast<double>(count_)));
+  std::int64_t seen = 0;
+  for (const auto& [bin, count] : bins_) {
+    seen += count;
+    if (seen >= wanted) return upper_end(bin);
+  }
+  return 0;
+}
+
+nlohmann::ordered_json Histogram::to_json() const {
+  auto json = nlohmann::ordered_json::array();
+  for (const auto& [bin, count] : bins_) json.push_back({bin, count});
+  return json;
+}
+
+Histogram Histogram::from_json(const nlohmann::ordered_json& json) {
+  Histogram histogram;
+  for (const auto& entry : json) {
+    histogram.bins_[entry.at(0).get<int>()] = entry.at(1).get<std::int64_t>();
+    histogram.count_ += entry.at(1).get<std::int64_t>();
+  }
+  return histogram;
+}
+
+void Greatest::add(double candidate, const std::string& candidate_pose) {
+  if (candidate_pose.empty()) return;
+  if (pose.empty() || candidate > value || (candidate == value && candidate_pose < pose)) {
+    value = candidate;
+    pose = candidate_pose;
+  }
+}
+
+void Tally::add(const PoseOutcome& outcome, const std::string& pose) {
+  ++poses;
+  touching += outcome.touching;
+  nested += outcome.nested;
+  ambiguous += outcome.ambiguous;
+  flipped += outcome.flipped;
+  too_deep += outcome.too_deep;
+  disagreeing += !outcome.disagreements.empty();
+  for (const Disagreement& d : outcome.disagreements) ++by_kind[static_cast<std::size_t>(d.kind)];
+  predicates += outcome.predicates;
+  exact_predicates += outcome.exact_predicates;
+  const RelativeErrors& e = outcome.errors;
+  const std::array<const std::optional<double>*, kErrors> values = {&e.area,        &e.vector_area, &e.volume,
+                                                                    &e.penetration, &e.force,       &e.torque};
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (!values[k]->has_value()) continue;
+    errors[k].add(**values[k]);
+    worst[k].add(**values[k], pose);
+  }
+  backward_error_ulps.add(outcome.backward_error_ulps, pose);
+  engine_seconds.add(outcome.engine_seconds);
+  oracle_seconds.add(outcome.oracle_seconds);
+  oracle_exact_seconds.add(outcome.oracle_exact_seconds);
+}
+
+void Tally::merge(const Tally& other) {
+  poses += other.poses;
+  touching += other.touching;
+  nested += other.nested;
+  ambiguous += other.ambiguous;
+  flipped += other.flipped;
+  too_deep += other.too_deep;
+  disagreeing += other.disagreeing;
+  for (std::size_t k = 0; k < by_kind.size(); ++k) by_kind[k] += other.by_kind[k];
+  predicates += other.predicates;
+  exact_predicates += other.exact_predicates;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    errors[k].merge(other.errors[k]);
+    worst[k].add(other.worst[k].value, other.worst[k].pose);
+  }
+  backward_error_ulps.add(other.backward_error_ulps.value, other.backward_error_ulps.pose);
+  engine_seconds.merge(other.engine_seconds);
+  oracle_seconds.merge(other.oracle_seconds);
+  oracle_exact_seconds.merge(other.oracle_exact_seconds);
+}
+
+double Tally::disagreement_rate_bound() const {
+  if (poses == 0 || disagreeing == poses) return 1;
+  return boost::math::binomial_distribution<>::find_upper_bound_on_p(static_cast<double>(poses),
+                                                                     static_cast<double>(disagreeing), 0.05);
+}
+
+nlohmann::ordered_json Tally::to_json() const {
+  nlohmann::ordered_json json;
+  json["counts"] = {poses, touching, nested, ambiguous, flipped, too_deep, disagreeing, predicates, exact_predicates};
+  json["by_kind"] = by_kind;
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    json["errors"].push_back({errors[k].to_json(), worst[k].value, worst[k].pose});
+  json["backward_error_ulps"] = {backward_error_ulps.value, backward_error_ulps.pose};
+  json["seconds"] = {engine_seconds.to_json(), oracle_seconds.to_json(), oracle_exact_seconds.to_json()};
+  return json;
+}
+
+Tally Tally::from_json(const nlohmann::ordered_json& json) {
+  Tally tally;
+  std::size_t at = 0;
+  for (std::int64_t* count : {&tally.poses, &tally.touching, &tally.nested, &tally.ambiguous, &tally.flipped,
+                              &tally.too_deep, &tally.disagreeing, &tally.predicates, &tally.exact_predicates})
+    *count = json.at("counts").at(at++).get<std::int64_t>();
+  tally.by_kind = json.at("by_kind").get<std::array<std::int64_t, kKinds>>();
+  for (std::size_t k = 0; k < tally.errors.size(); ++k) {
+    const auto& entry = json.at("errors").at(k);
+    tally.errors[k] = Histogram::from_json(entry.at(0));
+    tally.worst[k] = {entry.at(1).get<double>(), entry.at(2).get<std::string>()};
+  }
+  const auto& backward = json.at("backward_error_ulps");
+  tally.backward_error_ulps = {backward.at(0).get<double>(), backward.at(1).get<std::string>()};
+  tally.engine_seconds = Histogram::from_json(json.at("seconds").at(0));
+  tally.oracle_seconds = Histogram::from_json(json.at("seconds").at(1));
+  tally.oracle_exact_seconds = Histogram::from_json(json.at("seconds").at(2));
+  return tally;
+}
+
+}  // namespace pcm::compare

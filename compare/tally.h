@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "compare/verdict.h"
+
+/// What is kept of the poses of one pair and stratum: counts, and distributions as histograms. Memory does not grow
+/// with the number of poses, and no entry depends on the order in which poses are added.
+namespace pcm::compare {
+
+/// A distribution of numbers >= 0 over logarithmic bins, eight to a factor of two.
+class Histogram {
+ public:
+  void add(double value);
+  void merge(const Histogram& other);
+  std::int64_t count() const { return count_; }
+  /// The smallest bin's upper end below or at which at least the part q of the numbers lies: never too small, and at
+  /// most one eighth too large. 0 for an empty distribution.
+  double quantile(double q) const;
+
+  nlohmann::ordered_json to_json() const;
+  static Histogram from_json(const nlohmann::ordered_json& json);
+
+ private:
+  std::map<int, std::int64_t> bins_;  // by 8 * exponent + eighth of the mantissa; zeros in a bin of their own
+  std::int64_t count_ = 0;
+};
+
+/// The greatest of the values added and the first pose (in the order of pose names) that has it.
+struct Greatest {
+  double value = 0;
+  std::string pose;
+
+  void add(double candidate, const std::string& candidate_pose);
+};
+
+inline constexpr int kErrors = 6;
+
+/// The errors of RelativeErrors in their order there, by name.
+inline constexpr std::array<const char*, kErrors> kErrorNames = {"area",        "vector area", "volume",
+                                                                 "penetration", "force",       "torque"};
+
+/// All that the tables need of one pose.
+struct PoseOutcome {
+  bool done = false;
+  bool touching = false;
+  bool nested = false;
+  bool ambiguous = false;
+  bool flipped = false;
+  bool too_deep = false;
+  std::vector<Disagreement> disagreements;
+  std::int64_t predicates = 0;
+  std::int64_t exact_predicates = 0;
+  RelativeErrors errors;
+  double backward_error_ulps = 0;
+  double engine_seconds = 0;
+  double oracle_seconds = 0;        ///< on the rounded problem
+  double oracle_exact_seconds = 0;  ///< on the exact problem
+};
+
+struct Tally {
+  std::int64_t poses = 0;
+  std::int64_t touching = 0;
+  std::int64_t nested = 0;
+  std::int64_t ambiguous = 0;
+  std::int64_t flipped = 0;
+  std::int64_t too_deep = 0;
+  std::int64_t disagreeing = 0;  ///< poses with a disagreement of any kind
+  std::array<std::int64_t, kKinds> by_kind{};
+  std::int64_t predicates = 0;
+  std::int64_t exact_predicates = 0;
+  std::array<Histogram, kErrors> errors;
+  std::array<Greatest, kErrors> worst;
+  Greatest backward_error_ulps;
+  Histogram engine_seconds;
+  Histogram oracle_seconds;
+  Histogram oracle_exact_seconds;
+
+  void add(const PoseOutcome& outcome, const std::string& pose);
+  void merge(const Tally& other);
+
+  /// Upper end of the one-sided 95 % confidence interval (Clopper and Pearson 1934) of the rate of disagreeing poses;
+  /// about 3 / n where there was none.
+  double disagreement_rate_bound() const;
+
+  nlohmann::ordered_json to_json() const;
+  static Tally from_json(const nlohmann::ordered_json& json);
+};
+
+}  // namespace pcm::compare

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "compare/rounded_vertices.h"
+
+namespace pcm::compare {
+namespace {
+
+/// Gathers disagreements, the first one of each kind.
+class Findings {
+ public:
+  template <typename... Arguments>
+  void add(Kind kind, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    for (const Disagreement& known : list_)
+      if (known.kind == kind) return;
+    list_.push_back({kind, fmt::format(format, std::forward<Arguments>(arguments)...)});
+  }
+  /// A value must be within `bound` of the truth. Written so that a NaN on either side disagrees.
+  void check_value(Kind kind, std::string_view what, double subj, double truth, double bound) {
+    if (!(std::abs(subj - truth) <= bound) && subj != truth)
+      add(kind, "{}: engine {}, oracle {}, bound {:.2g}", what, subj, truth, bound);
+  }
+  void check_vector(Kind kind, std::string_view what, const Eigen::Vector3d& subj, const Eigen::Vector3d& truth,
+                    double bound) {
+    const double distance = (subj - truth).norm();
+    if (!(distance <= bound) && subj != truth)
+      add(kind, "{}: engine ({}, {}, {}), oracle ({}, {}, {}), apart {:.2g}, bound {:.2g}", what, subj.x(), subj.y(),
+          subj.z(), truth.x(), truth.y(), truth.z(), distance, bound);
+  }
+  template <typename T>
+  bool check_equal(Kind kind, std::string_view what, const T& subj, const T& truth) {
+    if (subj == truth) return true;
+    add(kind, "{}: engine {}, oracle {}", what, subj, truth);
+    return false;
+  }
+  std::vector<Disagreement> sorted() && {
+    std::stable_sort(list_.begin(), list_.end(),
+                     [](const Disagreement& a, const Disagreement& b) { return a.kind < b.kind; });
+    return std::move(list_);
+  }
+
+ private:
+  std::vector<Disagreement> list_;
+};
+
+char letter(Side side) {
+  return side == Side::E ? 'E' : 'F';
+}
+
+std::string describe(Side edge_side, const std::array<Index, 2>& edge, Index face) {
+  return fmt::format("{} edge ({}, {}) through face {}", letter(edge_side), edge[0], edge[1], face);
+}
+
+/// True if all polygons are the same cycles in the same order.
+bool check_polygons(const fast::Contact& subj, const reference::Answer& truth, Findings& findings) {
+  if (!findings.check_equal(Kind::polygon_count, "polygons", subj.polygons.size(), truth.polygons.size())) return false;
+  for (std::size_t i = 0; i < truth.polygons.size(); ++i) {
+    const fast::Polygon& ours = subj.polygons[i];
+    const reference::Polygon& theirs = truth.polygons[i];
+    if (ours.closed != theirs.closed || static_cast<std::size_t>(ours.count) != theirs.points.size()) {
+      findings.add(Kind::polygon_cycle, "polygon {}: engine {} {} points, oracle {} {}", i,
+                   ours.closed ? "closed," : "open,", ours.count, theirs.closed ? "closed," : "open,",
+                   theirs.points.size());
+      return false;
+    }
+    for (std::size_t k = 0; k < theirs.points.size(); ++k) {
+      const fast::Crossing& s = subj.crossings[static_cast<std::size_t>(ours.first) + k];
+      const reference::Crossing& t = theirs.points[k];
+      if (std::tie(s.edge_side, s.edge, s.face) != std::tie(t.edge_side, t.edge, t.face)) {
+        findings.add(Kind::polygon_cycle, "polygon {} point {}: engine {}, oracle {}", i, k,
+                     describe(s.edge_side, s.edge, s.face), describe(t.edge_side, t.edge, t.face));
+        return false;
+      }
+    }
+  }
+  findings.check_equal(Kind::patches, "patches", subj.patches, truth.patches);
+  for (std::size_t i = 0; i < truth.polygons.size(); ++i)
+    if (subj.polygons[i].patch != truth.polygons[i].patch)
+      findings.add(Kind::patches, "polygon {}: engine patch {}, oracle {}", i, subj.polygons[i].patch,
+                   truth.polygons[i].patch);
+  return true;
+}
+
+void check_faces(Kind kind, Side side, const std::vector<Index>& subj, const std::vector<Index>& truth,
+                 Findings& findings) {
+  if (subj == truth) return;
+  const auto [s, t] = std::mismatch(subj.begin(), subj.end(), truth.begin(), truth.end());
+  findings.add(kind, "{}: engine {} faces, oracle {}, first different: engine {}, oracle {}", letter(side), subj.size(),
+               truth.size(), s == subj.end() ? "none" : fmt::to_string(*s),
+               t == truth.end() ? "none" : fmt::to_string(*t));
+}
+
+bool check_elements(const fast::Contact& subj, const reference::Answer& truth, Findings& findings) {
+  findings.check_equal(Kind::too_deep, "too deep", subj.too_deep, truth.too_deep);
+  findings.check_equal(Kind::elements, "element count", static_cast<std::size_t>(subj.element_count),
+                       subj.elements.size());
+  if (!findings.check_equal(Kind::elements, "elements", subj.elements.size(), truth.elements.size())) return false;
+  for (std::size_t k = 0; k < truth.elements.size(); ++k) {
+    const fast::Element& s = subj.elements[k];
+    const reference::Element& t = truth.elements[k];
+    if (std::tie(s.master, s.master_face, s.slave_face) == std::tie(t.master, t.master_face, t.slave_face)) continue;
+    findings.add(Kind::elements, "element {}: engine {} face {} on {}, oracle {} face {} on {}", k, letter(s.master),
+                 s.master_face, s.slave_face, letter(t.master), t.master_face, t.slave_face);
+    return false;
+  }
+  return true;
+}
+
+void check_areas(const fast::Contact& subj, const reference::Answer& truth, const AreaBounds& bounds,
+                 Findings& findings) {
+  for (std::size_t i = 0; i < truth.polygons.size(); ++i)
+    for (std::size_t k = 0; k < truth.polygons[i].points.size(); ++k)
+      findings.check_vector(Kind::crossing_position, fmt::format("polygon {} point {}", i, k),
+                            subj.crossings[static_cast<std::size_t>(subj.polygons[i].first) + k].position_Me,
+                            truth.polygons[i].points[k].position_Me, bounds.positions[i][k]);
+  for (const Side side : {Side::E, Side::F}) {
+    const fast::ActiveArea& s = side == Side::E ? subj.E : subj.F;
+    const reference::ActiveArea& t = side == Side::E ? truth.E : truth.F;
+    const double bound = side == Side::E ? bounds.area_E : bounds.area_F;
+    const double vector_bound = side == Side::E ? bounds.vector_area_E : bounds.vector_area_F;
+    // Where faces are coplanar any area between the two bounds is right.
+    const bool within = s.area >= t.area_interval.open - bound && s.area <= t.area_interval.closed + bound;
+    if (!within) findings.check_value(Kind::area, side == Side::E ? "E" : "F", s.area, t.area, bound);
+    findings.check_vector(Kind::vector_area, side == Side::E ? "E" : "F", s.vector_area_Me, t.vector_area_Me,
+                          vector_bound + (t.area_interval.closed - t.area_interval.open));
+  }
+  if (subj.has_volume != truth.volume.has_value())
+    findings.add(Kind::volume, "volume: engine {}, oracle {}", subj.has_volume ? "has one" : "none",
+                 truth.volume ? "has one" : "none");
+  else if (truth.volume)
+    findings.check_value(Kind::volume, "volume", subj.volume, *truth.volume, bounds.volume);
+}
+
+void check_forces(const Question& question, const fast::Contact& subj, const reference::Answer& truth,
+                  const ForceBounds& bounds, Findings& findings) {
+  for (std::size_t k = 0; k < truth.elements.size(); ++k) {
+    const fast::Element& s = subj.elements[k];
+    const reference::Element& t = truth.elements[k];
+    const ElementBounds& bound = bounds.elements[k];
+    const std::string element =
+        fmt::format("element {} ({} face {} on {})", k, letter(t.master), t.master_face, t.slave_face);
+    findings.check_value(Kind::element_values, element + " area", s.area, t.area, bound.area);
+    findings.check_value(Kind::element_values, element + " penetration", s.penetration, t.penetration,
+                         bound.penetration);
+    findings.check_vector(Kind::element_values, element + " position", s.position_Me, t.position_Me, bound.position);
+    findings.check_vector(Kind::element_values, element + " force", s.force_Me, t.force_Me, bound.force);
+  }
+  findings.check_value(Kind::penetration, "greatest penetration", subj.max_penetration, truth.max_penetration,
+                       bounds.penetration);
+  if (subj.penetration_exceeded != truth.penetration_exceeded &&
+      !(std::abs(truth.max_penetration - question.law.max_penetration) <= bounds.penetration))
+    findings.add(Kind::penetration, "penetration exceeded: engine {}, oracle {}", subj.penetration_exceeded,
+                 truth.penetration_exceeded);
+  findings.check_vector(Kind::force, "force", subj.force_Me, truth.force_Me, bounds.force);
+  findings.check_vector(Kind::torque, "torque", subj.torque_Me, truth.torque_Me, bounds.torque);
+}
+
+bool same_elements(const std::vector<reference::Element>& a, const std::vector<reference::Element>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const reference::Element& x, const reference::Element& y) {
+        return std::tie(x.master, x.master_face, x.slave_face) == std::tie(y.master, y.master_face, y.slave_face);
+      });
+}
+
+}  // namespace
+
+std::string_view name(Kind kind) {
+  constexpr std::array<std::string_view, kKinds> kNames = {"failure",
+                                                           "touching",
+                                                           "nested",
+                                                           "ambiguous",
+                                                           "polygon count",
+                                                           "polygon cycle",
+                                                           "patches",
+                                                           "intersected faces",
+                                                           "inner faces",
+                                                           "undefined areas",
+                                                           "elements",
+                                                           "too deep",
+                                                           "crossing position",
+                                                           "area",
+                                                           "vector area",
+                                                           "volume",
+                                                           "element values",
+                                                           "penetration",
+                                                           "force",
+                                                           "torque"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::vector<Disagreement> disagreements(const Question& question, const fast::Contact& subj,
+                                        const reference::Answer& true_rounded) {
+  const reference::Answer& truth = true_rounded;
+  Findings findings;
+  findings.check_equal(Kind::touching, "touching", subj.touching, truth.touching);
+  findings.check_equal(Kind::nested, "nested", subj.nested, truth.nested);
+  findings.check_equal(Kind::ambiguous, "ambiguous", subj.ambiguous, truth.ambiguous);
+  const bool same_polygons = check_polygons(subj, truth, findings);
+  check_faces(Kind::intersected_faces, Side::E, subj.E.intersected, truth.E.intersected, findings);
+  check_faces(Kind::intersected_faces, Side::F, subj.F.intersected, truth.F.intersected, findings);
+  check_faces(Kind::inner_faces, Side::E, subj.E.inner, truth.E.inner, findings);
+  check_faces(Kind::inner_faces, Side::F, subj.F.inner, truth.F.inner, findings);
+  findings.check_equal(Kind::undefined_areas, "undefined areas", subj.undefined_areas, truth.undefined_areas);
+  const bool same_faces = subj.E.intersected == truth.E.intersected && subj.F.intersected == truth.F.intersected &&
+                          subj.E.inner == truth.E.inner && subj.F.inner == truth.F.inner;
+  const bool same = check_elements(subj, truth, findings);
+
+  const RoundingBounds bounds(question, truth);
+  if (same_polygons && same_faces) check_areas(subj, truth, bounds.area(), findings);
+  if (same) check_forces(question, subj, truth, bounds.force(), findings);
+  return std::move(findings).sorted();
+}
+
+bool flipped(const reference::Answer& true_rounded, const reference::Answer& true_exact) {
+  return !true_rounded.certified || !true_exact.certified || !same_elements(true_rounded.elements, true_exact.elements);
+}
+
+RelativeErrors relative_errors(const Question& question, const fast::Contact& subj, const reference::Answer& true_exact,
+                               bool pose_is_flipped) {
+  RelativeErrors errors;
+  const reference::Answer& truth = true_exact;
+  const double area = (truth.E.area + truth.F.area) / 2;
+  if (!(area > 0)) return errors;
+  const double p = truth.volume ? *truth.volume / area : truth.max_penetration;
+  if (!(p > 0)) return errors;
+  const double S = coordinate_scale(question.E.mesh, question.F.mesh, question.pose);
+  const auto in_units = [&](double error, double scale) { return error / scale * (p / S); };
+
+  const auto unique = [](const reference::ActiveArea& a) { return a.area_interval.open == a.area_interval.closed; };
+  if (unique(truth.E) && unique(truth.F) && truth.E.area > 0 && truth.F.area > 0) {
+    errors.area = std::max(in_units(std::abs(subj.E.area - truth.E.area), truth.E.area),
+                           in_units(std::abs(subj.F.area - truth.F.area), truth.F.area));
+    errors.vector_area = std::max(in_units((subj.E.vector_area_Me - truth.E.vector_area_Me).norm(), truth.E.area),
+                                  in_units((subj.F.vector_area_Me - truth.F.vector_area_Me).norm(), truth.F.area));
+  }
+  if (truth.volume && subj.has_volume) errors.volume = in_units(std::abs(subj.volume - *truth.volume), area * p);
+  if (pose_is_flipped || truth.elements.empty()) return errors;
+  errors.penetration = in_units(std::abs(subj.max_penetration - truth.max_penetration), truth.max_penetration);
+  if (truth.force_scale > 0) errors.force = in_units((subj.force_Me - truth.force_Me).norm(), truth.force_scale);
+  if (truth.torque_scale > 0) errors.torque = in_units((subj.torque_Me - truth.torque_Me).norm(), truth.torque_scale);
+  return errors;
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verification_table.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <vector>
+
+namespace pcm::compare {
+namespace {
+
+struct Row {
+  std::string pair;
+  std::string stratum;
+  Tally tally;
+};
+
+std::vector<Row> rows(const Verification& run) {
+  std::vector<Row> table;
+  std::map<Stratum, Tally> by_stratum;
+  for (const Cell& cell : run.cells()) {
+    table.push_back({run.plan().pairs[cell.pair].name, std::string(name(cell.stratum)), cell.tally});
+    by_stratum[cell.stratum].merge(cell.tally);
+  }
+  for (const auto& [stratum, tally] : by_stratum) table.push_back({"**all**", std::string(name(stratum)), tally});
+  table.push_back({"**all**", "**all**", run.total()});
+  return table;
+}
+
+std::string plain(const std::string& word) {
+  return word == "**all**" ? "all" : word;
+}
+
+/// The kinds that have a column of their own in the Markdown table; the rest share one.
+constexpr std::array kShownKinds = {Kind::touching,          Kind::polygon_count, Kind::polygon_cycle,
+                                    Kind::intersected_faces, Kind::inner_faces,   Kind::elements};
+
+double exact_fallback_rate(const Tally& tally) {
+  return tally.predicates > 0 ? static_cast<double>(tally.exact_predicates) / static_cast<double>(tally.predicates) : 0;
+}
+
+constexpr std::array<double, 3> kQuantiles = {0.5, 0.99, 0.999};
+
+std::string error_cell(const Histogram& errors, const Greatest& worst) {
+  if (errors.count() == 0) return "-";
+  return fmt::format("{:.1e} / {:.1e} / {:.1e} / {:.1e}", errors.quantile(0.5), errors.quantile(0.99),
+                     errors.quantile(0.999), worst.value);
+}
+
+}  // namespace
+
+std::string verification_markdown(const Verification& run) {
+  const std::vector<Row> table = rows(run);
+  std::string text =
+      "## Agreement with the oracle on the rounded problem\n\n"
+      "Poses with a disagreement, in all and by kind. `fallback`: part of the engine's predicates that needed exact "
+      "arithmetic. `rate <`: 95 % upper bound on the rate of disagreeing poses. `backward`: greatest distance of a "
+      "rounded vertex of F from the true one, in ulps.\n\n"
+      "| pair | stratum | poses | touching | disagreements | touch | polygon count | polygon cycle | intersected | "
+      "inner | elements | other kinds | nested | ambiguous | flipped | too deep | fallback | rate < | backward |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const Row& row : table) {
+    const Tally& t = row.tally;
+    std::int64_t others = 0;
+    for (const std::int64_t n : t.by_kind) others += n;
+    std::string kinds;
+    for (const Kind kind : kShownKinds) {
+      const std::int64_t n = t.by_kind[static_cast<std::size_t>(kind)];
+      others -= n;
+      kinds += fmt::format(" {} |", n);
+    }
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} |{} {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.2f} |\n", row.pair,
+                    row.stratum, t.poses, t.touching, t.disagreeing, kinds, others, t.nested, t.ambiguous, t.flipped,
+                    t.too_deep, exact_fallback_rate(t), t.disagreement_rate_bound(), t.backward_error_ulps.value);
+  }
+  text +=
+      "\n## Rounding error against the oracle on the exact problem\n\n"
+      "median / p99 / p99.9 / maximum of the relative errors, in units of S/p (size over mean thickness of the "
+      "intersection); quantiles are rounded up by at most an eighth. Penetration, force and torque without the poses "
+      "that are `flipped`.\n\n| pair | stratum |";
+  for (const char* error : kErrorNames) text += fmt::format(" {} |", error);
+  text += "\n|---|---|--:|--:|--:|--:|--:|--:|\n";
+  for (const Row& row : table) {
+    std::int64_t count = 0;
+    for (const Histogram& errors : row.tally.errors) count += errors.count();
+    if (count == 0) continue;
+    text += fmt::format("| {} | {} |", row.pair, row.stratum);
+    for (std::size_t k = 0; k < kErrors; ++k)
+      text += fmt::format(" {} |", error_cell(row.tally.errors[k], row.tally.worst[k]));
+    text += "\n";
+  }
+  text += "\n| stratum | worst pose by | error | pose |\n|---|---|--:|---|\n";
+  for (const Row& row : table) {
+    if (row.pair != "**all**") continue;
+    for (std::size_t k = 0; k < kErrors; ++k)
+      if (!row.tally.worst[k].pose.empty())
+        text += fmt::format("| {} | {} | {:.2e} | {} |\n", row.stratum, kErrorNames[k], row.tally.worst[k].value,
+                            row.tally.worst[k].pose);
+  }
+  for (const std::string& omission : run.omissions()) text += "\n" + omission + "\n";
+  return text;
+}
+
+std::string verification_csv(const Verification& run) {
+  std::string text = "pair,stratum,poses,touching,disagreements";
+  for (int k = 0; k < kKinds; ++k) text += fmt::format(",{} disagreements", name(static_cast<Kind>(k)));
+  text +=
+      ",nested,ambiguous,flipped,too_deep,exact_fallback_rate,rate_bound_95,backward_error_ulps,backward_error_pose";
+  for (const char* error : kErrorNames)
+    text += fmt::format(",{0} count,{0} median,{0} p99,{0} p99.9,{0} max,{0} max pose", error);
+  text += "\n";
+  for (const Row& row : rows(run)) {
+    const Tally& t = row.tally;
+    text += fmt::format("{},{},{},{},{}", plain(row.pair), plain(row.stratum), t.poses, t.touching, t.disagreeing);
+    for (const std::int64_t n : t.by_kind) text += fmt::format(",{}", n);
+    text +=
+        fmt::format(",{},{},{},{},{},{},{},{}", t.nested, t.ambiguous, t.flipped, t.too_deep, exact_fallback_rate(t),
+                    t.disagreement_rate_bound(), t.backward_error_ulps.value, t.backward_error_ulps.pose);
+    for (std::size_t k = 0; k < kErrors; ++k) {
+      text += fmt::format(",{}", t.errors[k].count());
+      for (const double q : kQuantiles) text += fmt::format(",{}", t.errors[k].quantile(q));
+      text += fmt::format(",{},{}", t.worst[k].value, t.worst[k].pose);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json verification_json(const Verification& run) {
+  nlohmann::ordered_json json;
+  const Tally total = run.total();
+  json["verdict"] = {{"complete", run.finished()},
+                     {"poses", total.poses},
+                     {"touching", total.touching},
+                     {"disagreements", total.disagreeing}};
+  json["seed"] = run.plan().seed;
+  json["rows"] = nlohmann::ordered_json::array();
+  for (const Row& row : rows(run)) {
+    const Tally& t = row.tally;
+    nlohmann::ordered_json entry;
+    entry["pair"] = plain(row.pair);
+    entry["stratum"] = plain(row.stratum);
+    entry["poses"] = t.poses;
+    entry["touching"] = t.touching;
+    entry["disagreements"] = t.disagreeing;
+    for (int k = 0; k < kKinds; ++k)
+      entry["by_kind"][std::string(name(static_cast<Kind>(k)))] = t.by_kind[static_cast<std::size_t>(k)];
+    entry["nested"] = t.nested;
+    entry["ambiguous"] = t.ambiguous;
+    entry["flipped"] = t.flipped;
+    entry["too_deep"] = t.too_deep;
+    entry["exact_fallback_rate"] = exact_fallback_rate(t);
+    entry["rate_bound_95"] = t.disagreement_rate_bound();
+    entry["backward_error_ulps"] = {{"max", t.backward_error_ulps.value}, {"pose", t.backward_error_ulps.pose}};
+    for (std::size_t k = 0; k < kErrors; ++k)
+      entry["errors"][kErrorNames[k]] = {{"count", t.errors[k].count()},      {"median", t.errors[k].quantile(0.5)},
+                                         {"p99", t.errors[k].quantile(0.99)}, {"p99.9", t.errors[k].quantile(0.999)},
+                                         {"max", t.worst[k].value},           {"pose", t.worst[k].pose}};
+    json["rows"].push_back(std::move(entry));
+  }
+  json["omissions"] = run.omissions();
+  return json;
+}
+
+std::string times_markdown(const Verification& run) {
+  std::string text =
+      "## Times\n\nMedian and p99 a pose; all answers asked for. These vary from run to run.\n\n"
+      "| pair | stratum | engine (us) | oracle, rounded (ms) | oracle, exact (ms) |\n|---|---|--:|--:|--:|\n";
+  for (const Row& row : rows(run)) {
+    const Tally& t = row.tally;
+    text += fmt::format("| {} | {} | {:.0f} / {:.0f} | {:.2f} / {:.2f} | {:.2f} / {:.2f} |\n", row.pair, row.stratum,
+                        1e6 * t.engine_seconds.quantile(0.5), 1e6 * t.engine_seconds.quantile(0.99),
+                        1e3 * t.oracle_seconds.quantile(0.5), 1e3 * t.oracle_seconds.quantile(0.99),
+                        1e3 * t.oracle_exact_seconds.quantile(0.5), 1e3 * t.oracle_exact_seconds.quantile(0.99));
+  }
+  return text;
+}
+
+std::string verdict_line(const Verification& run) {
+  const Tally total = run.total();
+  std::string line =
+      fmt::format("{}: {} poses, {} touching, {} disagreements", total.disagreeing == 0 ? "verified" : "NOT verified",
+                  total.poses, total.touching, total.disagreeing);
+  if (!run.finished()) line += fmt::format(" (interrupted, {} poses wanted)", run.plan().poses);
+  return line;
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verify.h"
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "compare/sha256.h"
+#include "meshes/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+/// Poses a batch: enough to keep the threads busy, few enough to lose little when interrupted.
+constexpr std::int64_t kBatch = 1024;
+
+/// One pose in this many of a hard stratum falls to the general pairs.
+constexpr std::int64_t kGeneralShare = 50;
+
+/// The stream of random numbers of a pair: 64 bits of the FNV-1a hash of its name.
+std::uint64_t stream_of(const std::string& pair_name) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : pair_name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+}  // namespace
+
+Verification::~Verification() = default;
+
+Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scenes_(plan_.pairs.size()) {
+  const bool wants_nested = std::find(plan_.strata.begin(), plan_.strata.end(), Stratum::nested) != plan_.strata.end();
+  oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
+    const SurfacePair& pair = plan_.pairs[i];
+    try {
+      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.mode);
+      if (!wants_nested || !pair.for_all_strata) return;
+      if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
+        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.mode);
+    } catch (const BadInput& error) {
+      throw BadInput("pair " + pair.name + ": " + error.what());
+    }
+  });
+
+  // Part k of a whole cut in the ratio of the weights: the difference of two rounded-down running sums.
+  const auto part = [](std::int64_t whole, std::int64_t before, std::int64_t weight, std::int64_t all) {
+    return whole * (before + weight) / all - whole * before / all;
+  };
+  const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
+    std::int64_t all = 0, before = 0;
+    for (const std::size_t k : pairs) all += plan_.pairs[k].share;
+    for (const std::size_t k : pairs) {
+      const std::int64_t share = plan_.pairs[k].share;
+      if (const std::int64_t n = part(poses, before, share, all); n > 0) cells_.push_back({k, stratum, n, {}});
+      before += share;
+    }
+  };
+  const auto strata = static_cast<std::int64_t>(plan_.strata.size());
+  for (std::size_t s = 0; s < plan_.strata.size(); ++s) {
+    const Stratum stratum = plan_.strata[s];
+    std::vector<std::size_t> general, small;
+    for (std::size_t i = 0; i < plan_.pairs.size(); ++i) {
+      const SurfacePair& pair = plan_.pairs[i];
+      if (hard(stratum) && pair.for_hard_strata)
+        small.push_back(i);
+      else if (pair.for_all_strata && (stratum != Stratum::nested || scenes_[i].nested))
+        general.push_back(i);
+      else if (pair.for_all_strata)
+        omissions_.push_back("nested: no ball was found inside either surface of " + pair.name);
+    }
+    const std::int64_t poses = part(plan_.poses, static_cast<std::int64_t>(s), 1, strata);
+    const std::int64_t for_general = small.empty() ? poses : general.empty() ? 0 : poses / kGeneralShare;
+    add_cells(stratum, for_general, general);
+    add_cells(stratum, poses - for_general, small);
+  }
+  std::int64_t all = 0;
+  for (const Cell& cell : cells_) all += cell.poses;
+  if (all == 0) throw BadInput("none of the strata asked for is to be had with these pairs");
+  batches_ = (all + kBatch - 1) / kBatch;
+}
+
+std::int64_t Verification::poses_done() const {
+  std::int64_t done = 0;
+  for (const Cell& cell : cells_) done += cell.tally.poses;
+  return done;
+}
+
+Tally Verification::total() const {
+  Tally total;
+  for (const Cell& cell : cells_) total.merge(cell.tally);
+  return total;
+}
+
+std::string Verification::pose_name(const Cell& cell, std::int64_t pose) const {
+  return plan_.pairs[cell.pair].name + "/" + std::string(name(cell.stratum)) + "/" + std::to_string(pose);
+}
+
+const Scene& Verification::scene(const Cell& cell) const {
+  const Scenes& scenes = scenes_[cell.pair];
+  return cell.stratum == Stratum::nested ? *scenes.nested : *scenes.usual;
+}
+
+DrawnPose Verification::draw(const Cell& cell, std::int64_t pose) const {
+  return draw_pose(cell.stratum, scene(cell).features(),
+                   PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum),
+                              stream_of(plan_.pairs[cell.pair].name), static_cast<std::uint64_t>(pose)));
+}
+
+Case Verification::as_case(const Finding& finding) const {
+  const Cell& cell = cells_[finding.cell];
+  const SurfacePair& pair = plan_.pairs[cell.pair];
+  const DrawnPose drawn = draw(cell, finding.pose);
+  const FeaturePair& meshes = scene(cell).features();
+  Case posed;
+  posed.origin = "seed " + std::to_string(plan_.seed) + ", " + pose_name(cell, finding.pose) + ", " +
+                 std::string(drawn.construction);
+  posed.E = meshes.E.mesh;
+  posed.F = meshes.F.mesh;
+  // The stratum nested scales meshes; they are then no longer those of the files.
+  if (posed.E.name == pair.E.name) posed.file_E = pair.file_E;
+  if (posed.F.name == pair.F.name) posed.file_F = pair.file_F;
+  posed.pose = drawn.pose;
+  posed.velocity = drawn.velocity;
+  posed.law = pair.law;
+  posed.mode = plan_.mode;
+  return posed;
+}
+
+void Verification::run_batch(int jobs, const std::function<bool()>& stop,
+                             const std::function<void(std::int64_t)>& progress) {
+  struct Task {
+    std::size_t cell = 0;
+    std::int64_t pose = 0;
+  };
+  std::vector<Task> tasks;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const std::int64_t n = cells_[c].poses;
+    for (std::int64_t pose = n * batches_done_ / batches_; pose < n * (batches_done_ + 1) / batches_; ++pose)
+      tasks.push_back({c, pose});
+  }
+
+  const std::int64_t before = poses_done();
+  std::vector<PoseOutcome> outcomes(tasks.size());
+  std::atomic<std::int64_t> done = 0;
+  std::mutex reporting;
+  oneapi::tbb::enumerable_thread_specific<fast::Workspace> workspaces;
+  oneapi::tbb::task_arena arena(jobs);
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(
+        oneapi::tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
+        [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t t = range.begin(); t < range.end(); ++t) {
+            if (stop()) return;
+            const Cell& cell = cells_[tasks[t].cell];
+            const DrawnPose drawn = draw(cell, tasks[t].pose);
+            outcomes[t] = scene(cell).hold(drawn.pose, drawn.velocity, workspaces.local());
+            const std::int64_t now = before + ++done;
+            if (const std::unique_lock lock(reporting, std::try_to_lock); lock) progress(now);
+          }
+        },
+        oneapi::tbb::simple_partitioner());
+  });
+
+  bool whole = true;
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    whole = whole && outcomes[t].done;
+    if (!outcomes[t].done) continue;
+    Cell& cell = cells_[tasks[t].cell];
+    cell.tally.add(outcomes[t], pose_name(cell, tasks[t].pose));
+    if (!outcomes[t].disagreements.empty() && findings_.size() < kMostFindings)
+      findings_.push_back({tasks[t].cell, tasks[t].pose, std::move(outcomes[t].disagreements)});
+  }
+  if (whole) ++batches_done_;
+}
+
+nlohmann::ordered_json Verification::identity() const {
+  nlohmann::ordered_json json;
+  json["format"] = "pcm verification 1";
+  json["poses"] = plan_.poses;
+  json["seed"] = plan_.seed;
+  json["mode"] = static_cast<int>(plan_.mode);
+  for (const Stratum stratum : plan_.strata) json["strata"].push_back(std::string(name(stratum)));
+  for (const SurfacePair& pair : plan_.pairs) json["pairs"].push_back({pair.name, sha256(pair.E), sha256(pair.F)});
+  return json;
+}
+
+nlohmann::ordered_json Verification::state() const {
+  nlohmann::ordered_json json;
+  json["run"] = identity();
+  json["batches_done"] = batches_done_;
+  json["cells"] = nlohmann::ordered_json::array();
+  for (const Cell& cell : cells_) json["cells"].push_back(cell.tally.to_json());
+  json["findings"] = nlohmann::ordered_json::array();
+  for (const Finding& finding : findings_) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Disagreement& d : finding.disagreements) list.push_back({static_cast<int>(d.kind), d.text});
+    json["findings"].push_back({finding.cell, finding.pose, list});
+  }
+  return json;
+}
+
+void Verification::restore(const nlohmann::ordered_json& state) {
+  if (state.at("run") != identity())
+    throw BadInput("it holds another run (other poses, seed, strata, mode or surfaces); choose another folder");
+  for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
+  batches_done_ = state.at("batches_done").get<std::int64_t>();
+  findings_.clear();
+  for (const auto& entry : state.at("findings")) {
+    Finding finding{entry.at(0).get<std::size_t>(), entry.at(1).get<std::int64_t>(), {}};
+    for (const auto& d : entry.at(2))
+      finding.disagreements.push_back({static_cast<Kind>(d.at(0).get<int>()), d.at(1).get<std::string>()});
+    findings_.push_back(std::move(finding));
+  }
+}
+
+}  // namespace pcm::compare

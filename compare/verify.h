@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/case_file.h"
+#include "compare/pairs.h"
+#include "compare/scene.h"
+
+/// The main job: engine against oracle over randomized poses of pairs and strata.
+namespace pcm::compare {
+
+/// What a run is; the same plan gives the same tables, whatever the number of threads.
+struct VerificationPlan {
+  std::int64_t poses = 20160;
+  std::uint64_t seed = 1;
+  std::vector<Stratum> strata{kStrata.begin(), kStrata.end()};
+  Mode mode = Mode::both;
+  std::vector<SurfacePair> pairs;
+};
+
+/// The poses of one pair and one stratum.
+struct Cell {
+  std::size_t pair = 0;
+  Stratum stratum = Stratum::generic;
+  std::int64_t poses = 0;
+  Tally tally;
+};
+
+/// A pose with a disagreement, kept for its case file.
+struct Finding {
+  std::size_t cell = 0;
+  std::int64_t pose = 0;
+  std::vector<Disagreement> disagreements;
+};
+
+/// No more cases than this are kept; the counts go on.
+inline constexpr std::size_t kMostFindings = 300;
+
+/// A run over a plan, batch by batch. Poses are spread evenly over the strata, and within a stratum over its pairs by
+/// their shares: in degenerate and near-degenerate one pose in fifty falls to the general pairs, the others to those
+/// made for them.
+class Verification {
+ public:
+  /// Prepares every pair, on all cores. Throws BadInput where a mesh is unfit, naming the pair.
+  explicit Verification(VerificationPlan plan);
+  ~Verification();
+
+  const VerificationPlan& plan() const { return plan_; }
+  const std::vector<Cell>& cells() const { return cells_; }
+  const std::vector<Finding>& findings() const { return findings_; }
+  std::int64_t poses_done() const;
+  std::int64_t batches() const { return batches_; }
+  std::int64_t batches_done() const { return batches_done_; }
+  bool finished() const { return batches_done_ == batches_; }
+  Tally total() const;
+  /// Strata of pairs that are not to be had, in words.
+  const std::vector<std::string>& omissions() const { return omissions_; }
+
+  /// Name of a pose, e.g. "bubble-bubble/generic/17".
+  std::string pose_name(const Cell& cell, std::int64_t pose) const;
+  DrawnPose draw(const Cell& cell, std::int64_t pose) const;
+  const Scene& scene(const Cell& cell) const;
+  Case as_case(const Finding& finding) const;
+
+  /// Runs the next batch on `jobs` threads. `stop` is asked before each pose: once it says yes, the poses at hand are
+  /// finished and added, but the batch does not count as done. `progress` gets the number of poses done so far.
+  void run_batch(int jobs, const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
+
+  /// The whole state after the last whole batch, to continue from. `restore` throws BadInput where the state is of
+  /// another plan.
+  nlohmann::ordered_json state() const;
+  void restore(const nlohmann::ordered_json& state);
+
+ private:
+  struct Scenes {
+    std::unique_ptr<Scene> usual;
+    std::unique_ptr<Scene> nested;
+  };
+
+  nlohmann::ordered_json identity() const;
+
+  VerificationPlan plan_;
+  std::vector<Scenes> scenes_;
+  std::vector<Cell> cells_;
+  std::vector<Finding> findings_;
+  std::vector<std::string> omissions_;
+  std::int64_t batches_ = 1;
+  std::int64_t batches_done_ = 0;
+};
+
+}  // namespace pcm::compare

@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The comparison itself is tested: right answers pass, answers altered on purpose are flagged, runs repeat and resume.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "compare/case_file.h"
+#include "compare/sha256.h"
+#include "compare/verification_table.h"
+#include "compare/verify.h"
+#include "meshes/bad_input.h"
+#include "meshes/generate_boxes.h"
+#include "meshes/generate_round.h"
+#include "meshes/write_obj.h"
+
+namespace pcm::compare {
+namespace {
+
+const auto kNever = [] { return false; };
+const auto kSilent = [](std::int64_t) {};
+
+SurfacePair small_pair() {
+  SurfacePair pair;
+  pair.name = "icosphere-gridded box";
+  pair.E = generate::icosphere(0.5, 2);
+  pair.F = generate::gridded_box(0.8, 2);
+  pair.law = verification_law(0, pair.E, pair.F);
+  pair.for_hard_strata = true;
+  return pair;
+}
+
+VerificationPlan small_plan(std::int64_t poses) {
+  VerificationPlan plan;
+  plan.poses = poses;
+  plan.pairs = {small_pair()};
+  return plan;
+}
+
+void run_all(Verification& run, int jobs) {
+  while (!run.finished()) run.run_batch(jobs, kNever, kSilent);
+}
+
+/// Alters the engine's answer; false where it has nothing to alter, or where altering changes nothing.
+using Alteration = std::function<bool(fast::Contact&)>;
+
+/// Tries the alteration on generic poses until it has changed 100 answers; each must be flagged with the kind, and
+/// each unaltered answer must pass.
+void expect_always_flagged(Kind kind, const Alteration& alter, double least_relative_depth = 0) {
+  const SurfacePair pair = small_pair();
+  const Scene scene(pair.E, pair.F, pair.law, Mode::both);
+  fast::Workspace workspace;
+  int altered = 0;
+  for (std::uint64_t i = 0; altered < 100; ++i) {
+    ASSERT_LT(i, 5000U) << "too few poses have something to alter";
+    const DrawnPose drawn = draw_pose(Stratum::generic, scene.features(), PoseRandom(11, 0, 0, i));
+    const Question question = scene.question(drawn.pose, drawn.velocity);
+    const reference::Answer true_rounded =
+        scene.oracle().answer(reference::Problem::rounded, drawn.pose, drawn.velocity);
+    if (true_rounded.max_penetration < least_relative_depth * scene.features().size()) continue;
+    fast::Contact subj = fast::evaluate(scene.engine(), drawn.pose, drawn.velocity, Wanted{}, workspace);
+    const std::vector<Disagreement> none = disagreements(question, subj, true_rounded);
+    ASSERT_TRUE(none.empty()) << "pose " << i << ": " << name(none.front().kind) << ": " << none.front().text;
+    if (!alter(subj)) continue;
+    ++altered;
+    const std::vector<Disagreement> found = disagreements(question, subj, true_rounded);
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Disagreement& d) { return d.kind == kind; }))
+        << "pose " << i;
+  }
+}
+
+TEST(Verdict, DroppedIntersectedFaceIsFlagged) {
+  expect_always_flagged(Kind::intersected_faces, [](fast::Contact& subj) {
+    if (subj.E.intersected.empty()) return false;
+    subj.E.intersected.pop_back();
+    return true;
+  });
+}
+
+TEST(Verdict, DroppedInnerFaceIsFlagged) {
+  expect_always_flagged(Kind::inner_faces, [](fast::Contact& subj) {
+    if (subj.F.inner.empty()) return false;
+    subj.F.inner.erase(subj.F.inner.begin());
+    return true;
+  });
+}
+
+TEST(Verdict, DroppedElementIsFlagged) {
+  expect_always_flagged(Kind::elements, [](fast::Contact& subj) {
+    if (subj.elements.empty()) return false;
+    subj.elements.pop_back();
+    --subj.element_count;
+    return true;
+  });
+}
+
+TEST(Verdict, ReversedPolygonIsFlagged) {
+  expect_always_flagged(Kind::polygon_cycle, [](fast::Contact& subj) {
+    if (subj.polygons.empty()) return false;
+    const fast::Polygon& polygon = subj.polygons.front();
+    // It still starts at its smallest crossing: only the circulation is wrong.
+    std::reverse(subj.crossings.begin() + polygon.first + 1, subj.crossings.begin() + polygon.first + polygon.count);
+    return polygon.count > 2;
+  });
+}
+
+TEST(Verdict, DroppedPolygonIsFlagged) {
+  expect_always_flagged(Kind::polygon_count, [](fast::Contact& subj) {
+    if (subj.polygons.empty()) return false;
+    subj.polygons.pop_back();
+    return true;
+  });
+}
+
+TEST(Verdict, SwappedCrossingIsFlagged) {
+  expect_always_flagged(Kind::polygon_cycle, [](fast::Contact& subj) {
+    if (subj.polygons.empty() || subj.polygons.front().count < 3) return false;
+    const auto first = subj.crossings.begin() + subj.polygons.front().first;
+    std::swap(first[1], first[2]);
+    return true;
+  });
+}
+
+TEST(Verdict, CrossingOfAnotherFaceIsFlagged) {
+  expect_always_flagged(Kind::polygon_cycle, [](fast::Contact& subj) {
+    if (subj.polygons.empty()) return false;
+    subj.crossings[static_cast<std::size_t>(subj.polygons.front().first)].face ^= 1;
+    return true;
+  });
+}
+
+// Where the penetration is a small part of the size, 1e-9 is less than what rounding alone may do: the depths of the
+// right answers on the rounded problem are uncertain by 1e-16 sizes or more. So these poses are a thousandth deep.
+constexpr double kDeep = 1e-3;
+
+TEST(Verdict, ForceOffByOneInABillionIsFlagged) {
+  expect_always_flagged(
+      Kind::force,
+      [](fast::Contact& subj) {
+        if (subj.force_Me.norm() == 0) return false;
+        subj.force_Me *= 1 + 1e-9;
+        return true;
+      },
+      kDeep);
+}
+
+TEST(Verdict, TorqueOffByOneInABillionIsFlagged) {
+  expect_always_flagged(
+      Kind::torque,
+      [](fast::Contact& subj) {
+        // Forces that nearly pass through Mf leave a torque too small to tell.
+        if (subj.torque_Me.norm() < 0.01 * subj.force_Me.norm()) return false;
+        subj.torque_Me *= 1 + 1e-9;
+        return true;
+      },
+      kDeep);
+}
+
+TEST(Verdict, AreaOffByOneInABillionIsFlagged) {
+  expect_always_flagged(
+      Kind::area,
+      [](fast::Contact& subj) {
+        subj.E.area *= 1 + 1e-9;
+        return subj.E.area > 0;
+      },
+      kDeep);
+}
+
+TEST(Verdict, StalePoseIsFlagged) {
+  // The answer to the pose before is held against the truth of this one.
+  const SurfacePair pair = small_pair();
+  const Scene scene(pair.E, pair.F, pair.law, Mode::both);
+  fast::Workspace workspace;
+  fast::Contact stale;
+  for (std::uint64_t i = 0; i <= 100; ++i) {
+    const DrawnPose drawn = draw_pose(Stratum::generic, scene.features(), PoseRandom(12, 0, 0, i));
+    if (i > 0) {
+      const reference::Answer truth = scene.oracle().answer(reference::Problem::rounded, drawn.pose, drawn.velocity);
+      EXPECT_FALSE(disagreements(scene.question(drawn.pose, drawn.velocity), stale, truth).empty()) << i;
+    }
+    stale = fast::evaluate(scene.engine(), drawn.pose, drawn.velocity, Wanted{}, workspace);
+  }
+}
+
+TEST(Verdict, NotANumberIsFlagged) {
+  expect_always_flagged(Kind::volume, [](fast::Contact& subj) {
+    subj.volume = std::numeric_limits<double>::quiet_NaN();
+    return subj.has_volume;
+  });
+}
+
+TEST(Verification, SmallPairAgreesInEveryStratum) {
+  Verification run(small_plan(600));
+  run_all(run, 2);
+  const Tally total = run.total();
+  EXPECT_EQ(total.poses, 600);
+  EXPECT_EQ(total.disagreeing, 0);
+  for (const Finding& finding : run.findings())
+    for (const Disagreement& d : finding.disagreements)
+      ADD_FAILURE() << run.pose_name(run.cells()[finding.cell], finding.pose) << ": " << name(d.kind) << ": " << d.text;
+  for (const Cell& cell : run.cells()) {
+    const double touching = static_cast<double>(cell.tally.touching) / static_cast<double>(cell.poses);
+    if (cell.stratum == Stratum::separated || cell.stratum == Stratum::nested) {
+      EXPECT_EQ(cell.tally.touching, 0) << name(cell.stratum);
+    } else {
+      EXPECT_GE(touching, 0.5) << name(cell.stratum);
+    }
+    if (cell.stratum == Stratum::nested) {
+      EXPECT_EQ(cell.tally.nested, cell.poses);
+    }
+  }
+}
+
+TEST(Verification, TablesDoNotDependOnTheNumberOfThreads) {
+  Verification one(small_plan(240)), four(small_plan(240));
+  run_all(one, 1);
+  run_all(four, 4);
+  EXPECT_EQ(verification_markdown(one), verification_markdown(four));
+  EXPECT_EQ(verification_csv(one), verification_csv(four));
+  EXPECT_EQ(verification_json(one), verification_json(four));
+}
+
+TEST(Verification, ContinuedRunEndsLikeAnUninterruptedOne) {
+  VerificationPlan plan = small_plan(2500);
+  plan.strata = {Stratum::separated};
+  Verification whole(plan), first(plan), second(plan);
+  ASSERT_GT(whole.batches(), 2);
+  run_all(whole, 2);
+  first.run_batch(2, kNever, kSilent);
+  const auto state = nlohmann::ordered_json::parse(first.state().dump());
+  second.restore(state);
+  EXPECT_EQ(second.poses_done(), first.poses_done());
+  run_all(second, 2);
+  EXPECT_EQ(verification_csv(second), verification_csv(whole));
+
+  plan.seed = 2;
+  Verification other(plan);
+  EXPECT_THROW(other.restore(state), BadInput);
+}
+
+TEST(Verification, InterruptedBatchKeepsWhatItHasAndIsNotDone) {
+  Verification run(small_plan(240));
+  int asked = 0;
+  run.run_batch(
+      1, [&] { return ++asked > 10; }, kSilent);
+  EXPECT_EQ(run.poses_done(), 10);
+  EXPECT_EQ(run.batches_done(), 0);
+  EXPECT_NE(verdict_line(run).find("interrupted"), std::string::npos);
+}
+
+TEST(Tally, BoundOnTheRateIsThreeOverNWithoutDisagreements) {
+  Tally tally;
+  PoseOutcome outcome;
+  for (int k = 0; k < 1000; ++k) tally.add(outcome, std::to_string(k));
+  EXPECT_NEAR(tally.disagreement_rate_bound(), 0.002991, 1e-6);  // 1 - 0.05^(1 / 1000)
+}
+
+TEST(Tally, QuantilesAreRoundedUpByAnEighthAtMost) {
+  Histogram histogram;
+  for (int k = 1; k <= 1000; ++k) histogram.add(1e-17 * k);
+  for (const double q : {0.5, 0.99, 0.999, 1.0}) {
+    EXPECT_GE(histogram.quantile(q), 1e-14 * q * (1 - 1e-12));
+    EXPECT_LE(histogram.quantile(q), 1e-14 * q * 1.125 * (1 + 1e-12));
+  }
+  EXPECT_EQ(Histogram().quantile(0.5), 0);
+}
+
+TEST(Sha256, KnownDigests) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+class CaseFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) / "pcm_case_files";
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  static Case posed() {
+    SurfacePair pair = small_pair();
+    const FeaturePair features(pair.E, pair.F);
+    const DrawnPose drawn = draw_pose(Stratum::near_degenerate, features, PoseRandom(1, 5, 0, 3));
+    Case posed;
+    posed.origin = "a test";
+    posed.E = pair.E;
+    posed.F = pair.F;
+    posed.pose = drawn.pose;
+    posed.velocity = drawn.velocity;
+    posed.law = verification_law(2, pair.E, pair.F);
+    posed.mode = Mode::F;
+    return posed;
+  }
+
+  std::filesystem::path folder_;
+};
+
+void expect_same_question(const Case& a, const Case& b) {
+  EXPECT_EQ(a.E.vertices, b.E.vertices);
+  EXPECT_EQ(a.F.faces, b.F.faces);
+  EXPECT_EQ(a.pose.A, b.pose.A);
+  EXPECT_EQ(a.pose.r, b.pose.r);
+  EXPECT_EQ(a.velocity.v, b.velocity.v);
+  EXPECT_EQ(a.velocity.w, b.velocity.w);
+  EXPECT_EQ(a.mode, b.mode);
+  EXPECT_EQ(a.law.damping, b.law.damping);
+  EXPECT_EQ(a.law.layers->c_F, b.law.layers->c_F);
+  EXPECT_EQ(a.law.damping_mode, b.law.damping_mode);
+  EXPECT_EQ(a.law.max_penetration, b.law.max_penetration);
+}
+
+TEST_F(CaseFiles, ReadBackBitForBitWithMeshesInline) {
+  const Case written = posed();
+  write_whole_file(folder_ / "case.json", format_case(written, {{Kind::force, "off"}}, {}, {}));
+  expect_same_question(read_case(folder_ / "case.json"), written);
+}
+
+TEST_F(CaseFiles, ReadBackBitForBitWithMeshesByPathAndRefuseChangedOnes) {
+  Case written = posed();
+  written.file_E = folder_ / "E.obj";
+  write_obj(written.E, written.file_E);
+  write_whole_file(folder_ / "case.json", format_case(written, {}, {}, {}));
+  expect_same_question(read_case(folder_ / "case.json"), written);
+  std::ofstream(written.file_E, std::ios::app) << "# changed\n";
+  EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
+}
+
+TEST_F(CaseFiles, BadOnesAreRefused) {
+  EXPECT_THROW(read_case(folder_ / "missing.json"), BadInput);
+  EXPECT_THROW(read_case(folder_), BadInput);
+  const std::string whole = format_case(posed(), {}, {}, {});
+  for (const std::string& text : {std::string("{"), std::string("[1]"), std::string("{\"format\": \"pcm case 1\"}"),
+                                  std::string(whole).replace(whole.find("barycentric"), 11, "clipped"),
+                                  std::string(whole).replace(whole.find("0x"), 2, "zz")}) {
+    write_whole_file(folder_ / "case.json", text);
+    EXPECT_THROW(read_case(folder_ / "case.json"), BadInput) << text.substr(0, 40);
+  }
+  EXPECT_THROW(write_whole_file(folder_ / "no" / "such" / "folder.json", ""), BadInput);
+}
+
+TEST_F(CaseFiles, ReplayGivesTheSameVerdict) {
+  const Case written = posed();
+  write_whole_file(folder_ / "case.json", format_case(written, {}, {}, {}));
+  const Case read = read_case(folder_ / "case.json");
+  const Scene scene(read.E, read.F, read.law, read.mode);
+  fast::Workspace workspace;
+  EXPECT_TRUE(scene.hold(read.pose, read.velocity, workspace).disagreements.empty());
+}
+
+}  // namespace
+}  // namespace pcm::compare
