@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "fast/inputs.h"
+#include "meshes/triangle_mesh.h"
+
+namespace pcm::brute_force {
+
+/// Kinds of tiny pose to hold an engine or oracle against the twin on.
+enum class Kind : std::uint8_t {
+  generic,       ///< tetrahedra, boxes, octahedra, icospheres in any rotation
+  lattice,       ///< tetrahedra and boxes with small integer coordinates, turned by right angles: exact ties everywhere
+  near_lattice,  ///< the same, F moved by 1 to 8 ulps
+  grids,         ///< gridded boxes upon each other at rational offsets
+  open,          ///< containers, plates and boxes with faces missing, on a lattice or not
+};
+
+/// "Generic", "NearLattice" ...
+std::string name_of(Kind kind);
+
+struct Trial {
+  std::string description;  ///< kind, seed and number: enough to draw it again
+  TriangleMesh E;
+  TriangleMesh F;
+  Pose pose;
+};
+
+/// Trial `number` of a kind: a pure function of its arguments.
+Trial draw_trial(Kind kind, std::uint64_t seed, int number);
+
+}  // namespace pcm::brute_force

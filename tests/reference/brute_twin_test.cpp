@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The oracle against its brute-force twin on small meshes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "meshes/degenerate/catalogue.h"
+#include "reference/oracle.h"
+#include "tests/reference/brute_force/combinatorics.h"
+#include "tests/reference/brute_force/trials.h"
+#include "tests/reference/oracle_combinatorics.h"
+
+namespace pcm::brute_force {
+namespace {
+
+using reference::Problem;
+
+constexpr double kStiffness = 1e6;
+
+/// Where the other surface is open, only the oracle has a rule for faces in its plane.
+bool comparable(const Answer& twin, Side side) {
+  if (twin.scene.body(other(side)).closed) return true;
+  return std::ranges::all_of(twin.active(side).shares,
+                             [](const Share& share) { return share.equal == 0 && share.opposite == 0; });
+}
+
+Eigen::Vector3d eigen(const std::array<double, 3>& x) {
+  return {x[0], x[1], x[2]};
+}
+
+/// Both sides promise the true value, correctly rounded: equal to the last bit.
+void expect_same_area(const ActiveArea& twin, const reference::ActiveArea& oracle) {
+  EXPECT_EQ(twin.area, oracle.area);
+  EXPECT_EQ(twin.open, oracle.area_interval.open);
+  EXPECT_EQ(twin.closed, oracle.area_interval.closed);
+  EXPECT_EQ(eigen(twin.vector_area), oracle.vector_area_Me);
+}
+
+void expect_same_elements(const Answer& twin, const reference::Answer& oracle) {
+  ASSERT_EQ(twin.elements.size(), oracle.elements.size());
+  double greatest = 0;
+  for (std::size_t i = 0; i < twin.elements.size(); ++i) {
+    const double u = penetration(twin.scene, twin.elements[i]);
+    EXPECT_EQ(u, oracle.elements[i].penetration);
+    EXPECT_EQ(element_area(twin.scene, twin.elements[i]), oracle.elements[i].area);
+    greatest = std::max(greatest, u);
+  }
+  EXPECT_EQ(greatest, oracle.max_penetration);
+  const ForceAndTorque load = elastic_force(twin, kStiffness, Mode::both);
+  EXPECT_EQ(eigen(load.force), oracle.force_Me);
+  EXPECT_EQ(eigen(load.torque), oracle.torque_Me);
+}
+
+void expect_same(const Answer& twin, const reference::Answer& oracle) {
+  const Combinatorics expected = combinatorics_of(twin);
+  Combinatorics found = combinatorics_of(oracle);
+  const bool E_comparable = comparable(twin, Side::E);
+  const bool F_comparable = comparable(twin, Side::F);
+  if (!E_comparable || !F_comparable) found.undefined_areas = expected.undefined_areas;
+  EXPECT_EQ(difference(expected, found), "");
+  if (E_comparable) expect_same_area(twin.E, oracle.E);
+  if (F_comparable) expect_same_area(twin.F, oracle.F);
+  EXPECT_EQ(twin.volume, oracle.volume);
+  for (const reference::Polygon& polygon : oracle.polygons)
+    for (const reference::Crossing& c : polygon.points) {
+      const Vector& x = twin.positions.at({c.edge_side, c.edge, c.face});
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(rounded(Rational(x[i] * twin.scene.unit)), c.position_Me[i]);
+    }
+  expect_same_elements(twin, oracle);
+}
+
+/// How much of what is compared was there at all.
+struct Seen {
+  int touching = 0;
+  int elements = 0;
+  int too_deep = 0;
+};
+
+void compare_on(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, Seen& seen) {
+  ContactLaw law;
+  law.stiffness = kStiffness;
+  const reference::Oracle oracle(E, F, law, Mode::both);
+  for (const Problem problem : {Problem::rounded, Problem::exact}) {
+    SCOPED_TRACE(problem == Problem::rounded ? "rounded problem" : "exact problem");
+    const Answer twin = answer(E, F, pose, problem, Mode::both);
+    expect_same(twin, oracle.answer(problem, pose));
+    if (problem == Problem::exact) continue;
+    seen.touching += twin.touching ? 1 : 0;
+    seen.elements += twin.elements.empty() ? 0 : 1;
+    seen.too_deep += twin.too_deep > 0 ? 1 : 0;
+  }
+}
+
+TEST(BruteTwin, AgreesOnTheDegenerateCatalogue) {
+  Seen seen;
+  for (const degenerate::Case& example : degenerate::catalogue()) {
+    if (example.E.faces.size() + example.F.faces.size() > 200) continue;
+    SCOPED_TRACE(example.name);
+    compare_on(example.E, example.F, {example.A, example.r}, seen);
+  }
+}
+
+class BruteTwinPoses : public testing::TestWithParam<std::tuple<Kind, int>> {};
+
+TEST_P(BruteTwinPoses, AgreeWithTheOracle) {
+  const auto [kind, count] = GetParam();
+  Seen seen;
+  for (int number = 0; number < count && !HasFailure(); ++number) {
+    const Trial trial = draw_trial(kind, 20, number);
+    SCOPED_TRACE(trial.description);
+    compare_on(trial.E, trial.F, trial.pose, seen);
+  }
+  EXPECT_GE(seen.touching, count / 5);
+  EXPECT_GE(seen.elements, count / 20);
+  EXPECT_GE(seen.too_deep, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, BruteTwinPoses,
+                         testing::Values(std::tuple{Kind::generic, 200}, std::tuple{Kind::lattice, 400},
+                                         std::tuple{Kind::near_lattice, 300}, std::tuple{Kind::grids, 60},
+                                         std::tuple{Kind::open, 300}),
+                         [](const testing::TestParamInfo<std::tuple<Kind, int>>& test) {
+                           return name_of(std::get<0>(test.param));
+                         });
+
+}  // namespace
+}  // namespace pcm::brute_force
