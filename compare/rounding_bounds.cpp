@@ -202,9 +202,11 @@ AreaBounds RoundingBounds::area() const {
     const std::size_t n = polygon.points.size();
     std::vector<double>& s = bounds.positions.emplace_back();
     std::vector<Eigen::Vector3d> d;
+    std::vector<double> edge_length;
     for (const reference::Crossing& x : polygon.points) {
       s.push_back(position_error(x));
       const Eigen::Vector3d along = vertex(x.edge_side, x.edge[1]) - vertex(x.edge_side, x.edge[0]);
+      edge_length.push_back(along.norm());
       d.push_back(along.norm() > 0 ? (along / along.norm()).eval() : along);
       low = low.cwiseMin(x.position_Me);
       high = high.cwiseMax(x.position_Me);
@@ -221,6 +223,8 @@ AreaBounds RoundingBounds::area() const {
       const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
       const double reach = (q - p).norm() + (p - x.position_Me).norm() + (q - x.position_Me).norm();
       for (double& m : moved) m += stored * reach;
+      // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
+      moved[own] += stored * edge_length[k];
       if (has_q) {
         const std::size_t next = (k + 1) % n;
         for (double& m : moved) m += s[k] * s[next] * d[k].cross(d[next]).norm() / 2;
