@@ -27,7 +27,8 @@ void settle(SideState& side, std::vector<Index>& stack, Index v, Index winding) 
 }
 
 /// Spreads the winding number of a located vertex to all that it decides: to waiting vertices, whose edges say by how
-/// much it changes, and all over the inside, whose uncrossed faces become inner.
+/// much it changes, and all over where it is not 0, whose uncrossed faces become inner (or pockets where it is
+/// negative, as it can be where the other surface intersects itself).
 void spread(SideState& side, std::vector<Index>& stack, Index seed, Index seed_winding) {
   const Surface::Data& surface = side.surface();
   stack.clear();
@@ -40,14 +41,14 @@ void spread(SideState& side, std::vector<Index>& stack, Index seed, Index seed_w
       const Index u = surface.other_end(edge, v);
       const bool waiting = side.winding.get(u, 0) == kWaiting;
       if (side.winding.contains(u) && !waiting) continue;
-      if (!waiting && winding < 1) continue;
+      if (!waiting && winding == 0) continue;
       settle(side, stack, u, winding + change_from(side, edge, v));
     }
-    if (winding < 1) continue;
+    if (winding == 0) continue;
     for (const Index face : surface.vertex_faces[v]) {
       if (side.is_intersected.contains(face) || side.is_inner.contains(face)) continue;
       side.is_inner[face] = true;
-      side.inner.push_back(face);
+      (winding >= 1 ? side.inner : side.pockets).push_back(face);
     }
   }
 }
@@ -68,9 +69,12 @@ void find_nested(Workspace::Data& workspace, Side side_name) {
                                                     : boxes_may_touch(workspace.placement, other_hull, box);
     if (!may_be_inside) continue;
     const Incidence::Span faces = surface.component_faces[static_cast<Index>(c)];
-    if (winding_about_vertex(workspace, side_name, surface.face(*faces.begin())[0]) < 1) continue;
-    workspace.contact.nested = true;
-    side.inner.insert(side.inner.end(), faces.begin(), faces.end());
+    const Index winding = winding_about_vertex(workspace, side_name, surface.face(*faces.begin())[0]);
+    if (winding == 0) continue;
+    for (const Index face : faces) side.winding[surface.face(face)[0]] = winding;
+    if (winding >= 1) workspace.contact.nested = true;
+    std::vector<Index>& list = winding >= 1 ? side.inner : side.pockets;
+    list.insert(list.end(), faces.begin(), faces.end());
   }
 }
 
@@ -96,6 +100,7 @@ void find_active_area_in_closed(Workspace::Data& workspace, Side side_name) {
 void find_active_area(Workspace::Data& workspace, Side side_name) {
   SideState& side = workspace.side(side_name);
   side.inner.clear();
+  side.pockets.clear();
   side.inside_vertices.clear();
   if (workspace.side(opposite(side_name)).surface().closed) {
     find_active_area_in_closed(workspace, side_name);
@@ -103,6 +108,7 @@ void find_active_area(Workspace::Data& workspace, Side side_name) {
     find_active_area_in_open(workspace, side_name);
   }
   std::sort(side.inner.begin(), side.inner.end());
+  std::sort(side.pockets.begin(), side.pockets.end());
 }
 
 }  // namespace pcm::fast

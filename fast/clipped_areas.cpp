@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "fast/active_areas.h"
 #include "fast/geometry.h"
@@ -108,17 +109,29 @@ Totals measure(Workspace::Data& workspace, Side side_name, const Eigen::Vector3d
   for (std::size_t i = 0; i < side.intersected.size(); ++i) side.slot[side.intersected[i]] = static_cast<Index>(i);
   add_segments(workspace, side_name);
 
+  // Faces count as often as the other surface winds about them: once, unless that intersects itself. Only so do the
+  // clipped areas of both surfaces bound a volume.
+  const auto multiplicity = [&](Index face) {
+    return other_closed ? static_cast<double>(side.winding.get(side.surface().face(face)[0], 0)) : 1.0;
+  };
   Totals totals;
-  std::size_t i = 0, j = 0;
-  while (i < side.intersected.size() || j < side.inner.size()) {
-    const bool inner = i == side.intersected.size() || (j < side.inner.size() && side.inner[j] < side.intersected[i]);
-    const Index face = inner ? side.inner[j++] : side.intersected[i];
+  std::size_t next_intersected = 0, next_inner = 0, next_pocket = 0;
+  const auto head = [](const std::vector<Index>& faces, std::size_t next) {
+    return next < faces.size() ? faces[next] : std::numeric_limits<Index>::max();
+  };
+  while (true) {
+    const Index intersected = head(side.intersected, next_intersected);
+    const Index inner = head(side.inner, next_inner);
+    const Index pocket = head(side.pockets, next_pocket);
+    const Index face = std::min({intersected, inner, pocket});
+    if (face == std::numeric_limits<Index>::max()) break;
     const FaceGeometry geometry(side.posed.face_Me(face, work));
-    if (inner) {
-      add_face(totals, geometry.area, geometry.n_Me, geometry.points_Me[0], origin_Me);
+    if (face != intersected) {
+      add_face(totals, multiplicity(face) * geometry.area, geometry.n_Me, geometry.points_Me[0], origin_Me);
+      ++(face == inner ? next_inner : next_pocket);
       continue;
     }
-    FaceClip& clip = workspace.clips[i++];
+    FaceClip& clip = workspace.clips[next_intersected++];
     if (clip.undefined) {
       ++workspace.contact.undefined_areas;
       continue;

@@ -32,9 +32,9 @@ struct Polygon {
 
 /// What the contact is on one of the surfaces. Nested faces count as inner (PCM section 5).
 struct ActiveArea {
-  std::vector<Index> intersected;                            ///< faces in a crossing pair, ascending
-  std::vector<Index> inner;                                  ///< uncrossed faces inside the other body, ascending
-  double area = 0;                                           ///< of the clipped active area, m^2
+  std::vector<Index> intersected;  ///< faces in a crossing pair, ascending
+  std::vector<Index> inner;        ///< uncrossed faces inside the other body, ascending
+  double area = 0;  ///< of the clipped active area, m^2; parts the other surface winds about w times count w times
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();  ///< integral of the outward normal over it, m^2
 };
 

@@ -44,7 +44,7 @@ struct LayerStiffness {
 
 /// Parameters of the force law, PCM (1)-(4), (12)-(24). All finite and not negative unless said.
 struct ContactLaw {
-  double stiffness = 1e6;                ///< c_l, N/m^3 > 0; both layers count as equal. Ignored where `layers` is given.
+  double stiffness = 1e6;  ///< c_l, N/m^3 > 0; both layers count as equal. Ignored where `layers` is given.
   std::optional<LayerStiffness> layers;  ///< in series: c_l = c_E c_F / (c_E + c_F) (12)
   double damping = 0;                    ///< d_l, N s/m^3
   double transition_depth = 0;           ///< u_d, m: damping fades in up to this penetration (15); 0 turns the fade off

@@ -60,8 +60,9 @@ struct SideState {
   StampedArray<EdgeCrossings> edge_crossings;
   StampedArray<Index> winding;         ///< by vertex, of the other surface where that is closed; where it was needed
   StampedArray<std::uint8_t> label;    ///< by vertex, Label bits, where the other surface is open
-  StampedArray<bool> is_inner;         ///< by face
+  StampedArray<bool> is_inner;         ///< by face: inner, or a pocket
   std::vector<Index> inner;            ///< uncrossed faces inside the other body, ascending; nested ones included
+  std::vector<Index> pockets;          ///< uncrossed faces of negative winding number: the other surface folded over
   std::vector<Index> inside_vertices;  ///< those found inside the other body, but for nested components
   StampedArray<Index> region;          ///< by vertex: inside vertices joined by uncrossed edges share one
   StampedArray<bool> component_crossed;

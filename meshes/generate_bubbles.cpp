@@ -16,7 +16,7 @@ TriangleMesh bubble(double length) {
   static_assert(2 * kSegments * (kBands - 1) == 950);
   std::vector<ProfilePoint> profile;
   for (Index j = 0; j <= kBands; ++j) {
-    const auto [cosine, sine] = cosine_sine_of_turn(j, 2 * kBands);
+    const auto [cosine, sine] = cosine_sine_of_turn(j, std::int64_t{2} * kBands);
     const double cosine_of_double = cosine_sine_of_turn(j, kBands).cosine;
     const double distance = length / 2 * ((1 + cosine_of_double / 2) / 1.5);
     profile.push_back({distance * sine, 0.0 - distance * cosine});

@@ -63,7 +63,7 @@ std::vector<PlanePoint> tooth_profile(Index teeth, double module, Index flank_po
   }
 
   // The root lies halfway in angle between the flank's start and the middle of the gap.
-  const CosineSine middle_of_gap = cosine_sine_of_turn(-1, 2 * teeth);
+  const CosineSine middle_of_gap = cosine_sine_of_turn(-1, std::int64_t{2} * teeth);
   const double start_radius = std::sqrt(flank[0].x * flank[0].x + flank[0].y * flank[0].y);
   const PlanePoint bisector{flank[0].x / start_radius + middle_of_gap.cosine,
                             flank[0].y / start_radius + middle_of_gap.sine};
@@ -85,7 +85,7 @@ TriangleMesh socket(double radius, double wall, Index segments, Index bands) {
   const double outer_radius = radius + wall;
   std::vector<ProfilePoint> profile{{0, -outer_radius}, {outer_radius, -outer_radius}, {outer_radius, 0}};
   for (Index j = 0; j <= bands; ++j) {
-    const auto [cosine, sine] = cosine_sine_of_turn(j, 4 * bands);
+    const auto [cosine, sine] = cosine_sine_of_turn(j, std::int64_t{4} * bands);
     profile.push_back({radius * cosine, 0.0 - radius * sine});
   }
   return surface_of_revolution("socket", profile, segments);
@@ -102,8 +102,8 @@ TriangleMesh bumpy_sphere(double radius, double amplitude, Index bumps, Index se
   vertices.reserve(static_cast<std::size_t>(rings) * segments + 2);
   vertices.emplace_back(0.0, 0.0, -radius);
   for (Index j = 1; j <= rings; ++j) {
-    const auto [cosine_polar, sine_polar] = cosine_sine_of_turn(j, 2 * bands);
-    const double wave_polar = cosine_sine_of_turn(static_cast<std::int64_t>(bumps) * j, 2 * bands).sine;
+    const auto [cosine_polar, sine_polar] = cosine_sine_of_turn(j, std::int64_t{2} * bands);
+    const double wave_polar = cosine_sine_of_turn(static_cast<std::int64_t>(bumps) * j, std::int64_t{2} * bands).sine;
     for (Index k = 0; k < segments; ++k) {
       const auto [cosine, sine] = cosine_sine_of_turn(k, segments);
       const double wave = cosine_sine_of_turn(static_cast<std::int64_t>(bumps) * k, segments).cosine;
@@ -127,8 +127,8 @@ TriangleMesh knotted_tube(double ring_radius, double tube_radius, Index segments
   for (Index i = 0; i < segments; ++i) {
     // The knot is (2 + cos 3t) (cos 2t, sin 2t, 0) + sin 3t e_z, in units of half the ring radius. The normal of the
     // torus it lies on is perpendicular to it and returns to itself, so it makes a frame that closes.
-    const auto [c2, s2] = cosine_sine_of_turn(2 * i, segments);
-    const auto [c3, s3] = cosine_sine_of_turn(3 * i, segments);
+    const auto [c2, s2] = cosine_sine_of_turn(std::int64_t{2} * i, segments);
+    const auto [c3, s3] = cosine_sine_of_turn(std::int64_t{3} * i, segments);
     const Eigen::Vector3d centre((2 + c3) * c2, (2 + c3) * s2, s3);
     const Eigen::Vector3d normal(c3 * c2, c3 * s2, s3);
     const Eigen::Vector3d tangent(-3 * s3 * c2 - 2 * (2 + c3) * s2, -3 * s3 * s2 + 2 * (2 + c3) * c2, 3 * c3);

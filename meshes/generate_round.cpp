@@ -72,7 +72,7 @@ TriangleMesh uv_sphere(double radius, Index segments, Index bands) {
   require_count("bands", bands, 2);
   std::vector<ProfilePoint> profile;
   for (Index j = 0; j <= bands; ++j) {
-    const auto [cosine, sine] = cosine_sine_of_turn(j, 2 * bands);
+    const auto [cosine, sine] = cosine_sine_of_turn(j, std::int64_t{2} * bands);
     profile.push_back({radius * sine, 0.0 - radius * cosine});
   }
   return surface_of_revolution("uv_sphere", profile, segments);

@@ -39,6 +39,7 @@ void locate_in_closed(const Orientation& orientation, Side side, const std::vect
   for (Index f = 0; f < faces; ++f) {
     const Triangle& t = surface.mesh.faces[f];
     if (states[f] == FaceState::intersected) continue;
+    if (active.winding[t[0]] < 0) active.pockets.push_back(f);  // uncrossed: one winding number all over
     if (!active.inside[t[0]] || !active.inside[t[1]] || !active.inside[t[2]]) continue;
     active.inner.push_back(f);
     if (!crossed_component[surface.component[f]]) active.nested = true;

@@ -14,6 +14,7 @@ namespace pcm::reference {
 struct ActiveFaces {
   std::vector<Index> intersected;  ///< faces in a crossing pair, ascending
   std::vector<Index> inner;        ///< uncrossed faces inside the other body, ascending; nested ones included
+  std::vector<Index> pockets;      ///< uncrossed faces of negative winding number: the other surface folded over
   std::vector<int> winding;        ///< of the other surface about each vertex; empty where the other is open
   std::vector<bool> inside;        ///< of each vertex: winding >= 1; where the other is open, labelled inside
   std::vector<bool> outside;       ///< of each vertex: not inside; where the other is open, labelled outside

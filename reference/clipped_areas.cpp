@@ -37,9 +37,10 @@ class FaceClipper {
         ids_(ids),
         undefined_(undefined) {}
 
-  FaceClip inner(Index face) const {
+  /// A face without crossings: one winding number all over.
+  FaceClip uncrossed(Index face) const {
     FaceClip clip = bare(face);
-    clip.winding = {1, 1, 1};
+    clip.winding.fill(others_.closed ? active_.winding[pose_.face(side_, face)[0]] : 1);
     return clip;
   }
 
@@ -170,8 +171,9 @@ std::vector<FaceClip> clip_side(const FaceClipper& clipper, Side side, const Cro
   }
   for (const auto& [face, of_face] : segments)
     if (coplanar.count(face) == 0) clips.push_back(clipper.intersected(face, crossings, of_face));
-  for (const Index face : active.inner)
-    if (coplanar.count(face) == 0) clips.push_back(clipper.inner(face));
+  for (const std::vector<Index>* uncrossed : {&active.inner, &active.pockets})
+    for (const Index face : *uncrossed)
+      if (coplanar.count(face) == 0) clips.push_back(clipper.uncrossed(face));
   std::sort(clips.begin(), clips.end(), [](const FaceClip& a, const FaceClip& b) { return a.face < b.face; });
   return clips;
 }

@@ -52,15 +52,21 @@ double longest_edge(const Body& body, Index face, const Rational& unit) {
   return result;
 }
 
+/// Greatest distance of a vertex from the origin.
+double greatest_length(const Scene& scene) {
+  double size = 0;
+  for (const Body* body : {&scene.E, &scene.F})
+    for (const Vector& x : body->vertices) size = std::max(size, length(x, scene.unit));
+  return size;
+}
+
 /// How far the engine's areas may be off. With S the greatest coordinate, a vertex is known to eps S about a point of
 /// the patch, its height above a face of longest edge L and doubled area N to a few eps S L^2 / N, and the crossing of
 /// an edge of length l whose ends are D apart in height to l / D of that (never by more than l: it is clamped into its
 /// edge). A crossing moved by dx moves the boundary of the part inside by dx times the length of the adjoining chords.
 double area_bound(const Answer& twin) {
   const Scene& scene = twin.scene;
-  double size = 0;
-  for (const Body* body : {&scene.E, &scene.F})
-    for (const Vector& x : body->vertices) size = std::max(size, length(x, scene.unit));
+  const double size = greatest_length(scene);
   double bound = 0;
   for (const Body* body : {&scene.E, &scene.F})
     for (Index f = 0; f < std::ssize(body->faces); ++f)
@@ -104,6 +110,10 @@ void compare_on(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, 
   expect_area(twin.E, contact.E, twin.scene.F.closed, bound);
   expect_area(twin.F, contact.F, twin.scene.E.closed, bound);
   EXPECT_EQ(contact.has_volume, twin.volume.has_value());
+  // A third of the areas' flux about a point of the patch, no farther than both surfaces' size from either area.
+  if (twin.perturbed_volume) {
+    EXPECT_NEAR(contact.volume, *twin.perturbed_volume, 2 * bound * greatest_length(twin.scene));
+  }
   seen.touching += twin.touching ? 1 : 0;
   seen.elements += twin.elements.empty() ? 0 : 1;
 }
