@@ -3,40 +3,15 @@
 #include "reference/contact_elements.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
 
+#include "reference/box_tree.h"
 #include "reference/penetration_line.h"
 
 namespace pcm::reference {
 namespace {
-
-/// Lines against the faces near them: pairs (line, face).
-std::vector<IndexPair> faces_near_lines(const std::vector<PenetrationLine>& lines,
-                                        const std::vector<std::optional<Index>>& until, const FaceBoxes& faces,
-                                        const std::vector<bool>& wanted) {
-  // Enough pieces that a whole line's box is not much larger than the faces it looks for; short lines need one.
-  const int whole = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(faces.faces.size())) / 4), 1, 64);
-  std::vector<Box> boxes;
-  std::vector<Index> line_of;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!wanted[i]) continue;
-    for (const Box& box : lines[i].pieces_within(faces.all, until[i] ? 1 : whole, until[i])) {
-      boxes.push_back(box);
-      line_of.push_back(static_cast<Index>(i));
-    }
-  }
-  std::vector<IndexPair> pairs = meeting_boxes(boxes, faces.faces);
-  for (auto& pair : pairs) pair.first = line_of[pair.first];
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
-struct FirstHit {
-  std::optional<Index> face;
-  Meeting meeting;
-};
 
 /// Whether edge and face surely cross (1), surely do not (-1), or it depends on the rounding (0).
 int robust_crossing(const ExactPose& pose, Vertex a, Vertex b, Side face_side, Index face) {
@@ -79,51 +54,81 @@ bool has_area(const ExactPose& pose, Side side, Index face) {
   return sign_of(normal.x) != 0 || sign_of(normal.y) != 0 || sign_of(normal.z) != 0;
 }
 
+struct FaceTrees {
+  BoxTree E, F;
+  const BoxTree& of(Side side) const { return side == Side::E ? E : F; }
+};
+
+struct Hit {
+  Index face = kNone;
+  Meeting meeting;
+  double within = std::numeric_limits<double>::infinity();  ///< upper bound of its q
+};
+
+/// The first slave face along the line; ties left by the shift go to the smaller index.
+Hit find_first_hit(PenetrationLine& line, Side slave, const BoxTree& tree) {
+  std::vector<Hit> hits;
+  Hit first;  // to begin with, the one whose q surely is small: then the comparisons with it are easy ones
+  tree.look_along([&line](const Box& box) { return line.reach(box); },
+                  [&](Index face) {
+                    const Meeting meeting = line.meets(slave, face);
+                    if (!meeting.met) return first.within;
+                    hits.push_back({face, meeting, line.farthest(slave, face)});
+                    if (first.face == kNone || hits.back().within < first.within) first = hits.back();
+                    return first.within;
+                  });
+  for (const Hit& hit : hits) {
+    if (hit.face == first.face) continue;
+    const int order = line.compare(slave, hit.face, slave, first.face);
+    if (order < 0 || (order == 0 && hit.face < first.face)) first = hit;
+  }
+  return first;
+}
+
+/// Whether another face of the master is met strictly before the slave face.
+bool leaves_master_first(PenetrationLine& line, Side slave, const Hit& hit, const BoxTree& tree) {
+  bool left = false;
+  tree.look_along([&line](const Box& box) { return line.reach(box); },
+                  [&](Index face) {
+                    left = face != line.face() && line.meets(line.master(), face).met &&
+                           line.compare(line.master(), face, slave, hit.face) < 0;
+                    return left ? -1.0 : hit.within;
+                  });
+  return left;
+}
+
+void add_elements(const ExactPose& pose, Side master, const std::vector<Index>& active, const FaceTrees& trees,
+                  ElementPairs& elements) {
+  const Side slave = other(master);
+  for (const Index face : active) {
+    if (!has_area(pose, master, face)) continue;
+    PenetrationLine line(pose, master, face);
+    const Hit first = find_first_hit(line, slave, trees.of(slave));
+    if (first.face != kNone && first.meeting.facing < 0) {
+      if (leaves_master_first(line, slave, first, trees.of(master)))
+        ++elements.too_deep;
+      else if (first.meeting.ahead)
+        elements.pairs.push_back({master, face, first.face});
+    }
+    elements.certified = elements.certified && line.certified();
+  }
+}
+
 }  // namespace
 
-ElementPairs find_elements(const ExactPose& pose, Side master, const Combinatorics& combinatorics) {
-  const Side slave = other(master);
-  const ActiveFaces& active_faces = master == Side::E ? combinatorics.E : combinatorics.F;
-  const FaceBoxes& own = master == Side::E ? combinatorics.boxes_E : combinatorics.boxes_F;
-  const FaceBoxes& others = master == Side::E ? combinatorics.boxes_F : combinatorics.boxes_E;
-  std::vector<Index> active;
-  std::merge(active_faces.intersected.begin(), active_faces.intersected.end(), active_faces.inner.begin(),
-             active_faces.inner.end(), std::back_inserter(active));
+ElementPairs find_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics) {
   ElementPairs elements;
-  elements.certified = activity_is_robust(pose, master, active, combinatorics.candidates);
-
-  std::vector<PenetrationLine> lines;
-  for (const Index face : active)
-    if (has_area(pose, master, face)) lines.emplace_back(pose, master, face);
-  std::vector<std::optional<Index>> until(lines.size());
-  std::vector<bool> wanted(lines.size(), true);
-
-  // The first slave face along each line; ties left by the shift go to the smaller index.
-  std::vector<FirstHit> first(lines.size());
-  for (const auto& [i, face] : faces_near_lines(lines, until, others, wanted)) {
-    const Meeting meeting = lines[i].meets(slave, face);
-    if (!meeting.met) continue;
-    if (first[i].face && lines[i].compare(slave, face, slave, *first[i].face) >= 0) continue;
-    first[i] = {face, meeting};
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    wanted[i] = first[i].face && first[i].meeting.facing < 0;
-    until[i] = first[i].face;
-  }
-
-  // The master's own faces, up to there.
-  std::vector<bool> blocked(lines.size(), false);
-  for (const auto& [i, face] : faces_near_lines(lines, until, own, wanted)) {
-    if (blocked[i] || face == lines[i].face()) continue;
-    if (lines[i].meets(master, face).met && lines[i].compare(master, face, slave, *until[i]) < 0) blocked[i] = true;
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    elements.certified = elements.certified && lines[i].certified();
-    if (!wanted[i]) continue;
-    if (blocked[i])
-      ++elements.too_deep;
-    else if (first[i].meeting.ahead)
-      elements.pairs.push_back({master, lines[i].face(), *first[i].face});
+  std::optional<FaceTrees> trees;
+  for (const Side master : {Side::E, Side::F}) {
+    if (mode == (master == Side::E ? Mode::F : Mode::E)) continue;
+    const ActiveFaces& faces = master == Side::E ? combinatorics.E : combinatorics.F;
+    std::vector<Index> active;
+    std::merge(faces.intersected.begin(), faces.intersected.end(), faces.inner.begin(), faces.inner.end(),
+               std::back_inserter(active));
+    elements.certified = elements.certified && activity_is_robust(pose, master, active, combinatorics.candidates);
+    if (active.empty()) continue;
+    if (!trees) trees = FaceTrees{BoxTree(combinatorics.boxes_E.faces), BoxTree(combinatorics.boxes_F.faces)};
+    add_elements(pose, master, active, *trees, elements);
   }
   return elements;
 }

@@ -52,15 +52,10 @@ Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity&
   if (wanted.areas)
     report_areas(pose, found.clip(pose), data_->E.closed && data_->F.closed && !answer.ambiguous, answer);
   if (wanted.force) {
-    std::vector<ElementPair> elements;
-    for (const Side master : {Side::E, Side::F}) {
-      if (data_->mode == (master == Side::E ? Mode::F : Mode::E)) continue;
-      const ElementPairs of_master = find_elements(pose, master, found);
-      elements.insert(elements.end(), of_master.pairs.begin(), of_master.pairs.end());
-      answer.too_deep += of_master.too_deep;
-      answer.certified = answer.certified && of_master.certified;
-    }
-    report_force(pose, elements, data_->law, data_->mode, velocity, wanted, answer);
+    const ElementPairs elements = find_elements(pose, data_->mode, found);
+    answer.too_deep = elements.too_deep;
+    answer.certified = elements.certified;
+    report_force(pose, elements.pairs, data_->law, data_->mode, velocity, wanted, answer);
   }
   return answer;
 }

@@ -103,6 +103,7 @@ PenetrationLine::PenetrationLine(const ExactPose& pose, Side master, Index face)
     : pose_(pose), master_(master), face_(face) {
   const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
   enclosed_ = make_line(rounding_corners(pose, master, face));
+  C_ = Interval(Interval(1) / Interval(3)) * enclosed_.C3;
 }
 
 const LineNumbers<Exact>& PenetrationLine::exact() {
@@ -138,41 +139,30 @@ int PenetrationLine::compare(Side side_a, Index face_a, Side side_b, Index face_
   return slopes * sign_of(change_between(line, a, b, line.v2));
 }
 
-std::vector<Box> PenetrationLine::pieces_within(const Box& room, int pieces,
-                                                std::optional<Index> until_slave_face) const {
+double PenetrationLine::reach(const Box& box) const {
   const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
-  const Interval third = Interval(1) / Interval(3);
-  const Vec3<Interval> C = third * enclosed_.C3;
-  // The greatest q at which the line can still be in the room.
-  double q_end = std::numeric_limits<double>::infinity();
+  // All comparisons are such that an overflow, which leaves no number, leaves the box in question.
+  double least = 0, greatest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    const int direction = -certain_sign(enclosed_.N[i]);
-    if (direction == 0) continue;
-    const Interval wall(direction > 0 ? room.upper[i] : room.lower[i]);
-    const double leaves = ((C[i] - wall) / enclosed_.N[i]).sup();
-    if (leaves < 0) return {};
-    q_end = std::min(q_end, leaves);
+    if (certain_sign(enclosed_.N[i]) == 0) continue;
+    const Interval q = (C_[i] - Interval(box.lower[i], box.upper[i])) / enclosed_.N[i];
+    if (q.inf() > least) least = q.inf();
+    if (q.sup() < greatest) greatest = q.sup();
   }
-  if (until_slave_face) {
-    const auto f = make_face(rounding_corners(pose_, other(master_), *until_slave_face));
-    const Interval q = -height(enclosed_, f) / (Interval(3) * slope(enclosed_, f));
-    if (q.sup() < q_end) q_end = q.sup();
+  if (greatest < least) return -1;
+  for (int i = 0; i < 3; ++i) {
+    if (certain_sign(enclosed_.N[i]) != 0) continue;
+    const Interval x = C_[i] - Interval(least, greatest) * enclosed_.N[i];
+    if (x.sup() < box.lower[i] || x.inf() > box.upper[i]) return -1;
   }
-  if (!std::isfinite(q_end)) return {room};  // a face too small for its rounding
-  std::vector<Box> boxes;
-  const Interval step = Interval(q_end) / Interval(pieces);
-  for (int piece = 0; piece < pieces; ++piece) {
-    const Interval q((Interval(piece) * step).inf(), (Interval(piece + 1) * step).sup());
-    Box box;
-    for (int i = 0; i < 3; ++i) {
-      const Interval x = C[i] - q * enclosed_.N[i];
-      box.lower[i] = x.inf();
-      box.upper[i] = x.sup();
-    }
-    if (!box.lower.allFinite() || !box.upper.allFinite()) return {room};
-    boxes.push_back(box);
-  }
-  return boxes;
+  return least;
+}
+
+double PenetrationLine::farthest(Side side, Index face) const {
+  const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
+  const auto f = make_face(rounding_corners(pose_, side, face));
+  const Interval q = -height(enclosed_, f) / (Interval(3) * slope(enclosed_, f));
+  return q.sup() < std::numeric_limits<double>::infinity() ? q.sup() : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace pcm::reference

@@ -47,9 +47,12 @@ class PenetrationLine {
   /// Sign of q_a - q_b for two faces that the line meets; ties by the shift. 0 where the shift does not tell either.
   int compare(Side side_a, Index face_a, Side side_b, Index face_b);
 
-  /// Boxes that together hold the line from q = 0 to where it has left `room`, and no further than the face `until`
-  /// where given; cut into `pieces` so that they hug it.
-  std::vector<Box> pieces_within(const Box& room, int pieces, std::optional<Index> until_slave_face) const;
+  /// A lower bound of the q >= 0 at which the line may be in the box, for all vertices within their rounding boxes;
+  /// negative where it surely misses it.
+  double reach(const Box& box) const;
+
+  /// An upper bound of the q at which the line meets the face's plane, for all vertices within their rounding boxes.
+  double farthest(Side side, Index face) const;
 
  private:
   const LineNumbers<Exact>& exact();
@@ -58,6 +61,7 @@ class PenetrationLine {
   Side master_;
   Index face_;
   LineNumbers<Interval> enclosed_;
+  Vec3<Interval> C_;
   std::optional<LineNumbers<Exact>> exact_;
   bool certified_ = true;
 };

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/box_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcm::reference {
+
+BoxTree::BoxTree(const std::vector<Box>& boxes) {
+  if (boxes.empty()) return;
+  std::vector<Index> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<Eigen::Vector3d> twice_centre;
+  twice_centre.reserve(boxes.size());
+  for (const Box& box : boxes) twice_centre.push_back(box.lower + box.upper);
+
+  struct Range {
+    std::size_t first, last;
+    Index parent;  ///< whose second half this is; kNone where it is a first half
+  };
+  nodes_.reserve(2 * boxes.size() - 1);
+  std::vector<Range> waiting{{0, boxes.size(), kNone}};
+  while (!waiting.empty()) {
+    const Range range = waiting.back();
+    waiting.pop_back();
+    const Index at = static_cast<Index>(nodes_.size());
+    if (range.parent != kNone) nodes_[range.parent].right = at;
+    Box around = boxes[order[range.first]];
+    for (std::size_t i = range.first + 1; i < range.last; ++i) around.include(boxes[order[i]]);
+    nodes_.push_back({around, kNone, order[range.first]});
+    if (range.last - range.first == 1) continue;
+    int axis = 0;
+    (around.upper - around.lower).maxCoeff(&axis);
+    const std::size_t middle = range.first + (range.last - range.first) / 2;
+    const auto begin = order.begin();
+    std::nth_element(begin + static_cast<std::ptrdiff_t>(range.first), begin + static_cast<std::ptrdiff_t>(middle),
+                     begin + static_cast<std::ptrdiff_t>(range.last),
+                     [&](Index a, Index b) { return twice_centre[a][axis] < twice_centre[b][axis]; });
+    waiting.push_back({middle, range.last, at});
+    waiting.push_back({range.first, middle, kNone});  // on top, so that it follows its parent
+  }
+}
+
+}  // namespace pcm::reference

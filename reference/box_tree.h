@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "reference/exact_pose.h"
+
+namespace pcm::reference {
+
+/// Boxes in a balanced binary tree, for looking along a line from near to far. A range of boxes is halved at the median
+/// of their centres along the longest axis of the box around them.
+class BoxTree {
+ public:
+  /// O(n log n). Keeps a copy of the boxes.
+  explicit BoxTree(const std::vector<Box>& boxes);
+
+  /// Visits the boxes that may hold what is looked for, nearer ones first where the tree tells. `reach(box)` is a lower
+  /// bound of the distance at which the box begins, negative where it need not be looked at; it must not be greater for
+  /// a box around another. `visit(index)` returns the greatest distance still of interest, less than 0 to stop.
+  template <class Reach, class Visit>
+  void look_along(const Reach& reach, const Visit& visit) const {
+    struct Waiting {
+      double from;
+      Index node;
+    };
+    double limit = std::numeric_limits<double>::infinity();
+    std::vector<Waiting> waiting;
+    const auto enter = [&](Index node) {
+      const double from = reach(nodes_[node].box);
+      if (from >= 0 && from <= limit) waiting.push_back({from, node});
+    };
+    if (!nodes_.empty()) enter(0);
+    while (!waiting.empty()) {
+      const auto [from, at] = waiting.back();
+      waiting.pop_back();
+      if (from > limit) continue;
+      const Node& node = nodes_[at];
+      if (node.right == kNone) {
+        limit = std::min(limit, visit(node.face));
+        continue;
+      }
+      const std::size_t before = waiting.size();
+      enter(at + 1);
+      enter(node.right);
+      if (waiting.size() == before + 2 && waiting[before].from < waiting[before + 1].from)
+        std::swap(waiting[before], waiting[before + 1]);  // the nearer one on top
+    }
+  }
+
+ private:
+  struct Node {
+    Box box;
+    Index right;  ///< second half; the first follows its parent. kNone at a leaf
+    Index face;   ///< of a leaf
+  };
+  std::vector<Node> nodes_;  ///< a parent before its halves
+};
+
+}  // namespace pcm::reference
