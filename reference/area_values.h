@@ -13,7 +13,8 @@
 namespace pcm::reference {
 
 /// A face's clipped area in units of its doubled normal's length |N|: without coplanar overlaps, by the convention
-/// (opposite ones count in neither area, equal ones in E's only), with all of them.
+/// (opposite ones count in neither area, equal ones in E's only), with all of them. Other surface open: nothing, by the
+/// tie rule, the whole face (clipped_areas.h).
 template <class T>
 struct Shares {
   T open, counted, closed;
@@ -32,6 +33,9 @@ T inside_share(const FaceClip& clip, const std::array<Vec3<T>, 3>& corners, cons
                const LiftedPose<T>& pose) {
   T sum = pose.number(0.0);
   if (clip.axis < 0) return sum;
+  const auto& [w0, w1, w2] = clip.winding;
+  if (clip.segments.empty() && clip.on_edges.empty() && w0 == w1 && w1 == w2)  // wholly within: half of |N| each time
+    return pose.number(clip.limited ? std::clamp(w0, 0, 1) / 2.0 : w0 / 2.0);
   const int i = (clip.axis + 1) % 3, j = (clip.axis + 2) % 3;
   const Vec3<T>& o = corners[0];
   const auto moment = [&](const Vec3<T>& p, const Vec3<T>& q) -> T {
@@ -49,6 +53,7 @@ template <class T>
 Shares<T> shares_of(const ClippedAreas& areas, Side side, const FaceClip& clip, const T& from_inside,
                     const LiftedPose<T>& pose) {
   if (clip.overlaps.empty()) return {from_inside, from_inside, from_inside};
+  if (clip.limited) return {pose.number(0.0), from_inside, pose.number(clip.axis < 0 ? 0.0 : 0.5)};
   Rational equal = 0, opposite = 0;
   for (const Index i : clip.overlaps)
     (areas.overlaps[i].equal_normals ? equal : opposite) += areas.overlaps[i].share(side);
@@ -62,6 +67,7 @@ struct FaceArea {
   Vec3<T> point;  ///< a corner
   Vec3<T> normal;
   Shares<T> shares;
+  bool overlapped;  ///< by a coplanar face; otherwise all three shares are one
 };
 
 template <class T>
@@ -71,7 +77,8 @@ std::vector<FaceArea<T>> face_areas(const ClippedAreas& areas, Side side, const 
   for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) {
     const auto corners = pose.corners(side, clip.face);
     faces.push_back({corners[0], doubled_normal(corners[0], corners[1], corners[2]),
-                     shares_of(areas, side, clip, inside_share(clip, corners, positions, pose), pose)});
+                     shares_of(areas, side, clip, inside_share(clip, corners, positions, pose), pose),
+                     !clip.overlaps.empty()});
   }
   return faces;
 }
