@@ -9,7 +9,6 @@
 #include <limits>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
 #include "compare/poses_file.h"
 #include "compare/sha256.h"
@@ -246,21 +245,6 @@ Case read_case(const std::filesystem::path& path) {
   } catch (const BadInput& error) {
     throw BadInput(path.string() + ": " + error.what());
   }
-}
-
-void write_whole_file(const std::filesystem::path& path, const std::string& text) {
-  std::filesystem::path unfinished = path;
-  unfinished += ".unfinished";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code error;
-  if (stream) {
-    std::filesystem::rename(unfinished, path, error);
-    if (!error) return;
-  }
-  std::filesystem::remove(unfinished, error);
-  throw BadInput(path.string() + ": cannot be written");
 }
 
 }  // namespace pcm::compare

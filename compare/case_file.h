@@ -42,7 +42,4 @@ std::string format_case(const Case& posed, const std::vector<Disagreement>& disa
 /// wrong type, a number that is none, a mesh file missing (paths are relative to the case file) or changed since.
 Case read_case(const std::filesystem::path& path);
 
-/// Writes `text` under another name beside `path` and renames it when whole. Throws BadInput where it can't.
-void write_whole_file(const std::filesystem::path& path, const std::string& text);
-
 }  // namespace pcm::compare

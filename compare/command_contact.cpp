@@ -50,11 +50,6 @@ Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const Cont
   };
 }
 
-Mode mode_named(const std::string& name) {
-  if (name == "F") return Mode::F;
-  return name == "both" ? Mode::both : Mode::E;
-}
-
 /// Each line leaves as soon as it is there, so that what was printed before an error or an interruption is whole.
 void print_line(const Json& answer) {
   std::cout << dump_exactly(answer) << '\n';

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <thread>
 
+#include "compare/law_options.h"
 #include "compare/sha256.h"
 #include "compare/surface_warnings.h"
 #include "compare/verification_table.h"
@@ -59,7 +60,7 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   VerificationPlan plan;
   plan.poses = static_cast<std::int64_t>(whole_number("--poses", options.poses, 1, kMostPoses));
   plan.seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
-  plan.mode = options.mode == "E" ? Mode::E : options.mode == "F" ? Mode::F : Mode::both;
+  plan.mode = mode_named(options.mode);
   if (!options.strata.empty()) plan.strata.clear();
   for (const std::string& word : options.strata) {
     const std::optional<Stratum> stratum = stratum_named(word);
@@ -100,7 +101,7 @@ fs::path prepare_folder(const std::string& out) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder, error)) throw BadInput("--out " + out + ": no such folder, and it cannot be made");
-  write_whole_file(folder / "state.probe", "");
+  write_text_file(folder / "state.probe", "");
   fs::remove(folder / "state.probe", error);
   return folder;
 }
@@ -112,7 +113,7 @@ std::string dump(const nlohmann::ordered_json& json) {
 /// The state with its SHA-256, so that a damaged file is not continued from.
 void keep_state(const fs::path& state_file, const Verification& run) {
   const std::string state = dump(run.state());
-  write_whole_file(state_file, R"({"sha256":")" + sha256(state) + R"(","state":)" + state + "}\n");
+  write_text_file(state_file, R"({"sha256":")" + sha256(state) + R"(","state":)" + state + "}\n");
 }
 
 void continue_from(const fs::path& state_file, Verification& run) {
@@ -149,15 +150,15 @@ void write_cases(const fs::path& folder, const Verification& run) {
     std::string file = "case_" + run.pose_name(cell, finding.pose) + ".json";
     for (char& c : file)
       if (c == '/' || c == ' ') c = '_';
-    write_whole_file(folder / file, format_case(posed, finding.disagreements, engine, oracle));
+    write_text_file(folder / file, format_case(posed, finding.disagreements, engine, oracle));
   }
 }
 
 void write_tables(const fs::path& folder, const Verification& run) {
-  write_whole_file(folder / "verification.md", verification_markdown(run) + "\n" + verdict_line(run) + "\n");
-  write_whole_file(folder / "verification.csv", verification_csv(run));
-  write_whole_file(folder / "verification.json", verification_json(run).dump(1) + "\n");
-  write_whole_file(folder / "times.md", times_markdown(run));
+  write_text_file(folder / "verification.md", verification_markdown(run) + "\n" + verdict_line(run) + "\n");
+  write_text_file(folder / "verification.csv", verification_csv(run));
+  write_text_file(folder / "verification.json", verification_json(run).dump(1) + "\n");
+  write_text_file(folder / "times.md", times_markdown(run));
   write_cases(folder, run);
 }
 

@@ -96,6 +96,11 @@ void add_law_options(CLI::App& command, LawOptions& options) {
       "Penetration beyond which elements are clamped and the answer flagged, m (default: none)");
 }
 
+Mode mode_named(const std::string& name) {
+  if (name == "F") return Mode::F;
+  return name == "both" ? Mode::both : Mode::E;
+}
+
 ContactLaw law_from(const LawOptions& options) {
   ContactLaw law;
   if (options.stiffness) law.stiffness = positive_number("--stiffness", *options.stiffness);

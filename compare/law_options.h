@@ -25,6 +25,9 @@ struct LawOptions {
 /// Adds the law options of the program (--stiffness and so on) to a subcommand.
 void add_law_options(CLI::App& command, LawOptions& options);
 
+/// The mode that --mode names: E, F or both.
+Mode mode_named(const std::string& name);
+
 /// The law that the options describe. Throws BadInput naming the option that is out of its range.
 ContactLaw law_from(const LawOptions& options);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <random>
+#include <system_error>
 #include <utility>
 
 #include "meshes/bad_input.h"
@@ -13,6 +15,14 @@ namespace {
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+/// A name beside `path` that nothing else uses.
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+  std::random_device random;
+  std::filesystem::path name = path;
+  name += ".part" + std::to_string(random());
+  return name;
 }
 
 }  // namespace
@@ -42,6 +52,29 @@ std::string read_text_file(const std::filesystem::path& path) {
   }
   if (file.bad()) throw BadInput(name + ": reading the file failed; check the disk");
   return text;
+}
+
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+  const std::string name = path.string();
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw BadInput(name + ": this is a folder or a device; name a file");
+  const std::filesystem::path temporary = temporary_name(path);
+  std::ofstream file(temporary, std::ios::binary);
+  if (!file)
+    throw BadInput(name + ": the file can't be created; check that its folder exists and that you may write to it");
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  bool written = !file.fail();
+  if (written) {
+    std::filesystem::rename(temporary, path, error);
+    written = !error;
+  }
+  if (!written) {
+    std::filesystem::remove(temporary, error);
+    throw BadInput(name + ": writing the file failed; check the space on the disk and your permissions");
+  }
 }
 
 TextLines::TextLines(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {

@@ -14,6 +14,10 @@ namespace pcm {
 /// binary (holds a NUL byte).
 std::string read_text_file(const std::filesystem::path& path);
 
+/// Writes a text file, or replaces the one that is there: under a name of its own at first, so that a file of that name
+/// is always whole. Throws BadInput naming the file where it can't be written.
+void write_text_file(const std::filesystem::path& path, std::string_view text);
+
 /// Walks through a text line by line, as blank-separated words.
 ///
 /// Understands line feeds, carriage returns and both, a leading UTF-8 byte order mark, `#` comments to the end of the

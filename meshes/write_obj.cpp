@@ -5,11 +5,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <random>
-#include <system_error>
 
 #include "meshes/bad_input.h"
+#include "meshes/text_file.h"
 
 namespace pcm {
 namespace {
@@ -19,14 +17,6 @@ void append(std::string& text, Number number) {
   std::array<char, 32> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
   text.append(buffer.data(), result.ptr);
-}
-
-/// A name beside `path` that nothing else uses.
-std::filesystem::path temporary_name(const std::filesystem::path& path) {
-  std::random_device random;
-  std::filesystem::path name = path;
-  name += ".part" + std::to_string(random());
-  return name;
 }
 
 }  // namespace
@@ -68,27 +58,7 @@ std::string format_obj(const TriangleMesh& mesh) {
 }
 
 void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  const std::string text = format_obj(mesh);
-  const std::string name = path.string();
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw BadInput(name + ": this is a folder or a device; name a file");
-  const std::filesystem::path temporary = temporary_name(path);
-  std::ofstream file(temporary, std::ios::binary);
-  if (!file)
-    throw BadInput(name + ": the file can't be created; check that its folder exists and that you may write to it");
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  bool written = !file.fail();
-  if (written) {
-    std::filesystem::rename(temporary, path, error);
-    written = !error;
-  }
-  if (!written) {
-    std::filesystem::remove(temporary, error);
-    throw BadInput(name + ": writing the file failed; check the space on the disk and your permissions");
-  }
+  write_text_file(path, format_obj(mesh));
 }
 
 }  // namespace pcm

@@ -15,6 +15,7 @@
 #include "meshes/bad_input.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_round.h"
+#include "meshes/text_file.h"
 #include "meshes/write_obj.h"
 
 namespace pcm::compare {
@@ -319,7 +320,7 @@ void expect_same_question(const Case& a, const Case& b) {
 
 TEST_F(CaseFiles, ReadBackBitForBitWithMeshesInline) {
   const Case written = posed();
-  write_whole_file(folder_ / "case.json", format_case(written, {{Kind::force, "off"}}, {}, {}));
+  write_text_file(folder_ / "case.json", format_case(written, {{Kind::force, "off"}}, {}, {}));
   expect_same_question(read_case(folder_ / "case.json"), written);
 }
 
@@ -327,7 +328,7 @@ TEST_F(CaseFiles, ReadBackBitForBitWithMeshesByPathAndRefuseChangedOnes) {
   Case written = posed();
   written.file_E = folder_ / "E.obj";
   write_obj(written.E, written.file_E);
-  write_whole_file(folder_ / "case.json", format_case(written, {}, {}, {}));
+  write_text_file(folder_ / "case.json", format_case(written, {}, {}, {}));
   expect_same_question(read_case(folder_ / "case.json"), written);
   std::ofstream(written.file_E, std::ios::app) << "# changed\n";
   EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
@@ -340,13 +341,13 @@ TEST_F(CaseFiles, BadOnesAreRefused) {
   for (const std::string& text : {std::string("{"), std::string("[1]"), std::string("{\"format\": \"pcm case 1\"}"),
                                   std::string(whole).replace(whole.find("barycentric"), 11, "clipped"),
                                   std::string(whole).replace(whole.find("0x"), 2, "zz")}) {
-    write_whole_file(folder_ / "case.json", text);
+    write_text_file(folder_ / "case.json", text);
     EXPECT_THROW(read_case(folder_ / "case.json"), BadInput) << text.substr(0, 40);
   }
   const auto refused_with = [&](const std::function<void(nlohmann::ordered_json&)>& change) {
     auto json = nlohmann::ordered_json::parse(whole);
     change(json);
-    write_whole_file(folder_ / "case.json", json.dump());
+    write_text_file(folder_ / "case.json", json.dump());
     EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
   };
   refused_with([](auto& json) { json["pose"]["A"][0] = "2"; });
@@ -356,7 +357,7 @@ TEST_F(CaseFiles, BadOnesAreRefused) {
   refused_with([](auto& json) { json["E"]["faces"][0][0] = -1; });
   refused_with([](auto& json) { json["E"]["faces"][0][0] = 0.5; });
   refused_with([](auto& json) { json["E"]["faces"][0][0] = 4294967296; });
-  EXPECT_THROW(write_whole_file(folder_ / "no" / "such" / "folder.json", ""), BadInput);
+  EXPECT_THROW(write_text_file(folder_ / "no" / "such" / "folder.json", ""), BadInput);
 }
 
 TEST(Scenes, UnfitAndEmptySurfacesAreRefused) {
@@ -369,7 +370,7 @@ TEST(Scenes, UnfitAndEmptySurfacesAreRefused) {
 
 TEST_F(CaseFiles, ReplayGivesTheSameVerdict) {
   const Case written = posed();
-  write_whole_file(folder_ / "case.json", format_case(written, {}, {}, {}));
+  write_text_file(folder_ / "case.json", format_case(written, {}, {}, {}));
   const Case read = read_case(folder_ / "case.json");
   const Scene scene(read.E, read.F, read.law, read.mode);
   fast::Workspace workspace;
