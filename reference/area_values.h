@@ -32,6 +32,9 @@ T inside_share(const FaceClip& clip, const std::array<Vec3<T>, 3>& corners, cons
                const LiftedPose<T>& pose) {
   T sum = pose.number(0.0);
   if (clip.axis < 0) return sum;
+  const auto& [w0, w1, w2] = clip.winding;
+  if (clip.segments.empty() && clip.on_edges.empty() && w0 == w1 && w1 == w2)  // wholly within: half of |N| each time
+    return pose.number(clip.limited ? std::clamp(w0, 0, 1) / 2.0 : w0 / 2.0);
   const int i = (clip.axis + 1) % 3, j = (clip.axis + 2) % 3;
   const Vec3<T>& o = corners[0];
   const auto moment = [&](const Vec3<T>& p, const Vec3<T>& q) -> T {
@@ -62,6 +65,7 @@ struct FaceArea {
   Vec3<T> point;  ///< a corner
   Vec3<T> normal;
   Shares<T> shares;
+  bool overlapped;  ///< by a coplanar face; otherwise all three shares are one
 };
 
 template <class T>
@@ -71,7 +75,8 @@ std::vector<FaceArea<T>> face_areas(const ClippedAreas& areas, Side side, const 
   for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) {
     const auto corners = pose.corners(side, clip.face);
     faces.push_back({corners[0], doubled_normal(corners[0], corners[1], corners[2]),
-                     shares_of(areas, side, clip, inside_share(clip, corners, positions, pose), pose)});
+                     shares_of(areas, side, clip, inside_share(clip, corners, positions, pose), pose),
+                     !clip.overlaps.empty()});
   }
   return faces;
 }

@@ -148,8 +148,8 @@ double PenetrationLine::reach(const Box& box) const {
     const Interval q = (C_[i] - Interval(box.lower[i], box.upper[i])) / enclosed_.N[i];
     if (q.inf() > least) least = q.inf();
     if (q.sup() < greatest) greatest = q.sup();
+    if (greatest < least) return -1;
   }
-  if (greatest < least) return -1;
   for (int i = 0; i < 3; ++i) {
     if (certain_sign(enclosed_.N[i]) != 0) continue;
     const Interval x = C_[i] - Interval(least, greatest) * enclosed_.N[i];

@@ -31,9 +31,10 @@ void settle_areas(const std::vector<FaceArea<T>>& faces, const Field<Ball>& fiel
   Ball open = field(0.0), counted = open, closed = open;
   for (const FaceArea<T>& face : faces) {
     const Ball length = sqrt(enclosed(dot(face.normal, face.normal), field));
-    counted = counted + enclosed(face.shares.counted, field) * length;
-    open = open + enclosed(face.shares.open, field) * length;
-    closed = closed + enclosed(face.shares.closed, field) * length;
+    const Ball area = enclosed(face.shares.counted, field) * length;
+    counted = counted + area;
+    open = open + (face.overlapped ? enclosed(face.shares.open, field) * length : area);
+    closed = closed + (face.overlapped ? enclosed(face.shares.closed, field) * length : area);
   }
   settle(counted, active.area);
   settle(open, active.area_interval.open);
