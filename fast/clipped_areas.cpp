@@ -60,8 +60,10 @@ std::array<Index, 3> corner_windings(const SideState& side, bool other_closed, I
   return windings;
 }
 
-/// The border of the clipped area along the face's own edges: the integral of the winding number along a -> b, taken
-/// from the end where it is smaller, so that far ends enter only where the area reaches them.
+/// The border of the clipped area along the face's own edges: twice the area between an edge a -> b and the origin,
+/// where w winds about it: w(a) a x c + w(b) c x b + the sum over the crossings x_i of delta_i x_i x c, with any point
+/// c of the edge. Taken at a crossing, the far ends enter only where the area reaches them, so that the error is a few
+/// ulps of a coordinate times the extent of the area, not of the face.
 void add_edges(Workspace::Data& workspace, SideState& side, Index face, const std::array<Index, 3>& windings,
                FaceClip& clip) {
   WorkCounters& work = workspace.contact.work;
@@ -69,19 +71,24 @@ void add_edges(Workspace::Data& workspace, SideState& side, Index face, const st
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     const Index edge = side.surface().edges_of(face)[k];
-    const Index direction = side.surface().edge(edge)[0] == corners[k] ? 1 : -1;
+    const EdgeCrossings crossings = side.edge_crossings.get(edge, {});
+    if (windings[k] == 0 && windings[next] == 0 && crossings.count == 0) continue;
     const Eigen::Vector3d a = side.posed.vertex_Me(corners[k], work) - clip.origin_Me;
     const Eigen::Vector3d b = side.posed.vertex_Me(corners[next], work) - clip.origin_Me;
-    const bool from_a = std::abs(windings[k]) <= std::abs(windings[next]);
-    const Index whole = from_a ? windings[k] : windings[next];
-    if (whole != 0) clip.twice_vector_area_Me += static_cast<double>(whole) * a.cross(b);
-    for (Index c = side.edge_crossings.get(edge, {}).first; c >= 0;) {
-      const CrossingNode& crossing = workspace.crossings[static_cast<std::size_t>(c)];
+    if (crossings.count == 0) {
+      clip.twice_vector_area_Me += static_cast<double>(windings[k]) * a.cross(b);
+      continue;
+    }
+    const Index direction = side.surface().edge(edge)[0] == corners[k] ? 1 : -1;
+    const CrossingNode& first = workspace.crossings[static_cast<std::size_t>(crossings.first)];
+    const Eigen::Vector3d c = first.position_Me - clip.origin_Me;
+    if (windings[k] != 0) clip.twice_vector_area_Me += static_cast<double>(windings[k]) * a.cross(c);
+    if (windings[next] != 0) clip.twice_vector_area_Me += static_cast<double>(windings[next]) * c.cross(b);
+    for (Index i = first.next_on_edge; i >= 0;) {
+      const CrossingNode& crossing = workspace.crossings[static_cast<std::size_t>(i)];
       const Eigen::Vector3d x = crossing.position_Me - clip.origin_Me;
-      const auto change = static_cast<double>(direction * crossing.winding_change());
-      clip.twice_vector_area_Me +=
-          from_a ? Eigen::Vector3d(change * x.cross(b)) : Eigen::Vector3d(-change * a.cross(x));
-      c = crossing.next_on_edge;
+      clip.twice_vector_area_Me += static_cast<double>(direction * crossing.winding_change()) * x.cross(c);
+      i = crossing.next_on_edge;
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "fast/polygons.h"
 #include "fast/surface.h"
 #include "fast/workspace.h"
+#include "meshes/bad_input.h"
 
 namespace pcm::fast {
 
@@ -68,6 +69,11 @@ Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 
+Workspace::Data& Workspace::data() {
+  if (!data_) data_ = std::make_unique<Data>();
+  return *data_;
+}
+
 const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
                         Workspace& workspace) {
   require_valid(pose, velocity);
@@ -105,6 +111,9 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
     const ContactLaw& law = pairing.law();
     const bool with_velocities = law.damping != 0 || law.friction != 0 || wanted.elements;
     compute_force(data, pairing.mode(), {law, SeriesStiffness(law), pose, velocity, with_velocities, wanted.elements});
+    if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite()) {
+      throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
+    }
   }
   return contact;
 }

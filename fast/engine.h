@@ -16,8 +16,9 @@ namespace pcm::fast {
 /// any number of pairings and threads.
 class Surface {
  public:
-  /// Throws BadInput, naming what is wrong where and what mends it, when the mesh is unfit for contact (PCM section 2).
-  /// Open surfaces are fit. O(n log n) in the number of faces.
+  /// Throws BadInput, naming what is wrong where and what mends it, when the mesh is unfit for contact (PCM section 2)
+  /// or so large or small that its volumes leave the range of doubles (2^-300 to 2^300 m). Open surfaces are fit. O(n
+  /// log n) in the number of faces.
   explicit Surface(TriangleMesh mesh);
 
   const TriangleMesh& mesh() const;
@@ -49,7 +50,7 @@ class Pairing {
 };
 
 /// Scratch memory and the last answer; one per thread. It grows to what the poses need and then allocates no more.
-/// What it holds never changes an answer.
+/// What it holds never changes an answer. One that was moved from starts anew.
 class Workspace {
  public:
   Workspace();
@@ -58,14 +59,15 @@ class Workspace {
   Workspace& operator=(Workspace&&) noexcept;
 
   struct Data;
-  Data& data() { return *data_; }
+  Data& data();
 
  private:
   std::unique_ptr<Data> data_;
 };
 
 /// Evaluates the pairing for one state; the answer lives in `workspace` until its next use.
-/// Throws BadInput where the pose is no rotation or anything is not finite.
+/// Throws BadInput where the pose is no rotation, anything is not finite or the force would not be; the workspace stays
+/// usable.
 const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
                         Workspace& workspace);
 

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "fast/geometry.h"
 #include "meshes/bad_input.h"
 
 namespace pcm::fast {
@@ -54,6 +55,9 @@ void require_valid(const ContactLaw& law) {
 
 void require_valid(const Pose& pose, const Velocity& velocity) {
   if (!pose.A.allFinite() || !pose.r.allFinite()) throw BadInput("pose: A and r must be finite");
+  if (pose.r.cwiseAbs().maxCoeff() > kGreatestReach) {
+    refuse("pose: greatest |r|", pose.r.cwiseAbs().maxCoeff(), "at most 2^300 m; choose a larger unit of length");
+  }
   if (!velocity.v.allFinite() || !velocity.w.allFinite()) throw BadInput("velocity: v and w must be finite");
   const double skew = (pose.A.transpose() * pose.A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(skew <= 1e-9)) refuse("pose: A is no rotation, max |A^T A - I|", skew, "at most 1e-9");
@@ -83,8 +87,10 @@ SeriesStiffness::SeriesStiffness(const ContactLaw& law) {
     shift_from_F = std::isinf(c_F) ? 0 : 1;
     return;
   }
-  shift_from_E = c_F / (c_E + c_F);
-  shift_from_F = c_E / (c_E + c_F);
+  // Halved, so that the sum doesn't overflow.
+  const double half_sum = 0.5 * c_E + 0.5 * c_F;
+  shift_from_E = 0.5 * c_F / half_sum;
+  shift_from_F = 0.5 * c_E / half_sum;
   c_l = c_E * shift_from_E;
 }
 

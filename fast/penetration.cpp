@@ -37,7 +37,7 @@ double greatest_distance(const Ray& ray, const FacePoints& f, double slack) {
   const double height_error = (slack + 32 * 0x1p-53 * d0.lpNorm<1>()) * size;
   const double slope = std::abs(ray.direction.dot(N));
   const double slope_error = (3 * ray.direction_error + 32 * 0x1p-53) * size;
-  if (slope > 2 * slope_error) {
+  if (slope > 2 * slope_error && slope > kLeastProduct) {
     greatest = std::min(greatest, (std::abs(d0.dot(N)) + height_error) / (slope - slope_error));
   }
   // Where anything overflowed, nothing is known.

@@ -3,9 +3,14 @@
 #include "fast/surface.h"
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
+#include <string>
 #include <utility>
 
+#include "fast/geometry.h"
 #include "fast/thickness.h"
+#include "meshes/bad_input.h"
 #include "meshes/check.h"
 
 namespace pcm::fast {
@@ -92,10 +97,36 @@ void find_components(Surface::Data& surface) {
   }
 }
 
+[[noreturn]] void refuse(const TriangleMesh& mesh, const std::string& why) {
+  throw BadInput((mesh.name.empty() ? std::string("surface") : mesh.name) + ": " + why);
+}
+
+/// Lists of three entries a face are counted by Index.
+void require_countable(const TriangleMesh& mesh) {
+  constexpr auto kMostFaces = static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 3;
+  if (mesh.faces.size() > kMostFaces) {
+    refuse(mesh, "has " + std::to_string(mesh.faces.size()) + " triangles, more than the " +
+                     std::to_string(kMostFaces) + " the engine can count; divide it");
+  }
+}
+
+void require_measurable(const TriangleMesh& mesh, double reach) {
+  if (reach >= kLeastReach && reach <= kGreatestReach) return;
+  std::ostringstream why;
+  why << "its greatest |coordinate| is " << reach << " m, not between 2^-300 and 2^300 (5e-91 and 2e90); choose a "
+      << (reach < 1 ? "smaller" : "larger") << " unit of length";
+  refuse(mesh, why.str());
+}
+
 }  // namespace
 
 Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   require_fit(mesh);
+  require_countable(mesh);
+  for (const Triangle& triangle : mesh.faces) {
+    for (const Index v : triangle) reach = reach.cwiseMax(vertex(v).cwiseAbs());
+  }
+  require_measurable(mesh, reach.maxCoeff());
   connect_edges(*this);
   vertex_edges = incidence(mesh.vertices.size(), [&](auto&& pair) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -109,9 +140,6 @@ Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   });
   find_components(*this);
   tree = BoxTree(mesh);
-  for (const Triangle& triangle : mesh.faces) {
-    for (const Index v : triangle) reach = reach.cwiseMax(vertex(v).cwiseAbs());
-  }
   thickness = lower_bounds_of_thickness(*this);
 }
 

@@ -33,14 +33,16 @@ struct Polygon {
   Index patch = 0;
 };
 
-/// Bounds between which the area lies where faces are coplanar: coplanar overlaps left out and counted in. They
-/// coincide where no faces of the two surfaces are coplanar and overlap.
+/// Bounds between which the area lies where faces are coplanar: coplanar overlaps left out and counted in; against an
+/// open surface, which bounds no body, faces with an overlap left out and counted in whole. They coincide where no
+/// faces of the two surfaces are coplanar and overlap.
 struct AreaInterval {
   double open = 0;
   double closed = 0;
 };
 
-/// The active area on one surface. Opposite coplanar faces count in neither area, equal ones in E's only.
+/// The active area on one surface. Opposite coplanar faces count in neither area, equal ones in E's only;
+/// against an open surface the tie rule decides.
 struct ActiveArea {
   std::vector<Index> intersected;  ///< ascending
   std::vector<Index> inner;        ///< ascending, nested ones included

@@ -13,7 +13,8 @@
 namespace pcm::reference {
 
 /// A face's clipped area in units of its doubled normal's length |N|: without coplanar overlaps, by the convention
-/// (opposite ones count in neither area, equal ones in E's only), with all of them.
+/// (opposite ones count in neither area, equal ones in E's only), with all of them. Other surface open: nothing, by the
+/// tie rule, the whole face (clipped_areas.h).
 template <class T>
 struct Shares {
   T open, counted, closed;
@@ -52,6 +53,7 @@ template <class T>
 Shares<T> shares_of(const ClippedAreas& areas, Side side, const FaceClip& clip, const T& from_inside,
                     const LiftedPose<T>& pose) {
   if (clip.overlaps.empty()) return {from_inside, from_inside, from_inside};
+  if (clip.limited) return {pose.number(0.0), from_inside, pose.number(clip.axis < 0 ? 0.0 : 0.5)};
   Rational equal = 0, opposite = 0;
   for (const Index i : clip.overlaps)
     (areas.overlaps[i].equal_normals ? equal : opposite) += areas.overlaps[i].share(side);

@@ -37,10 +37,13 @@ class FaceClipper {
         ids_(ids),
         undefined_(undefined) {}
 
+  bool against_closed() const { return others_.closed; }
+
   /// A face without crossings: one winding number all over.
   FaceClip uncrossed(Index face) const {
     FaceClip clip = bare(face);
-    clip.winding.fill(others_.closed ? active_.winding[pose_.face(side_, face)[0]] : 1);
+    const bool inner = std::binary_search(active_.inner.begin(), active_.inner.end(), face);
+    clip.winding.fill(others_.closed ? active_.winding[pose_.face(side_, face)[0]] : inner ? 1 : 0);
     return clip;
   }
 
@@ -59,9 +62,9 @@ class FaceClipper {
     return clip;
   }
 
-  /// A face with coplanar overlaps, moved inward; its crossings are appended to the common list.
-  FaceClip moved_inward(Index face, const std::vector<Index>& others, std::vector<Index> overlaps,
-                        bool opposite_overlap) const {
+  /// A face with coplanar overlaps, the other surface closed: moved inward. Its crossings are appended to the common
+  /// list.
+  FaceClip moved_inward(Index face, const std::vector<Index>& others, std::vector<Index> overlaps) const {
     const Orientation orientation(pose_, ShiftedFace{side_, face});
     FaceClip clip = bare(face);
     clip.overlaps = std::move(overlaps);
@@ -77,11 +80,7 @@ class FaceClipper {
       add_segment(clip, pair[0].starts ? first : first + 1, pair[0].starts ? first + 1 : first);
     }
     const Triangle& t = pose_.face(side_, face);
-    if (others_.closed)
-      for (int i = 0; i < 3; ++i) clip.winding[i] = winding_number(orientation, {side_, t[i]}, columns_);
-    else  // Just inside the face, an overlap of equal normal lies inside the other body, one of opposite normal
-          // outside.
-      set_relative_winding(clip, !opposite_overlap);
+    for (int i = 0; i < 3; ++i) clip.winding[i] = winding_number(orientation, {side_, t[i]}, columns_);
     return clip;
   }
 
@@ -165,9 +164,14 @@ std::vector<FaceClip> clip_side(const FaceClipper& clipper, Side side, const Cro
 
   std::vector<FaceClip> clips;
   for (const auto& [face, indices] : coplanar) {
-    const bool opposite =
-        std::any_of(indices.begin(), indices.end(), [&](Index i) { return !overlaps[i].equal_normals; });
-    clips.push_back(clipper.moved_inward(face, near[face], indices, opposite));
+    if (clipper.against_closed()) {
+      clips.push_back(clipper.moved_inward(face, near[face], indices));
+      continue;
+    }
+    const auto crossed = segments.find(face);
+    clips.push_back(crossed != segments.end() ? clipper.intersected(face, crossings, crossed->second)
+                                              : clipper.uncrossed(face));
+    clips.back().overlaps = indices;
   }
   for (const auto& [face, of_face] : segments)
     if (coplanar.count(face) == 0) clips.push_back(clipper.intersected(face, crossings, of_face));

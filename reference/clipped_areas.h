@@ -18,10 +18,15 @@
 /// the face's crossing pairs (weight 1), and on each directed edge (a, b) of the face the winding number w(a) over (a,
 /// b) and each crossing's change of it over (crossing, b). The order of crossings along an edge does not matter.
 ///
-/// Coplanar faces. A face with a coplanar overlap is looked at from just inside its own body: moved by -s N, s -> 0+,
-/// before the tie rule. An overlap with opposite normals then lies outside the other body, one with equal normals
-/// inside. So this gives the area without opposite overlaps and with equal ones: E's by the convention; F's is less by
-/// the equal ones. All other faces' areas are continuous in the vertices, so the plain tie rule is right for them.
+/// Coplanar faces, other surface closed. A face with a coplanar overlap is looked at from just inside its own body:
+/// moved by -s N, s -> 0+, before the tie rule. An overlap with opposite normals then lies outside the other body, one
+/// with equal normals inside. So this gives the area without opposite overlaps and with equal ones: E's by the
+/// convention; F's is less by the equal ones. All other faces' areas are continuous in the vertices, so the plain tie
+/// rule is right for them.
+///
+/// Coplanar faces, other surface open. It bounds no body, so the convention says nothing; the area is what the tie rule
+/// gives. Tilted this way or that, the other surface lies above the face, below it, or ends in it (then the area counts
+/// as 0), so any tie rule gives between nothing and the whole face.
 namespace pcm::reference {
 
 /// One face with all that Green's theorem needs; crossings count in ClippedAreas::points.

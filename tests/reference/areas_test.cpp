@@ -174,5 +174,49 @@ TEST(OracleAreas, BoxRestingOnOpenFloorHasAnInterval) {
   EXPECT_EQ(answer.F.area_interval.closed, 4);
 }
 
+/// The top of F is z = 1; each pose puts the open rectangle E flush on it, or turned over, in part over its edge.
+TEST(OracleAreas, OpenRectangleFlushOnABoxWithACavityHasAnIntervalOfWholeFaces) {
+  const TriangleMesh hollow =
+      with_cavity(generate::box({-1, -1, -1}, {1, 1, 1}), generate::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}));
+  const TriangleMesh rectangle = generate::rectangle(1, 1);
+  Pose flush = moved_by(0.125, 0.0625, -1), turned = moved_by(0.125, 0.0625, 1), over_edge = moved_by(1, 0, -1);
+  turned.A = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  for (const Problem problem : kProblems)
+    for (const Pose& pose : {flush, turned, over_edge}) {
+      const Answer answer = answer_of(rectangle, hollow, problem, pose);
+      const double overlap = pose.r[0] == 1 ? 0.5 : 1;
+      EXPECT_EQ(answer.E.area_interval.open, 0);
+      EXPECT_EQ(answer.E.area_interval.closed, overlap);
+      // Two faces of F, 2 each, have a part in common with the rectangle; over the edge only one of them.
+      EXPECT_EQ(answer.F.area_interval.open, 0);
+      EXPECT_EQ(answer.F.area_interval.closed, pose.r[0] == 1 ? 2 : 4);
+      // Moved off the common plane either way, as a tie rule might: within the intervals.
+      for (const double height : {-0x1p-40, 0x1p-40}) {
+        Pose moved = pose;
+        moved.r[2] += height;
+        const Answer beside = answer_of(rectangle, hollow, problem, moved);
+        EXPECT_GE(beside.E.area, answer.E.area_interval.open);
+        EXPECT_LE(beside.E.area, answer.E.area_interval.closed);
+      }
+    }
+}
+
+TEST(OracleAreas, BorderThatEndsInAFaceLeavesItsAreaUndefined) {
+  const TriangleMesh rectangle = generate::rectangle(1, 1), box = generate::box({-4, -4, -4}, {0, 4, 4});
+  for (const Problem problem : kProblems) {
+    // The rectangle sticks through the box's wall x = 0: it bounds no part of that wall.
+    const Answer answer = answer_of(rectangle, box, problem, moved_by(0.125, 0.0625, 0.03125));
+    EXPECT_TRUE(answer.touching);
+    ASSERT_EQ(answer.polygons.size(), 1u);
+    EXPECT_FALSE(answer.polygons[0].closed);
+    EXPECT_GE(answer.undefined_areas, 1);
+    EXPECT_EQ(answer.F.area, 0);
+    EXPECT_EQ(answer.E.area, 0.625);
+    EXPECT_FALSE(answer.volume.has_value());
+    // It also crosses the wall's diagonal, whose ends label all other faces, each its own way.
+    EXPECT_TRUE(answer.ambiguous);
+  }
+}
+
 }  // namespace
 }  // namespace pcm::reference

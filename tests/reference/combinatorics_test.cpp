@@ -85,6 +85,25 @@ TEST(OracleCombinatorics, BubbleCrossesOpenContainerInClosedPolygons) {
   EXPECT_FALSE(answer.volume.has_value());
 }
 
+/// Two parallel floors, both facing up, cross one box: what lies between them is above one and below the other.
+TEST(OracleCombinatorics, FacesBetweenTwoOpenFloorsAreAmbiguous) {
+  TriangleMesh floors = generate::rectangle(10, 10);
+  const Index offset = static_cast<Index>(floors.vertices.size());
+  const std::vector<Triangle> faces = floors.faces;
+  for (Index v = 0; v < offset; ++v) floors.vertices.push_back(floors.vertices[v] + Eigen::Vector3d(0, 0, 1));
+  for (const Triangle& t : faces) floors.faces.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  // A tower of three storeys whose middle one has faces that neither floor crosses.
+  const Oracle oracle(generate::gridded_box({-0.5, -0.5, -1.5}, {0.5, 0.5, 2.5}, {2, 2, 16}), floors);
+  for (const Problem problem : {Problem::rounded, Problem::exact}) {
+    const Answer answer = oracle.answer(problem, moved_by(0.03125, 0.0625, 0.015625));
+    EXPECT_TRUE(answer.touching);
+    EXPECT_EQ(answer.polygons.size(), 2u);
+    EXPECT_TRUE(answer.ambiguous);
+    EXPECT_FALSE(answer.volume.has_value());
+    EXPECT_FALSE(answer.nested);
+  }
+}
+
 TEST(OracleInput, BadPoseIsRefused) {
   const Oracle oracle(generate::box({0, 0, 0}, {1, 1, 1}), generate::box({0, 0, 0}, {1, 1, 1}));
   Pose skewed;

@@ -196,6 +196,31 @@ TEST(OracleForce, RotatedPoseDifferenceOfTheProblemsIsRounding) {
   EXPECT_GE(certified, 8);
 }
 
+/// The base of a tetrahedron, its barycentre above the origin, pressed into a plate whose top's diagonal passes through
+/// the origin: which of the plate's two faces the line meets hangs on how the turned plate's corners are rounded.
+TEST(OracleForce, LineThroughAnEdgeOfATurnedSlaveIsNotCertified) {
+  TriangleMesh tetrahedron;
+  tetrahedron.vertices = {{0.5, -0.25, 0}, {-0.25, 0.5, 0}, {-0.25, -0.25, 0}, {0.0625, 0.03125, 0.5}};
+  tetrahedron.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const Oracle oracle(tetrahedron, plate(), stiffness(64));
+  for (const Problem problem : kProblems) {
+    Pose turned = moved_by(0, 0, 0.0625);
+    turned.A << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
+    const Answer through_edge = oracle.answer(problem, turned);
+    EXPECT_FALSE(through_edge.certified);
+    EXPECT_EQ(through_edge.elements.size(), 1u);
+    EXPECT_EQ(through_edge.force_Me.z(), 64 * 0.28125 * 0.0625);
+
+    turned.r = {0.125, 0, 0.0625};
+    const Answer through_face = oracle.answer(problem, turned);
+    EXPECT_TRUE(through_face.certified);
+    EXPECT_EQ(through_face.force_Me, through_edge.force_Me);
+
+    // Not turned, no vertex has any room: the tie rule decides for all of it.
+    EXPECT_EQ(oracle.answer(problem, moved_by(0, 0, 0.0625)).elements.size(), 1u);
+  }
+}
+
 TEST(OracleForce, TimeOfABubblePair) {
   const TriangleMesh bubble = generate::bubble();
   const Oracle oracle(bubble, bubble, stiffness(5.9e5));
