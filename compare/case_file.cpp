@@ -4,14 +4,19 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
+#include "compare/poses_file.h"
 #include "compare/sha256.h"
 #include "meshes/bad_input.h"
+#include "meshes/parse_number.h"
 #include "meshes/read_mesh.h"
+#include "meshes/text_file.h"
 
 namespace pcm::compare {
 namespace {
@@ -22,12 +27,14 @@ std::string hexadecimal(double x) {
   return fmt::format("{:a}", x);
 }
 
+/// A finite number or "inf".
 double number(const Json& json) {
-  const auto& word = json.get_ref<const std::string&>();
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0') throw BadInput("'" + word + "' is no number");
-  return value;
+  if (!json.is_string()) throw BadInput(json.dump() + " is no number in quotes, such as \"0x1.8p-3\"");
+  const auto word = json.get<std::string>();
+  if (word == "inf") return std::numeric_limits<double>::infinity();
+  const std::optional<double> value = parse_number(word);
+  if (!value) throw BadInput(in_quotes(word) + " is no number");
+  return *value;
 }
 
 Json to_json(const Eigen::Vector3d& x) {
@@ -79,12 +86,18 @@ TriangleMesh mesh_from(const Json& json, const std::filesystem::path& folder, st
   mesh.name = json.at("name").get<std::string>();
   for (const Json& x : json.at("vertices"))
     mesh.vertices.emplace_back(x.at(0).get<double>(), x.at(1).get<double>(), x.at(2).get<double>());
-  mesh.faces = json.at("faces").get<std::vector<Triangle>>();
-  for (const Triangle& face : mesh.faces)
-    for (const Index v : face)
-      if (v < 0 || v >= static_cast<Index>(mesh.vertices.size()))
-        throw BadInput("a face of mesh '" + mesh.name + "' names the vertex " + std::to_string(v) +
+  for (const Json& corners : json.at("faces")) {
+    Triangle face{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Json& corner = corners.at(k);
+      const auto v = corner.is_number_integer() ? corner.get<std::int64_t>() : -1;
+      if (v < 0 || v >= static_cast<std::int64_t>(mesh.vertices.size()))
+        throw BadInput("a face of mesh '" + mesh.name + "' names the vertex " + corner.dump() +
                        ", which does not exist");
+      face[k] = static_cast<Index>(v);
+    }
+    mesh.faces.push_back(face);
+  }
   return mesh;
 }
 
@@ -201,16 +214,13 @@ std::string format_case(const Case& posed, const std::vector<Disagreement>& disa
   json["oracle"] = oracle;
   json["E"] = to_json(posed.E, posed.file_E);
   json["F"] = to_json(posed.F, posed.file_F);
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Case read_case(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) throw BadInput(path.string() + ": no such case file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw BadInput(path.string() + ": cannot be read");
+  const std::string text = read_text_file(path);
   try {
-    const Json json = Json::parse(stream);
+    const Json json = Json::parse(text);
     if (!json.is_object() || json.value("format", "") != "pcm case 1")
       throw BadInput("this is no case file of pcm (\"format\": \"pcm case 1\" is missing)");
     Case posed;
@@ -220,6 +230,9 @@ Case read_case(const std::filesystem::path& path) {
     posed.pose.r = vector(json.at("pose").at("r"));
     posed.velocity.v = vector(json.at("pose").at("v"));
     posed.velocity.w = vector(json.at("pose").at("w"));
+    if (!is_rotation(posed.pose.A)) throw BadInput("A of the pose is not a rotation to 1e-9");
+    if (!posed.pose.r.allFinite() || !posed.velocity.v.allFinite() || !posed.velocity.w.allFinite())
+      throw BadInput("r, v or w of the pose is not finite");
     posed.law = law_from(json.at("law"));
     if (const auto scheme = json.at("scheme").get<std::string>(); scheme != "barycentric")
       throw BadInput("the scheme '" + scheme + "' is not to be had, only 'barycentric'");
@@ -228,7 +241,8 @@ Case read_case(const std::filesystem::path& path) {
     posed.F = mesh_from(json.at("F"), path.parent_path(), posed.file_F);
     return posed;
   } catch (const nlohmann::json::exception& error) {
-    throw BadInput(path.string() + ": " + error.what());
+    const std::string_view what = error.what();  // "[json.exception.NAME] what"
+    throw BadInput(path.string() + ": this is no case file of pcm: " + std::string(what.substr(what.find(']') + 2)));
   } catch (const BadInput& error) {
     throw BadInput(path.string() + ": " + error.what());
   }

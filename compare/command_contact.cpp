@@ -11,9 +11,9 @@
 #include "compare/contact_json.h"
 #include "compare/law_options.h"
 #include "compare/poses_file.h"
+#include "compare/surface_warnings.h"
 #include "fast/engine.h"
 #include "meshes/bad_input.h"
-#include "meshes/check.h"
 #include "meshes/read_mesh.h"
 #include "reference/oracle.h"
 
@@ -50,13 +50,6 @@ Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const Cont
   };
 }
 
-/// A surface that contact is defined for; others are refused here, alike for engine and oracle.
-TriangleMesh read_surface(const std::string& file) {
-  TriangleMesh mesh = read_mesh(file);
-  require_fit(mesh);
-  return mesh;
-}
-
 Mode mode_named(const std::string& name) {
   if (name == "F") return Mode::F;
   return name == "both" ? Mode::both : Mode::E;
@@ -78,8 +71,11 @@ Exit contact(const ContactOptions& options) {
   std::optional<PosesFile> poses;
   if (options.poses) poses.emplace(*options.poses);
 
-  TriangleMesh mesh_E = read_surface(options.file_E);
-  TriangleMesh mesh_F = read_surface(options.file_F);
+  // Unfit surfaces are refused here, alike for engine and oracle.
+  TriangleMesh mesh_E = read_mesh(options.file_E);
+  const std::string warning_E = require_fit_or_warn(mesh_E);
+  TriangleMesh mesh_F = read_mesh(options.file_F);
+  print_warnings(warning_E, require_fit_or_warn(mesh_F));
   const Mode mode = mode_named(options.mode);
   const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
   const Evaluate evaluate = by_engine ? evaluate_by_engine(std::move(mesh_E), std::move(mesh_F), law, mode)
@@ -109,6 +105,12 @@ void add_contact_command(CLI::App& program, Run& run) {
       "Contact between two surfaces: polygons, areas, force and torque, one JSON object a line for each pose");
   command->footer(
       "Force and torque (about F's marker) act on E; all vectors are resolved in E's marker, in SI units.\n"
+      "touching: the surfaces cross; nested: a component of one lies inside the other without crossing; E, F: "
+      "intersected\n"
+      "and inner faces, clipped active area; volume: of the intersection, null where a surface is open; elements: "
+      "with\n"
+      "penetration; too_deep: faces whose line of penetration leaves their own body first; patches: separate "
+      "contacts.\n"
       "A poses file holds one pose a line: 12 numbers, the rotation A by rows, then r (x_E = A x_F + r); or 18, with\n"
       "v and w of F relative to E; decimal or C hexadecimal floats; comments from # on. Without it: A = 1, r = 0, at "
       "rest.\n"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <iostream>
 
@@ -42,6 +43,18 @@ double positive_number(const std::string& option, const std::string& text) {
 double nonnegative_number(const std::string& option, const std::string& text) {
   const double number = finite_number(option, text);
   if (number < 0) throw BadInput(option + ": " + text + " is negative");
+  return number;
+}
+
+std::uint64_t whole_number(const std::string& option, const std::string& text, std::uint64_t least,
+                           std::uint64_t most) {
+  std::uint64_t number = 0;
+  const char* end = text.data() + text.size();
+  const std::from_chars_result result = std::from_chars(text.data(), end, number);
+  if (result.ec != std::errc() || result.ptr != end || number < least || number > most) {
+    throw BadInput(option + ": '" + text + "' is not a whole number from " + std::to_string(least) + " to " +
+                   std::to_string(most));
+  }
   return number;
 }
 

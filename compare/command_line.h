@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -46,5 +47,7 @@ void complain(std::string message);
 double finite_number(const std::string& option, const std::string& text);
 double positive_number(const std::string& option, const std::string& text);
 double nonnegative_number(const std::string& option, const std::string& text);
+/// A whole number from `least` to `most`, in decimal digits.
+std::uint64_t whole_number(const std::string& option, const std::string& text, std::uint64_t least, std::uint64_t most);
 
 }  // namespace pcm::compare

@@ -6,30 +6,15 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "compare/surface_warnings.h"
 #include "meshes/bad_input.h"
 #include "meshes/check.h"
 #include "meshes/read_mesh.h"
-#include "reference/self_intersections.h"
 
 namespace pcm::compare {
 namespace {
-
-/// A line on the face pairs of the surface that intersect, by the numbers of an OBJ file; empty where there is none.
-std::string describe_self_intersections(const std::vector<std::pair<Index, Index>>& pairs) {
-  constexpr std::size_t kShown = 5;
-  if (pairs.empty()) return {};
-  std::string text = "  warning: " + std::to_string(pairs.size());
-  text += pairs.size() == 1 ? " pair of faces that intersect: " : " pairs of faces that intersect: ";
-  for (std::size_t i = 0; i < std::min(pairs.size(), kShown); ++i) {
-    if (i > 0) text += ", ";
-    text += std::to_string(pairs[i].first + 1) + "-" + std::to_string(pairs[i].second + 1);
-  }
-  if (pairs.size() > kShown) text += " and " + std::to_string(pairs.size() - kShown) + " more";
-  return text + "; where the surface covers a place more than once, so do areas and volume\n";
-}
 
 Exit check_file(const std::string& file) {
   const TriangleMesh mesh = read_mesh(file);
@@ -37,7 +22,8 @@ Exit check_file(const std::string& file) {
   std::cout << report.summary() << '\n';
   const bool has_triangles =
       report.out_of_range_faces.empty() && report.repeated_vertex_faces.empty() && report.non_finite_vertices.empty();
-  if (has_triangles) std::cout << describe_self_intersections(reference::self_intersections(mesh));
+  const std::string crossings = has_triangles ? self_intersection_warning(mesh) : "";
+  if (!crossings.empty()) std::cout << "  warning: " << crossings << '\n';
   flush_output();
   return report.fit() ? Exit::success : Exit::negative;
 }

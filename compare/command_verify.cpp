@@ -8,16 +8,19 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <system_error>
 #include <thread>
 
+#include "compare/sha256.h"
+#include "compare/surface_warnings.h"
 #include "compare/verification_table.h"
 #include "compare/verify.h"
 #include "meshes/bad_input.h"
+#include "meshes/text_file.h"
 
 namespace pcm::compare {
 namespace {
@@ -25,15 +28,18 @@ namespace {
 namespace fs = std::filesystem;
 
 struct VerifyOptions {
-  std::int64_t poses = VerificationPlan().poses;
-  std::uint64_t seed = VerificationPlan().seed;
+  std::string poses = std::to_string(VerificationPlan().poses);
+  std::string seed = std::to_string(VerificationPlan().seed);
   std::vector<std::string> strata;
   std::vector<std::vector<std::string>> pairs;
   std::string mode = "both";
-  int jobs = 0;
-  std::string out;
-  std::string case_file;
+  std::optional<std::string> jobs;
+  std::optional<std::string> out;
+  std::optional<std::string> case_file;
 };
+
+/// More than any machine gets through; products of pose numbers and shares stay below 2^63.
+constexpr std::uint64_t kMostPoses = 10'000'000'000;
 
 /// Set by the first interrupt; a signal can't reach anything else. The second one ends the program as usual.
 volatile std::sig_atomic_t interrupted = 0;
@@ -43,11 +49,16 @@ void note_interrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-VerificationPlan plan_from(const VerifyOptions& options) {
+int number_of_jobs(const VerifyOptions& options) {
+  if (options.jobs) return static_cast<int>(whole_number("--jobs", *options.jobs, 1, 4096));
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// What the options ask for. `notices` gets lines on what is left out or odd.
+VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices) {
   VerificationPlan plan;
-  if (options.poses < 1) throw BadInput(fmt::format("--poses {}: at least one pose is needed", options.poses));
-  plan.poses = options.poses;
-  plan.seed = options.seed;
+  plan.poses = static_cast<std::int64_t>(whole_number("--poses", options.poses, 1, kMostPoses));
+  plan.seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
   plan.mode = options.mode == "E" ? Mode::E : options.mode == "F" ? Mode::F : Mode::both;
   if (!options.strata.empty()) plan.strata.clear();
   for (const std::string& word : options.strata) {
@@ -60,8 +71,14 @@ VerificationPlan plan_from(const VerifyOptions& options) {
     if (std::find(plan.strata.begin(), plan.strata.end(), *stratum) == plan.strata.end())
       plan.strata.push_back(*stratum);
   }
-  for (const std::vector<std::string>& pair : options.pairs)
-    plan.pairs.push_back(pair_from_files(pair.at(0), pair.at(1)));
+  for (const std::vector<std::string>& files : options.pairs) {
+    const SurfacePair& pair = plan.pairs.emplace_back(pair_from_files(files.at(0), files.at(1)));
+    for (const TriangleMesh* mesh : {&pair.E, &pair.F}) {
+      const std::string warning = require_fit_or_warn(*mesh);
+      if (!warning.empty() && std::find(notices.begin(), notices.end(), warning) == notices.end())
+        notices.push_back(warning);
+    }
+  }
   if (!plan.pairs.empty()) {
     // Two pairs of one name would draw the same random numbers and could not be told apart in the tables.
     for (std::size_t i = 0; i < plan.pairs.size(); ++i)
@@ -72,7 +89,8 @@ VerificationPlan plan_from(const VerifyOptions& options) {
   std::vector<std::string> missing;
   plan.pairs = built_in_pairs(installed_real_surfaces(), missing);
   if (!missing.empty())
-    std::cerr << fmt::format("skipped for want of the real surfaces of libcgal-demo: {}\n", fmt::join(missing, ", "));
+    notices.push_back(
+        fmt::format("skipped for want of the real surfaces of libcgal-demo: {}", fmt::join(missing, ", ")));
   return plan;
 }
 
@@ -87,11 +105,25 @@ fs::path prepare_folder(const std::string& out) {
   return folder;
 }
 
+std::string dump(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+/// The state with its SHA-256, so that a damaged file is not continued from.
+void keep_state(const fs::path& state_file, const Verification& run) {
+  const std::string state = dump(run.state());
+  write_whole_file(state_file, R"({"sha256":")" + sha256(state) + R"(","state":)" + state + "}\n");
+}
+
 void continue_from(const fs::path& state_file, Verification& run) {
   if (!fs::exists(state_file)) return;
+  const std::string text = read_text_file(state_file);
   try {
-    std::ifstream stream(state_file);
-    run.restore(nlohmann::ordered_json::parse(stream));
+    const auto kept = nlohmann::ordered_json::parse(text);
+    const nlohmann::ordered_json& state = kept.at("state");
+    if (sha256(dump(state)) != kept.at("sha256").get<std::string>())
+      throw BadInput("its state.json is damaged; choose another folder");
+    run.restore(state);
   } catch (const nlohmann::json::exception&) {
     throw BadInput(state_file.string() + ": this is no state of a verification; choose another folder");
   } catch (const BadInput& error) {
@@ -130,11 +162,13 @@ void write_tables(const fs::path& folder, const Verification& run) {
 }
 
 Exit verify(const VerifyOptions& options) {
-  if (options.jobs < 0) throw BadInput(fmt::format("--jobs {}: at least one is needed", options.jobs));
-  VerificationPlan plan = plan_from(options);
+  const int jobs = number_of_jobs(options);
+  std::vector<std::string> notices;
+  VerificationPlan plan = plan_from(options, notices);
   std::optional<fs::path> folder;
-  if (!options.out.empty()) folder = prepare_folder(options.out);
+  if (options.out) folder = prepare_folder(*options.out);
   Verification run(std::move(plan));
+  for (const std::string& notice : notices) complain(notice);
   if (folder) continue_from(*folder / "state.json", run);
 
   const bool terminal = isatty(STDERR_FILENO) != 0;
@@ -142,15 +176,13 @@ Exit verify(const VerifyOptions& options) {
     if (terminal && (done % 16 == 0 || done == run.plan().poses))
       std::cerr << fmt::format("\r{} of {} poses", done, run.plan().poses) << std::flush;
   };
-  const int jobs =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
   while (!run.finished() && interrupted == 0) {
     run.run_batch(
         jobs, [] { return interrupted != 0; }, progress);
     // An unfinished batch is repeated as a whole, so the state on disk stays that of the last whole one.
-    if (folder && interrupted == 0) write_whole_file(*folder / "state.json", run.state().dump() + "\n");
+    if (folder && interrupted == 0) keep_state(*folder / "state.json", run);
   }
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
@@ -193,27 +225,34 @@ void add_verify_command(CLI::App& program, Run& run) {
       "  pcm verify --poses 200000 --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17.json");
-  command->add_option("--poses", options->poses, "How many poses in all")->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of the random poses")->capture_default_str();
+  command->add_option("--poses", options->poses, "How many poses in all")->type_name("N")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the random poses, a whole number")
+      ->type_name("S")
+      ->capture_default_str();
   command
       ->add_option("--strata", options->strata,
                    "Of generic, grazing, separated, nested, degenerate, near-degenerate (default: all)")
+      ->type_name("NAME,...")
       ->delimiter(',');
   command
       ->add_option("--pair", options->pairs,
                    "Two surfaces E and F (OBJ or OFF) in place of the built-in pairs; may be repeated")
       ->type_name("E F")
-      ->type_size(2);
+      ->type_size(2)
+      ->allow_extra_args(false);
   command->add_option("--mode", options->mode, "Whose faces are masters: E, F or both")
       ->check(CLI::IsMember({"E", "F", "both"}))
       ->capture_default_str();
-  command->add_option("--jobs", options->jobs, "Threads (default: as many as cores)")->check(CLI::PositiveNumber);
-  command->add_option("--out", options->out,
-                      "Folder for tables and case files; an unfinished run with the same arguments is continued");
+  command->add_option("--jobs", options->jobs, "Threads (default: as many as cores)")->type_name("N");
+  command
+      ->add_option("--out", options->out,
+                   "Folder for tables and case files; an unfinished run with the same arguments is continued")
+      ->type_name("DIR");
   command->add_option("--case", options->case_file, "Replay a case file instead")
+      ->type_name("FILE")
       ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--out");
   command->callback([options, &run] {
-    run = [options] { return options->case_file.empty() ? verify(*options) : replay(options->case_file); };
+    run = [options] { return options->case_file ? replay(*options->case_file) : verify(*options); };
   });
 }
 

@@ -61,7 +61,7 @@ DampingMode damping_mode_named(const std::string& name) {
 }  // namespace
 
 void add_law_options(CLI::App& command, LawOptions& options) {
-  const auto add = [&command](const std::string& name, std::string& text, const std::string& type,
+  const auto add = [&command](const std::string& name, LawOptions::Text& text, const std::string& type,
                               const std::string& description) {
     return command.add_option(name, text, description)->type_name(type)->group("Force law");
   };
@@ -98,26 +98,24 @@ void add_law_options(CLI::App& command, LawOptions& options) {
 
 ContactLaw law_from(const LawOptions& options) {
   ContactLaw law;
-  if (!options.stiffness.empty()) law.stiffness = positive_number("--stiffness", options.stiffness);
-  if (!options.stiffness_E.empty()) {
-    law.layers = {positive_or_rigid("--stiffness-E", options.stiffness_E),
-                  positive_or_rigid("--stiffness-F", options.stiffness_F)};
-  } else if (!options.layer_E.empty()) {
-    law.layers = {stiffness_of_layer("--layer-E", options.layer_E), stiffness_of_layer("--layer-F", options.layer_F)};
+  if (options.stiffness) law.stiffness = positive_number("--stiffness", *options.stiffness);
+  if (options.stiffness_E) {
+    law.layers = {positive_or_rigid("--stiffness-E", *options.stiffness_E),
+                  positive_or_rigid("--stiffness-F", *options.stiffness_F)};
+  } else if (options.layer_E) {
+    law.layers = {stiffness_of_layer("--layer-E", *options.layer_E), stiffness_of_layer("--layer-F", *options.layer_F)};
   }
   if (law.layers && law.layers->c_E == kRigid && law.layers->c_F == kRigid) {
-    const std::string given =
-        options.stiffness_E.empty() ? "--layer-E and --layer-F" : "--stiffness-E and --stiffness-F";
+    const std::string given = options.stiffness_E ? "--stiffness-E and --stiffness-F" : "--layer-E and --layer-F";
     throw BadInput(given + ": both bodies are rigid; give one of them a finite stiffness");
   }
-  if (!options.damping.empty()) law.damping = nonnegative_number("--damping", options.damping);
-  law.damping_mode = damping_mode_named(options.damping_mode);
-  if (!options.transition_depth.empty())
-    law.transition_depth = nonnegative_number("--transition-depth", options.transition_depth);
-  if (!options.friction.empty()) law.friction = nonnegative_number("--friction", options.friction);
-  if (!options.slip_velocity.empty()) law.slip_velocity = nonnegative_number("--slip-velocity", options.slip_velocity);
-  if (!options.max_penetration.empty())
-    law.max_penetration = positive_number("--max-penetration", options.max_penetration);
+  if (options.damping) law.damping = nonnegative_number("--damping", *options.damping);
+  if (options.damping_mode) law.damping_mode = damping_mode_named(*options.damping_mode);
+  if (options.transition_depth)
+    law.transition_depth = nonnegative_number("--transition-depth", *options.transition_depth);
+  if (options.friction) law.friction = nonnegative_number("--friction", *options.friction);
+  if (options.slip_velocity) law.slip_velocity = nonnegative_number("--slip-velocity", *options.slip_velocity);
+  if (options.max_penetration) law.max_penetration = positive_number("--max-penetration", *options.max_penetration);
   return law;
 }
 

@@ -3,21 +3,23 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "fast/inputs.h"
 
 namespace pcm::compare {
 
-/// The force law as the command line has it, not yet read: an empty text is an option that was not given.
+/// The force law as the command line has it, not yet read; absent is what was not given.
 struct LawOptions {
-  std::string stiffness;
-  std::string stiffness_E, stiffness_F;
-  std::string layer_E, layer_F;
-  std::string damping, damping_mode;
-  std::string transition_depth;
-  std::string friction, slip_velocity;
-  std::string max_penetration;
+  using Text = std::optional<std::string>;
+  Text stiffness;
+  Text stiffness_E, stiffness_F;
+  Text layer_E, layer_F;
+  Text damping, damping_mode;
+  Text transition_depth;
+  Text friction, slip_velocity;
+  Text max_penetration;
 };
 
 /// Adds the law options of the program (--stiffness and so on) to a subcommand.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <system_error>
 
 #include "meshes/generate_boxes.h"
@@ -31,6 +32,16 @@ TriangleMesh on_dyadic_grid(TriangleMesh mesh) {
     for (int j = 0; j < 3; ++j) x[j] = std::ldexp(std::nearbyint(std::ldexp(x[j], 12)), -12);
   mesh.name += " on a grid of 2^-12";
   return mesh;
+}
+
+/// A file's name such that Markdown, CSV and JSON can hold it, and file names again.
+std::string label(std::string name) {
+  constexpr std::string_view kSigns = " +-.()=@";
+  for (char& c : name) {
+    const bool alphanumeric = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (!alphanumeric && kSigns.find(c) == std::string_view::npos) c = '_';
+  }
+  return name;
 }
 
 class PairList {
@@ -150,7 +161,7 @@ std::filesystem::path installed_real_surfaces() {
 
 SurfacePair pair_from_files(const std::filesystem::path& file_E, const std::filesystem::path& file_F) {
   SurfacePair pair;
-  pair.name = file_E.stem().string() + "-" + file_F.stem().string();
+  pair.name = label(file_E.stem().string()) + "-" + label(file_F.stem().string());
   pair.E = read_mesh(file_E);
   pair.F = read_mesh(file_F);
   pair.file_E = file_E;

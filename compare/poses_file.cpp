@@ -16,6 +16,8 @@ constexpr std::size_t kPoseNumbers = 12;   // A by rows, r
 constexpr std::size_t kStateNumbers = 18;  // the same, then v and w
 constexpr double kRotationTolerance = 1e-9;
 constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kLongestLine = 1 << 20;  // Eighteen doubles with all their digits take 20,000 characters.
 
 std::optional<std::string_view> take_word(std::string_view& rest) {
   const std::size_t start = rest.find_first_not_of(kBlanks);
@@ -69,8 +71,7 @@ PosesFile::PosesFile(const std::filesystem::path& path) : name_(path.string()) {
 }
 
 std::optional<State> PosesFile::next() {
-  while (std::getline(file_, text_)) {
-    ++line_;
+  while (next_line()) {
     try {
       if (const std::optional<State> state = parse_state(text_)) {
         empty_ = false;
@@ -83,6 +84,24 @@ std::optional<State> PosesFile::next() {
   if (file_.bad()) throw BadInput(name_ + ": reading the file failed; check the disk");
   if (empty_) throw BadInput(name_ + ": the file holds no pose; give one a line");
   return std::nullopt;
+}
+
+bool PosesFile::next_line() {
+  text_.clear();
+  char c = 0;
+  if (!file_.get(c)) return false;
+  ++line_;
+  bool in_comment = false;
+  for (; file_ && c != '\n' && c != '\r'; file_.get(c)) {
+    in_comment = in_comment || c == '#';
+    if (in_comment) continue;
+    if (text_.size() == kLongestLine)
+      throw BadInput(place() + ": the line is longer than any pose; give one pose a line, as text");
+    text_ += c;
+  }
+  if (file_ && c == '\r' && file_.peek() == '\n') file_.get(c);
+  if (line_ == 1 && text_.starts_with(kByteOrderMark)) text_.erase(0, kByteOrderMark.size());
+  return true;
 }
 
 std::string PosesFile::place() const {

@@ -29,7 +29,8 @@ bool is_rotation(const Eigen::Matrix3d& A);
 /// an A that is no rotation and for numbers that are not finite.
 std::optional<State> parse_state(std::string_view line);
 
-/// Reads a poses file state by state, in constant memory, so it may be endless or a pipe.
+/// Reads a poses file state by state, in constant memory, so it may be endless or a pipe. Lines end with a line feed, a
+/// carriage return or both; a leading UTF-8 byte order mark is skipped.
 class PosesFile {
  public:
   /// Throws BadInput where `path` is no readable file.
@@ -43,6 +44,9 @@ class PosesFile {
   std::string place() const;
 
  private:
+  /// Puts the next line into text_, without its ending and its comment; false at the end.
+  bool next_line();
+
   std::string name_;
   std::ifstream file_;
   std::string text_;

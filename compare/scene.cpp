@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compare/rounded_vertices.h"
+#include "meshes/check.h"
 
 namespace pcm::compare {
 namespace {
@@ -20,11 +21,17 @@ class StopWatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// The mesh, once it is known to be fit for contact: nothing below is prepared for others.
+TriangleMesh fit(TriangleMesh mesh) {
+  require_fit(mesh);
+  return mesh;
+}
+
 }  // namespace
 
 Scene::Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode)
-    : mesh_E_(std::move(mesh_E)),
-      mesh_F_(std::move(mesh_F)),
+    : mesh_E_(fit(std::move(mesh_E))),
+      mesh_F_(fit(std::move(mesh_F))),
       features_(mesh_E_, mesh_F_),
       law_(law),
       mode_(mode),

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -42,10 +43,16 @@ double exact_fallback_rate(const Tally& tally) {
 
 constexpr std::array<double, 3> kQuantiles = {0.5, 0.99, 0.999};
 
-std::string error_cell(const Histogram& errors, const Greatest& worst) {
-  if (errors.count() == 0) return "-";
-  return fmt::format("{:.1e} / {:.1e} / {:.1e} / {:.1e}", errors.quantile(0.5), errors.quantile(0.99),
-                     errors.quantile(0.999), worst.value);
+/// A quantile of error k; rounded up by the histogram, but never above the maximum.
+double quantile(const Tally& tally, std::size_t k, double q) {
+  return std::min(tally.errors[k].quantile(q), tally.worst[k].value);
+}
+
+std::string error_cell(const Tally& tally, std::size_t k) {
+  if (tally.errors[k].count() == 0) return "-";
+  std::string text;
+  for (const double q : kQuantiles) text += fmt::format("{:.1e} / ", quantile(tally, k, q));
+  return text + fmt::format("{:.1e}", tally.worst[k].value);
 }
 
 }  // namespace
@@ -54,9 +61,12 @@ std::string verification_markdown(const Verification& run) {
   const std::vector<Row> table = rows(run);
   std::string text =
       "## Agreement with the oracle on the rounded problem\n\n"
-      "Poses with a disagreement, in all and by kind. `fallback`: part of the engine's predicates that needed exact "
-      "arithmetic. `rate <`: 95 % upper bound on the rate of disagreeing poses. `backward`: greatest distance of a "
-      "rounded vertex of F from the true one, in ulps.\n\n"
+      "`disagreements` counts poses; `touch` to `other kinds` count them by what engine and oracle disagree about. "
+      "`touching`, `nested` (one body inside the other without crossing), `ambiguous` (an open surface that does not "
+      "tell inside from outside), `flipped` (rounding may have changed a contact element) and `too deep` (a line of "
+      "penetration leaves its own body first) count poses that are so. `fallback`: part of the engine's predicates "
+      "that needed exact arithmetic. `rate <`: 95 % upper bound on the rate of disagreeing poses. `backward`: greatest "
+      "distance of a rounded vertex of F from the true one, in ulps.\n\n"
       "| pair | stratum | poses | touching | disagreements | touch | polygon count | polygon cycle | intersected | "
       "inner | elements | other kinds | nested | ambiguous | flipped | too deep | fallback | rate < | backward |\n"
       "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
@@ -77,9 +87,13 @@ std::string verification_markdown(const Verification& run) {
   }
   text +=
       "\n## Rounding error against the oracle on the exact problem\n\n"
-      "median / p99 / p99.9 / maximum of the relative errors, in units of S/p (size over mean thickness of the "
-      "intersection); quantiles are rounded up by at most an eighth. Penetration, force and torque without the poses "
-      "that are `flipped`.\n\n| pair | stratum |";
+      "This is the error of floating point alone: same meshes, same scheme; neither discretisation nor geometry shows. "
+      "median / p99 / p99.9 / maximum of the relative errors divided by S/p (S: the greatest coordinate; p: mean "
+      "thickness of the intersection); quantiles are rounded up by at most an eighth. Area and vector area are "
+      "relative "
+      "to the area, volume to area times p, penetration to itself, force to the sum of the elements' |F|, torque to "
+      "the sum of |lever| |F|. Penetration, force and torque without the poses that are `flipped`.\n\n"
+      "| pair | stratum |";
   for (const char* error : kErrorNames) text += fmt::format(" {} |", error);
   text += "\n|---|---|--:|--:|--:|--:|--:|--:|\n";
   for (const Row& row : table) {
@@ -87,8 +101,7 @@ std::string verification_markdown(const Verification& run) {
     for (const Histogram& errors : row.tally.errors) count += errors.count();
     if (count == 0) continue;
     text += fmt::format("| {} | {} |", row.pair, row.stratum);
-    for (std::size_t k = 0; k < kErrors; ++k)
-      text += fmt::format(" {} |", error_cell(row.tally.errors[k], row.tally.worst[k]));
+    for (std::size_t k = 0; k < kErrors; ++k) text += fmt::format(" {} |", error_cell(row.tally, k));
     text += "\n";
   }
   text += "\n| stratum | worst pose by | error | pose |\n|---|---|--:|---|\n";
@@ -120,7 +133,7 @@ std::string verification_csv(const Verification& run) {
                     t.disagreement_rate_bound(), t.backward_error_ulps.value, t.backward_error_ulps.pose);
     for (std::size_t k = 0; k < kErrors; ++k) {
       text += fmt::format(",{}", t.errors[k].count());
-      for (const double q : kQuantiles) text += fmt::format(",{}", t.errors[k].quantile(q));
+      for (const double q : kQuantiles) text += fmt::format(",{}", quantile(t, k, q));
       text += fmt::format(",{},{}", t.worst[k].value, t.worst[k].pose);
     }
     text += "\n";
@@ -155,9 +168,9 @@ nlohmann::ordered_json verification_json(const Verification& run) {
     entry["rate_bound_95"] = t.disagreement_rate_bound();
     entry["backward_error_ulps"] = {{"max", t.backward_error_ulps.value}, {"pose", t.backward_error_ulps.pose}};
     for (std::size_t k = 0; k < kErrors; ++k)
-      entry["errors"][kErrorNames[k]] = {{"count", t.errors[k].count()},      {"median", t.errors[k].quantile(0.5)},
-                                         {"p99", t.errors[k].quantile(0.99)}, {"p99.9", t.errors[k].quantile(0.999)},
-                                         {"max", t.worst[k].value},           {"pose", t.worst[k].pose}};
+      entry["errors"][kErrorNames[k]] = {{"count", t.errors[k].count()}, {"median", quantile(t, k, 0.5)},
+                                         {"p99", quantile(t, k, 0.99)},  {"p99.9", quantile(t, k, 0.999)},
+                                         {"max", t.worst[k].value},      {"pose", t.worst[k].pose}};
     json["rows"].push_back(std::move(entry));
   }
   json["omissions"] = run.omissions();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "meshes/bad_input.h"
@@ -28,19 +27,20 @@ std::string read_text_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw BadInput(name + ": the file can't be opened; check its permissions");
   std::string text;
-  const std::uintmax_t size = std::filesystem::is_regular_file(status) ? std::filesystem::file_size(path, error) : 0;
-  if (size > 0 && !error) {
-    text.resize(size);
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-  } else {
-    std::ostringstream content;  // A pipe or a device has no size.
-    content << file.rdbuf();
-    text = std::move(content).str();
+  if (std::filesystem::is_regular_file(status)) {  // A pipe or a device has no size.
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (!error) text.reserve(size);
+  }
+  // A device may be endless, so every piece is looked at before the next is read.
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (file) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const std::string_view characters(piece.data(), static_cast<std::size_t>(file.gcount()));
+    if (characters.find('\0') != std::string_view::npos)
+      throw BadInput(name + ": this is a binary file (it holds NUL bytes); a text file is needed");
+    text += characters;
   }
   if (file.bad()) throw BadInput(name + ": reading the file failed; check the disk");
-  if (text.find('\0') != std::string::npos)
-    throw BadInput(name + ": this is a binary file (it holds NUL bytes); a text file is needed");
   return text;
 }
 

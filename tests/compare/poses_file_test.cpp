@@ -51,5 +51,18 @@ TEST(PosesFile, TheLastLineNeedsNoLineFeedAndPlacesAreCountedFromOne) {
   EXPECT_FALSE(file.next());
 }
 
+TEST(PosesFile, AnyLineEndingsAByteOrderMarkAndLongCommentsAreUnderstood) {
+  const std::string pose = "1 0 0 0 1 0 0 0 1 0 0 ";
+  const ScratchFolder scratch;
+  PosesFile file(scratch.write("poses.txt", "\xEF\xBB\xBF" + pose + "1\r" + pose + "2\r\n\r" + pose + "3 #" +
+                                                std::string(3'000'000, 'x') + "\n" + pose + "4"));
+  for (const auto& [z, line] :
+       {std::pair(1.0, ":1"), std::pair(2.0, ":2"), std::pair(3.0, ":4"), std::pair(4.0, ":5")}) {
+    EXPECT_EQ(file.next()->pose.r.z(), z);
+    EXPECT_TRUE(file.place().ends_with(line)) << file.place();
+  }
+  EXPECT_FALSE(file.next());
+}
+
 }  // namespace
 }  // namespace pcm::compare

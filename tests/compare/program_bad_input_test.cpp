@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -86,6 +88,8 @@ TEST_F(BadInput, NumbersOfTheLaw) {
       expect_bad_contact({option + "=" + value}, option);
   }
   expect_bad_contact({"--damping", "-1"}, "--damping");
+  for (const std::string option : {"--stiffness", "--damping", "--max-penetration"})
+    expect_bad_contact({option, ""}, option);
   expect_bad_contact({"--damping-mode", "half"}, "--damping-mode");
 }
 
@@ -143,6 +147,7 @@ TEST_F(BadInput, Poses) {
   expect_bad_poses("1 0 0 0 1 0 0 0 1.00000001 0 0 0\n", "rotation");
   expect_bad_poses("1 0 0 0 1 0 0 0 -1 0 0 0\n", "rotation");
   expect_bad_poses("1e200 0 0 0 1 0 0 0 1 0 0 0\n", "rotation");
+  expect_bad_poses(std::string(2'000'000, '1'), "poses.txt:1");
 }
 
 TEST_F(BadInput, ABadPoseLeavesTheLinesBeforeIt) {
@@ -150,6 +155,53 @@ TEST_F(BadInput, ABadPoseLeavesTheLinesBeforeIt) {
   const Outcome outcome = run_pcm({"contact", surface_, surface_, "--poses", poses});
   expect_one_line_naming(outcome, "poses.txt:3");
   EXPECT_EQ(lines_of(outcome.out).size(), 1U);
+}
+
+TEST_F(BadInput, EndlessDevices) {
+  if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "this system has no /dev/zero";
+  std::filesystem::create_symlink("/dev/zero", scratch_.path("endless.obj"));
+  expect_bad_surface(scratch_.path("endless.obj"), "binary");
+  expect_bad_contact({"--poses", "/dev/zero"}, "/dev/zero:1");
+}
+
+TEST_F(BadInput, OptionsOfVerify) {
+  for (const std::string value : {"0", "-1", "1e3", "1.5", "", "99999999999999999999", "all"})
+    for (const std::string option : {"--poses", "--jobs"}) expect_bad_input({"verify", option, value}, option);
+  for (const std::string value : {"-1", "x", "18446744073709551616"})
+    expect_bad_input({"verify", "--seed", value}, "--seed");
+  expect_bad_input({"verify", "--strata", "generic,sausage"}, "sausage");
+  expect_bad_input({"verify", "--pair", surface_}, "--pair");
+  expect_bad_input({"verify", "--pair", surface_, surface_, surface_}, surface_);
+  expect_bad_input({"verify", "--pair", surface_, scratch_.path("missing.obj")}, "missing.obj");
+  expect_bad_input({"verify", "--poses", "6", "--out", surface_}, surface_);
+  expect_bad_input({"verify", "--poses", "6", "--out", ""}, "--out");
+  expect_bad_input({"verify", "--case", ""}, "no such file");
+  expect_bad_input({"verify", "--case", scratch_.path("missing.json")}, "missing.json");
+  expect_bad_input({"verify", "--case", scratch_.path("")}, "folder");
+  expect_bad_input({"verify", "--case", surface_}, "no case file");
+}
+
+TEST_F(BadInput, StateOfAVerificationThatIsDamagedOrAnothers) {
+  const std::string folder = scratch_.path("run");
+  const Words verify{"verify", "--poses", "6", "--pair", surface_, surface_, "--out", folder};
+  ASSERT_EQ(run_pcm(verify).status, 0);
+  Words other = verify;
+  other[2] = "7";
+  expect_bad_input(other, folder);
+
+  const Outcome continued = run_pcm(verify);
+  EXPECT_EQ(continued.status, 0);
+  EXPECT_NE(continued.err.find("continued after 6 poses"), std::string::npos) << continued.err;
+
+  std::ifstream file(folder + "/state.json");
+  const std::string state((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::string done = "\"batches_done\":1";
+  ASSERT_NE(state.find(done), std::string::npos);
+  for (const std::string& damaged : {std::string(), state.substr(0, state.size() / 2), std::string("{}"),
+                                     std::string(state).replace(state.find(done), done.size(), done + "0")}) {
+    scratch_.write("run/state.json", damaged);
+    expect_one_line_naming(run_pcm(verify), "run");
+  }
 }
 
 TEST_F(BadInput, MakingAndConverting) {

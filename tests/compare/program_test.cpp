@@ -196,6 +196,30 @@ TEST_F(Program, MeshCheckWarnsOfFacesThatIntersect) {
   EXPECT_NE(outcome.out.find("1-2"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Program, ContactAndVerifyWarnOnceOfSurfacesThatIntersectThemselves) {
+  const std::string crossed = scratch_.write("crossed.obj",
+                                             "v 0 0 0\nv 2 0 0\nv 0 2 0\n"
+                                             "v 0.5 0.5 -1\nv 0.5 0.5 1\nv 3 3 0\nf 1 2 3\nf 4 5 6\n");
+  for (const Words& arguments : {Words{"contact", crossed, crossed},
+                                 Words{"verify", "--poses", "1", "--strata", "generic", "--pair", crossed, crossed}}) {
+    const Outcome outcome = run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("pcm: warning: " + crossed)) << outcome.err;
+  }
+  EXPECT_EQ(run_pcm({"contact", box_, box_}).err, "");
+}
+
+TEST_F(Program, VerifyLabelsPairsSoThatTablesCanHoldThem) {
+  const std::string odd = scratch_.path("a,b|\"c\"\xE9.obj");
+  std::filesystem::copy_file(box_, odd);
+  const Outcome outcome = run_pcm({"verify", "--poses", "6", "--pair", odd, box_, "--out", scratch_.path("tables")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("| a_b__c__-box | generic | 1 |"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(std::filesystem::exists(scratch_.path("tables/verification.json")));
+  EXPECT_TRUE(lines_of(outcome.out).back().starts_with("verified: 6 poses")) << outcome.out;
+}
+
 TEST_F(Program, MadeSurfacesArePrintedOrWrittenAlike) {
   const Words make{"mesh", "make", "torus", "--tube_radius=0.1", "--segments", "12"};
   Words to_file = make;

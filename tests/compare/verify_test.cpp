@@ -343,7 +343,28 @@ TEST_F(CaseFiles, BadOnesAreRefused) {
     write_whole_file(folder_ / "case.json", text);
     EXPECT_THROW(read_case(folder_ / "case.json"), BadInput) << text.substr(0, 40);
   }
+  const auto refused_with = [&](const std::function<void(nlohmann::ordered_json&)>& change) {
+    auto json = nlohmann::ordered_json::parse(whole);
+    change(json);
+    write_whole_file(folder_ / "case.json", json.dump());
+    EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
+  };
+  refused_with([](auto& json) { json["pose"]["A"][0] = "2"; });
+  refused_with([](auto& json) { json["pose"]["A"][0] = 1; });
+  refused_with([](auto& json) { json["pose"]["r"][0] = "inf"; });
+  refused_with([](auto& json) { json["pose"]["v"][0] = "nan"; });
+  refused_with([](auto& json) { json["E"]["faces"][0][0] = -1; });
+  refused_with([](auto& json) { json["E"]["faces"][0][0] = 0.5; });
+  refused_with([](auto& json) { json["E"]["faces"][0][0] = 4294967296; });
   EXPECT_THROW(write_whole_file(folder_ / "no" / "such" / "folder.json", ""), BadInput);
+}
+
+TEST(Scenes, UnfitAndEmptySurfacesAreRefused) {
+  const SurfacePair pair = small_pair();
+  EXPECT_THROW(Scene(TriangleMesh{}, pair.F, pair.law, Mode::E), BadInput);
+  TriangleMesh torn = pair.E;
+  torn.faces[0] = {0, 0, 1};
+  EXPECT_THROW(Scene(pair.F, torn, pair.law, Mode::E), BadInput);
 }
 
 TEST_F(CaseFiles, ReplayGivesTheSameVerdict) {
