@@ -74,6 +74,55 @@ TEST(EngineRanges, AllLengthsTimes2ToThe290ScaleAreasAndVolume) {
   }
 }
 
+TEST(EngineRanges, EveryLawScalesBitForBitWithAllLengthsTiesIncluded) {
+  const TriangleMesh cube = box(Vector3d(0, 0, 0), Vector3d(2, 2, 2)),
+                     upper = box(Vector3d(0, 0, 1), Vector3d(2, 2, 3));
+  const TriangleMesh ball = generate::icosphere(0.7, 2);
+  struct Pair {
+    const TriangleMesh& E;
+    const TriangleMesh& F;
+    Pose pose;
+  };
+  const Pair pairs[] = {{cube, upper, {}}, {cube, ball, turned(0.8, {1.1, 0.9, 2.3})}, {cube, cube, {}}};
+  for (const Pair& pair : pairs) {
+    for (const DampingMode damping_mode : {DampingMode::no_tension, DampingMode::full, DampingMode::compression}) {
+      for (const double c_F : {2e5, std::numeric_limits<double>::infinity()}) {
+        ContactLaw law;
+        law.layers = LayerStiffness{3e5, c_F};
+        law.damping = 700;
+        law.transition_depth = 0.3;
+        law.friction = 0.4;
+        law.slip_velocity = 0.1;
+        law.max_penetration = 0.25;
+        law.damping_mode = damping_mode;
+        const Velocity velocity{{0.2, -0.1, 0.9}, {0.5, -0.2, 0.3}};
+        for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
+          const Contact plain = answer(pair.E, pair.F, pair.pose, law, mode, velocity);
+          for (const int k : {-60, 60}) {
+            const double s = std::ldexp(1.0, k);
+            ContactLaw large = law;
+            large.transition_depth *= s;
+            large.slip_velocity *= s;
+            large.max_penetration *= s;
+            const Pose pose{pair.pose.A, pair.pose.r * s};
+            const Contact contact =
+                answer(scaled(pair.E, s), scaled(pair.F, s), pose, large, mode, Velocity{velocity.v * s, velocity.w});
+            EXPECT_EQ(contact.touching, plain.touching);
+            EXPECT_EQ(contact.force_Me, plain.force_Me * s * s * s);
+            EXPECT_EQ(contact.torque_Me, plain.torque_Me * s * s * s * s);
+            EXPECT_EQ(contact.E.area, plain.E.area * s * s);
+            EXPECT_EQ(contact.F.vector_area_Me, plain.F.vector_area_Me * s * s);
+            EXPECT_EQ(contact.volume, plain.volume * s * s * s);
+            EXPECT_EQ(contact.penetration_exceeded, plain.penetration_exceeded);
+            EXPECT_EQ(contact.statistics.mean_penetration, plain.statistics.mean_penetration * s);
+            EXPECT_EQ(contact.statistics.centre_of_pressure_Me, plain.statistics.centre_of_pressure_Me * s);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(EngineRanges, ForceBeyondTheRangeOfDoublesIsRefusedAndTheWorkspaceStaysUsable) {
   const TriangleMesh plate = box(Vector3d(-1, -1, -1), Vector3d(1, 1, 0)), cube = box(Vector3d(0.5, 0.5, 0.5));
   const Surface E(scaled(plate, 0x1p290)), F(scaled(cube, 0x1p290)), small_E(plate), small_F(cube);

@@ -10,6 +10,17 @@
 
 namespace pcm::brute_force {
 
+/// How many of `count` trials to run: all, or a fifth in a sanitizer build, where exact arithmetic is some thirty times
+/// slower.
+constexpr int affordable(int count) {
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+  return count / 5;
+#endif
+#endif
+  return count;
+}
+
 /// Kinds of tiny pose to hold an engine or oracle against the twin on.
 enum class Kind : std::uint8_t {
   generic,       ///< tetrahedra, boxes, octahedra, icospheres in any rotation
