@@ -18,6 +18,7 @@
 #include "compare/law_options.h"
 #include "compare/sha256.h"
 #include "compare/surface_warnings.h"
+#include "compare/verification_summary.h"
 #include "compare/verification_table.h"
 #include "compare/verify.h"
 #include "meshes/bad_input.h"
@@ -190,7 +191,7 @@ Exit verify(const VerifyOptions& options) {
   if (terminal) std::cerr << '\n';
 
   if (folder) write_tables(*folder, run);
-  std::cout << verification_markdown(run) << '\n' << times_markdown(run) << '\n';
+  std::cout << verification_summary(run) << '\n';
   for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
     const Finding& finding = run.findings()[k];
     for (const Disagreement& d : finding.disagreements)
@@ -221,7 +222,8 @@ void add_verify_command(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand("verify", "Hold the engine against the oracle over randomized poses");
   command->footer(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
-      "jobs. The last line printed is the verdict; the exit status is 1 with a disagreement or when interrupted.\n"
+      "jobs. A summary is printed; the tables by pair and stratum are written to --out. The last line printed is the\n"
+      "verdict; the exit status is 1 with a disagreement or when interrupted.\n"
       "Examples:\n"
       "  pcm verify --poses 200000 --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
