@@ -63,7 +63,9 @@ struct Element {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E
 };
 
-/// The oracle's answer to one problem. Every double is the true value of that problem, correctly rounded.
+/// The oracle's answer to one problem. Positions, areas and the volume are the true values, correctly rounded. Forces,
+/// torques and penetrations are too, unless the true value lies within 2^-960 of the middle between two doubles, where
+/// the middle of the last enclosure is rounded.
 struct Answer {
   bool touching = false;
   bool nested = false;
