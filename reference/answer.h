@@ -64,8 +64,8 @@ struct Element {
 };
 
 /// The oracle's answer to one problem. Positions, areas and the volume are the true values, correctly rounded. Forces,
-/// torques and penetrations are too, unless the true value lies within 2^-960 of the middle between two doubles, where
-/// the middle of the last enclosure is rounded.
+/// torques and penetrations are too, unless an enclosure of 960 bits still cannot tell which way to round (as where the
+/// true value lies half-way between two doubles); then the middle of that enclosure is rounded.
 struct Answer {
   bool touching = false;
   bool nested = false;
