@@ -10,8 +10,12 @@ namespace {
 Velocity draw_velocity(double size, PoseRandom& random) {
   Velocity velocity;
   if (random.below(4) == 0) return velocity;
-  velocity.v = random.direction() * (random.log_uniform(1e-4, 1e2) * size);
-  if (random.coin()) velocity.w = random.direction() * random.log_uniform(1e-4, 1e2);
+  const Eigen::Vector3d along = random.direction();
+  velocity.v = along * (random.log_uniform(1e-4, 1e2) * size);
+  if (random.coin()) {
+    const Eigen::Vector3d about = random.direction();
+    velocity.w = about * random.log_uniform(1e-4, 1e2);
+  }
   return velocity;
 }
 

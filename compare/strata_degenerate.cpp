@@ -6,6 +6,9 @@
 // A x is exact, and with an exact r = x_E - A x_F the features coincide in the rounded and in the exact problem.
 // Rotations from integer quaternions have rational entries; rounded to doubles they bring a *vertex* of F exactly onto
 // a feature of E in the rounded problem, which is the one the tie rule is about.
+//
+// Every draw stands in a statement of its own: the order in which a compiler evaluates arguments and operands is its
+// own choice, and the poses must be the same bits everywhere.
 #include <array>
 #include <cmath>
 #include <optional>
@@ -38,7 +41,9 @@ Eigen::Matrix3d cube_rotation(int from, int to, int sign, PoseRandom& random) {
 }
 
 Eigen::Matrix3d cube_rotation(PoseRandom& random) {
-  return cube_rotation(0, static_cast<int>(random.below(3)), random.coin() ? 1 : -1, random);
+  const int sign = random.coin() ? 1 : -1;
+  const auto to = static_cast<int>(random.below(3));
+  return cube_rotation(0, to, sign, random);
 }
 
 /// A rotation with rational entries (w, x, y, z integers of at most 3, not all 0), each entry rounded once.
@@ -114,31 +119,43 @@ Attempt placed(const Eigen::Matrix3d& A, const Eigen::Vector3d& x_E, const Eigen
   return drawn.exact ? Attempt(drawn) : std::nullopt;
 }
 
+Eigen::Matrix3d draw_rotation(PoseRandom& random) {
+  return random.coin() ? cube_rotation(random) : pythagorean_rotation(random);
+}
+
 Attempt vertex_on_vertex(const FeaturePair& pair, PoseRandom& random) {
-  const Eigen::Matrix3d A = random.coin() ? cube_rotation(random) : pythagorean_rotation(random);
-  return placed(A, draw_vertex(pair.E, random), draw_vertex(pair.F, random), {}, "vertex on vertex");
+  const Eigen::Matrix3d A = draw_rotation(random);
+  const Eigen::Vector3d x_F = draw_vertex(pair.F, random);
+  const Eigen::Vector3d x_E = draw_vertex(pair.E, random);
+  return placed(A, x_E, x_F, {}, "vertex on vertex");
+}
+
+/// A vertex of either body on a point that `point_of(surface, steps)` draws on the other one.
+template <typename PointOf>
+Attempt vertex_on(PointOf point_of, const FeaturePair& pair, PoseRandom& random, std::string_view construction) {
+  ExactSteps steps;
+  if (random.coin()) {
+    const Eigen::Vector3d x_F = point_of(pair.F, steps);
+    const Eigen::Vector3d x_E = draw_vertex(pair.E, random);
+    return placed(cube_rotation(random), x_E, x_F, steps, construction);
+  }
+  const Eigen::Matrix3d A = draw_rotation(random);
+  const Eigen::Vector3d x_E = point_of(pair.E, steps);
+  return placed(A, x_E, draw_vertex(pair.F, random), steps, construction);
 }
 
 Attempt vertex_on_edge(const FeaturePair& pair, PoseRandom& random) {
-  ExactSteps steps;
-  if (random.coin()) {
-    const Eigen::Vector3d x_F = point_of_edge(pair.F, draw_edge(pair.F, random), random, steps);
-    return placed(cube_rotation(random), draw_vertex(pair.E, random), x_F, steps, "vertex on edge");
-  }
-  const Eigen::Matrix3d A = random.coin() ? cube_rotation(random) : pythagorean_rotation(random);
-  const Eigen::Vector3d x_E = point_of_edge(pair.E, draw_edge(pair.E, random), random, steps);
-  return placed(A, x_E, draw_vertex(pair.F, random), steps, "vertex on edge");
+  const auto point = [&](const SurfaceFeatures& surface, ExactSteps& steps) {
+    return point_of_edge(surface, draw_edge(surface, random), random, steps);
+  };
+  return vertex_on(point, pair, random, "vertex on edge");
 }
 
 Attempt vertex_on_face(const FeaturePair& pair, PoseRandom& random) {
-  ExactSteps steps;
-  if (random.coin()) {
-    const Eigen::Vector3d x_F = point_of_face(pair.F, draw_face(pair.F, random), random, steps);
-    return placed(cube_rotation(random), draw_vertex(pair.E, random), x_F, steps, "vertex on face");
-  }
-  const Eigen::Matrix3d A = random.coin() ? cube_rotation(random) : pythagorean_rotation(random);
-  const Eigen::Vector3d x_E = point_of_face(pair.E, draw_face(pair.E, random), random, steps);
-  return placed(A, x_E, draw_vertex(pair.F, random), steps, "vertex on face");
+  const auto point = [&](const SurfaceFeatures& surface, ExactSteps& steps) {
+    return point_of_face(surface, draw_face(surface, random), random, steps);
+  };
+  return vertex_on(point, pair, random, "vertex on face");
 }
 
 Attempt edge_across_edge(const FeaturePair& pair, PoseRandom& random) {
@@ -192,7 +209,8 @@ Attempt slid_along_an_edge(const FeaturePair& pair, PoseRandom& random) {
   if (!same_mesh(pair)) return std::nullopt;
   const FeatureEdge& edge = draw_edge(pair.E, random);
   ExactSteps steps;
-  const double part = 0.25 * static_cast<double>(1 + random.below(4)) * (random.coin() ? 1 : -1);
+  const std::uint64_t quarters = 1 + random.below(4);
+  const double part = 0.25 * static_cast<double>(quarters) * (random.coin() ? 1 : -1);
   DrawnPose drawn;
   drawn.pose.r = steps.times(steps.minus(vertex(pair.E, edge.ends[1]), vertex(pair.E, edge.ends[0])), part);
   drawn.construction = "slid along an edge";
@@ -242,7 +260,8 @@ DrawnPose draw_degenerate(const FeaturePair& pair, PoseRandom& random) {
     if (const Attempt drawn = kConstructions[random.below(kConstructions.size())](pair, random)) return *drawn;
   DrawnPose nearly;
   nearly.pose.A = cube_rotation(random);
-  nearly.pose.r = draw_vertex(pair.E, random) - ordered_product(nearly.pose.A, draw_vertex(pair.F, random));
+  const Eigen::Vector3d x_E = draw_vertex(pair.E, random);
+  nearly.pose.r = x_E - ordered_product(nearly.pose.A, draw_vertex(pair.F, random));
   nearly.construction = "vertex on vertex, rounded";
   return nearly;
 }
@@ -253,15 +272,18 @@ void move_by_ulps(const FeaturePair& pair, PoseRandom& random, DrawnPose& drawn)
   const std::uint64_t axes = 1 + random.below(7);
   const bool own_ulps = random.coin();
   for (int j = 0; j < 3; ++j) {
-    const double steps = static_cast<double>(1 + random.below(8)) * (random.coin() ? 1 : -1);
+    const std::uint64_t magnitude = 1 + random.below(8);
+    const double steps = static_cast<double>(magnitude) * (random.coin() ? 1 : -1);
     if ((axes >> j & 1) == 0) continue;
     const double scale = std::max(std::abs(pair.E.box_min[j]), std::abs(pair.E.box_max[j]));
     double& r = drawn.pose.r[j];
     r += steps * ulp(own_ulps && r != 0 ? r : std::max(std::abs(r), scale));
   }
   if (random.below(4) == 0)
-    for (int k = 0; k < 9; ++k)
-      drawn.pose.A(k / 3, k % 3) += random.log_uniform(0x1p-52, 0x1p-33) * (random.coin() ? 1 : -1);
+    for (int k = 0; k < 9; ++k) {
+      const double step = random.log_uniform(0x1p-52, 0x1p-33);
+      drawn.pose.A(k / 3, k % 3) += random.coin() ? step : -step;
+    }
   drawn.exact = false;
 }
 

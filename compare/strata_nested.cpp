@@ -41,7 +41,8 @@ DrawnPose draw_nested(const FeaturePair& pair, PoseRandom& random) {
   const SurfaceFeatures& guest = pair.host == Side::E ? pair.F : pair.E;
   const Eigen::Vector3d guest_centre = (guest.box_min + guest.box_max) / 2;
   const double room = kMargin * pair.ball.radius - bounding_radius(guest);
-  const Eigen::Vector3d place = pair.ball.centre + random.direction() * (random.uniform() * room);
+  const Eigen::Vector3d direction = random.direction();
+  const Eigen::Vector3d place = pair.ball.centre + direction * (random.uniform() * room);
   DrawnPose drawn;
   drawn.pose.A = random.rotation();
   drawn.construction = "inside";
