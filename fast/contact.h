@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "fast/inputs.h"
@@ -38,19 +39,21 @@ struct ActiveArea {
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();  ///< integral of the outward normal over it, m^2
 };
 
-/// A contact element of the barycentric scheme: a master face and the slave face its penetration line leaves through.
+/// A contact element: a master face and the slave face its penetration lines leave through. Barycentric scheme: the
+/// whole face, with the penetration of its barycentre; clipped scheme: the part of the face that sees the slave face,
+/// with the mean penetration there.
 struct Element {
   Side master = Side::E;
   Index master_face = 0;
   Index slave_face = 0;
   double area = 0;                                        ///< A_k (6), m^2
-  double penetration = 0;                                 ///< u_k (11), m, > 0, after clamping to max_penetration
+  double penetration = 0;                                 ///< u_k (11) or mean u, m, > 0, clamped to max_penetration
   double normal_velocity = 0;                             ///< v_n (16), m/s, positive when approaching
   double tangential_velocity = 0;                         ///< v_t (19), m/s
   double normal_force = 0;                                ///< F_n (18), N
   double tangential_force = 0;                            ///< F_t (20), N
   Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();    ///< n_k = -n of the master face
-  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), m
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), from C_e or the centre of pressure, m
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E, N (not halved in mode `both`)
 };
 
@@ -63,6 +66,15 @@ struct Statistics {
   double max_normal_velocity = 0;                                   ///< greatest |v_n|, m/s
   double max_tangential_velocity = 0;                               ///< greatest v_t, m/s
   Eigen::Vector3d centre_of_pressure_Me = Eigen::Vector3d::Zero();  ///< C_k weighted by F_n, m
+};
+
+/// Rigorous bounds on |computed - true|, component by component, the truth being the exact problem's force and torque
+/// in the same scheme (PCM section 1): the rounding of F's vertices is included. Infinite where nothing can be
+/// promised.
+struct ForceBound {
+  Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< N
+  Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< N m
+  bool flipped = false;  ///< the exact problem may have other elements than the rounded one
 };
 
 /// How much work an evaluation did, and how much it was spared.
@@ -89,13 +101,14 @@ struct Contact {
   Index undefined_areas = 0;  ///< intersected faces in which a border of the other surface ends: their area counts as 0
   bool has_volume = false;    ///< false where a surface is open or the answer is ambiguous
   double volume = 0;          ///< of the intersection, m^3
-  std::vector<Element> elements;  ///< by master (E first), then master face; empty unless wanted
+  std::vector<Element> elements;  ///< by master (E first), then master face, then slave face; empty unless wanted
   Index element_count = 0;        ///< over all masters evaluated
   Index too_deep = 0;             ///< active faces whose penetration line leaves the master first
-  double max_penetration = 0;     ///< greatest u over all masters evaluated, before clamping, m
+  double max_penetration = 0;     ///< greatest u (clipped: anywhere) over all masters evaluated, before clamping, m
   bool penetration_exceeded = false;
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m
+  std::optional<ForceBound> bound;                      ///< where wanted
   Statistics statistics;
   WorkCounters work;
 };

@@ -59,8 +59,12 @@ void report_active_area(const SideState& side, ActiveArea& area) {
 
 }  // namespace
 
-Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode)
-    : surface_E_(std::move(surface_E)), surface_F_(std::move(surface_F)), law_(std::move(law)), mode_(mode) {
+Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode, Scheme scheme)
+    : surface_E_(std::move(surface_E)),
+      surface_F_(std::move(surface_F)),
+      law_(std::move(law)),
+      mode_(mode),
+      scheme_(scheme) {
   require_valid(law_);
 }
 

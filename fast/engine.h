@@ -35,18 +35,21 @@ class Surface {
 /// Throws BadInput where a parameter of the law is out of its range.
 class Pairing {
  public:
-  Pairing(Surface surface_E, Surface surface_F, ContactLaw law = {}, Mode mode = Mode::E);
+  Pairing(Surface surface_E, Surface surface_F, ContactLaw law = {}, Mode mode = Mode::E,
+          Scheme scheme = Scheme::barycentric);
 
   const Surface& surface_E() const { return surface_E_; }
   const Surface& surface_F() const { return surface_F_; }
   const ContactLaw& law() const { return law_; }
   Mode mode() const { return mode_; }
+  Scheme scheme() const { return scheme_; }
 
  private:
   Surface surface_E_;
   Surface surface_F_;
   ContactLaw law_;
   Mode mode_;
+  Scheme scheme_;
 };
 
 /// Scratch memory and the last answer; one per thread. It grows to what the poses need and then allocates no more.

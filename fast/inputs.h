@@ -29,6 +29,12 @@ struct Velocity {
 /// Whose faces carry the contact elements; `both`: each in turn, force and torque averaged.
 enum class Mode : std::uint8_t { E, F, both };
 
+/// How the elastic foundation of a master face is sampled (PCM section 6).
+enum class Scheme : std::uint8_t {
+  barycentric,  ///< the paper's: the penetration at the face's barycentre counts for the whole face
+  clipped,      ///< the integral of the penetration over the face, exact on the given meshes
+};
+
 /// What damping may do to the normal force F_n of an element (PCM (18) and section 9).
 enum class DampingMode : std::uint8_t {
   no_tension,   ///< F_n = max(F_c + F_d, 0), the paper's (18)
@@ -60,6 +66,7 @@ struct Wanted {
   bool areas = true;     ///< clipped active areas and the intersection volume
   bool force = true;     ///< contact elements, force and torque
   bool elements = true;  ///< keep every contact element in the result, with its statistics
+  bool bound = false;    ///< rigorous bounds on the rounding errors of force and torque; implies force
 };
 
 }  // namespace pcm

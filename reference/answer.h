@@ -51,7 +51,7 @@ struct ActiveArea {
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();
 };
 
-/// A barycentric contact element.
+/// A contact element of either scheme (fast/contact.h says what they are).
 struct Element {
   Side master = Side::E;
   Index master_face = 0;

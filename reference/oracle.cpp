@@ -20,14 +20,15 @@ struct Oracle::Data {
   Surface F;
   ContactLaw law;
   Mode mode;
+  Scheme scheme;
 };
 
-Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mode) {
+Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mode, Scheme scheme) {
   require_fit(law);
   require_fit(mesh_E);
   require_fit(mesh_F);
-  data_ =
-      std::make_unique<const Data>(Data{make_surface(std::move(mesh_E)), make_surface(std::move(mesh_F)), law, mode});
+  data_ = std::make_unique<const Data>(
+      Data{make_surface(std::move(mesh_E)), make_surface(std::move(mesh_F)), law, mode, scheme});
 }
 
 Oracle::~Oracle() = default;

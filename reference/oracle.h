@@ -15,7 +15,8 @@ namespace pcm::reference {
 class Oracle {
  public:
   /// Throws BadInput where a mesh is unfit for contact or a parameter of the law is out of its range.
-  Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law = {}, Mode mode = Mode::E);
+  Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law = {}, Mode mode = Mode::E,
+         Scheme scheme = Scheme::barycentric);
   ~Oracle();
 
   /// Throws BadInput where the pose is no rotation or anything is not finite.
