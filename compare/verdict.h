@@ -38,9 +38,10 @@ enum class Kind : std::uint8_t {
   penetration,        ///< greatest penetration, or whether it exceeds the law's bound
   force,              ///< force on E
   torque,             ///< torque on E about Mf
+  bound,              ///< the engine's own bound on the error of force or torque broken, or a flip it did not announce
 };
 
-inline constexpr int kKinds = 20;
+inline constexpr int kKinds = 21;
 
 /// The kind as a word of the tables, e.g. "polygon cycle".
 std::string_view name(Kind kind);
@@ -51,10 +52,12 @@ struct Disagreement {
   std::string text;
 };
 
-/// Every disagreement between the engine and the oracle's answer to the rounded problem, at most one of each kind, in
-/// the order of the kinds. Where discrete facts disagree, the values that hang on them are not compared.
+/// Every disagreement between the engine and the oracle's answer to the rounded problem, and every breach of the
+/// engine's own bounds by its answer to the exact problem; at most one of each kind, in the order of the kinds. Where
+/// discrete facts disagree, the values that hang on them are not compared. Elements of the clipped scheme are not held
+/// one by one, for slivers may come and go: there the engine's bounds hold force and torque.
 std::vector<Disagreement> disagreements(const Question& question, const fast::Contact& subj,
-                                        const reference::Answer& true_rounded);
+                                        const reference::Answer& true_rounded, const reference::Answer& true_exact);
 
 /// Rounding errors of the engine against the oracle's answer to the exact problem, relative as DESIGN section 3 states
 /// them and then divided by S/p: the measure is 1e-13. Absent where there is nothing to relate to: no contact, areas of
@@ -66,6 +69,8 @@ struct RelativeErrors {
   std::optional<double> penetration;  ///< greatest penetration, relative to itself
   std::optional<double> force;        ///< relative to the sum of |F_k|
   std::optional<double> torque;       ///< relative to the sum of |C_k - r| |F_k|
+  std::optional<double> force_bound;  ///< the engine's own bounds, stated like the errors they bound; absent where
+  std::optional<double> torque_bound;  ///< infinite
 };
 
 /// True where the two problems' elements cannot be told to be the same: the oracle does not certify the pose, or the

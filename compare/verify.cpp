@@ -45,11 +45,11 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
     try {
-      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.mode);
+      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.mode, plan_.scheme);
       // All faces of a nested guest are active: tens of thousands cost the oracle tens of seconds a pose.
       if (!wants_nested || !pair.for_all_strata || pair.faces() > kMostNestedFaces) return;
       if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
-        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.mode);
+        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.mode, plan_.scheme);
     } catch (const BadInput& error) {
       throw BadInput("pair " + pair.name + ": " + error.what());
     }
@@ -142,6 +142,7 @@ Case Verification::as_case(const Finding& finding) const {
   posed.velocity = drawn.velocity;
   posed.law = pair.law;
   posed.mode = plan_.mode;
+  posed.scheme = plan_.scheme;
   return posed;
 }
 
@@ -198,6 +199,7 @@ nlohmann::ordered_json Verification::identity() const {
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
   json["mode"] = static_cast<int>(plan_.mode);
+  json["scheme"] = static_cast<int>(plan_.scheme);
   for (const Stratum stratum : plan_.strata) json["strata"].push_back(std::string(name(stratum)));
   for (const SurfacePair& pair : plan_.pairs) json["pairs"].push_back({pair.name, sha256(pair.E), sha256(pair.F)});
   return json;
@@ -220,7 +222,7 @@ nlohmann::ordered_json Verification::state() const {
 
 void Verification::restore(const nlohmann::ordered_json& state) {
   if (state.at("run") != identity())
-    throw BadInput("it holds another run (other poses, seed, strata, mode or surfaces); choose another folder");
+    throw BadInput("it holds another run (other poses, seed, strata, mode, scheme or surfaces); choose another folder");
   for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
   batches_done_ = state.at("batches_done").get<std::int64_t>();
   findings_.clear();

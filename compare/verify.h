@@ -22,6 +22,7 @@ struct VerificationPlan {
   std::uint64_t seed = 1;
   std::vector<Stratum> strata{kStrata.begin(), kStrata.end()};
   Mode mode = Mode::both;
+  Scheme scheme = Scheme::barycentric;
   std::vector<SurfacePair> pairs;
 };
 
