@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/tally.h"
 
+#include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <climits>
 #include <cmath>
@@ -116,6 +117,10 @@ void Tally::merge(const Tally& other) {
   engine_seconds.merge(other.engine_seconds);
   oracle_seconds.merge(other.oracle_seconds);
   oracle_exact_seconds.merge(other.oracle_exact_seconds);
+}
+
+double Tally::error_quantile(std::size_t k, double q) const {
+  return std::min(errors[k].quantile(q), worst[k].value);
 }
 
 double Tally::disagreement_rate_bound() const {

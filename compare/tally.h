@@ -89,6 +89,9 @@ struct Tally {
   void add(const PoseOutcome& outcome, const std::string& pose);
   void merge(const Tally& other);
 
+  /// Quantile q of error k: rounded up by the histogram, but never above the greatest.
+  double error_quantile(std::size_t k, double q) const;
+
   /// Upper end of the one-sided 95 % confidence interval (Clopper and Pearson 1934) of the rate of disagreeing poses;
   /// about 3 / n where there was none.
   double disagreement_rate_bound() const;

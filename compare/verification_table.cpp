@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
+#include <array>
 #include <vector>
 
 namespace pcm::compare {
@@ -19,12 +18,9 @@ struct Row {
 
 std::vector<Row> rows(const Verification& run) {
   std::vector<Row> table;
-  std::map<Stratum, Tally> by_stratum;
-  for (const Cell& cell : run.cells()) {
+  for (const Cell& cell : run.cells())
     table.push_back({run.plan().pairs[cell.pair].name, std::string(name(cell.stratum)), cell.tally});
-    by_stratum[cell.stratum].merge(cell.tally);
-  }
-  for (const auto& [stratum, tally] : by_stratum) table.push_back({"**all**", std::string(name(stratum)), tally});
+  for (const NamedTally& stratum : run.by_stratum()) table.push_back({"**all**", stratum.name, stratum.tally});
   table.push_back({"**all**", "**all**", run.total()});
   return table;
 }
@@ -43,15 +39,10 @@ double exact_fallback_rate(const Tally& tally) {
 
 constexpr std::array<double, 3> kQuantiles = {0.5, 0.99, 0.999};
 
-/// A quantile of error k; rounded up by the histogram, but never above the maximum.
-double quantile(const Tally& tally, std::size_t k, double q) {
-  return std::min(tally.errors[k].quantile(q), tally.worst[k].value);
-}
-
 std::string error_cell(const Tally& tally, std::size_t k) {
   if (tally.errors[k].count() == 0) return "-";
   std::string text;
-  for (const double q : kQuantiles) text += fmt::format("{:.1e} / ", quantile(tally, k, q));
+  for (const double q : kQuantiles) text += fmt::format("{:.1e} / ", tally.error_quantile(k, q));
   return text + fmt::format("{:.1e}", tally.worst[k].value);
 }
 
@@ -133,7 +124,7 @@ std::string verification_csv(const Verification& run) {
                     t.disagreement_rate_bound(), t.backward_error_ulps.value, t.backward_error_ulps.pose);
     for (std::size_t k = 0; k < kErrors; ++k) {
       text += fmt::format(",{}", t.errors[k].count());
-      for (const double q : kQuantiles) text += fmt::format(",{}", quantile(t, k, q));
+      for (const double q : kQuantiles) text += fmt::format(",{}", t.error_quantile(k, q));
       text += fmt::format(",{},{}", t.worst[k].value, t.worst[k].pose);
     }
     text += "\n";
@@ -168,9 +159,9 @@ nlohmann::ordered_json verification_json(const Verification& run) {
     entry["rate_bound_95"] = t.disagreement_rate_bound();
     entry["backward_error_ulps"] = {{"max", t.backward_error_ulps.value}, {"pose", t.backward_error_ulps.pose}};
     for (std::size_t k = 0; k < kErrors; ++k)
-      entry["errors"][kErrorNames[k]] = {{"count", t.errors[k].count()}, {"median", quantile(t, k, 0.5)},
-                                         {"p99", quantile(t, k, 0.99)},  {"p99.9", quantile(t, k, 0.999)},
-                                         {"max", t.worst[k].value},      {"pose", t.worst[k].pose}};
+      entry["errors"][kErrorNames[k]] = {{"count", t.errors[k].count()},     {"median", t.error_quantile(k, 0.5)},
+                                         {"p99", t.error_quantile(k, 0.99)}, {"p99.9", t.error_quantile(k, 0.999)},
+                                         {"max", t.worst[k].value},          {"pose", t.worst[k].pose}};
     json["rows"].push_back(std::move(entry));
   }
   json["omissions"] = run.omissions();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <mutex>
 
 #include "compare/sha256.h"
@@ -34,6 +35,14 @@ std::uint64_t stream_of(const std::string& pair_name) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : pair_name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
+}
+
+/// The cells that have the same value of `key`, together.
+template <class Key>
+std::map<Key, Tally> merged(const std::vector<Cell>& cells, Key Cell::*key) {
+  std::map<Key, Tally> groups;
+  for (const Cell& cell : cells) groups[cell.*key].merge(cell.tally);
+  return groups;
 }
 
 }  // namespace
@@ -108,6 +117,19 @@ Tally Verification::total() const {
   Tally total;
   for (const Cell& cell : cells_) total.merge(cell.tally);
   return total;
+}
+
+std::vector<NamedTally> Verification::by_pair() const {
+  std::vector<NamedTally> tallies;
+  for (const auto& [pair, tally] : merged(cells_, &Cell::pair)) tallies.push_back({plan_.pairs[pair].name, tally});
+  return tallies;
+}
+
+std::vector<NamedTally> Verification::by_stratum() const {
+  std::vector<NamedTally> tallies;
+  for (const auto& [stratum, tally] : merged(cells_, &Cell::stratum))
+    tallies.push_back({std::string(name(stratum)), tally});
+  return tallies;
 }
 
 std::string Verification::pose_name(const Cell& cell, std::int64_t pose) const {

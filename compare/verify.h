@@ -34,6 +34,12 @@ struct Cell {
   Tally tally;
 };
 
+/// What cells of one name have together.
+struct NamedTally {
+  std::string name;
+  Tally tally;
+};
+
 /// A pose with a disagreement, kept for its case file.
 struct Finding {
   std::size_t cell = 0;
@@ -61,6 +67,10 @@ class Verification {
   std::int64_t batches_done() const { return batches_done_; }
   bool finished() const { return batches_done_ == batches_; }
   Tally total() const;
+  /// The cells of each pair together, in the plan's order; without pairs that have no cell.
+  std::vector<NamedTally> by_pair() const;
+  /// The cells of each stratum together, in the order of Stratum; without strata that have no cell.
+  std::vector<NamedTally> by_stratum() const;
   /// Strata of pairs that are not to be had, in words.
   const std::vector<std::string>& omissions() const { return omissions_; }
 
