@@ -75,7 +75,9 @@ PoseOutcome Scene::hold(const Pose& pose, const Velocity& velocity, fast::Worksp
     outcome.unbounded = subj.bound && !(subj.bound->force_Me.allFinite() && subj.bound->torque_Me.allFinite());
     outcome.predicates = subj.work.predicates;
     outcome.exact_predicates = subj.work.exact_predicates;
-    outcome.disagreements = disagreements(asked, subj, true_rounded, true_exact);
+    outcome.disagreements = disagreements(asked, subj, true_rounded);
+    for (Disagreement& broken : broken_bounds(asked, subj, true_rounded, true_exact))
+      outcome.disagreements.push_back(std::move(broken));
     outcome.errors = relative_errors(asked, subj, true_exact, outcome.flipped);
     outcome.backward_error_ulps = backward_error_ulps(mesh_F_, pose);
   } catch (const std::exception& error) {

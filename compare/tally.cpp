@@ -131,7 +131,8 @@ double Tally::disagreement_rate_bound() const {
 
 nlohmann::ordered_json Tally::to_json() const {
   nlohmann::ordered_json json;
-  json["counts"] = {poses, touching, nested, ambiguous, flipped, unbounded, too_deep, disagreeing, predicates, exact_predicates};
+  json["counts"] = {poses,     touching, nested,      ambiguous,  flipped,
+                    unbounded, too_deep, disagreeing, predicates, exact_predicates};
   json["by_kind"] = by_kind;
   for (std::size_t k = 0; k < errors.size(); ++k)
     json["errors"].push_back({errors[k].to_json(), worst[k].value, worst[k].pose});
@@ -143,8 +144,9 @@ nlohmann::ordered_json Tally::to_json() const {
 Tally Tally::from_json(const nlohmann::ordered_json& json) {
   Tally tally;
   std::size_t at = 0;
-  for (std::int64_t* count : {&tally.poses, &tally.touching, &tally.nested, &tally.ambiguous, &tally.flipped, &tally.unbounded,
-                              &tally.too_deep, &tally.disagreeing, &tally.predicates, &tally.exact_predicates})
+  for (std::int64_t* count :
+       {&tally.poses, &tally.touching, &tally.nested, &tally.ambiguous, &tally.flipped, &tally.unbounded,
+        &tally.too_deep, &tally.disagreeing, &tally.predicates, &tally.exact_predicates})
     *count = json.at("counts").at(at++).get<std::int64_t>();
   tally.by_kind = json.at("by_kind").get<std::array<std::int64_t, kKinds>>();
   for (std::size_t k = 0; k < tally.errors.size(); ++k) {

@@ -52,24 +52,30 @@ struct Disagreement {
   std::string text;
 };
 
-/// Every disagreement between the engine and the oracle's answer to the rounded problem, and every breach of the
-/// engine's own bounds by its answer to the exact problem; at most one of each kind, in the order of the kinds. Where
-/// discrete facts disagree, the values that hang on them are not compared. Elements of the clipped scheme are not held
-/// one by one, for slivers may come and go: there the engine's bounds hold force and torque.
+/// Every disagreement between the engine and the oracle's answer to the rounded problem, at most one of each kind, in
+/// the order of the kinds. Where discrete facts disagree, the values that hang on them are not compared. Elements of
+/// the clipped scheme are not held one by one, for slivers may come and go: there the engine's own bounds hold force
+/// and torque.
 std::vector<Disagreement> disagreements(const Question& question, const fast::Contact& subj,
+                                        const reference::Answer& true_rounded);
+
+/// Breaches of the engine's own bounds, where it gave any: by a component of force or torque, or by an element that the
+/// exact problem has and the rounded one has not (or the reverse) while the engine calls its elements certain. At most
+/// one, of kind `bound`.
+std::vector<Disagreement> broken_bounds(const Question& question, const fast::Contact& subj,
                                         const reference::Answer& true_rounded, const reference::Answer& true_exact);
 
 /// Rounding errors of the engine against the oracle's answer to the exact problem, relative as DESIGN section 3 states
 /// them and then divided by S/p: the measure is 1e-13. Absent where there is nothing to relate to: no contact, areas of
 /// coplanar faces that are an interval, elements of a pose that is `flipped`.
 struct RelativeErrors {
-  std::optional<double> area;         ///< the worse of both surfaces, relative to the area
-  std::optional<double> vector_area;  ///< likewise, relative to the area
-  std::optional<double> volume;       ///< relative to area times p
-  std::optional<double> penetration;  ///< greatest penetration, relative to itself
-  std::optional<double> force;        ///< relative to the sum of |F_k|
-  std::optional<double> torque;       ///< relative to the sum of |C_k - r| |F_k|
-  std::optional<double> force_bound;  ///< the engine's own bounds, stated like the errors they bound; absent where
+  std::optional<double> area;          ///< the worse of both surfaces, relative to the area
+  std::optional<double> vector_area;   ///< likewise, relative to the area
+  std::optional<double> volume;        ///< relative to area times p
+  std::optional<double> penetration;   ///< greatest penetration, relative to itself
+  std::optional<double> force;         ///< relative to the sum of |F_k|
+  std::optional<double> torque;        ///< relative to the sum of |C_k - r| |F_k|
+  std::optional<double> force_bound;   ///< the engine's own bounds, stated like the errors they bound; absent where
   std::optional<double> torque_bound;  ///< infinite
 };
 

@@ -17,7 +17,7 @@ std::string agreement_row(const std::string& label, const Tally& t) {
 
 std::string error_row(const std::string& label, const Tally& t) {
   std::string row = fmt::format("{:<16}", label);
-  for (std::size_t k = 0; k < kErrors; ++k) {
+  for (std::size_t k = 0; k < kFirstBound; ++k) {
     if (t.errors[k].count() == 0) {
       row += fmt::format("{:>16}", "-");
       continue;
@@ -25,6 +25,29 @@ std::string error_row(const std::string& label, const Tally& t) {
     row += fmt::format("{:>16}", fmt::format("{:.0e} {:.0e}", t.error_quantile(k, 0.999), t.worst[k].value));
   }
   return row + "\n";
+}
+
+std::string bound_row(const std::string& label, const Tally& t) {
+  std::string row = fmt::format("{:<16}{:>9}{:>10}{:>11}", label, t.by_kind[static_cast<std::size_t>(Kind::bound)],
+                                t.errors[kFirstBound].count(), t.unbounded);
+  for (std::size_t k = kFirstBound; k < kErrors; ++k)
+    row +=
+        t.errors[k].count() == 0
+            ? fmt::format("{:>20}", "-")
+            : fmt::format("{:>20}", fmt::format("{:.0e} {:.0e}", t.error_quantile(k, 0.5), t.error_quantile(k, 0.999)));
+  return row + "\n";
+}
+
+/// The engine's own bounds on its rounding error; nothing where it gave none.
+std::string bounds_table(const std::vector<NamedTally>& strata, const Tally& all) {
+  if (all.errors[kFirstBound].count() + all.unbounded == 0) return "";
+  std::string text =
+      "\nThe engine's own bounds on these errors of force and torque: how often broken; how many are finite (with a\n"
+      "force) and how many infinite; median and 99.9th percentile in the same units\n";
+  text += fmt::format("{:<16}{:>9}{:>10}{:>11}{:>20}{:>20}\n", "stratum", "broken", "finite", "infinite", "force bound",
+                      "torque bound");
+  for (const auto& [label, tally] : strata) text += bound_row(label, tally);
+  return text + bound_row("all", all);
 }
 
 }  // namespace
@@ -44,10 +67,11 @@ std::string verification_summary(const Verification& run) {
       "\nRounding error of the engine against the exact problem: 99.9th percentile and maximum, in units of S/p\n"
       "(S: greatest coordinate, p: mean thickness of the intersection; force and torque without flipped poses)\n";
   text += fmt::format("{:<16}", "stratum");
-  for (const char* error : kErrorNames) text += fmt::format("{:>16}", error);
+  for (std::size_t k = 0; k < kFirstBound; ++k) text += fmt::format("{:>16}", kErrorNames[k]);
   text += "\n";
   for (const auto& [label, tally] : strata) text += error_row(label, tally);
   text += error_row("all", all);
+  text += bounds_table(strata, all);
   for (const std::string& omission : run.omissions()) text += "\n" + omission + "\n";
   return text;
 }
