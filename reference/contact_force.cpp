@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "reference/lifted_pose.h"
 #include "reference/settle.h"
 
 namespace pcm::reference {
@@ -13,25 +12,6 @@ namespace {
 
 constexpr mpfr_prec_t kFirstPrecision = 120;
 constexpr mpfr_prec_t kLastPrecision = 1280;
-
-/// The rational part of an element: everything that needs no unit vector.
-template <class T>
-struct Geometry {
-  Vec3<T> N;           ///< doubled normal of the master face
-  Vec3<T> slave_N;     ///< and of the slave face
-  Vec3<T> barycentre;  ///< C_e (8)
-  T q;                 ///< u_k = q |N| before clamping (11)
-};
-
-template <class T>
-Geometry<T> geometry_of(LiftedPose<T>& pose, const ElementPair& element) {
-  const auto p = pose.corners(element.master, element.master_face);
-  const auto f = pose.corners(other(element.master), element.slave_face);
-  Geometry<T> g{doubled_normal(p[0], p[1], p[2]), doubled_normal(f[0], f[1], f[2]),
-                T(pose.number(1.0) / pose.number(3.0)) * (p[0] + p[1] + p[2]), pose.number(0.0)};
-  g.q = dot(g.barycentre - f[0], g.slave_N) / dot(g.N, g.slave_N);
-  return g;
-}
 
 /// What the law needs of both bodies' layers.
 template <class T>
@@ -51,10 +31,10 @@ Layers<T> layers_of(const ContactLaw& law, Side master, const LiftedPose<T>& pos
   return {pose.number(c_master) * pose.number(c_slave) / sum, pose.number(c_slave) / sum};
 }
 
-/// C_k = C_e + share * u_k n_k (13), with u_k n_k = -q N.
+/// C_k = foot + share * u_k n_k (13), with u_k n_k = -q N.
 template <class T>
-Vec3<T> position_of(const Geometry<T>& g, const T& q, const T& share) {
-  return g.barycentre - T(share * q) * g.N;
+Vec3<T> position_of(const ElementGeometry<T>& g, const T& q, const T& share) {
+  return g.foot - T(share * q) * g.N;
 }
 
 /// v_k (17), seen from the master: v + w x (C_k - r) for master E, the opposite for master F.
@@ -72,25 +52,29 @@ Vec3<T> tangential_part(const Vec3<T>& v, const Vec3<T>& N) {
 
 /// Decisions of the law that enclosures cannot make, made with rational numbers once.
 struct Decisions {
-  bool exceeded = false;  ///< u_k > max_penetration
+  bool exceeded = false;  ///< the greatest u is deeper than max_penetration
+  bool clamped = false;   ///< u_k is
   bool slips = true;      ///< v_t > 0; unknown, so taken as true, where the penetration is clamped
 };
 
-Decisions decide(LiftedPose<Rational>& pose, const ElementPair& element, const ContactLaw& law,
+Decisions decide(LiftedPose<Rational>& pose, const ElementSource& elements, std::size_t i, const ContactLaw& law,
                  const Velocity& velocity) {
   const bool bounded = std::isfinite(law.max_penetration);
   const bool dry = law.friction > 0 && law.slip_velocity == 0;
   Decisions decisions;
   if (!bounded && !dry) return decisions;
-  const Geometry<Rational> g = geometry_of(pose, element);
+  const ElementGeometry<Rational> g = elements.geometry(i, pose);
+  const Side master = elements.pair(i).master;
   if (bounded) {
     const Rational bound(law.max_penetration);
-    decisions.exceeded = g.q * g.q * dot(g.N, g.N) > bound * bound;
+    const auto deeper = [&](const Rational& q) { return q * q * dot(g.N, g.N) > bound * bound; };
+    decisions.exceeded = deeper(g.q_greatest);
+    decisions.clamped = deeper(g.q);
   }
-  if (dry && !decisions.exceeded) {
-    const Vec3<Rational> position = position_of(g, g.q, layers_of(law, element.master, pose).slave_share);
+  if (dry && !decisions.clamped) {
+    const Vec3<Rational> position = position_of(g, g.q, layers_of(law, master, pose).slave_share);
     const Vec3<Rational> arm = position - pose.vector(pose.pose().pose().r);
-    const Vec3<Rational> tangential = tangential_part(relative_velocity(velocity, arm, element.master, pose), g.N);
+    const Vec3<Rational> tangential = tangential_part(relative_velocity(velocity, arm, master, pose), g.N);
     decisions.slips = dot(tangential, tangential) != 0;
   }
   return decisions;
@@ -98,7 +82,7 @@ Decisions decide(LiftedPose<Rational>& pose, const ElementPair& element, const C
 
 /// All that is reported of an element.
 struct ElementValues {
-  Ball area, penetration, unclamped, cosine;
+  Ball area, penetration, greatest, cosine;
   Vec3<Ball> position, force_on_E, torque_on_E;
 };
 
@@ -114,20 +98,19 @@ Ball friction_slope(const Ball& v_t, double slip_velocity, bool slips, const Lif
   return regime ? one / v_t : hull(regularised, one / v_t);
 }
 
-ElementValues evaluate(LiftedPose<Ball>& pose, const ElementPair& element, const ContactLaw& law,
+ElementValues evaluate(const ElementGeometry<Ball>& g, Side master, const LiftedPose<Ball>& pose, const ContactLaw& law,
                        const Velocity& velocity, const Decisions& decisions) {
-  const Geometry<Ball> g = geometry_of(pose, element);
-  const Layers<Ball> layers = layers_of(law, element.master, pose);
+  const Layers<Ball> layers = layers_of(law, master, pose);
   const Ball length = sqrt(dot(g.N, g.N)), zero = pose.number(0.0);
-  const Ball q = decisions.exceeded ? pose.number(law.max_penetration) / length : g.q;
+  const Ball q = decisions.clamped ? pose.number(law.max_penetration) / length : g.q;
 
-  const Ball A_k = length / pose.number(2.0);                     // (6)
+  const Ball A_k = g.alpha * length;                              // (6)
   const Ball u_k = q * length;                                    // (11)
   const Vec3<Ball> n_k = Ball(pose.number(-1.0) / length) * g.N;  // (7)
   const Vec3<Ball> C_k = position_of(g, q, layers.slave_share);   // (13)
   const Vec3<Ball> arm = C_k - pose.vector(pose.pose().pose().r);
-  const Vec3<Ball> v_k = relative_velocity(velocity, arm, element.master, pose);  // (17)
-  const Ball v_n = dot(n_k, v_k);                                                 // (16)
+  const Vec3<Ball> v_k = relative_velocity(velocity, arm, master, pose);  // (17)
+  const Ball v_n = dot(n_k, v_k);                                         // (16)
 
   const Ball elastic = layers.stiffness * A_k * u_k;  // (14)
   const double u_d = law.transition_depth;
@@ -143,9 +126,9 @@ ElementValues evaluate(LiftedPose<Ball>& pose, const ElementPair& element, const
     const Ball slope = friction_slope(v_t, law.slip_velocity, decisions.slips, pose);
     F_k = F_k + Ball(pose.number(law.friction) * max(F_n, zero) * slope) * tangential;  // (20), (21)
   }
-  const Vec3<Ball> force_on_E = element.master == Side::E ? F_k : pose.number(-1.0) * F_k;
+  const Vec3<Ball> force_on_E = master == Side::E ? F_k : pose.number(-1.0) * F_k;
   const Ball slave_length = sqrt(dot(g.slave_N, g.slave_N));
-  return {A_k, u_k,        g.q * length,          dot(g.N, g.slave_N) / (length * slave_length),
+  return {A_k, u_k,        g.q_greatest * length, dot(g.N, g.slave_N) / (length * slave_length),
           C_k, force_on_E, cross(arm, force_on_E)};  // (22)
 }
 
@@ -172,7 +155,7 @@ void settle_totals(const std::vector<ElementValues>& elements, Mode mode, const 
     const Ball size = length_of(values.force_on_E);
     force_scale = force_scale + size;
     torque_scale = torque_scale + length_of(values.position - r) * size;
-    greatest = max(greatest, values.unclamped);
+    greatest = max(greatest, values.greatest);
   }
   const Ball factor = pose.number(mode == Mode::both ? 0.5 : 1.0);
   settle(factor * force, answer.force_Me);
@@ -184,27 +167,26 @@ void settle_totals(const std::vector<ElementValues>& elements, Mode mode, const 
 
 }  // namespace
 
-void report_force(const ExactPose& pose, const std::vector<ElementPair>& elements, const ContactLaw& law, Mode mode,
+void report_force(const ExactPose& pose, const ElementSource& elements, const ContactLaw& law, Mode mode,
                   const Velocity& velocity, const Wanted& wanted, Answer& answer) {
   LiftedPose<Rational> rationals(pose);
   std::vector<Decisions> decisions;
-  for (const ElementPair& element : elements) {
-    decisions.push_back(decide(rationals, element, law, velocity));
+  std::vector<Element> settled(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    decisions.push_back(decide(rationals, elements, i, law, velocity));
     answer.penetration_exceeded = answer.penetration_exceeded || decisions.back().exceeded;
-  }
-  std::vector<Element> settled;
-  for (const ElementPair& pair : elements) {
-    settled.emplace_back();
-    settled.back().master = pair.master;
-    settled.back().master_face = pair.master_face;
-    settled.back().slave_face = pair.slave_face;
+    const ElementPair pair = elements.pair(i);
+    settled[i].master = pair.master;
+    settled[i].master_face = pair.master_face;
+    settled[i].slave_face = pair.slave_face;
   }
   for (mpfr_prec_t precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
     LiftedPose<Ball> enclosures(pose, Field<Ball>{precision});
     Settler settle(2 * precision > kLastPrecision);
     std::vector<ElementValues> values;
     for (std::size_t i = 0; i < elements.size(); ++i)
-      values.push_back(evaluate(enclosures, elements[i], law, velocity, decisions[i]));
+      values.push_back(
+          evaluate(elements.geometry(i, enclosures), elements.pair(i).master, enclosures, law, velocity, decisions[i]));
     settle_totals(values, mode, enclosures, settle, answer);
     if (wanted.elements)
       for (std::size_t i = 0; i < elements.size(); ++i) settle_element(values[i], settle, settled[i]);
