@@ -6,7 +6,7 @@
 
 #include "reference/combinatorics.h"
 #include "reference/contact_elements.h"
-#include "reference/element_geometry.h"
+#include "reference/element_source.h"
 #include "reference/sight_lines.h"
 
 /// Elements of the clipped scheme (PCM section 6): the lower envelope of the slave's sheets, and of the master's own
@@ -34,9 +34,19 @@ struct ClippedElement {
 /// faces below it, each looked up in a tree of boxes.
 std::vector<ClippedElement> find_clipped_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics);
 
-/// alpha = area of P_ef in (s, t), q = (integral of d_f) / alpha, the greatest d_f at a corner, and the centre of
-/// pressure (integral of x d_f) / (integral of d_f). T: Rational or Ball.
-template <class T>
-ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ClippedElement& element);
+/// Their values by exact moments of a linear field over convex pieces: alpha = area of P_ef in (s, t), q = (integral of
+/// d_f) / alpha, q_greatest = the greatest d_f at a corner, foot = (integral of x d_f) / (integral of d_f).
+class ClippedElements final : public ElementSource {
+ public:
+  /// The elements must outlive this.
+  explicit ClippedElements(const std::vector<ClippedElement>& elements) : elements_(elements) {}
+  std::size_t size() const override { return elements_.size(); }
+  ElementPair pair(std::size_t i) const override { return elements_[i].faces; }
+  ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
+  ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
+
+ private:
+  const std::vector<ClippedElement>& elements_;
+};
 
 }  // namespace pcm::reference
