@@ -59,10 +59,10 @@ Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity&
     answer.too_deep = elements.too_deep;  // by the barycentres' lines in either scheme
     if (data_->scheme == Scheme::barycentric) {
       answer.certified = elements.certified;
-      report_force(pose, BarycentricElements(elements.pairs), data_->law, data_->mode, velocity, wanted, answer);
+      report_force({pose, BarycentricElements(elements.pairs), data_->law, data_->mode, velocity}, wanted, answer);
     } else {
       const std::vector<ClippedElement> clipped = find_clipped_elements(pose, data_->mode, found);
-      report_force(pose, ClippedElements(clipped), data_->law, data_->mode, velocity, wanted, answer);
+      report_force({pose, ClippedElements(clipped), data_->law, data_->mode, velocity}, wanted, answer);
     }
   }
   return answer;
