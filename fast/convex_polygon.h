@@ -92,13 +92,37 @@ inline void keep_where_not_negative(ConvexPolygon& polygon, int coordinate) {
   keep_where_not_negative(polygon, heights);
 }
 
-/// Integrals over polygons in (s, t), exact for their linear field.
+/// How far points may be off in s and t through roundings, none of which is a tolerance: an error bound.
+struct Uncertainty {
+  double s = 0;
+  double t = 0;
+};
+
+/// Integrals over polygons in (s, t), exact for their linear field. A polygon no larger than its own error may be none
+/// at all and counts as none: its mean or greatest depth would mean nothing.
 struct Moments {
   double area = 0;      ///< of 1; a whole face has 1/2
   double depth = 0;     ///< of the depth, m
   double s_depth = 0;   ///< of s times the depth, m
   double t_depth = 0;   ///< of t times the depth, m
   double greatest = 0;  ///< greatest depth at a vertex, m
+
+  void add_if_certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty) {
+    Moments moments;
+    moments.add(polygon);
+    PrismPoint low = polygon[0], high = low;
+    for (int i = 1; i < polygon.count; ++i) {
+      low = low.cwiseMin(polygon[i]);
+      high = high.cwiseMax(polygon[i]);
+    }
+    const PrismPoint extent = high - low;
+    if (!(moments.area > extent[kT] * uncertainty.s + extent[kS] * uncertainty.t)) return;
+    area += moments.area;
+    depth += moments.depth;
+    s_depth += moments.s_depth;
+    t_depth += moments.t_depth;
+    greatest = std::max(greatest, moments.greatest);
+  }
 
   /// A fan of triangles about the first vertex. Over a triangle of area T a linear function integrates to T times the
   /// mean of its corner values, the product x d of two to T / 12 (sum x sum d + sum of x_i d_i).

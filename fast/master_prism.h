@@ -24,6 +24,12 @@ class MasterPrism {
   /// in the face's plane: what is flush is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
 
+  /// How far lines through points seen by the prism may be off, given the points: 16 u covers the roundings of a
+  /// distance, of the direction it is measured in and of a cut. Multiplied with the greatest distance from p0.
+  Uncertainty uncertainty(double distance) const {
+    return {16 * 0x1p-53 * distance * length(inward_Me_[2]), 16 * 0x1p-53 * distance * length(inward_Me_[0])};
+  }
+
   /// The face's own corner k, exactly.
   static PrismPoint corner(int k) {
     PrismPoint point = PrismPoint::Zero();
