@@ -3,8 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string_view>
-#include <vector>
+#include <array>
+#include <cstdint>
 
 #include "fast/engine.h"
 #include "fast/inputs.h"
@@ -14,7 +14,7 @@
 namespace pcm::compare {
 
 inline constexpr std::array kModes = {Mode::E, Mode::F, Mode::both};
-inline constexpr std::array kSchemes = {Scheme::barycentric, Scheme::clipped};
+inline constexpr std::array kSchemes = {Scheme::barycentric};
 
 /// How many fixed orientations there are.
 inline constexpr int kOrientations = 20;
@@ -49,6 +49,13 @@ TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& R);
 
 /// Root mean square of the edge lengths, each weighted by the area of its faces, m.
 double mean_edge(const TriangleMesh& mesh);
+
+/// How far a force that is exact but for rounding may be off, relative to it: a vertex rounded at the size S moves the
+/// penetration u by a few units of roundoff times S, and each of the sums over vertices, polygons and elements that
+/// follow adds a few more, all of the same condition S / u.
+inline double rounding(double size_over_depth) {
+  return 64 * 0x1p-53 * size_over_depth;
+}
 
 std::int64_t faces_of(const fast::Surface& E, const fast::Surface& F);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -96,27 +97,97 @@ Series pressed(const Meshes& meshes, double h, Mode mode, Scheme scheme) {
   return series;
 }
 
-/// What a series with meshes that converge to the closed form must show.
-void expect_second_order(Series& series, double h) {
+/// The mean over the orientations follows the leading term to a few per cent.
+void expect_second_order(Series& series, double h, Extent extent) {
   const double e = series.levels.back().edge;
-  series.levels.back().deviation = between(0.85, 1.2, leading(series.mode, series.scheme, h) * e * e);
-  series.order = Band{1.9, 2.1};
+  const double part = extent == Extent::full ? 0.05 : 0.2;
+  series.levels.back().deviation = between(1 - part, 1 + part, leading(series.mode, series.scheme, h) * e * e);
+  // A contact of a few edges is not yet in the range of the leading term.
+  if (extent == Extent::full || series.levels.back().across > 20) series.order = Band{1.9, 2.1};
+  series.reason = fmt::format("leading term of the inscribed mesh: {:.4g} (e/r)^2, to {:.0f} %",
+                              leading(series.mode, series.scheme, h), 100 * part);
 }
 
-KnownAnswer problem_of(const Meshes& meshes, const std::string& id, Mode mode, const std::string& title,
-                       const std::string& formula) {
+constexpr const char* kProblem =
+    "An inscribed icosphere of radius r = 1 m, its centre and orientation varied, is pressed by h into the top of a "
+    "square plate; K = 1 N/m^3. Mean over the orientations.";
+
+KnownAnswer sphere_on_plane(const Meshes& meshes, Extent extent, const std::string& id, Mode mode,
+                            const std::string& title, const std::string& formula) {
   KnownAnswer problem;
   problem.id = id;
   problem.title = title;
-  problem.problem =
-      "An inscribed icosphere of radius 1 m, in fixed orientations, is pressed by h into the top of a square plate; "
-      "areal stiffness 1 N/m^3.";
-  problem.reference = formula + "; CASES A2 to A4, by integration of the depth over the master's surface.";
+  problem.problem = kProblem;
+  problem.reference = formula + " (integral over the master's surface; CASES " + id + ")";
   for (const double h : {0.01, 0.05, 0.2})
     for (const Scheme scheme : kSchemes) {
       Series& series = problem.series.emplace_back(pressed(meshes, h, mode, scheme));
-      expect_second_order(series, h);
+      expect_second_order(series, h, extent);
     }
+  return problem;
+}
+
+/// The depth at which both models give the same force sets Hertz' modulus; at a quarter of it he gives twice as much,
+/// for his force goes with h^1.5 and the foundation's with h^2.
+KnownAnswer hertz(const Meshes& meshes, Extent extent) {
+  KnownAnswer problem;
+  problem.id = "A18";
+  problem.title = "Hertz, sphere on half-space";
+  problem.problem =
+      std::string(kProblem) + " Hertz' effective modulus E* is set so that both models give one force at h = 0.2 r.";
+  problem.reference = "F = (4/3) E* sqrt(r) h^1.5, h = (4 E* / (3 pi K))^2 / r (Hertz 1882; CASES A18), for comparison";
+  const double equal_at = 0.2 * kRadius;
+  for (const double part : {1.0, 0.25})
+    for (const Scheme scheme : kSchemes) {
+      const double h = part * equal_at;
+      Series& series = problem.series.emplace_back(pressed(meshes, h, Mode::E, scheme));
+      series.quantity = part == 1 ? "F_z, h/r = 0.2, in F_Hertz" : "2 F_z, h/r = 0.05, in F_Hertz";
+      series.reference = 1;
+      series.scale = 1;
+      const auto factor = static_cast<double>(
+          1 / (std::sqrt(static_cast<long double>(part)) * closed_forms::hertz_equal_at(kRadius, equal_at, h)));
+      series.measure = [force = series.measure, factor](std::size_t level, int orientation,
+                                                        fast::Workspace& workspace) {
+        return factor * force(level, orientation, workspace);
+      };
+      expect_second_order(series, h, extent);
+    }
+  return problem;
+}
+
+/// CASES D: the error of inscribed icospheres of 320 to 20480 triangles, printed there in per cent for one random
+/// orientation each; it guides the mean to a tenth of its size, and half a unit of its last digit.
+KnownAnswer error_of_the_mesh(const Meshes& meshes) {
+  struct Printed {
+    double h;
+    Scheme scheme;
+    std::array<double, 4> percent;
+    std::array<double, 4> half_digit;
+  };
+  const std::array<Printed, 6> table{{
+      {0.01, Scheme::barycentric, {-100, -62, -18.7, -4.8}, {0.5, 0.5, 0.05, 0.05}},
+      {0.01, Scheme::clipped, {-96, -49, -14.2, -3.7}, {0.5, 0.5, 0.05, 0.05}},
+      {0.05, Scheme::barycentric, {-51, -14.9, -3.9, -0.93}, {0.5, 0.05, 0.05, 0.005}},
+      {0.05, Scheme::clipped, {-40, -11.4, -2.9, -0.71}, {0.5, 0.05, 0.05, 0.005}},
+      {0.2, Scheme::barycentric, {-15.1, -3.9, -0.99, -0.25}, {0.05, 0.05, 0.005, 0.005}},
+      {0.2, Scheme::clipped, {-11.7, -3.0, -0.77, -0.19}, {0.05, 0.05, 0.005, 0.005}},
+  }};
+  Meshes first = meshes;
+  first.levels.resize(4);
+  KnownAnswer problem;
+  problem.id = "D";
+  problem.title = "how much of an error is the mesh's";
+  problem.problem = kProblem;
+  problem.reference = "F = K pi r h^2 (sphere master); printed deviations of CASES D, one random orientation each";
+  for (const Printed& printed : table) {
+    if (std::find(kSchemes.begin(), kSchemes.end(), printed.scheme) == kSchemes.end()) continue;
+    Series& series = problem.series.emplace_back(pressed(first, printed.h, Mode::E, printed.scheme));
+    series.reason = fmt::format("printed: {} % to a tenth", fmt::join(printed.percent, ", "));
+    for (std::size_t l = 0; l < 4; ++l) {
+      const double about = printed.percent[l] / 100, off = 0.1 * std::abs(about) + printed.half_digit[l] / 100;
+      series.levels[l].deviation = {about - off, about + off};
+    }
+  }
   return problem;
 }
 
@@ -124,9 +195,14 @@ KnownAnswer problem_of(const Meshes& meshes, const std::string& id, Mode mode, c
 
 std::vector<KnownAnswer> spheres_on_planes(Extent extent) {
   const Meshes meshes = meshes_for(extent);
-  return {problem_of(meshes, "A2", Mode::E, "sphere on plane, sphere master", "F = K pi r h^2"),
-          problem_of(meshes, "A3", Mode::F, "sphere on plane, plane master", "F = K pi h^2 (r - h/3)"),
-          problem_of(meshes, "A4", Mode::both, "sphere on plane, both masters", "F = K pi h^2 (r - h/6)")};
+  std::vector<KnownAnswer> problems{
+      sphere_on_plane(meshes, extent, "A2", Mode::E, "sphere on plane, sphere master", "F = K pi r h^2"),
+      sphere_on_plane(meshes, extent, "A3", Mode::F, "sphere on plane, plane master", "F = K pi h^2 (r - h/3)"),
+      sphere_on_plane(meshes, extent, "A4", Mode::both, "sphere on plane, both masters", "F = K pi h^2 (r - h/6)"),
+      hertz(meshes, extent)};
+  // A few orientations say nothing about where a single one of the table lies.
+  if (extent == Extent::full) problems.push_back(error_of_the_mesh(meshes));
+  return problems;
 }
 
 }  // namespace pcm::compare

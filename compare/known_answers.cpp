@@ -15,6 +15,9 @@
 namespace pcm::compare {
 namespace {
 
+/// Relative deviations up to this are rounding and have no order.
+constexpr double kRounding = 0x1p-40;
+
 /// One evaluation of a series.
 struct Task {
   std::size_t series = 0;
@@ -84,8 +87,8 @@ Convergence convergence(const std::vector<Resolution>& levels, const std::vector
   if (n < 3) return c;
   const LevelResult &coarse = results[n - 3], &middle = results[n - 2], &fine = results[n - 1];
   const double log_ratio = std::log(levels[n - 3].edge / levels[n - 1].edge);
-  if (coarse.deviation / fine.deviation > 0 && std::isfinite(coarse.deviation / fine.deviation))
-    c.order = std::log(coarse.deviation / fine.deviation) / log_ratio;
+  if (!(std::abs(fine.deviation) > kRounding)) return c;
+  if (coarse.deviation / fine.deviation > 0) c.order = std::log(coarse.deviation / fine.deviation) / log_ratio;
 
   const double step = fine.value - middle.value;
   const double ratio_of_steps = (middle.value - coarse.value) / step;
