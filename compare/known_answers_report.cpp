@@ -3,6 +3,7 @@
 #include "compare/known_answers_report.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,28 @@ std::size_t KnownAnswersReport::missed_rows() const {
 std::size_t KnownAnswersReport::missed_identities() const {
   return static_cast<std::size_t>(
       std::count_if(identities.begin(), identities.end(), [](const IdentityResult& i) { return !i.passed(); }));
+}
+
+KnownAnswersReport run_known_answers(Extent extent, std::uint64_t seed, int jobs,
+                                     const std::function<void(const std::string&)>& progress) {
+  KnownAnswersReport report;
+  oneapi::tbb::task_arena arena(jobs);
+  arena.execute([&] {
+    for (const KnownAnswerFamily family : known_answer_families())
+      for (KnownAnswer& problem : family(extent)) {
+        progress(problem.id + ": " + problem.title);
+        report.problems.push_back(run(std::move(problem)));
+      }
+    progress("identities");
+    report.identities = check_identities(seed, extent);
+  });
+  // By number, and what has none at the end.
+  std::stable_sort(
+      report.problems.begin(), report.problems.end(), [](const KnownAnswerResult& a, const KnownAnswerResult& b) {
+        const std::string &x = a.problem.id, &y = b.problem.id;
+        return x.front() != y.front() ? x.front() < y.front() : x.size() != y.size() ? x.size() < y.size() : x < y;
+      });
+  return report;
 }
 
 std::string problem_markdown(const KnownAnswerResult& result) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -22,6 +24,11 @@ struct KnownAnswersReport {
   std::size_t missed_identities() const;
   bool met() const { return missed_rows() == 0 && missed_identities() == 0; }
 };
+
+/// Runs all families and identities on `jobs` threads; `progress` is told what comes next. The same report whatever the
+/// number of threads.
+KnownAnswersReport run_known_answers(Extent extent, std::uint64_t seed, int jobs,
+                                     const std::function<void(const std::string&)>& progress);
 
 /// One page: problem, reference and its source, a table of rows and one of their levels.
 std::string problem_markdown(const KnownAnswerResult& result);
