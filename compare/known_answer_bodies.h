@@ -14,7 +14,7 @@
 namespace pcm::compare {
 
 inline constexpr std::array kModes = {Mode::E, Mode::F, Mode::both};
-inline constexpr std::array kSchemes = {Scheme::barycentric};
+inline constexpr std::array kSchemes = {Scheme::barycentric, Scheme::clipped};
 
 /// How many fixed orientations there are.
 inline constexpr int kOrientations = 20;

@@ -56,7 +56,7 @@ Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity&
     const ElementPairs elements = find_elements(pose, data_->mode, found);
     answer.too_deep = elements.too_deep;
     answer.certified = elements.certified;
-    report_force(pose, elements.pairs, data_->law, data_->mode, velocity, wanted, answer);
+    report_force({pose, BarycentricElements(elements.pairs), data_->law, data_->mode, velocity}, wanted, answer);
   }
   return answer;
 }
