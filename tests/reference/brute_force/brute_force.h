@@ -97,12 +97,13 @@ struct Answer {
 Answer answer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose& pose, reference::Problem problem,
               Mode mode = Mode::E, Scheme scheme = Scheme::barycentric);
 
-/// u, its greatest value, A and C_k of an element, and the elastic force and torque at rest (14), (21)-(24), both
-/// layers of equal stiffness.
+/// u, its greatest value, A, C_k and force of an element, and the elastic force and torque at rest (14), (21)-(24),
+/// both layers of equal stiffness.
 double penetration(const Scene& scene, const Element& element);
 double greatest_penetration(const Scene& scene, const Element& element);
 double element_area(const Scene& scene, const Element& element);
 std::array<double, 3> element_position(const Scene& scene, const Element& element);
+std::array<double, 3> element_force(const Scene& scene, const Element& element, const Rational& stiffness);
 struct ForceAndTorque {
   std::array<double, 3> force{};
   std::array<double, 3> torque{};

@@ -79,13 +79,13 @@ Vector position(const Scene& scene, const Element& element) {
   return element.foot - Rational(element.q / 2) * scene.body(element.master).normals[element.master_face];
 }
 
-Vector force_or_torque(const Answer& answer, const Element& element, bool torque, const Rational& stiffness) {
-  const Vector& N = answer.scene.body(element.master).normals[element.master_face];
+Vector force_or_torque(const Scene& scene, const Element& element, bool torque, const Rational& stiffness) {
+  const Vector& N = scene.body(element.master).normals[element.master_face];
   // c_l A u n_k with A = alpha |N|, u = q |N|, n_k = -N / |N|; what is left out here is the factor |N|.
   Vector force = Rational(-stiffness * element.alpha * element.q) * N;
   if (element.master == Side::F) force = Rational(-1) * force;
   if (!torque) return force;
-  return cross(position(answer.scene, element) - answer.scene.r_MeMf, force);
+  return cross(position(scene, element) - scene.r_MeMf, force);
 }
 
 /// factor |N|, correctly rounded.
@@ -121,6 +121,13 @@ std::array<double, 3> element_position(const Scene& scene, const Element& elemen
   return {rounded(C[0]), rounded(C[1]), rounded(C[2])};
 }
 
+std::array<double, 3> element_force(const Scene& scene, const Element& element, const Rational& stiffness) {
+  const Vector force =
+      Rational(scene.unit * scene.unit * scene.unit) * force_or_torque(scene, element, false, stiffness);
+  return {times_normal(scene, element, force[0]), times_normal(scene, element, force[1]),
+          times_normal(scene, element, force[2])};
+}
+
 ForceAndTorque elastic_force(const Answer& answer, const Rational& stiffness, Mode mode) {
   const Rational weight = mode == Mode::both ? Rational(1, 2) : Rational(1);
   const Rational cube = answer.scene.unit * answer.scene.unit * answer.scene.unit;
@@ -131,9 +138,10 @@ ForceAndTorque elastic_force(const Answer& answer, const Rational& stiffness, Mo
     for (const Element& element : answer.elements) {
       const Vector& N = answer.scene.body(element.master).normals[element.master_face];
       const Rational radicand = dot(N, N);
-      force.push_back({Rational(weight * cube * force_or_torque(answer, element, false, stiffness)[i]), radicand});
+      force.push_back(
+          {Rational(weight * cube * force_or_torque(answer.scene, element, false, stiffness)[i]), radicand});
       torque.push_back(
-          {Rational(weight * cube * answer.scene.unit * force_or_torque(answer, element, true, stiffness)[i]),
+          {Rational(weight * cube * answer.scene.unit * force_or_torque(answer.scene, element, true, stiffness)[i]),
            radicand});
     }
     result.force[i] = rounded(force);
