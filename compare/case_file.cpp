@@ -49,8 +49,8 @@ constexpr std::array<const char*, 3> kModes = {"E", "F", "both"};
 constexpr std::array<const char*, 3> kDampingModes = {"no-tension", "full", "compression"};
 
 template <std::size_t N>
-std::uint8_t position_of(const std::string& word, const std::array<const char*, N>& words) {
-  for (std::uint8_t k = 0; k < N; ++k)
+std::size_t position_of(const std::string& word, const std::array<const char*, N>& words) {
+  for (std::size_t k = 0; k < N; ++k)
     if (word == words[k]) return k;
   throw BadInput(fmt::format("'{}' is none of {}", word, fmt::join(words, ", ")));
 }
@@ -175,8 +175,9 @@ Json decided(const fast::Contact& subj) {
   json["polygons"] = Json::array();
   for (const fast::Polygon& polygon : subj.polygons) {
     Json points = Json::array();
-    for (Index k = 0; k < polygon.count; ++k)
-      points.push_back(crossing_json(subj.crossings[static_cast<std::size_t>(polygon.first + k)]));
+    const Index end = polygon.first + polygon.count;
+    for (Index k = polygon.first; k < end; ++k)
+      points.push_back(crossing_json(subj.crossings[static_cast<std::size_t>(k)]));
     json["polygons"].push_back({{"closed", polygon.closed}, {"patch", polygon.patch}, {"points", points}});
   }
   return json;
