@@ -4,44 +4,53 @@
 
 #include <algorithm>
 
+#include "fast/clipped_elements.h"
 #include "fast/contact_force.h"
 #include "fast/geometry.h"
 #include "fast/penetration.h"
 
 namespace pcm::fast {
 
-MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
+namespace {
+
+MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
   SideState& side = workspace.side(master);
   Contact& contact = workspace.contact;
   MasterForce total;
-  std::size_t i = 0, j = 0;
-  while (i < side.intersected.size() || j < side.inner.size()) {
-    const bool inner = i == side.intersected.size() || (j < side.inner.size() && side.inner[j] < side.intersected[i]);
-    const Index face = inner ? side.inner[j++] : side.intersected[i++];
+  for_each_active_face(side, [&](Index face) {
     const FaceGeometry geometry(side.posed.face_Me(face, contact.work));
     const Penetration penetration = find_penetration(workspace, master, face, geometry);
     if (penetration.outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
-    if (penetration.outcome != Penetration::Outcome::element) continue;
-
-    ++contact.element_count;
-    contact.max_penetration = std::max(contact.max_penetration, penetration.depth);
+    if (penetration.outcome != Penetration::Outcome::element) return;
     Element element;
     element.master = master;
     element.master_face = face;
     element.slave_face = penetration.slave_face;
     element.area = geometry.area;
     element.penetration = penetration.depth;
-    if (element.penetration > problem.law.max_penetration) {
-      element.penetration = problem.law.max_penetration;
-      contact.penetration_exceeded = true;
-    }
     element.normal_Me = -geometry.n_Me;
-    apply_force(problem, geometry.barycentre_Me(), element);
-    total.force_Me += element.force_Me;
-    total.torque_Me += (element.position_Me - problem.pose.r).cross(element.force_Me);
-    if (problem.keep_elements) contact.elements.push_back(element);
-  }
+    add_element(contact, problem, penetration.depth, geometry.barycentre_Me(), element, total);
+  });
   return total;
+}
+
+}  // namespace
+
+void add_element(Contact& contact, const ForceProblem& problem, double greatest_penetration,
+                 const Eigen::Vector3d& foot_Me, Element& element, MasterForce& total) {
+  ++contact.element_count;
+  contact.max_penetration = std::max(contact.max_penetration, greatest_penetration);
+  if (greatest_penetration > problem.law.max_penetration) contact.penetration_exceeded = true;
+  element.penetration = std::min(element.penetration, problem.law.max_penetration);
+  apply_force(problem, foot_Me, element);
+  total.force_Me += element.force_Me;
+  total.torque_Me += (element.position_Me - problem.pose.r).cross(element.force_Me);
+  if (problem.keep_elements) contact.elements.push_back(element);
+}
+
+MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
+  return problem.scheme == Scheme::clipped ? sum_clipped_elements(workspace, master, problem)
+                                           : sum_barycentric_elements(workspace, master, problem);
 }
 
 }  // namespace pcm::fast

@@ -127,21 +127,6 @@ bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, c
   return false;
 }
 
-/// Whether the thickness computed beforehand already says that no other face of the master is met as near as
-/// `distance`. The face's vertices are where the pose takes them but for the placement's slack, which turns its normal
-/// by at most twice that slack over its edges' heights.
-bool thicker_than(const Workspace::Data& workspace, const Surface::Data& surface, Side master, Index face,
-                  const FaceGeometry& geometry, const Ray& ray, double distance) {
-  const double bound = surface.thickness[static_cast<std::size_t>(face)];
-  if (!(distance < bound)) return false;
-  const auto& p = geometry.points_Me;
-  const double slack = workspace.placement.slack(master);
-  const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
-  const double reach = surface.reach.maxCoeff();
-  const double line_error = slack + 8 * reach * (ray.direction_error + slack * edges / geometry.area);
-  return line_error < kThicknessTolerance * reach;
-}
-
 /// Whether a face's vertices lie exactly on a line: N = 0 where the plane through them holds every point that differs
 /// from one of them in a single coordinate.
 bool has_no_normal(const FacePoints& p) {
@@ -180,8 +165,10 @@ Penetration find_penetration(Workspace::Data& workspace, Side master, Index face
   const FirstFace first = first_face_met(workspace, opposite(master), line, ray);
   if (first.face < 0 || first.direction > 0) return penetration;
   const Surface::Data& surface = workspace.side(master).surface();
-  if (!thicker_than(workspace, surface, master, face, geometry, ray, first.no_farther_than) &&
-      leaves_master_before(workspace, master, face, line, ray, first)) {
+  // Thickness computed beforehand may already say that no other face of the master is met as near.
+  const bool thick = first.no_farther_than < surface.thickness[static_cast<std::size_t>(face)] &&
+                     thickness_holds(surface, workspace.placement.slack(master), geometry);
+  if (!thick && leaves_master_before(workspace, master, face, line, ray, first)) {
     penetration.outcome = Penetration::Outcome::too_deep;
     return penetration;
   }

@@ -77,7 +77,7 @@ struct Answer {
   ActiveArea E;
   ActiveArea F;
   std::optional<double> volume;   ///< none where a surface is open or the answer is ambiguous
-  std::vector<Element> elements;  ///< by master (E first), then master face
+  std::vector<Element> elements;  ///< by master (E first), then master face, then slave face
   Index undefined_areas = 0;      ///< faces a border of the other, open surface ends in: their clipped area counts as 0
   Index too_deep = 0;
   double max_penetration = 0;  ///< greatest u before clamping
@@ -86,7 +86,9 @@ struct Answer {
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();
   double force_scale = 0;   ///< sum of |F_k|: what a force error is measured against (DESIGN section 3)
   double torque_scale = 0;  ///< sum of |C_k - r| |F_k|
-  bool certified = true;    ///< every decision about the elements holds for all vertices within their rounding boxes
+  /// Barycentric scheme: every decision about the elements holds for all vertices within their rounding boxes. Clipped
+  /// scheme: always true, for small changes of the vertices change its elements by slivers.
+  bool certified = true;
 };
 
 }  // namespace pcm::reference

@@ -33,9 +33,9 @@ inline ContactLaw stiffness(double c_l) {
 /// A copy of the answer to one question.
 inline Contact answer(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose = {},
                       const ContactLaw& law = stiffness(1), Mode mode = Mode::E, const Velocity& velocity = {},
-                      const Wanted& wanted = {}) {
+                      const Wanted& wanted = {}, Scheme scheme = Scheme::barycentric) {
   Workspace workspace;
-  return evaluate(Pairing(Surface(E), Surface(F), law, mode), pose, velocity, wanted, workspace);
+  return evaluate(Pairing(Surface(E), Surface(F), law, mode, scheme), pose, velocity, wanted, workspace);
 }
 
 }  // namespace pcm::fast::test
