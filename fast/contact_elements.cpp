@@ -5,12 +5,13 @@
 #include <algorithm>
 
 #include "fast/contact_force.h"
+#include "fast/force_bound.h"
 #include "fast/geometry.h"
 #include "fast/penetration.h"
 
 namespace pcm::fast {
 
-MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
+MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem, MasterBound* bound) {
   SideState& side = workspace.side(master);
   Contact& contact = workspace.contact;
   MasterForce total;
@@ -21,7 +22,10 @@ MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForcePro
     const FaceGeometry geometry(side.posed.face_Me(face, contact.work));
     const Penetration penetration = find_penetration(workspace, master, face, geometry);
     if (penetration.outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
-    if (penetration.outcome != Penetration::Outcome::element) continue;
+    if (penetration.outcome != Penetration::Outcome::element) {
+      if (bound != nullptr) bound->add_face_without_element(face, geometry, penetration.first_met);
+      continue;
+    }
 
     ++contact.element_count;
     contact.max_penetration = std::max(contact.max_penetration, penetration.depth);
@@ -39,8 +43,10 @@ MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForcePro
     apply_force(problem, geometry.barycentre_Me(), element);
     total.force_Me += element.force_Me;
     total.torque_Me += (element.position_Me - problem.pose.r).cross(element.force_Me);
+    if (bound != nullptr) bound->add_element(geometry, element, total);
     if (problem.keep_elements) contact.elements.push_back(element);
   }
+  if (bound != nullptr) bound->add_inactive_faces();
   return total;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/depth.h"
 #include "fast/penetration_predicates.h"
 #include "fast/ray.h"
 #include "fast/thickness.h"
@@ -127,21 +128,6 @@ bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, c
   return false;
 }
 
-/// Whether the thickness computed beforehand already says that no other face of the master is met as near as
-/// `distance`. The face's vertices are where the pose takes them but for the placement's slack, which turns its normal
-/// by at most twice that slack over its edges' heights.
-bool thicker_than(const Workspace::Data& workspace, const Surface::Data& surface, Side master, Index face,
-                  const FaceGeometry& geometry, const Ray& ray, double distance) {
-  const double bound = surface.thickness[static_cast<std::size_t>(face)];
-  if (!(distance < bound)) return false;
-  const auto& p = geometry.points_Me;
-  const double slack = workspace.placement.slack(master);
-  const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
-  const double reach = surface.reach.maxCoeff();
-  const double line_error = slack + 8 * reach * (ray.direction_error + slack * edges / geometry.area);
-  return line_error < kThicknessTolerance * reach;
-}
-
 /// Whether a face's vertices lie exactly on a line: N = 0 where the plane through them holds every point that differs
 /// from one of them in a single coordinate.
 bool has_no_normal(const FacePoints& p) {
@@ -153,23 +139,22 @@ bool has_no_normal(const FacePoints& p) {
   return true;
 }
 
-/// (11): the distance from C to the plane of f along the line, from differences of vertices only.
-double depth_below(const FaceGeometry& master, const FacePoints& f) {
-  const Eigen::Vector3d N_f = (f[1] - f[0]).cross(f[2] - f[0]);
-  const auto& p = master.points_Me;
-  double height = kInfinity, nearest = kInfinity;
-  for (const Eigen::Vector3d& corner : f) {
-    const Eigen::Vector3d from_C = ((corner - p[0]) + (corner - p[1]) + (corner - p[2])) / 3;
-    const double square = from_C.dot(from_C);
-    if (square >= nearest) continue;
-    nearest = square;
-    height = from_C.dot(N_f);
-  }
-  const double depth = -height / master.n_Me.dot(N_f);
-  return std::isfinite(depth) ? std::max(depth, 0.0) : 0;
-}
-
 }  // namespace
+
+// The face's vertices are where the pose takes them but for the placement's slack, which turns its normal by at most
+// twice that slack over its edges' heights.
+bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                  const Ray& ray, double distance) {
+  const Surface::Data& surface = workspace.side(master).surface();
+  const double bound = surface.thickness[static_cast<std::size_t>(face)];
+  if (!(distance < bound)) return false;
+  const auto& p = geometry.points_Me;
+  const double slack = workspace.placement.slack(master);
+  const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
+  const double reach = surface.reach.maxCoeff();
+  const double line_error = slack + 8 * reach * (ray.direction_error + slack * edges / geometry.area);
+  return line_error < kThicknessTolerance * reach;
+}
 
 Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry) {
   WorkCounters& work = workspace.contact.work;
@@ -178,9 +163,9 @@ Penetration find_penetration(Workspace::Data& workspace, Side master, Index face
   if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
   const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
   const FirstFace first = first_face_met(workspace, opposite(master), line, ray);
+  penetration.first_met = first.face;
   if (first.face < 0 || first.direction > 0) return penetration;
-  const Surface::Data& surface = workspace.side(master).surface();
-  if (!thicker_than(workspace, surface, master, face, geometry, ray, first.no_farther_than) &&
+  if (!thicker_than(workspace, master, face, geometry, ray, first.no_farther_than) &&
       leaves_master_before(workspace, master, face, line, ray, first)) {
     penetration.outcome = Penetration::Outcome::too_deep;
     return penetration;
@@ -188,7 +173,7 @@ Penetration find_penetration(Workspace::Data& workspace, Side master, Index face
   if (distance_sign(line, first.points_Me, work) == 0) return penetration;
   penetration.outcome = Penetration::Outcome::element;
   penetration.slave_face = first.face;
-  penetration.depth = depth_below(geometry, first.points_Me);
+  penetration.depth = DepthBelow(geometry, first.points_Me).value();
   return penetration;
 }
 

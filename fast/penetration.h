@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fast/geometry.h"
+#include "fast/ray.h"
 #include "fast/workspace.h"
 
 namespace pcm::fast {
@@ -16,11 +17,17 @@ struct Penetration {
   };
   Outcome outcome = Outcome::none;
   Index slave_face = -1;
-  double depth = 0;  ///< u (11), m; not negative
+  double depth = 0;      ///< u (11), m; not negative
+  Index first_met = -1;  ///< the first face of the slave that the line meets, whatever comes of it; -1 where none
 };
 
 /// Follows the penetration line of face `face` of side `master`. Every decision is exact on the rounded problem; the
 /// depth is off by a few ulps of the distance between the faces over |n_e . n_f|. Near O(log n).
 Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry);
+
+/// Whether the thickness computed beforehand already says that no other face of the master is met as near as
+/// `distance`, in the rounded problem and in the exact one alike. `ray` is the face's penetration line.
+bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                  const Ray& ray, double distance);
 
 }  // namespace pcm::fast

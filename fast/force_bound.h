@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fast/contact_elements.h"
+#include "fast/geometry.h"
+
+namespace pcm::fast {
+
+/// Gathers a rigorous bound on the errors of one master's force and torque against the exact problem (PCM section 1),
+/// barycentric scheme, while its elements are being summed.
+///
+/// A face whose decisions (is it active, which slave face does its line meet first, is q > 0, does no other face of the
+/// master come before) are the same for all positions of F's vertices within their rounding adds the error of its
+/// element, a running error analysis: fast/element_error.h, fast/force_error.h. Any other face may carry an element in
+/// one problem and none, or another one, in the other: it adds what it has and what it might have at most, and
+/// `flipped` is set. The rounding of the sums comes on top.
+///
+/// All bounds are finite but where the element's own numbers come near the end of the range of doubles.
+class MasterBound {
+ public:
+  /// Needs the active areas of the pose and its candidate pairs.
+  MasterBound(Workspace::Data& workspace, Side master, const ForceProblem& problem);
+
+  /// An element of the engine, as it was added to the sum; `total` is the sum after it.
+  void add_element(const FaceGeometry& geometry, const Element& element, const MasterForce& total);
+  /// An active face on which the engine has no element; `first_met` as find_penetration has it.
+  void add_face_without_element(Index face, const FaceGeometry& geometry, Index first_met);
+  /// The faces that are not active in the rounded problem, but may be in the exact one.
+  void add_inactive_faces();
+
+  ForceBound result() const;
+
+ private:
+  void add_possible_element(double area, double depth, const FaceGeometry& geometry, const Eigen::Vector3d& foot_error);
+
+  Workspace::Data& workspace_;
+  const ForceProblem& problem_;
+  Side master_;
+  Eigen::Vector3d rounding_Me_;         ///< of F's vertices
+  Eigen::Vector3d master_rounding_Me_;  ///< of the master's: those, or 0
+  ForceBound sum_;
+};
+
+/// The bound of mode `both`, whose force and torque are in `contact`.
+ForceBound mean_bound(const MasterBound& on_E, const MasterBound& on_F, const Contact& contact);
+
+}  // namespace pcm::fast
