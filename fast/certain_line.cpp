@@ -28,11 +28,11 @@ struct Tube {
   double radius;           ///< |X'(s) - X(s)| and a vertex's rounding together, as far as any surface reaches, m
   double rounding;         ///< of a vertex, m
 
-  Tube(const FaceGeometry& face, const FaceError& error, const Eigen::Vector3d& rounding_Me, double reach)
+  Tube(const FaceGeometry& face, const FaceError& error, const Eigen::Vector3d& rounding_Me, double tube_radius)
       : origin(face.barycentre_Me()),
         direction(-face.n_Me),
         direction_error(error.normal),
-        radius(kBoundMargin * (error.barycentre_Me.sum() + rounding_Me.sum() + kFarthest * reach * error.normal)),
+        radius(tube_radius),
         rounding(rounding_Me.sum()) {}
 };
 
@@ -132,15 +132,21 @@ void for_each_face_near(Workspace::Data& workspace, Side side, const Tube& tube,
 
 }  // namespace
 
+double tube_radius(const Workspace::Data& workspace, const FaceError& error, const Eigen::Vector3d& rounding_Me) {
+  return kBoundMargin *
+         (error.barycentre_Me.sum() + rounding_Me.sum() + kFarthest * workspace.placement.reach * error.normal);
+}
+
 CertainLine follow_certainly(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                             const FaceError& error, Index first_met, const Eigen::Vector3d& rounding_Me) {
+                             const FaceError& error, Index first_met, const LineTrace& trace,
+                             const Eigen::Vector3d& rounding_Me) {
   using Finding = CertainLine::Finding;
   const double reach = workspace.placement.reach;
   // Two points of the cube are no farther apart than 2 sqrt(3) times the reach.
   if (!error.normal_known) return {Finding::unknown, 4 * reach};
   const Side slave = opposite(master);
   WorkCounters& work = workspace.contact.work;
-  const Tube tube(geometry, error, rounding_Me, reach);
+  const Tube tube(geometry, error, rounding_Me, tube_radius(workspace, error, rounding_Me));
 
   double limit = 4 * reach;                   // the first slave face is no farther
   double nearest = kInfinity, farthest = -1;  // faces through which the line may leave the slave
@@ -159,23 +165,29 @@ CertainLine follow_certainly(Workspace::Data& workspace, Side master, Index face
     first = meeting(tube, workspace.side(slave).posed.face_Me(first_met, work));
     consider(first);
   }
-  for_each_face_near(workspace, slave, tube, limit, [&](Index f) {
+  const auto visit_slave = [&](Index f) {
     if (f == first_met) return;
     if (consider(meeting(tube, workspace.side(slave).posed.face_Me(f, work)))) rivals = true;
-  });
+  };
+  for (const Index f : trace.slave_faces) visit_slave(f);
+  if (!(limit < trace.slave_reach)) for_each_face_near(workspace, slave, tube, limit, visit_slave);
   limit = std::min(limit, farthest);
   if (limit < 0) return {Finding::no_element, 0};
 
   bool left_before = false;
-  const Ray ray(geometry, tube.origin);
-  if (!thicker_than(workspace, master, face, geometry, ray, limit)) {
-    for_each_face_near(workspace, master, tube, limit, [&](Index own) {
-      if (own == face) return;
-      const Meeting m = meeting(tube, workspace.side(master).posed.face_Me(own, work));
-      if (!m.possible || m.greatest < 0 || m.least > limit) return;
-      if (m.sure && m.least > 0 && m.greatest < nearest) left_before = true;
-      rivals = true;
-    });
+  const auto visit_own = [&](Index own) {
+    if (own == face) return;
+    const Meeting m = meeting(tube, workspace.side(master).posed.face_Me(own, work));
+    if (!m.possible || m.greatest < 0 || m.least > limit) return;
+    rivals = true;
+    if (!m.sure || m.least <= 0) return;
+    left_before = left_before || m.greatest < nearest;
+    limit = left_before ? -1 : std::min(limit, m.greatest);  // Below 0 the search is over.
+  };
+  for (const Index own : trace.own_faces) visit_own(own);
+  if (!left_before && !(limit < trace.own_reach) &&
+      !thicker_than(workspace, master, face, geometry, Ray(geometry, tube.origin), limit)) {
+    for_each_face_near(workspace, master, tube, limit, visit_own);
   }
   if (left_before) return {Finding::no_element, 0};
   const bool certain = !rivals && first.sure && first.facing < 0 && first.least > 0;

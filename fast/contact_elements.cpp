@@ -20,10 +20,11 @@ MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForcePro
     const bool inner = i == side.intersected.size() || (j < side.inner.size() && side.inner[j] < side.intersected[i]);
     const Index face = inner ? side.inner[j++] : side.intersected[i++];
     const FaceGeometry geometry(side.posed.face_Me(face, contact.work));
-    const Penetration penetration = find_penetration(workspace, master, face, geometry);
+    LineTrace* const trace = bound != nullptr ? bound->begin_face(geometry) : nullptr;
+    const Penetration penetration = find_penetration(workspace, master, face, geometry, trace);
     if (penetration.outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
     if (penetration.outcome != Penetration::Outcome::element) {
-      if (bound != nullptr) bound->add_face_without_element(face, geometry, penetration.first_met);
+      if (bound != nullptr) bound->add_no_element(face, geometry, penetration.first_met);
       continue;
     }
 

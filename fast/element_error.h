@@ -26,6 +26,7 @@ struct FaceError {
   Eigen::Vector3d barycentre_Me = Eigen::Vector3d::Zero();  ///< component by component, m
   bool normal_known = false;  ///< N is known to a half of its length; otherwise n may point anywhere
 
+  FaceError() = default;
   /// `rounding_Me`: how far each coordinate of the face's vertices may be from the exact problem's, 0 for E.
   FaceError(const FaceGeometry& face, const Eigen::Vector3d& rounding_Me);
 };

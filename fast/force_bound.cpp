@@ -36,18 +36,24 @@ MasterBound::MasterBound(Workspace::Data& workspace, Side master, const ForcePro
   find_undecided_faces(workspace, master, rounding_Me_);
 }
 
+LineTrace* MasterBound::begin_face(const FaceGeometry& geometry) {
+  face_ = FaceError(geometry, master_rounding_Me_);
+  // The exact line, and the slave's faces, both within their own rounding.
+  workspace_.line_trace.radius = 2 * tube_radius(workspace_, face_, rounding_Me_);
+  return &workspace_.line_trace;
+}
+
 void MasterBound::add_element(const FaceGeometry& geometry, const Element& element, const MasterForce& total) {
   using Finding = CertainLine::Finding;
-  const FaceError face(geometry, master_rounding_Me_);
   ElementError error;
-  error.area = face.area;
-  error.normal = face.normal;
-  error.foot_Me = face.barycentre_Me;
+  error.area = face_.area;
+  error.normal = face_.normal;
+  error.foot_Me = face_.barycentre_Me;
   error.penetration = depth_error(
-      geometry, face, workspace_.side(opposite(master_)).posed.face_Me(element.slave_face, workspace_.contact.work),
+      geometry, face_, workspace_.side(opposite(master_)).posed.face_Me(element.slave_face, workspace_.contact.work),
       rounding_Me_);
-  const CertainLine line =
-      follow_certainly(workspace_, master_, element.master_face, geometry, face, element.slave_face, rounding_Me_);
+  const CertainLine line = follow_certainly(workspace_, master_, element.master_face, geometry, face_,
+                                            element.slave_face, workspace_.line_trace, rounding_Me_);
   const bool decided = line.finding == Finding::element &&
                        !workspace_.side(master_).undecided.contains(element.master_face) &&
                        element.penetration > 2 * error.penetration;
@@ -65,18 +71,20 @@ void MasterBound::add_element(const FaceGeometry& geometry, const Element& eleme
   sum_.torque_Me += kUnitRoundoff * total.torque_Me.cwiseAbs();
 }
 
-void MasterBound::add_face_without_element(Index face, const FaceGeometry& geometry, Index first_met) {
-  const FaceError error(geometry, master_rounding_Me_);
-  const CertainLine line = follow_certainly(workspace_, master_, face, geometry, error, first_met, rounding_Me_);
+void MasterBound::add_no_element(Index face, const FaceGeometry& geometry, Index first_met) {
+  const CertainLine line =
+      follow_certainly(workspace_, master_, face, geometry, face_, first_met, workspace_.line_trace, rounding_Me_);
   if (line.finding == CertainLine::Finding::no_element) return;
-  add_possible_element(geometry.area + error.area, line.greatest_depth, geometry, error.barycentre_Me);
+  add_possible_element(geometry.area + face_.area, line.greatest_depth, geometry, face_.barycentre_Me);
 }
 
 void MasterBound::add_inactive_faces() {
   SideState& side = workspace_.side(master_);
   for (const Index face : side.undecided_faces) {
     if (is_active(side, face)) continue;
-    add_face_without_element(face, FaceGeometry(side.posed.face_Me(face, workspace_.contact.work)), -1);
+    const FaceGeometry geometry(side.posed.face_Me(face, workspace_.contact.work));
+    begin_face(geometry)->clear();
+    add_no_element(face, geometry, -1);
   }
 }
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "fast/contact_elements.h"
+#include "fast/element_error.h"
 #include "fast/geometry.h"
+#include "fast/penetration.h"
 
 namespace pcm::fast {
 
@@ -22,10 +24,12 @@ class MasterBound {
   /// Needs the active areas of the pose and its candidate pairs.
   MasterBound(Workspace::Data& workspace, Side master, const ForceProblem& problem);
 
-  /// An element of the engine, as it was added to the sum; `total` is the sum after it.
+  /// To be called for each active face before its line is followed, and traced into what is returned.
+  LineTrace* begin_face(const FaceGeometry& geometry);
+  /// The face's element, as it was added to the sum; `total` is the sum after it.
   void add_element(const FaceGeometry& geometry, const Element& element, const MasterForce& total);
-  /// An active face on which the engine has no element; `first_met` as find_penetration has it.
-  void add_face_without_element(Index face, const FaceGeometry& geometry, Index first_met);
+  /// Or that it has none; `first_met` as find_penetration has it.
+  void add_no_element(Index face, const FaceGeometry& geometry, Index first_met);
   /// The faces that are not active in the rounded problem, but may be in the exact one.
   void add_inactive_faces();
 
@@ -39,6 +43,7 @@ class MasterBound {
   Side master_;
   Eigen::Vector3d rounding_Me_;         ///< of F's vertices
   Eigen::Vector3d master_rounding_Me_;  ///< of the master's: those, or 0
+  FaceError face_;                      ///< of the face begun
   ForceBound sum_;
 };
 

@@ -19,9 +19,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The ray in the frame of a surface's tree. No point of the surfaces is farther from its origin than 8 times the
 /// reach.
-TreeRay in_tree_of(Side side, const Ray& ray, const Placement& placement) {
+TreeRay in_tree_of(Side side, const Ray& ray, const Placement& placement, double radius) {
   return {placement.to_frame_of(side, ray.origin), placement.direction_in_frame_of(side, ray.direction),
-          placement.slack(side) + 8 * placement.reach * ray.direction_error};
+          placement.slack(side) + 8 * placement.reach * ray.direction_error + radius};
 }
 
 /// An upper bound of the distance at which the line meets f, given that it does: no farther than f's farthest vertex,
@@ -59,24 +59,34 @@ struct FirstFace {
 };
 
 /// The first face of a surface that the line meets, by exact distance, then shift, then face index.
-FirstFace first_face_met(Workspace::Data& workspace, Side slave, const PenetrationLine& line, const Ray& ray) {
+template <bool kTraced>
+FirstFace first_face_met(Workspace::Data& workspace, Side slave, const PenetrationLine& line, const Ray& ray,
+                         LineTrace* trace) {
   PosedSurface& posed = workspace.side(slave).posed;
   const BoxTree& tree = posed.surface().tree;
   WorkCounters& work = workspace.contact.work;
-  const TreeRay tree_ray = in_tree_of(slave, ray, workspace.placement);
+  const TreeRay tree_ray = in_tree_of(slave, ray, workspace.placement, kTraced ? trace->radius : 0);
   auto& open = workspace.ray_nodes;
   open.clear();
   FirstFace first;
+  if constexpr (kTraced) trace->slave_reach = kInfinity;
   const auto visit = [&](Index node) {
     ++work.box_tests;
     const double entry = tree_ray.entry(tree.node(node).box);
-    if (entry <= first.no_farther_than && entry < kInfinity) open.emplace_back(entry, node);
+    if (entry <= first.no_farther_than && entry < kInfinity) {
+      open.emplace_back(entry, node);
+    } else if constexpr (kTraced) {
+      trace->slave_reach = std::min(trace->slave_reach, entry);
+    }
   };
   visit(0);
   while (!open.empty()) {
     const auto [entry, index] = open.back();
     open.pop_back();
-    if (entry > first.no_farther_than) continue;
+    if (entry > first.no_farther_than) {
+      if constexpr (kTraced) trace->slave_reach = std::min(trace->slave_reach, entry);
+      continue;
+    }
     const BoxNode& node = tree.node(index);
     if (!node.leaf()) {
       const std::size_t before = open.size();
@@ -88,6 +98,7 @@ FirstFace first_face_met(Workspace::Data& workspace, Side slave, const Penetrati
       }
       continue;
     }
+    if constexpr (kTraced) trace->slave_faces.push_back(node.face);
     const FacePoints points = posed.face_Me(node.face, work);
     int direction = 0;
     if (!meets(line, points, direction, work)) continue;
@@ -101,12 +112,13 @@ FirstFace first_face_met(Workspace::Data& workspace, Side slave, const Penetrati
 }
 
 /// Whether the line meets another face of the master strictly before `limit`.
+template <bool kTraced>
 bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, const PenetrationLine& line,
-                          const Ray& ray, const FirstFace& limit) {
+                          const Ray& ray, const FirstFace& limit, LineTrace* trace) {
   PosedSurface& posed = workspace.side(master).posed;
   const BoxTree& tree = posed.surface().tree;
   WorkCounters& work = workspace.contact.work;
-  const TreeRay tree_ray = in_tree_of(master, ray, workspace.placement);
+  const TreeRay tree_ray = in_tree_of(master, ray, workspace.placement, kTraced ? trace->radius : 0);
   std::vector<Index>& open = workspace.nodes;
   open.assign(1, 0);
   while (!open.empty()) {
@@ -121,6 +133,7 @@ bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, c
       continue;
     }
     if (node.face == face) continue;
+    if constexpr (kTraced) trace->own_faces.push_back(node.face);
     const FacePoints points = posed.face_Me(node.face, work);
     int direction = 0;
     if (meets(line, points, direction, work) && compare_distance(line, points, limit.points_Me, work) < 0) return true;
@@ -137,6 +150,33 @@ bool has_no_normal(const FacePoints& p) {
     if (exact_orientation(p[0].data(), p[1].data(), p[2].data(), x.data()) != 0) return false;
   }
   return true;
+}
+
+template <bool kTraced>
+Penetration follow_line(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                        LineTrace* trace) {
+  WorkCounters& work = workspace.contact.work;
+  if constexpr (kTraced) {
+    trace->clear();
+  }
+  const Ray ray(geometry, geometry.barycentre_Me());
+  Penetration penetration;
+  if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
+  const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
+  const FirstFace first = first_face_met<kTraced>(workspace, opposite(master), line, ray, trace);
+  penetration.first_met = first.face;
+  if (first.face < 0 || first.direction > 0) return penetration;
+  if (!thicker_than(workspace, master, face, geometry, ray, first.no_farther_than) &&
+      leaves_master_before<kTraced>(workspace, master, face, line, ray, first, trace)) {
+    penetration.outcome = Penetration::Outcome::too_deep;
+    return penetration;
+  }
+  if constexpr (kTraced) trace->own_reach = first.no_farther_than;
+  if (distance_sign(line, first.points_Me, work) == 0) return penetration;
+  penetration.outcome = Penetration::Outcome::element;
+  penetration.slave_face = first.face;
+  penetration.depth = DepthBelow(geometry, first.points_Me).value();
+  return penetration;
 }
 
 }  // namespace
@@ -156,25 +196,10 @@ bool thicker_than(const Workspace::Data& workspace, Side master, Index face, con
   return line_error < kThicknessTolerance * reach;
 }
 
-Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry) {
-  WorkCounters& work = workspace.contact.work;
-  const Ray ray(geometry, geometry.barycentre_Me());
-  Penetration penetration;
-  if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
-  const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
-  const FirstFace first = first_face_met(workspace, opposite(master), line, ray);
-  penetration.first_met = first.face;
-  if (first.face < 0 || first.direction > 0) return penetration;
-  if (!thicker_than(workspace, master, face, geometry, ray, first.no_farther_than) &&
-      leaves_master_before(workspace, master, face, line, ray, first)) {
-    penetration.outcome = Penetration::Outcome::too_deep;
-    return penetration;
-  }
-  if (distance_sign(line, first.points_Me, work) == 0) return penetration;
-  penetration.outcome = Penetration::Outcome::element;
-  penetration.slave_face = first.face;
-  penetration.depth = DepthBelow(geometry, first.points_Me).value();
-  return penetration;
+Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                             LineTrace* trace) {
+  return trace == nullptr ? follow_line<false>(workspace, master, face, geometry, nullptr)
+                          : follow_line<true>(workspace, master, face, geometry, trace);
 }
 
 }  // namespace pcm::fast

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fast/geometry.h"
+#include "fast/line_trace.h"
 #include "fast/ray.h"
 #include "fast/workspace.h"
 
@@ -22,8 +23,10 @@ struct Penetration {
 };
 
 /// Follows the penetration line of face `face` of side `master`. Every decision is exact on the rounded problem; the
-/// depth is off by a few ulps of the distance between the faces over |n_e . n_f|. Near O(log n).
-Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry);
+/// depth is off by a few ulps of the distance between the faces over |n_e . n_f|. Near O(log n). Fills `trace` where
+/// one is given, without any change of the result.
+Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                             LineTrace* trace = nullptr);
 
 /// Whether the thickness computed beforehand already says that no other face of the master is met as near as
 /// `distance`, in the rounded problem and in the exact one alike. `ray` is the face's penetration line.

@@ -9,6 +9,7 @@
 #include "fast/candidates.h"
 #include "fast/contact.h"
 #include "fast/engine.h"
+#include "fast/line_trace.h"
 #include "fast/placement.h"
 #include "fast/stamped_array.h"
 #include "fast/transform.h"
@@ -112,7 +113,8 @@ struct Workspace::Data {
   std::vector<std::pair<double, Index>> ray_nodes;  ///< the same, with the distance at which a ray enters each
   std::vector<Index> stack;                         ///< of the floods over a mesh
   std::vector<std::pair<Index, Index>>
-      candidates;  ///< face pairs (E, F) whose boxes may touch; where bounds are wanted
+      candidates;        ///< face pairs (E, F) whose boxes may touch; where bounds are wanted
+  LineTrace line_trace;  ///< of the line at hand, where bounds are wanted
   std::vector<CrossingNode> crossings;
   CrossingIndex crossing_index;
   std::vector<Polygon> polygons;
