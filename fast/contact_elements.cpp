@@ -20,7 +20,7 @@ MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForcePro
     const bool inner = i == side.intersected.size() || (j < side.inner.size() && side.inner[j] < side.intersected[i]);
     const Index face = inner ? side.inner[j++] : side.intersected[i++];
     const FaceGeometry geometry(side.posed.face_Me(face, contact.work));
-    LineTrace* const trace = bound != nullptr ? bound->begin_face(geometry) : nullptr;
+    LineTrace* const trace = bound != nullptr ? bound->begin_face(face, geometry) : nullptr;
     const Penetration penetration = find_penetration(workspace, master, face, geometry, trace);
     if (penetration.outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
     if (penetration.outcome != Penetration::Outcome::element) {

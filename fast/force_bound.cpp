@@ -31,13 +31,17 @@ MasterBound::MasterBound(Workspace::Data& workspace, Side master, const ForcePro
     : workspace_(workspace),
       problem_(problem),
       master_(master),
-      rounding_Me_(greatest_vertex_rounding(workspace.side(Side::F).surface(), problem.pose)),
-      master_rounding_Me_(master == Side::F ? rounding_Me_ : Eigen::Vector3d::Zero()) {
+      rounding_Me_(greatest_vertex_rounding(workspace.side(Side::F).surface(), problem.pose)) {
   find_undecided_faces(workspace, master, rounding_Me_);
 }
 
-LineTrace* MasterBound::begin_face(const FaceGeometry& geometry) {
-  face_ = FaceError(geometry, master_rounding_Me_);
+Eigen::Vector3d MasterBound::rounding_of(Side side, Index face) const {
+  if (side == Side::E) return Eigen::Vector3d::Zero();
+  return face_rounding(workspace_.side(side).surface(), problem_.pose, face);
+}
+
+LineTrace* MasterBound::begin_face(Index face, const FaceGeometry& geometry) {
+  face_ = FaceError(geometry, rounding_of(master_, face));
   // The exact line, and the slave's faces, both within their own rounding.
   workspace_.line_trace.radius = 2 * tube_radius(workspace_, face_, rounding_Me_);
   return &workspace_.line_trace;
@@ -49,9 +53,12 @@ void MasterBound::add_element(const FaceGeometry& geometry, const Element& eleme
   error.area = face_.area;
   error.normal = face_.normal;
   error.foot_Me = face_.barycentre_Me;
+  const Side slave = opposite(master_);
+  // Of both faces, one is F's.
+  const Eigen::Vector3d rounding_Me =
+      rounding_of(master_, element.master_face) + rounding_of(slave, element.slave_face);
   error.penetration = depth_error(
-      geometry, face_, workspace_.side(opposite(master_)).posed.face_Me(element.slave_face, workspace_.contact.work),
-      rounding_Me_);
+      geometry, face_, workspace_.side(slave).posed.face_Me(element.slave_face, workspace_.contact.work), rounding_Me);
   const CertainLine line = follow_certainly(workspace_, master_, element.master_face, geometry, face_,
                                             element.slave_face, workspace_.line_trace, rounding_Me_);
   const bool decided = line.finding == Finding::element &&
@@ -83,7 +90,7 @@ void MasterBound::add_inactive_faces() {
   for (const Index face : side.undecided_faces) {
     if (is_active(side, face)) continue;
     const FaceGeometry geometry(side.posed.face_Me(face, workspace_.contact.work));
-    begin_face(geometry)->clear();
+    begin_face(face, geometry)->clear();
     add_no_element(face, geometry, -1);
   }
 }

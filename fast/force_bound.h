@@ -25,7 +25,7 @@ class MasterBound {
   MasterBound(Workspace::Data& workspace, Side master, const ForceProblem& problem);
 
   /// To be called for each active face before its line is followed, and traced into what is returned.
-  LineTrace* begin_face(const FaceGeometry& geometry);
+  LineTrace* begin_face(Index face, const FaceGeometry& geometry);
   /// The face's element, as it was added to the sum; `total` is the sum after it.
   void add_element(const FaceGeometry& geometry, const Element& element, const MasterForce& total);
   /// Or that it has none; `first_met` as find_penetration has it.
@@ -36,14 +36,14 @@ class MasterBound {
   ForceBound result() const;
 
  private:
+  Eigen::Vector3d rounding_of(Side side, Index face) const;
   void add_possible_element(double area, double depth, const FaceGeometry& geometry, const Eigen::Vector3d& foot_error);
 
   Workspace::Data& workspace_;
   const ForceProblem& problem_;
   Side master_;
-  Eigen::Vector3d rounding_Me_;         ///< of F's vertices
-  Eigen::Vector3d master_rounding_Me_;  ///< of the master's: those, or 0
-  FaceError face_;                      ///< of the face begun
+  Eigen::Vector3d rounding_Me_;  ///< of any vertex of F
+  FaceError face_;               ///< of the face begun
   ForceBound sum_;
 };
 

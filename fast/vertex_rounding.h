@@ -34,4 +34,27 @@ inline Eigen::Vector3d greatest_vertex_rounding(const Surface::Data& surface_F, 
   return bound;
 }
 
+/// The same for one vertex: each of the six operations that round is off by at most u times its computed result, and
+/// the errors only add up.
+inline Eigen::Vector3d vertex_rounding(const Pose& pose, const Eigen::Vector3d& x_Mf) {
+  Eigen::Vector3d bound;
+  for (int i = 0; i < 3; ++i) {
+    const double first = pose.A(i, 0) * x_Mf[0], second = pose.A(i, 1) * x_Mf[1], third = pose.A(i, 2) * x_Mf[2];
+    const double two = first + second, three = two + third, all = three + pose.r[i];
+    bound[i] =
+        kBoundMargin * kUnitRoundoff *
+            (std::abs(first) + std::abs(second) + std::abs(two) + std::abs(third) + std::abs(three) + std::abs(all)) +
+        0x1p-1072;
+  }
+  return bound;
+}
+
+/// And for the vertices of one face of F: the greatest of the three.
+inline Eigen::Vector3d face_rounding(const Surface::Data& surface_F, const Pose& pose, Index face) {
+  const Triangle& t = surface_F.face(face);
+  return vertex_rounding(pose, surface_F.vertex(t[0]))
+      .cwiseMax(vertex_rounding(pose, surface_F.vertex(t[1])))
+      .cwiseMax(vertex_rounding(pose, surface_F.vertex(t[2])));
+}
+
 }  // namespace pcm::fast
