@@ -16,8 +16,12 @@ namespace {
 constexpr double u = kUnitRoundoff;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Nothing lies farther from a line's origin than this many times the reach: all points lie in one cube.
-constexpr double kFarthest = 8;
+/// No two points of the surfaces are farther apart, given that their hulls touch, as they do where a face is active or
+/// undecided, m. The sum of a box's three widths is more than its diagonal, by enough for a matrix off a rotation.
+double span(const Workspace::Data& workspace) {
+  const auto half = [&](Side side) { return workspace.side(side).surface().tree.root().box.half.sum(); };
+  return 2.1 * (half(Side::E) + half(Side::F)) + workspace.placement.slack_E + workspace.placement.slack_F;
+}
 
 /// The computed line, X(s) = origin + s direction, with the tube around it in which the exact problem's line X'(s) runs
 /// and its slave's faces may stir.
@@ -133,22 +137,19 @@ void for_each_face_near(Workspace::Data& workspace, Side side, const Tube& tube,
 }  // namespace
 
 double tube_radius(const Workspace::Data& workspace, const FaceError& error, const Eigen::Vector3d& rounding_Me) {
-  return kBoundMargin *
-         (error.barycentre_Me.sum() + rounding_Me.sum() + kFarthest * workspace.placement.reach * error.normal);
+  return kBoundMargin * (error.barycentre_Me.sum() + rounding_Me.sum() + span(workspace) * error.normal);
 }
 
 CertainLine follow_certainly(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
                              const FaceError& error, Index first_met, const LineTrace& trace,
                              const Eigen::Vector3d& rounding_Me) {
   using Finding = CertainLine::Finding;
-  const double reach = workspace.placement.reach;
-  // Two points of the cube are no farther apart than 2 sqrt(3) times the reach.
-  if (!error.normal_known) return {Finding::unknown, 4 * reach};
+  if (!error.normal_known) return {Finding::unknown, span(workspace)};
   const Side slave = opposite(master);
   WorkCounters& work = workspace.contact.work;
   const Tube tube(geometry, error, rounding_Me, tube_radius(workspace, error, rounding_Me));
 
-  double limit = 4 * reach;                   // the first slave face is no farther
+  double limit = span(workspace);             // the first slave face is no farther
   double nearest = kInfinity, farthest = -1;  // faces through which the line may leave the slave
   bool rivals = false;
   const auto consider = [&](const Meeting& m) {
