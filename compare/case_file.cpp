@@ -44,13 +44,15 @@ Eigen::Vector3d vector(const Json& json) {
   return {number(json.at(0)), number(json.at(1)), number(json.at(2))};
 }
 
+constexpr std::array<const char*, 2> kSchemes = {"barycentric", "clipped"};
 constexpr std::array<const char*, 3> kModes = {"E", "F", "both"};
 constexpr std::array<const char*, 3> kDampingModes = {"no-tension", "full", "compression"};
 
-std::uint8_t position_of(const std::string& word, const std::array<const char*, 3>& words) {
-  for (std::uint8_t k = 0; k < words.size(); ++k)
+template <std::size_t N>
+std::size_t position_of(const std::string& word, const std::array<const char*, N>& words) {
+  for (std::size_t k = 0; k < N; ++k)
     if (word == words[k]) return k;
-  throw BadInput("'" + word + "' is none of " + words[0] + ", " + words[1] + ", " + words[2]);
+  throw BadInput(fmt::format("'{}' is none of {}", word, fmt::join(words, ", ")));
 }
 
 std::string read_bytes(const std::filesystem::path& path) {
@@ -173,8 +175,9 @@ Json decided(const fast::Contact& subj) {
   json["polygons"] = Json::array();
   for (const fast::Polygon& polygon : subj.polygons) {
     Json points = Json::array();
-    for (Index k = 0; k < polygon.count; ++k)
-      points.push_back(crossing_json(subj.crossings[static_cast<std::size_t>(polygon.first + k)]));
+    const Index end = polygon.first + polygon.count;
+    for (Index k = polygon.first; k < end; ++k)
+      points.push_back(crossing_json(subj.crossings[static_cast<std::size_t>(k)]));
     json["polygons"].push_back({{"closed", polygon.closed}, {"patch", polygon.patch}, {"points", points}});
   }
   return json;
@@ -205,7 +208,7 @@ std::string format_case(const Case& posed, const std::vector<Disagreement>& disa
   pose["w"] = to_json(posed.velocity.w);
   json["pose"] = pose;
   json["law"] = to_json(posed.law);
-  json["scheme"] = "barycentric";
+  json["scheme"] = kSchemes[static_cast<std::size_t>(posed.scheme)];
   json["mode"] = kModes[static_cast<std::size_t>(posed.mode)];
   json["disagreements"] = Json::array();
   for (const Disagreement& d : disagreements) json["disagreements"].push_back({std::string(name(d.kind)), d.text});
@@ -233,8 +236,7 @@ Case read_case(const std::filesystem::path& path) {
     if (!posed.pose.r.allFinite() || !posed.velocity.v.allFinite() || !posed.velocity.w.allFinite())
       throw BadInput("r, v or w of the pose is not finite");
     posed.law = law_from(json.at("law"));
-    if (const auto scheme = json.at("scheme").get<std::string>(); scheme != "barycentric")
-      throw BadInput("the scheme '" + scheme + "' is not to be had, only 'barycentric'");
+    posed.scheme = static_cast<Scheme>(position_of(json.at("scheme").get<std::string>(), kSchemes));
     posed.mode = static_cast<Mode>(position_of(json.at("mode").get<std::string>(), kModes));
     posed.E = mesh_from(json.at("E"), path.parent_path(), posed.file_E);
     posed.F = mesh_from(json.at("F"), path.parent_path(), posed.file_F);

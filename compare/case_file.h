@@ -27,6 +27,7 @@ struct Case {
   Velocity velocity;
   ContactLaw law;
   Mode mode = Mode::E;
+  Scheme scheme = Scheme::barycentric;
 };
 
 /// What each side decided, for the reader of a case file; a replay does not look at it.

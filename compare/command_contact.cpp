@@ -27,24 +27,28 @@ struct ContactOptions {
   std::string mode = "E";
   std::string scheme = "barycentric";
   std::optional<std::string> problem;
+  bool bound = false;
   LawOptions law;
 };
 
 /// The pairing as either of the two sees it: the answer to one state.
 using Evaluate = std::function<Json(const State&)>;
 
-Evaluate evaluate_by_engine(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode) {
+Evaluate evaluate_by_engine(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme,
+                            bool with_bound) {
   auto pairing = std::make_shared<const fast::Pairing>(fast::Surface(std::move(mesh_E)),
-                                                       fast::Surface(std::move(mesh_F)), law, mode);
+                                                       fast::Surface(std::move(mesh_F)), law, mode, scheme);
   auto workspace = std::make_shared<fast::Workspace>();
-  return [pairing, workspace](const State& state) {
-    return contact_json(fast::evaluate(*pairing, state.pose, state.velocity, Wanted{}, *workspace));
+  Wanted wanted;
+  wanted.bound = with_bound;
+  return [pairing, workspace, wanted](const State& state) {
+    return contact_json(fast::evaluate(*pairing, state.pose, state.velocity, wanted, *workspace));
   };
 }
 
-Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
+Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme,
                             reference::Problem problem) {
-  auto oracle = std::make_shared<const reference::Oracle>(std::move(mesh_E), std::move(mesh_F), law, mode);
+  auto oracle = std::make_shared<const reference::Oracle>(std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
   return [oracle, problem](const State& state) {
     return contact_json(oracle->answer(problem, state.pose, state.velocity));
   };
@@ -57,11 +61,11 @@ void print_line(const Json& answer) {
 }
 
 Exit contact(const ContactOptions& options) {
-  if (options.scheme == "clipped")
-    throw BadInput("--scheme: the clipped scheme is not available yet; leave the option out for the barycentric one");
   const bool by_engine = options.engine == "fast";
   if (by_engine && options.problem)
     throw BadInput("--problem: the engine knows the rounded problem only; add '--engine reference'");
+  if (!by_engine && options.bound)
+    throw BadInput("--bound: the oracle's force and torque are correctly rounded; leave out '--engine reference'");
   const ContactLaw law = law_from(options.law);
   std::optional<PosesFile> poses;
   if (options.poses) poses.emplace(*options.poses);
@@ -72,9 +76,11 @@ Exit contact(const ContactOptions& options) {
   TriangleMesh mesh_F = read_mesh(options.file_F);
   print_warnings(warning_E, require_fit_or_warn(mesh_F));
   const Mode mode = mode_named(options.mode);
+  const Scheme scheme = scheme_named(options.scheme);
   const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
-  const Evaluate evaluate = by_engine ? evaluate_by_engine(std::move(mesh_E), std::move(mesh_F), law, mode)
-                                      : evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, problem);
+  const Evaluate evaluate =
+      by_engine ? evaluate_by_engine(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, options.bound)
+                : evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, problem);
   if (!poses) {
     print_line(evaluate(State{}));
     return Exit::success;
@@ -126,7 +132,7 @@ void add_contact_command(CLI::App& program, Run& run) {
       ->check(CLI::IsMember({"E", "F", "both"}));
   command
       ->add_option("--scheme", options->scheme,
-                   "How elements sample the penetration: barycentric (default; clipped is not available yet)")
+                   "How elements sample the penetration: barycentric (default), once a face, or clipped, its integral")
       ->type_name("SCHEME")
       ->check(CLI::IsMember({"barycentric", "clipped"}));
   command
@@ -134,6 +140,8 @@ void add_contact_command(CLI::App& program, Run& run) {
                    "With --engine reference: rounded (default; F's vertices rounded into E's marker) or exact")
       ->type_name("PROBLEM")
       ->check(CLI::IsMember({"rounded", "exact"}));
+  command->add_flag("--bound", options->bound,
+                    "Also rigorous bounds on the rounding errors of force and torque (with --engine fast)");
   add_law_options(*command, options->law);
   command->callback([options, &run] { run = [options] { return contact(*options); }; });
 }

@@ -35,6 +35,7 @@ struct VerifyOptions {
   std::vector<std::string> strata;
   std::vector<std::vector<std::string>> pairs;
   std::string mode = "both";
+  std::string scheme = "barycentric";
   std::optional<std::string> jobs;
   std::optional<std::string> out;
   std::optional<std::string> case_file;
@@ -62,6 +63,7 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   plan.poses = static_cast<std::int64_t>(whole_number("--poses", options.poses, 1, kMostPoses));
   plan.seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
   plan.mode = mode_named(options.mode);
+  plan.scheme = scheme_named(options.scheme);
   if (!options.strata.empty()) plan.strata.clear();
   for (const std::string& word : options.strata) {
     const std::optional<Stratum> stratum = stratum_named(word);
@@ -204,7 +206,7 @@ Exit verify(const VerifyOptions& options) {
 
 Exit replay(const std::string& file) {
   const Case posed = read_case(file);
-  const Scene scene(posed.E, posed.F, posed.law, posed.mode);
+  const Scene scene(posed.E, posed.F, posed.law, posed.mode, posed.scheme);
   fast::Workspace workspace;
   const PoseOutcome outcome = scene.hold(posed.pose, posed.velocity, workspace);
   std::cout << posed.origin << '\n';
@@ -246,6 +248,9 @@ void add_verify_command(CLI::App& program, Run& run) {
   command->add_option("--mode", options->mode, "Whose faces are masters: E, F or both")
       ->check(CLI::IsMember({"E", "F", "both"}))
       ->capture_default_str();
+  command->add_option("--scheme", options->scheme, "How elements sample the penetration: barycentric or clipped")
+      ->check(CLI::IsMember({"barycentric", "clipped"}))
+      ->capture_default_str();
   command->add_option("--jobs", options->jobs, "Threads (default: as many as cores)")->type_name("N");
   command
       ->add_option("--out", options->out,
@@ -253,7 +258,7 @@ void add_verify_command(CLI::App& program, Run& run) {
       ->type_name("DIR");
   command->add_option("--case", options->case_file, "Replay a case file instead")
       ->type_name("FILE")
-      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--out");
+      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--out");
   command->callback([options, &run] {
     run = [options] { return options->case_file ? replay(*options->case_file) : verify(*options); };
   });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/contact_json.h"
 
+#include <cmath>
 #include <utility>
 
 namespace pcm::compare {
@@ -57,6 +58,13 @@ Json statistics_json(const fast::Statistics& statistics) {
           {"centre_of_pressure", json_vector(statistics.centre_of_pressure_Me)}};
 }
 
+/// JSON has no infinity: where nothing can be promised stands null.
+Json bound_json(const Eigen::Vector3d& bound) {
+  Json json = Json::array();
+  for (int i = 0; i < 3; ++i) json.push_back(std::isfinite(bound[i]) ? Json(bound[i]) : Json());
+  return json;
+}
+
 /// The keys that both answers share; what their types spell differently comes as arguments.
 template <typename Result>
 Json common_json(const Result& result, Json volume, std::size_t elements, Json work) {
@@ -87,6 +95,10 @@ Json contact_json(const fast::Contact& contact) {
   Json json =
       common_json(contact, std::move(volume), static_cast<std::size_t>(contact.element_count), work_json(contact.work));
   json["statistics"] = statistics_json(contact.statistics);
+  if (contact.bound)
+    json["bound"] = {{"force", bound_json(contact.bound->force_Me)},
+                     {"torque", bound_json(contact.bound->torque_Me)},
+                     {"flipped", contact.bound->flipped}};
   return json;
 }
 

@@ -101,6 +101,10 @@ Mode mode_named(const std::string& name) {
   return name == "both" ? Mode::both : Mode::E;
 }
 
+Scheme scheme_named(const std::string& name) {
+  return name == "clipped" ? Scheme::clipped : Scheme::barycentric;
+}
+
 ContactLaw law_from(const LawOptions& options) {
   ContactLaw law;
   if (options.stiffness) law.stiffness = positive_number("--stiffness", *options.stiffness);

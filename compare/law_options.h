@@ -28,6 +28,9 @@ void add_law_options(CLI::App& command, LawOptions& options);
 /// The mode that --mode names: E, F or both.
 Mode mode_named(const std::string& name);
 
+/// The scheme that --scheme names: barycentric or clipped.
+Scheme scheme_named(const std::string& name);
+
 /// The law that the options describe. Throws BadInput naming the option that is out of its range.
 ContactLaw law_from(const LawOptions& options);
 

@@ -47,9 +47,9 @@ class PoseRandom {
   /// In [low, high], 0 < low <= high: a uniform integer binary exponent, then a uniform mantissa, by rejection.
   double log_uniform(double low, double high) {
     const int first = std::ilogb(low);
-    const auto exponents = static_cast<std::uint64_t>(std::ilogb(high) - first + 1);
+    const int exponents = std::ilogb(high) - first + 1;
     for (;;) {
-      const int exponent = first + static_cast<int>(below(exponents));
+      const int exponent = first + static_cast<int>(below(static_cast<std::uint64_t>(exponents)));
       const double value = std::ldexp(1 + uniform(), exponent);
       if (value >= low && value <= high) return value;
     }

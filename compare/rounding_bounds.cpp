@@ -23,6 +23,11 @@ constexpr Side other(Side side) {
   return side == Side::E ? Side::F : Side::E;
 }
 
+/// a b for bounds, of which one may be infinite where the other is exactly 0: nothing, however often, is nothing.
+double times(double a, double b) {
+  return a == 0 || b == 0 ? 0 : a * b;
+}
+
 double harmonic(double c_E, double c_F) {
   if (std::isinf(c_E)) return c_F;
   if (std::isinf(c_F)) return c_E;
@@ -94,8 +99,11 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   bounds.penetration = cosine > 0 ? (height_error + deepest * cosine_error) / cosine + 2 * u * deepest
                                   : std::numeric_limits<double>::infinity();
 
+  // Clamping to max_penetration magnifies no error, and leaves none greater than what it clamps to.
+  const double clamped_error = std::min(bounds.penetration, law.max_penetration);
+
   // Position (13), C_k = C + w u_k n_k, 0 <= w <= 1.
-  bounds.position = barycentre_error + bounds.penetration + e.penetration * (master.normal_error + 4 * u) +
+  bounds.position = barycentre_error + clamped_error + e.penetration * (master.normal_error + 4 * u) +
                     std::sqrt(3.0) * u * (2 * e.position_Me.cwiseAbs().maxCoeff());
 
   // Velocity (17), v_k = v + w x (C_k - r), and its parts (16), (19).
@@ -103,7 +111,7 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   const Velocity& velocity = question_.velocity;
   const Eigen::Vector3d v_k = velocity.v + velocity.w.cross(arm);
   const double arm_error = bounds.position + 2 * u * arm.norm();
-  const double velocity_error = velocity.w.norm() * (arm_error + 6 * u * arm.norm()) +
+  const double velocity_error = times(velocity.w.norm(), arm_error + 6 * u * arm.norm()) +
                                 2 * u * (velocity.v.norm() + velocity.w.norm() * arm.norm());
   const Eigen::Vector3d n = master.normal_Me;
   const double v_n = v_k.dot(n);
@@ -116,13 +124,13 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   const double c_l = stiffness(law);
   const double elastic = c_l * e.area * e.penetration;
   const double elastic_error =
-      c_l * (bounds.area * e.penetration + e.area * bounds.penetration) + 6 * u * elastic;  // c_l (12) has 3 roundings
+      c_l * (bounds.area * e.penetration + times(e.area, clamped_error)) + 6 * u * elastic;  // c_l (12) has 3 roundings
   const double damping = law.damping * e.area * std::abs(v_n);
-  const double fade_error = law.transition_depth > 0 && e.penetration < law.transition_depth + bounds.penetration
-                                ? std::min(1.0, bounds.penetration / law.transition_depth + u)
+  const double fade_error = law.transition_depth > 0 && e.penetration < law.transition_depth + clamped_error
+                                ? std::min(1.0, clamped_error / law.transition_depth + u)
                                 : 0;
-  const double damping_error =
-      law.damping * (bounds.area * std::abs(v_n) + e.area * normal_velocity_error) + damping * (fade_error + 4 * u);
+  const double damping_error = times(law.damping, bounds.area * std::abs(v_n) + times(e.area, normal_velocity_error)) +
+                               damping * (fade_error + 4 * u);
   const double normal_force = elastic + damping;  // an upper bound of F_n
   const double normal_force_error = elastic_error + damping_error + u * normal_force;
 
@@ -131,12 +139,12 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   const double slip = std::max(law.slip_velocity, v_t);
   const double direction_error = slip > 0 ? std::min(2.0, 2 * tangential_velocity_error / slip + 8 * u) : 2;
   const double friction_error =
-      v_k.norm() > 0 ? law.friction * (normal_force_error + normal_force * direction_error) : 0;
+      v_k.norm() > 0 ? times(law.friction, normal_force_error + normal_force * direction_error) : 0;
 
   // F_k = F_n n_k + friction, M_k = (C_k - r) x F_k.
   const double magnitude = normal_force * (1 + law.friction);
   bounds.force = normal_force_error + normal_force * (master.normal_error + 3 * u) + friction_error + 3 * u * magnitude;
-  bounds.torque = arm.norm() * bounds.force + (arm_error + 4 * u * arm.norm()) * magnitude;
+  bounds.torque = times(arm.norm(), bounds.force) + times(arm_error + 4 * u * arm.norm(), magnitude);
   bounds.area *= kHigherOrder;
   bounds.penetration *= kHigherOrder;
   bounds.position *= kHigherOrder;

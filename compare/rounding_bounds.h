@@ -21,6 +21,7 @@ struct Question {
   const SurfaceFeatures& F;
   const ContactLaw& law;
   Mode mode = Mode::E;
+  Scheme scheme = Scheme::barycentric;
   Pose pose;
   Velocity velocity;
 };

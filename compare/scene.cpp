@@ -29,24 +29,26 @@ TriangleMesh fit(TriangleMesh mesh) {
 
 }  // namespace
 
-Scene::Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode)
+Scene::Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme)
     : mesh_E_(fit(std::move(mesh_E))),
       mesh_F_(fit(std::move(mesh_F))),
       features_(mesh_E_, mesh_F_),
       law_(law),
       mode_(mode),
-      engine_(fast::Surface(mesh_E_), fast::Surface(mesh_F_), law, mode),
-      oracle_(mesh_E_, mesh_F_, law, mode) {}
+      scheme_(scheme),
+      engine_(fast::Surface(mesh_E_), fast::Surface(mesh_F_), law, mode, scheme),
+      oracle_(mesh_E_, mesh_F_, law, mode, scheme) {}
 
-Scene::Scene(NestedMeshes meshes, const ContactLaw& law, Mode mode)
-    : Scene(std::move(meshes.E), std::move(meshes.F), law, mode) {
+Scene::Scene(NestedMeshes meshes, const ContactLaw& law, Mode mode, Scheme scheme)
+    : Scene(std::move(meshes.E), std::move(meshes.F), law, mode, scheme) {
   features_.ball = meshes.ball;
   features_.host = meshes.host;
 }
 
 PoseOutcome Scene::hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace) const {
   PoseOutcome outcome;
-  const Wanted everything;
+  Wanted everything;
+  everything.bound = true;
   const char* who = "engine";
   try {
     const StopWatch engine_watch;
@@ -69,10 +71,13 @@ PoseOutcome Scene::hold(const Pose& pose, const Velocity& velocity, fast::Worksp
     outcome.nested = true_rounded.nested;
     outcome.ambiguous = true_rounded.ambiguous;
     outcome.too_deep = true_rounded.too_deep > 0;
-    outcome.flipped = flipped(true_rounded, true_exact);
+    outcome.flipped = scheme_ == Scheme::barycentric && flipped(true_rounded, true_exact);
+    outcome.unbounded = subj.bound && !(subj.bound->force_Me.allFinite() && subj.bound->torque_Me.allFinite());
     outcome.predicates = subj.work.predicates;
     outcome.exact_predicates = subj.work.exact_predicates;
     outcome.disagreements = disagreements(asked, subj, true_rounded);
+    for (Disagreement& broken : broken_bounds(asked, subj, true_rounded, true_exact))
+      outcome.disagreements.push_back(std::move(broken));
     outcome.errors = relative_errors(asked, subj, true_exact, outcome.flipped);
     outcome.backward_error_ulps = backward_error_ulps(mesh_F_, pose);
   } catch (const std::exception& error) {

@@ -15,9 +15,10 @@ namespace pcm::compare {
 class Scene {
  public:
   /// Throws BadInput where a mesh is unfit for contact.
-  Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode);
+  Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
+        Scheme scheme = Scheme::barycentric);
   /// For the stratum nested.
-  Scene(NestedMeshes meshes, const ContactLaw& law, Mode mode);
+  Scene(NestedMeshes meshes, const ContactLaw& law, Mode mode, Scheme scheme = Scheme::barycentric);
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
@@ -25,7 +26,7 @@ class Scene {
   const ContactLaw& law() const { return law_; }
   Mode mode() const { return mode_; }
   Question question(const Pose& pose, const Velocity& velocity) const {
-    return {features_.E, features_.F, law_, mode_, pose, velocity};
+    return {features_.E, features_.F, law_, mode_, scheme_, pose, velocity};
   }
 
   /// Asks both sides about one pose and compares. What either side throws becomes a disagreement of kind `failure`.
@@ -40,6 +41,7 @@ class Scene {
   FeaturePair features_;
   ContactLaw law_;
   Mode mode_;
+  Scheme scheme_;
   fast::Pairing engine_;
   reference::Oracle oracle_;
 };

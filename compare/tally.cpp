@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/tally.h"
 
+#include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <climits>
 #include <cmath>
@@ -76,14 +77,15 @@ void Tally::add(const PoseOutcome& outcome, const std::string& pose) {
   nested += outcome.nested;
   ambiguous += outcome.ambiguous;
   flipped += outcome.flipped;
+  unbounded += outcome.unbounded;
   too_deep += outcome.too_deep;
   disagreeing += !outcome.disagreements.empty();
   for (const Disagreement& d : outcome.disagreements) ++by_kind[static_cast<std::size_t>(d.kind)];
   predicates += outcome.predicates;
   exact_predicates += outcome.exact_predicates;
   const RelativeErrors& e = outcome.errors;
-  const std::array<const std::optional<double>*, kErrors> values = {&e.area,        &e.vector_area, &e.volume,
-                                                                    &e.penetration, &e.force,       &e.torque};
+  const std::array<const std::optional<double>*, kErrors> values = {
+      &e.area, &e.vector_area, &e.volume, &e.penetration, &e.force, &e.torque, &e.force_bound, &e.torque_bound};
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (!values[k]->has_value()) continue;
     errors[k].add(**values[k]);
@@ -101,6 +103,7 @@ void Tally::merge(const Tally& other) {
   nested += other.nested;
   ambiguous += other.ambiguous;
   flipped += other.flipped;
+  unbounded += other.unbounded;
   too_deep += other.too_deep;
   disagreeing += other.disagreeing;
   for (std::size_t k = 0; k < by_kind.size(); ++k) by_kind[k] += other.by_kind[k];
@@ -116,6 +119,10 @@ void Tally::merge(const Tally& other) {
   oracle_exact_seconds.merge(other.oracle_exact_seconds);
 }
 
+double Tally::error_quantile(std::size_t k, double q) const {
+  return std::min(errors[k].quantile(q), worst[k].value);
+}
+
 double Tally::disagreement_rate_bound() const {
   if (poses == 0 || disagreeing == poses) return 1;
   return boost::math::binomial_distribution<>::find_upper_bound_on_p(static_cast<double>(poses),
@@ -124,7 +131,8 @@ double Tally::disagreement_rate_bound() const {
 
 nlohmann::ordered_json Tally::to_json() const {
   nlohmann::ordered_json json;
-  json["counts"] = {poses, touching, nested, ambiguous, flipped, too_deep, disagreeing, predicates, exact_predicates};
+  json["counts"] = {poses,     touching, nested,      ambiguous,  flipped,
+                    unbounded, too_deep, disagreeing, predicates, exact_predicates};
   json["by_kind"] = by_kind;
   for (std::size_t k = 0; k < errors.size(); ++k)
     json["errors"].push_back({errors[k].to_json(), worst[k].value, worst[k].pose});
@@ -136,8 +144,9 @@ nlohmann::ordered_json Tally::to_json() const {
 Tally Tally::from_json(const nlohmann::ordered_json& json) {
   Tally tally;
   std::size_t at = 0;
-  for (std::int64_t* count : {&tally.poses, &tally.touching, &tally.nested, &tally.ambiguous, &tally.flipped,
-                              &tally.too_deep, &tally.disagreeing, &tally.predicates, &tally.exact_predicates})
+  for (std::int64_t* count :
+       {&tally.poses, &tally.touching, &tally.nested, &tally.ambiguous, &tally.flipped, &tally.unbounded,
+        &tally.too_deep, &tally.disagreeing, &tally.predicates, &tally.exact_predicates})
     *count = json.at("counts").at(at++).get<std::int64_t>();
   tally.by_kind = json.at("by_kind").get<std::array<std::int64_t, kKinds>>();
   for (std::size_t k = 0; k < tally.errors.size(); ++k) {

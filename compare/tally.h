@@ -41,11 +41,12 @@ struct Greatest {
   void add(double candidate, const std::string& candidate_pose);
 };
 
-inline constexpr int kErrors = 6;
+inline constexpr int kErrors = 8;
 
-/// The errors of RelativeErrors in their order there, by name.
-inline constexpr std::array<const char*, kErrors> kErrorNames = {"area",        "vector area", "volume",
-                                                                 "penetration", "force",       "torque"};
+/// The errors of RelativeErrors in their order there, by name; the engine's own bounds last.
+inline constexpr std::array<const char*, kErrors> kErrorNames = {"area",  "vector area", "volume",      "penetration",
+                                                                 "force", "torque",      "force bound", "torque bound"};
+inline constexpr std::size_t kFirstBound = 6;
 
 /// All that the tables need of one pose.
 struct PoseOutcome {
@@ -54,6 +55,7 @@ struct PoseOutcome {
   bool nested = false;
   bool ambiguous = false;
   bool flipped = false;
+  bool unbounded = false;
   bool too_deep = false;
   std::vector<Disagreement> disagreements;
   std::int64_t predicates = 0;
@@ -71,6 +73,7 @@ struct Tally {
   std::int64_t nested = 0;
   std::int64_t ambiguous = 0;
   std::int64_t flipped = 0;
+  std::int64_t unbounded = 0;  ///< the engine promises nothing about force or torque
   std::int64_t too_deep = 0;
   std::int64_t disagreeing = 0;  ///< poses with a disagreement of any kind
   std::array<std::int64_t, kKinds> by_kind{};
@@ -85,6 +88,9 @@ struct Tally {
 
   void add(const PoseOutcome& outcome, const std::string& pose);
   void merge(const Tally& other);
+
+  /// Quantile q of error k: rounded up by the histogram, but never above the greatest.
+  double error_quantile(std::size_t k, double q) const;
 
   /// Upper end of the one-sided 95 % confidence interval (Clopper and Pearson 1934) of the rate of disagreeing poses;
   /// about 3 / n where there was none.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "compare/rounded_vertices.h"
@@ -98,7 +99,6 @@ void check_faces(Kind kind, Side side, const std::vector<Index>& subj, const std
 }
 
 bool check_elements(const fast::Contact& subj, const reference::Answer& truth, Findings& findings) {
-  findings.check_equal(Kind::too_deep, "too deep", subj.too_deep, truth.too_deep);
   findings.check_equal(Kind::elements, "element count", static_cast<std::size_t>(subj.element_count),
                        subj.elements.size());
   if (!findings.check_equal(Kind::elements, "elements", subj.elements.size(), truth.elements.size())) return false;
@@ -162,6 +162,13 @@ void check_forces(const Question& question, const fast::Contact& subj, const ref
   findings.check_vector(Kind::torque, "torque", subj.torque_Me, truth.torque_Me, bounds.torque);
 }
 
+/// One component of what the engine promises: |computed - true| <= bound, where the oracle's double is the true number
+/// rounded once.
+bool keeps_promise(double subj, double truth, double bound) {
+  const double half_ulp = 0x1p-53 * std::abs(truth) + std::numeric_limits<double>::denorm_min();
+  return std::abs(subj - truth) <= bound + 2 * half_ulp;  // one half for the bound's own sum
+}
+
 bool same_elements(const std::vector<reference::Element>& a, const std::vector<reference::Element>& b) {
   return std::equal(
       a.begin(), a.end(), b.begin(), b.end(), [](const reference::Element& x, const reference::Element& y) {
@@ -191,7 +198,8 @@ std::string_view name(Kind kind) {
                                                            "element values",
                                                            "penetration",
                                                            "force",
-                                                           "torque"};
+                                                           "torque",
+                                                           "bound"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -210,11 +218,30 @@ std::vector<Disagreement> disagreements(const Question& question, const fast::Co
   findings.check_equal(Kind::undefined_areas, "undefined areas", subj.undefined_areas, truth.undefined_areas);
   const bool same_faces = subj.E.intersected == truth.E.intersected && subj.F.intersected == truth.F.intersected &&
                           subj.E.inner == truth.E.inner && subj.F.inner == truth.F.inner;
-  const bool same = check_elements(subj, truth, findings);
+  findings.check_equal(Kind::too_deep, "too deep", subj.too_deep, truth.too_deep);
+  const bool same = question.scheme == Scheme::barycentric && check_elements(subj, truth, findings);
 
   const RoundingBounds bounds(question, truth);
   if (same_polygons && same_faces) check_areas(subj, truth, bounds.area(), findings);
   if (same) check_forces(question, subj, truth, bounds.force(), findings);
+  return std::move(findings).sorted();
+}
+
+std::vector<Disagreement> broken_bounds(const Question& question, const fast::Contact& subj,
+                                        const reference::Answer& true_rounded, const reference::Answer& true_exact) {
+  Findings findings;
+  if (!subj.bound) return {};
+  for (int i = 0; i < 3; ++i) {
+    if (!keeps_promise(subj.force_Me[i], true_exact.force_Me[i], subj.bound->force_Me[i]))
+      findings.add(Kind::bound, "force component {}: engine {} within {:.3g}, oracle {}", i, subj.force_Me[i],
+                   subj.bound->force_Me[i], true_exact.force_Me[i]);
+    if (!keeps_promise(subj.torque_Me[i], true_exact.torque_Me[i], subj.bound->torque_Me[i]))
+      findings.add(Kind::bound, "torque component {}: engine {} within {:.3g}, oracle {}", i, subj.torque_Me[i],
+                   subj.bound->torque_Me[i], true_exact.torque_Me[i]);
+  }
+  if (question.scheme == Scheme::barycentric && !subj.bound->flipped &&
+      !same_elements(true_rounded.elements, true_exact.elements))
+    findings.add(Kind::bound, "the exact problem has other elements, the engine calls them certain");
   return std::move(findings).sorted();
 }
 
@@ -245,6 +272,10 @@ RelativeErrors relative_errors(const Question& question, const fast::Contact& su
   errors.penetration = in_units(std::abs(subj.max_penetration - truth.max_penetration), truth.max_penetration);
   if (truth.force_scale > 0) errors.force = in_units((subj.force_Me - truth.force_Me).norm(), truth.force_scale);
   if (truth.torque_scale > 0) errors.torque = in_units((subj.torque_Me - truth.torque_Me).norm(), truth.torque_scale);
+  if (subj.bound && subj.bound->force_Me.allFinite() && truth.force_scale > 0)
+    errors.force_bound = in_units(subj.bound->force_Me.norm(), truth.force_scale);
+  if (subj.bound && subj.bound->torque_Me.allFinite() && truth.torque_scale > 0)
+    errors.torque_bound = in_units(subj.bound->torque_Me.norm(), truth.torque_scale);
   return errors;
 }
 

@@ -38,9 +38,10 @@ enum class Kind : std::uint8_t {
   penetration,        ///< greatest penetration, or whether it exceeds the law's bound
   force,              ///< force on E
   torque,             ///< torque on E about Mf
+  bound,              ///< the engine's own bound on the error of force or torque broken, or a flip it did not announce
 };
 
-inline constexpr int kKinds = 20;
+inline constexpr int kKinds = 21;
 
 /// The kind as a word of the tables, e.g. "polygon cycle".
 std::string_view name(Kind kind);
@@ -52,20 +53,30 @@ struct Disagreement {
 };
 
 /// Every disagreement between the engine and the oracle's answer to the rounded problem, at most one of each kind, in
-/// the order of the kinds. Where discrete facts disagree, the values that hang on them are not compared.
+/// the order of the kinds. Where discrete facts disagree, the values that hang on them are not compared. Elements of
+/// the clipped scheme are not held one by one, for slivers may come and go: there the engine's own bounds hold force
+/// and torque.
 std::vector<Disagreement> disagreements(const Question& question, const fast::Contact& subj,
                                         const reference::Answer& true_rounded);
+
+/// Breaches of the engine's own bounds, where it gave any: by a component of force or torque, or by an element that the
+/// exact problem has and the rounded one has not (or the reverse) while the engine calls its elements certain. At most
+/// one, of kind `bound`.
+std::vector<Disagreement> broken_bounds(const Question& question, const fast::Contact& subj,
+                                        const reference::Answer& true_rounded, const reference::Answer& true_exact);
 
 /// Rounding errors of the engine against the oracle's answer to the exact problem, relative as DESIGN section 3 states
 /// them and then divided by S/p: the measure is 1e-13. Absent where there is nothing to relate to: no contact, areas of
 /// coplanar faces that are an interval, elements of a pose that is `flipped`.
 struct RelativeErrors {
-  std::optional<double> area;         ///< the worse of both surfaces, relative to the area
-  std::optional<double> vector_area;  ///< likewise, relative to the area
-  std::optional<double> volume;       ///< relative to area times p
-  std::optional<double> penetration;  ///< greatest penetration, relative to itself
-  std::optional<double> force;        ///< relative to the sum of |F_k|
-  std::optional<double> torque;       ///< relative to the sum of |C_k - r| |F_k|
+  std::optional<double> area;          ///< the worse of both surfaces, relative to the area
+  std::optional<double> vector_area;   ///< likewise, relative to the area
+  std::optional<double> volume;        ///< relative to area times p
+  std::optional<double> penetration;   ///< greatest penetration, relative to itself
+  std::optional<double> force;         ///< relative to the sum of |F_k|
+  std::optional<double> torque;        ///< relative to the sum of |C_k - r| |F_k|
+  std::optional<double> force_bound;   ///< the engine's own bounds, stated like the errors they bound; absent where
+  std::optional<double> torque_bound;  ///< infinite
 };
 
 /// True where the two problems' elements cannot be told to be the same: the oracle does not certify the pose, or the

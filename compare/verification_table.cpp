@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
+#include <array>
 #include <vector>
 
 namespace pcm::compare {
@@ -19,12 +18,9 @@ struct Row {
 
 std::vector<Row> rows(const Verification& run) {
   std::vector<Row> table;
-  std::map<Stratum, Tally> by_stratum;
-  for (const Cell& cell : run.cells()) {
+  for (const Cell& cell : run.cells())
     table.push_back({run.plan().pairs[cell.pair].name, std::string(name(cell.stratum)), cell.tally});
-    by_stratum[cell.stratum].merge(cell.tally);
-  }
-  for (const auto& [stratum, tally] : by_stratum) table.push_back({"**all**", std::string(name(stratum)), tally});
+  for (const NamedTally& stratum : run.by_stratum()) table.push_back({"**all**", stratum.name, stratum.tally});
   table.push_back({"**all**", "**all**", run.total()});
   return table;
 }
@@ -43,15 +39,10 @@ double exact_fallback_rate(const Tally& tally) {
 
 constexpr std::array<double, 3> kQuantiles = {0.5, 0.99, 0.999};
 
-/// A quantile of error k; rounded up by the histogram, but never above the maximum.
-double quantile(const Tally& tally, std::size_t k, double q) {
-  return std::min(tally.errors[k].quantile(q), tally.worst[k].value);
-}
-
 std::string error_cell(const Tally& tally, std::size_t k) {
   if (tally.errors[k].count() == 0) return "-";
   std::string text;
-  for (const double q : kQuantiles) text += fmt::format("{:.1e} / ", quantile(tally, k, q));
+  for (const double q : kQuantiles) text += fmt::format("{:.1e} / ", tally.error_quantile(k, q));
   return text + fmt::format("{:.1e}", tally.worst[k].value);
 }
 
@@ -63,13 +54,15 @@ std::string verification_markdown(const Verification& run) {
       "## Agreement with the oracle on the rounded problem\n\n"
       "`disagreements` counts poses; `touch` to `other kinds` count them by what engine and oracle disagree about. "
       "`touching`, `nested` (one body inside the other without crossing), `ambiguous` (an open surface that does not "
-      "tell inside from outside), `flipped` (rounding may have changed a contact element) and `too deep` (a line of "
+      "tell inside from outside), `flipped` (rounding may have changed a contact element), `unbounded` (the engine "
+      "promises nothing about its force) and `too deep` (a line of "
       "penetration leaves its own body first) count poses that are so. `fallback`: part of the engine's predicates "
       "that needed exact arithmetic. `rate <`: 95 % upper bound on the rate of disagreeing poses. `backward`: greatest "
       "distance of a rounded vertex of F from the true one, in ulps.\n\n"
       "| pair | stratum | poses | touching | disagreements | touch | polygon count | polygon cycle | intersected | "
-      "inner | elements | other kinds | nested | ambiguous | flipped | too deep | fallback | rate < | backward |\n"
-      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      "inner | elements | other kinds | nested | ambiguous | flipped | unbounded | too deep | fallback | rate < | "
+      "backward |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Row& row : table) {
     const Tally& t = row.tally;
     std::int64_t others = 0;
@@ -80,10 +73,10 @@ std::string verification_markdown(const Verification& run) {
       others -= n;
       kinds += fmt::format(" {} |", n);
     }
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} |{} {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.2f} |\n", row.pair,
-                    row.stratum, t.poses, t.touching, t.disagreeing, kinds, others, t.nested, t.ambiguous, t.flipped,
-                    t.too_deep, exact_fallback_rate(t), t.disagreement_rate_bound(), t.backward_error_ulps.value);
+    text += fmt::format("| {} | {} | {} | {} | {} |{} {} | {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.2f} |\n",
+                        row.pair, row.stratum, t.poses, t.touching, t.disagreeing, kinds, others, t.nested, t.ambiguous,
+                        t.flipped, t.unbounded, t.too_deep, exact_fallback_rate(t), t.disagreement_rate_bound(),
+                        t.backward_error_ulps.value);
   }
   text +=
       "\n## Rounding error against the oracle on the exact problem\n\n"
@@ -92,10 +85,11 @@ std::string verification_markdown(const Verification& run) {
       "thickness of the intersection); quantiles are rounded up by at most an eighth. Area and vector area are "
       "relative "
       "to the area, volume to area times p, penetration to itself, force to the sum of the elements' |F|, torque to "
-      "the sum of |lever| |F|. Penetration, force and torque without the poses that are `flipped`.\n\n"
+      "the sum of |lever| |F|. Penetration, force and torque without the poses that are `flipped`. "
+      "Last the engine's own bounds on the errors of force and torque, where finite.\n\n"
       "| pair | stratum |";
   for (const char* error : kErrorNames) text += fmt::format(" {} |", error);
-  text += "\n|---|---|--:|--:|--:|--:|--:|--:|\n";
+  text += "\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Row& row : table) {
     std::int64_t count = 0;
     for (const Histogram& errors : row.tally.errors) count += errors.count();
@@ -120,7 +114,8 @@ std::string verification_csv(const Verification& run) {
   std::string text = "pair,stratum,poses,touching,disagreements";
   for (int k = 0; k < kKinds; ++k) text += fmt::format(",{} disagreements", name(static_cast<Kind>(k)));
   text +=
-      ",nested,ambiguous,flipped,too_deep,exact_fallback_rate,rate_bound_95,backward_error_ulps,backward_error_pose";
+      ",nested,ambiguous,flipped,unbounded,too_deep,exact_fallback_rate,rate_bound_95,backward_error_ulps,backward_"
+      "error_pose";
   for (const char* error : kErrorNames)
     text += fmt::format(",{0} count,{0} median,{0} p99,{0} p99.9,{0} max,{0} max pose", error);
   text += "\n";
@@ -128,12 +123,12 @@ std::string verification_csv(const Verification& run) {
     const Tally& t = row.tally;
     text += fmt::format("{},{},{},{},{}", plain(row.pair), plain(row.stratum), t.poses, t.touching, t.disagreeing);
     for (const std::int64_t n : t.by_kind) text += fmt::format(",{}", n);
-    text +=
-        fmt::format(",{},{},{},{},{},{},{},{}", t.nested, t.ambiguous, t.flipped, t.too_deep, exact_fallback_rate(t),
-                    t.disagreement_rate_bound(), t.backward_error_ulps.value, t.backward_error_ulps.pose);
+    text += fmt::format(",{},{},{},{},{},{},{},{},{}", t.nested, t.ambiguous, t.flipped, t.unbounded, t.too_deep,
+                        exact_fallback_rate(t), t.disagreement_rate_bound(), t.backward_error_ulps.value,
+                        t.backward_error_ulps.pose);
     for (std::size_t k = 0; k < kErrors; ++k) {
       text += fmt::format(",{}", t.errors[k].count());
-      for (const double q : kQuantiles) text += fmt::format(",{}", quantile(t, k, q));
+      for (const double q : kQuantiles) text += fmt::format(",{}", t.error_quantile(k, q));
       text += fmt::format(",{},{}", t.worst[k].value, t.worst[k].pose);
     }
     text += "\n";
@@ -163,14 +158,15 @@ nlohmann::ordered_json verification_json(const Verification& run) {
     entry["nested"] = t.nested;
     entry["ambiguous"] = t.ambiguous;
     entry["flipped"] = t.flipped;
+    entry["unbounded"] = t.unbounded;
     entry["too_deep"] = t.too_deep;
     entry["exact_fallback_rate"] = exact_fallback_rate(t);
     entry["rate_bound_95"] = t.disagreement_rate_bound();
     entry["backward_error_ulps"] = {{"max", t.backward_error_ulps.value}, {"pose", t.backward_error_ulps.pose}};
     for (std::size_t k = 0; k < kErrors; ++k)
-      entry["errors"][kErrorNames[k]] = {{"count", t.errors[k].count()}, {"median", quantile(t, k, 0.5)},
-                                         {"p99", quantile(t, k, 0.99)},  {"p99.9", quantile(t, k, 0.999)},
-                                         {"max", t.worst[k].value},      {"pose", t.worst[k].pose}};
+      entry["errors"][kErrorNames[k]] = {{"count", t.errors[k].count()},     {"median", t.error_quantile(k, 0.5)},
+                                         {"p99", t.error_quantile(k, 0.99)}, {"p99.9", t.error_quantile(k, 0.999)},
+                                         {"max", t.worst[k].value},          {"pose", t.worst[k].pose}};
     json["rows"].push_back(std::move(entry));
   }
   json["omissions"] = run.omissions();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <mutex>
 
 #include "compare/sha256.h"
@@ -36,6 +37,14 @@ std::uint64_t stream_of(const std::string& pair_name) {
   return hash;
 }
 
+/// The cells that have the same value of `key`, together.
+template <class Key>
+std::map<Key, Tally> merged(const std::vector<Cell>& cells, Key Cell::*key) {
+  std::map<Key, Tally> groups;
+  for (const Cell& cell : cells) groups[cell.*key].merge(cell.tally);
+  return groups;
+}
+
 }  // namespace
 
 Verification::~Verification() = default;
@@ -45,11 +54,11 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
     try {
-      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.mode);
+      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.mode, plan_.scheme);
       // All faces of a nested guest are active: tens of thousands cost the oracle tens of seconds a pose.
       if (!wants_nested || !pair.for_all_strata || pair.faces() > kMostNestedFaces) return;
       if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
-        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.mode);
+        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.mode, plan_.scheme);
     } catch (const BadInput& error) {
       throw BadInput("pair " + pair.name + ": " + error.what());
     }
@@ -110,6 +119,19 @@ Tally Verification::total() const {
   return total;
 }
 
+std::vector<NamedTally> Verification::by_pair() const {
+  std::vector<NamedTally> tallies;
+  for (const auto& [pair, tally] : merged(cells_, &Cell::pair)) tallies.push_back({plan_.pairs[pair].name, tally});
+  return tallies;
+}
+
+std::vector<NamedTally> Verification::by_stratum() const {
+  std::vector<NamedTally> tallies;
+  for (const auto& [stratum, tally] : merged(cells_, &Cell::stratum))
+    tallies.push_back({std::string(name(stratum)), tally});
+  return tallies;
+}
+
 std::string Verification::pose_name(const Cell& cell, std::int64_t pose) const {
   return plan_.pairs[cell.pair].name + "/" + std::string(name(cell.stratum)) + "/" + std::to_string(pose);
 }
@@ -142,6 +164,7 @@ Case Verification::as_case(const Finding& finding) const {
   posed.velocity = drawn.velocity;
   posed.law = pair.law;
   posed.mode = plan_.mode;
+  posed.scheme = plan_.scheme;
   return posed;
 }
 
@@ -198,6 +221,7 @@ nlohmann::ordered_json Verification::identity() const {
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
   json["mode"] = static_cast<int>(plan_.mode);
+  json["scheme"] = static_cast<int>(plan_.scheme);
   for (const Stratum stratum : plan_.strata) json["strata"].push_back(std::string(name(stratum)));
   for (const SurfacePair& pair : plan_.pairs) json["pairs"].push_back({pair.name, sha256(pair.E), sha256(pair.F)});
   return json;
@@ -220,7 +244,7 @@ nlohmann::ordered_json Verification::state() const {
 
 void Verification::restore(const nlohmann::ordered_json& state) {
   if (state.at("run") != identity())
-    throw BadInput("it holds another run (other poses, seed, strata, mode or surfaces); choose another folder");
+    throw BadInput("it holds another run (other poses, seed, strata, mode, scheme or surfaces); choose another folder");
   for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
   batches_done_ = state.at("batches_done").get<std::int64_t>();
   findings_.clear();

@@ -22,6 +22,7 @@ struct VerificationPlan {
   std::uint64_t seed = 1;
   std::vector<Stratum> strata{kStrata.begin(), kStrata.end()};
   Mode mode = Mode::both;
+  Scheme scheme = Scheme::barycentric;
   std::vector<SurfacePair> pairs;
 };
 
@@ -30,6 +31,12 @@ struct Cell {
   std::size_t pair = 0;
   Stratum stratum = Stratum::generic;
   std::int64_t poses = 0;
+  Tally tally;
+};
+
+/// What cells of one name have together.
+struct NamedTally {
+  std::string name;
   Tally tally;
 };
 
@@ -60,6 +67,10 @@ class Verification {
   std::int64_t batches_done() const { return batches_done_; }
   bool finished() const { return batches_done_ == batches_; }
   Tally total() const;
+  /// The cells of each pair together, in the plan's order; without pairs that have no cell.
+  std::vector<NamedTally> by_pair() const;
+  /// The cells of each stratum together, in the order of Stratum; without strata that have no cell.
+  std::vector<NamedTally> by_stratum() const;
   /// Strata of pairs that are not to be had, in words.
   const std::vector<std::string>& omissions() const { return omissions_; }
 

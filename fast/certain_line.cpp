@@ -186,8 +186,7 @@ CertainLine follow_certainly(Workspace::Data& workspace, Side master, Index face
     limit = left_before ? -1 : std::min(limit, m.greatest);  // Below 0 the search is over.
   };
   for (const Index own : trace.own_faces) visit_own(own);
-  if (!left_before && !(limit < trace.own_reach) &&
-      !thicker_than(workspace, master, face, geometry, Ray(geometry, tube.origin), limit)) {
+  if (!left_before && !(limit < trace.own_reach) && !thicker_than(workspace, master, face, geometry, limit)) {
     for_each_face_near(workspace, master, tube, limit, visit_own);
   }
   if (left_before) return {Finding::no_element, 0};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "fast/clipped_elements.h"
 #include "fast/contact_force.h"
 #include "fast/force_bound.h"
 #include "fast/geometry.h"
@@ -11,44 +12,54 @@
 
 namespace pcm::fast {
 
-MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem, MasterBound* bound) {
+namespace {
+
+MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
+                                     MasterBound* bound) {
   SideState& side = workspace.side(master);
   Contact& contact = workspace.contact;
   MasterForce total;
-  std::size_t i = 0, j = 0;
-  while (i < side.intersected.size() || j < side.inner.size()) {
-    const bool inner = i == side.intersected.size() || (j < side.inner.size() && side.inner[j] < side.intersected[i]);
-    const Index face = inner ? side.inner[j++] : side.intersected[i++];
+  for_each_active_face(side, [&](Index face) {
     const FaceGeometry geometry(side.posed.face_Me(face, contact.work));
     LineTrace* const trace = bound != nullptr ? bound->begin_face(face, geometry) : nullptr;
     const Penetration penetration = find_penetration(workspace, master, face, geometry, trace);
     if (penetration.outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
     if (penetration.outcome != Penetration::Outcome::element) {
       if (bound != nullptr) bound->add_no_element(face, geometry, penetration.first_met);
-      continue;
+      return;
     }
-
-    ++contact.element_count;
-    contact.max_penetration = std::max(contact.max_penetration, penetration.depth);
     Element element;
     element.master = master;
     element.master_face = face;
     element.slave_face = penetration.slave_face;
     element.area = geometry.area;
     element.penetration = penetration.depth;
-    if (element.penetration > problem.law.max_penetration) {
-      element.penetration = problem.law.max_penetration;
-      contact.penetration_exceeded = true;
-    }
     element.normal_Me = -geometry.n_Me;
-    apply_force(problem, geometry.barycentre_Me(), element);
-    total.force_Me += element.force_Me;
-    total.torque_Me += (element.position_Me - problem.pose.r).cross(element.force_Me);
+    add_element(contact, problem, penetration.depth, geometry.barycentre_Me(), element, total);
     if (bound != nullptr) bound->add_element(geometry, element, total);
-    if (problem.keep_elements) contact.elements.push_back(element);
-  }
+  });
   if (bound != nullptr) bound->add_inactive_faces();
   return total;
+}
+
+}  // namespace
+
+void add_element(Contact& contact, const ForceProblem& problem, double greatest_penetration,
+                 const Eigen::Vector3d& foot_Me, Element& element, MasterForce& total) {
+  ++contact.element_count;
+  contact.max_penetration = std::max(contact.max_penetration, greatest_penetration);
+  if (greatest_penetration > problem.law.max_penetration) contact.penetration_exceeded = true;
+  element.penetration = std::min(element.penetration, problem.law.max_penetration);
+  apply_force(problem, foot_Me, element);
+  total.force_Me += element.force_Me;
+  total.torque_Me += (element.position_Me - problem.pose.r).cross(element.force_Me);
+  if (problem.keep_elements) contact.elements.push_back(element);
+}
+
+MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem, MasterBound* bound) {
+  if (problem.scheme == Scheme::barycentric) return sum_barycentric_elements(workspace, master, problem, bound);
+  if (bound != nullptr) bound->promise_nothing();
+  return sum_clipped_elements(workspace, master, problem);
 }
 
 }  // namespace pcm::fast

@@ -7,8 +7,9 @@
 
 namespace pcm::fast {
 
-/// What turns elements into forces: the law, the motion and where Mf is.
+/// What turns elements into forces: the scheme, the law, the motion and where Mf is.
 struct ForceProblem {
+  Scheme scheme;
   const ContactLaw& law;
   SeriesStiffness stiffness;
   const Pose& pose;
@@ -26,9 +27,26 @@ struct MasterForce {
 
 class MasterBound;
 
-/// Forms the contact elements of a master (PCM section 6, barycentric scheme): one for each active face whose
-/// penetration line leaves the slave at u > 0, in face-index order; counts them and those too deep, and sums their
-/// forces (21)-(24). Needs that side's active area. `bound`, where given, gathers what their errors may be.
+/// Calls `visit(face)` for the active faces of a side, intersected and inner, in face-index order.
+template <class Visit>
+void for_each_active_face(const SideState& side, const Visit& visit) {
+  std::size_t i = 0, j = 0;
+  while (i < side.intersected.size() || j < side.inner.size()) {
+    const bool inner = i == side.intersected.size() || (j < side.inner.size() && side.inner[j] < side.intersected[i]);
+    visit(inner ? side.inner[j++] : side.intersected[i++]);
+  }
+}
+
+/// Enters an element into the answer and its force into the total (21)-(24). `element` brings its faces, area, normal
+/// and penetration, which is clamped here; `greatest_penetration` is that of any of its points, before clamping;
+/// `foot_Me` is C_e (8) or the centre of pressure.
+void add_element(Contact& contact, const ForceProblem& problem, double greatest_penetration,
+                 const Eigen::Vector3d& foot_Me, Element& element, MasterForce& total);
+
+/// Forms the contact elements of a master (PCM section 6), in face-index order; counts them and the faces that are too
+/// deep, and sums their forces (21)-(24). Barycentric scheme: one element for each active face whose penetration line
+/// leaves the slave at u > 0. Clipped scheme: see fast/clipped_elements.h. Needs that side's active area. `bound`,
+/// where given, gathers what the errors of the elements may be (barycentric scheme only).
 MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
                          MasterBound* bound = nullptr);
 

@@ -11,11 +11,11 @@
 
 namespace pcm::fast {
 
-void apply_force(const ForceProblem& problem, const Eigen::Vector3d& barycentre_Me, Element& element) {
+void apply_force(const ForceProblem& problem, const Eigen::Vector3d& foot_Me, Element& element) {
   const Eigen::Vector3d& n = element.normal_Me;
   const bool master_E = element.master == Side::E;
   const double shift = master_E ? problem.stiffness.shift_from_E : problem.stiffness.shift_from_F;
-  element.position_Me = barycentre_Me + (shift * element.penetration) * n;  // (13)
+  element.position_Me = foot_Me + (shift * element.penetration) * n;  // (13)
   Eigen::Vector3d slip_Me = Eigen::Vector3d::Zero();
   if (problem.with_velocities) {
     // (17): velocity of the slave at C_k seen from the master, so that along n_k it approaches.

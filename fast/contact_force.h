@@ -7,9 +7,9 @@
 namespace pcm::fast {
 
 /// Fills an element's position (13), velocities (16), (17), (19) and forces (14), (15), (18), (20), (21). `element`
-/// brings its master, area, penetration and normal; `barycentre_Me` is C_e. Velocities stay 0 where the problem needs
-/// none.
-void apply_force(const ForceProblem& problem, const Eigen::Vector3d& barycentre_Me, Element& element);
+/// brings its master, area, penetration and normal; `foot_Me` is C_e or the centre of pressure. Velocities stay 0 where
+/// the problem needs none.
+void apply_force(const ForceProblem& problem, const Eigen::Vector3d& foot_Me, Element& element);
 
 /// Summary over elements, in their order; all zero where there is none.
 Statistics summarize(const std::vector<Element>& elements);

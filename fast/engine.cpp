@@ -114,8 +114,9 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   if (force) {
     const ContactLaw& law = pairing.law();
     const bool with_velocities = law.damping != 0 || law.friction != 0 || wanted.elements;
-    compute_force(data, pairing.mode(),
-                  {law, SeriesStiffness(law), pose, velocity, with_velocities, wanted.elements, wanted.bound});
+    compute_force(
+        data, pairing.mode(),
+        {pairing.scheme(), law, SeriesStiffness(law), pose, velocity, with_velocities, wanted.elements, wanted.bound});
     if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite()) {
       throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
     }

@@ -103,6 +103,13 @@ void MasterBound::add_possible_element(double area, double depth, const FaceGeom
   sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
 }
 
+void MasterBound::promise_nothing() {
+  const SideState& side = workspace_.side(master_);
+  if (side.intersected.empty() && side.inner.empty() && side.undecided_faces.empty()) return;
+  sum_.force_Me.setConstant(std::numeric_limits<double>::infinity());
+  sum_.torque_Me = sum_.force_Me;
+}
+
 ForceBound MasterBound::result() const {
   return {number_or_infinity(kBoundMargin * sum_.force_Me), number_or_infinity(kBoundMargin * sum_.torque_Me),
           sum_.flipped};

@@ -10,7 +10,7 @@
 namespace pcm::fast {
 
 /// Gathers a rigorous bound on the errors of one master's force and torque against the exact problem (PCM section 1),
-/// barycentric scheme, while its elements are being summed.
+/// barycentric scheme, while its elements are being summed. Of the clipped scheme it promises nothing.
 ///
 /// A face whose decisions (is it active, which slave face does its line meet first, is q > 0, does no other face of the
 /// master come before) are the same for all positions of F's vertices within their rounding adds the error of its
@@ -32,6 +32,10 @@ class MasterBound {
   void add_no_element(Index face, const FaceGeometry& geometry, Index first_met);
   /// The faces that are not active in the rounded problem, but may be in the exact one.
   void add_inactive_faces();
+
+  /// In place of all the above, for the clipped scheme, whose parts of faces have no such bound: infinite where any
+  /// face is active or may be.
+  void promise_nothing();
 
   ForceBound result() const;
 

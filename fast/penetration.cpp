@@ -166,7 +166,7 @@ Penetration follow_line(Workspace::Data& workspace, Side master, Index face, con
   const FirstFace first = first_face_met<kTraced>(workspace, opposite(master), line, ray, trace);
   penetration.first_met = first.face;
   if (first.face < 0 || first.direction > 0) return penetration;
-  if (!thicker_than(workspace, master, face, geometry, ray, first.no_farther_than) &&
+  if (!thicker_than(workspace, master, face, geometry, first.no_farther_than) &&
       leaves_master_before<kTraced>(workspace, master, face, line, ray, first, trace)) {
     penetration.outcome = Penetration::Outcome::too_deep;
     return penetration;
@@ -181,19 +181,11 @@ Penetration follow_line(Workspace::Data& workspace, Side master, Index face, con
 
 }  // namespace
 
-// The face's vertices are where the pose takes them but for the placement's slack, which turns its normal by at most
-// twice that slack over its edges' heights.
 bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                  const Ray& ray, double distance) {
+                  double distance) {
   const Surface::Data& surface = workspace.side(master).surface();
-  const double bound = surface.thickness[static_cast<std::size_t>(face)];
-  if (!(distance < bound)) return false;
-  const auto& p = geometry.points_Me;
-  const double slack = workspace.placement.slack(master);
-  const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
-  const double reach = surface.reach.maxCoeff();
-  const double line_error = slack + 8 * reach * (ray.direction_error + slack * edges / geometry.area);
-  return line_error < kThicknessTolerance * reach;
+  return distance < surface.thickness[static_cast<std::size_t>(face)] &&
+         thickness_holds(surface, workspace.placement.slack(master), geometry);
 }
 
 Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,

@@ -4,7 +4,6 @@
 
 #include "fast/geometry.h"
 #include "fast/line_trace.h"
-#include "fast/ray.h"
 #include "fast/workspace.h"
 
 namespace pcm::fast {
@@ -28,9 +27,9 @@ struct Penetration {
 Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
                              LineTrace* trace = nullptr);
 
-/// Whether the thickness computed beforehand already says that no other face of the master is met as near as
-/// `distance`, in the rounded problem and in the exact one alike. `ray` is the face's penetration line.
+/// Whether the thickness computed beforehand already says that the face's penetration line meets no other face of the
+/// master as near as `distance`, in the rounded problem and in the exact one alike.
 bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                  const Ray& ray, double distance);
+                  double distance);
 
 }  // namespace pcm::fast

@@ -49,6 +49,7 @@ struct Surface::Data {
   /// Lower bound of the distance from each face's barycentre along its inward normal to the next face of the same
   /// surface, m; see fast/thickness.h.
   std::vector<double> thickness;
+  std::vector<double> thickness_everywhere;  ///< the same over all points of each face
 
   const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }
   const Eigen::Vector3d& vertex(Index v) const { return mesh.vertices[static_cast<std::size_t>(v)]; }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fast/ray.h"
+#include "fast/projected_face.h"
 
 namespace pcm::fast {
 
@@ -50,6 +50,38 @@ double least_distance(const Ray& ray, const FaceGeometry& f, double tolerance) {
   return distance < -margin ? kInfinity : distance - margin;
 }
 
+/// How deep beneath the master face any part of f begins that the prism, wider by `tolerance` on all sides, has in it.
+double least_depth(const MasterPrism& prism, const std::array<PrismPoint, 3>& corners, double tolerance) {
+  ConvexPolygon part;
+  for (PrismPoint corner : corners) {
+    corner[0] += tolerance * length(prism.inward_Me(1));
+    corner[1] += tolerance * length(prism.inward_Me(2));
+    corner[2] += tolerance * length(prism.inward_Me(0));
+    corner[kDepth] += tolerance;
+    part.add(corner);
+  }
+  for (int coordinate = 0; coordinate <= kDepth; ++coordinate) keep_where_not_negative(part, coordinate);
+  double least = kInfinity;
+  for (int i = 0; i < part.count; ++i) least = std::min(least, part[i][kDepth]);
+  return least - 2 * tolerance;
+}
+
+/// The same for a face that shares a vertex with the master face, whatever the tolerance: beside it, what stands
+/// upright is seen as slivers.
+double least_depth_of_neighbour(const Triangle& vertices, const std::array<PrismPoint, 3>& corners) {
+  ProjectedFace face;
+  if (!project_face(vertices, corners, face)) return kInfinity;
+  double least = kInfinity;
+  bool at_border = true;
+  for (int i = 0; i < face.seen.count; ++i) {
+    least = std::min(least, face.seen[i][kDepth]);
+    at_border = at_border && face.seen[i].head<3>().minCoeff() < 0x1p-10;
+  }
+  Moments moments;
+  moments.add(face.seen);
+  return at_border && moments.area < 0x1p-50 ? kInfinity : least;
+}
+
 }  // namespace
 
 std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface) {
@@ -74,6 +106,46 @@ std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface) {
       } else if (node.face != face) {
         nearest = std::min(nearest, least_distance(ray, FaceGeometry(points_of(surface, node.face)), tolerance));
       }
+    }
+    bounds[static_cast<std::size_t>(face)] = std::max(nearest, 0.0);
+  }
+  return bounds;
+}
+
+std::vector<double> lower_bounds_of_thickness_everywhere(const Surface::Data& surface) {
+  const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
+  std::vector<double> bounds(surface.mesh.faces.size(), 0.0);
+  std::vector<Index> open;
+  WorkCounters work;
+  for (Index face = 0; face < static_cast<Index>(bounds.size()); ++face) {
+    const Triangle& master = surface.face(face);
+    const FaceGeometry geometry(points_of(surface, face));
+    if (!thickness_holds(surface, 0, geometry)) continue;
+    const MasterPrism prism(geometry);
+    const TreePrism tree_prism(prism, 2 * tolerance);
+    double nearest = kInfinity;
+    open.assign(1, 0);
+    while (!open.empty() && nearest > 0) {
+      const BoxNode& node = surface.tree.node(open.back());
+      open.pop_back();
+      if (!tree_prism.may_meet(node.box, nearest)) continue;
+      if (!node.leaf()) {
+        open.push_back(node.child);
+        open.push_back(node.child + 1);
+        continue;
+      }
+      if (node.face == face) continue;
+      const Triangle& vertices = surface.face(node.face);
+      std::array<PrismPoint, 3> corners;
+      bool neighbour = false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto shared = std::find(master.begin(), master.end(), vertices[k]);
+        neighbour = neighbour || shared != master.end();
+        corners[k] = shared != master.end() ? MasterPrism::corner(static_cast<int>(shared - master.begin()))
+                                            : prism.see(surface.vertex(vertices[k]), work);
+      }
+      nearest = std::min(
+          nearest, neighbour ? least_depth_of_neighbour(vertices, corners) : least_depth(prism, corners, tolerance));
     }
     bounds[static_cast<std::size_t>(face)] = std::max(nearest, 0.0);
   }

@@ -11,6 +11,7 @@
 #include "fast/engine.h"
 #include "fast/line_trace.h"
 #include "fast/placement.h"
+#include "fast/projected_face.h"
 #include "fast/stamped_array.h"
 #include "fast/transform.h"
 
@@ -128,6 +129,7 @@ struct Workspace::Data {
   std::vector<std::uint8_t> set_labels;
   StampedArray<Index> set_of_face;
   std::vector<FaceClip> clips;
+  ProjectionScratch projection;
   Contact contact;
 
   SideState& side(Side s) { return sides[static_cast<std::size_t>(s)]; }

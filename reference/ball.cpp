@@ -136,6 +136,12 @@ Ball hull(const Ball& a, const Ball& b) {
   return result;
 }
 
+Ball where_negative(const Ball& x, const Ball& a, const Ball& b) {
+  const std::optional<int> sign = x.sign();
+  if (!sign) return hull(a, b);
+  return *sign < 0 ? a : b;
+}
+
 std::optional<int> Ball::sign() const {
   if (mpfr_zero_p(lower_) && mpfr_zero_p(upper_)) return 0;
   if (mpfr_sgn(lower_) > 0) return 1;

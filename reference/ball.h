@@ -33,6 +33,8 @@ class Ball {
   friend Ball min(const Ball& a, const Ball& b);
   friend Ball max(const Ball& a, const Ball& b);
   friend Ball hull(const Ball& a, const Ball& b);
+  /// a where x < 0, otherwise b; either where the enclosure of x does not tell.
+  friend Ball where_negative(const Ball& x, const Ball& a, const Ball& b);
 
   /// -1 or 1 where the enclosure lies on one side of zero, 0 where it is zero itself; nothing where it does not tell.
   std::optional<int> sign() const;

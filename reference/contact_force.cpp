@@ -4,210 +4,127 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
-#include "reference/lifted_pose.h"
+#include "reference/exact_loads.h"
 #include "reference/settle.h"
 
 namespace pcm::reference {
 namespace {
 
+/// Precisions of the enclosures: enough for nearly all values, and enough for nearly all that are no ties.
 constexpr mpfr_prec_t kFirstPrecision = 120;
-constexpr mpfr_prec_t kLastPrecision = 1280;
+constexpr mpfr_prec_t kLastPrecision = 240;
 
-/// The rational part of an element: everything that needs no unit vector.
-template <class T>
-struct Geometry {
-  Vec3<T> N;           ///< doubled normal of the master face
-  Vec3<T> slave_N;     ///< and of the slave face
-  Vec3<T> barycentre;  ///< C_e (8)
-  T q;                 ///< u_k = q |N| before clamping (11)
+/// An element's load with what only enclosures need.
+struct EnclosedLoad {
+  ElementLoad<Ball> load;
+  Ball cosine;
+  Vec3<Ball> force_on_E;
 };
 
-template <class T>
-Geometry<T> geometry_of(LiftedPose<T>& pose, const ElementPair& element) {
-  const auto p = pose.corners(element.master, element.master_face);
-  const auto f = pose.corners(other(element.master), element.slave_face);
-  Geometry<T> g{doubled_normal(p[0], p[1], p[2]), doubled_normal(f[0], f[1], f[2]),
-                T(pose.number(1.0) / pose.number(3.0)) * (p[0] + p[1] + p[2]), pose.number(0.0)};
-  g.q = dot(g.barycentre - f[0], g.slave_N) / dot(g.N, g.slave_N);
-  return g;
-}
-
-/// What the law needs of both bodies' layers.
-template <class T>
-struct Layers {
-  T stiffness;    ///< c_l (12)
-  T slave_share;  ///< c_slave / (c_E + c_F): how far C_k lies from the master face, in units of u_k (13)
-};
-
-template <class T>
-Layers<T> layers_of(const ContactLaw& law, Side master, const LiftedPose<T>& pose) {
-  if (!law.layers) return {pose.number(law.stiffness), pose.number(0.5)};
-  const double c_master = master == Side::E ? law.layers->c_E : law.layers->c_F;
-  const double c_slave = master == Side::E ? law.layers->c_F : law.layers->c_E;
-  if (std::isinf(c_master)) return {pose.number(c_slave), pose.number(0.0)};
-  if (std::isinf(c_slave)) return {pose.number(c_master), pose.number(1.0)};
-  const T sum = pose.number(c_master) + pose.number(c_slave);
-  return {pose.number(c_master) * pose.number(c_slave) / sum, pose.number(c_slave) / sum};
-}
-
-/// C_k = C_e + share * u_k n_k (13), with u_k n_k = -q N.
-template <class T>
-Vec3<T> position_of(const Geometry<T>& g, const T& q, const T& share) {
-  return g.barycentre - T(share * q) * g.N;
-}
-
-/// v_k (17), seen from the master: v + w x (C_k - r) for master E, the opposite for master F.
-template <class T>
-Vec3<T> relative_velocity(const Velocity& velocity, const Vec3<T>& arm, Side master, const LiftedPose<T>& pose) {
-  const Vec3<T> v = pose.vector(velocity.v) + cross(pose.vector(velocity.w), arm);
-  return master == Side::E ? v : pose.number(-1.0) * v;
-}
-
-/// v_k - v_n n_k without any square root.
-template <class T>
-Vec3<T> tangential_part(const Vec3<T>& v, const Vec3<T>& N) {
-  return v - T(dot(v, N) / dot(N, N)) * N;
-}
-
-/// Decisions of the law that enclosures cannot make, made with rational numbers once.
-struct Decisions {
-  bool exceeded = false;  ///< u_k > max_penetration
-  bool slips = true;      ///< v_t > 0; unknown, so taken as true, where the penetration is clamped
-};
-
-Decisions decide(LiftedPose<Rational>& pose, const ElementPair& element, const ContactLaw& law,
-                 const Velocity& velocity) {
-  const bool bounded = std::isfinite(law.max_penetration);
-  const bool dry = law.friction > 0 && law.slip_velocity == 0;
-  Decisions decisions;
-  if (!bounded && !dry) return decisions;
-  const Geometry<Rational> g = geometry_of(pose, element);
-  if (bounded) {
-    const Rational bound(law.max_penetration);
-    decisions.exceeded = g.q * g.q * dot(g.N, g.N) > bound * bound;
-  }
-  if (dry && !decisions.exceeded) {
-    const Vec3<Rational> position = position_of(g, g.q, layers_of(law, element.master, pose).slave_share);
-    const Vec3<Rational> arm = position - pose.vector(pose.pose().pose().r);
-    const Vec3<Rational> tangential = tangential_part(relative_velocity(velocity, arm, element.master, pose), g.N);
-    decisions.slips = dot(tangential, tangential) != 0;
-  }
-  return decisions;
-}
-
-/// All that is reported of an element.
-struct ElementValues {
-  Ball area, penetration, unclamped, cosine;
-  Vec3<Ball> position, force_on_E, torque_on_E;
-};
-
-/// F_t / v_t (20), friction coefficient apart: (2 - v_t / v_eps) / v_eps below v_eps, 1 / v_t above; they meet at
-/// v_eps.
-Ball friction_slope(const Ball& v_t, double slip_velocity, bool slips, const LiftedPose<Ball>& pose) {
-  if (!slips) return pose.number(0.0);
-  const Ball one = pose.number(1.0), v_eps = pose.number(slip_velocity);
-  if (slip_velocity == 0) return v_t.sign() == 0 ? pose.number(0.0) : one / v_t;
-  const std::optional<int> regime = (v_t - v_eps).sign();
-  const Ball regularised = (pose.number(2.0) - v_t / v_eps) / v_eps;
-  if (regime && *regime <= 0) return regularised;
-  return regime ? one / v_t : hull(regularised, one / v_t);
-}
-
-ElementValues evaluate(LiftedPose<Ball>& pose, const ElementPair& element, const ContactLaw& law,
-                       const Velocity& velocity, const Decisions& decisions) {
-  const Geometry<Ball> g = geometry_of(pose, element);
-  const Layers<Ball> layers = layers_of(law, element.master, pose);
-  const Ball length = sqrt(dot(g.N, g.N)), zero = pose.number(0.0);
-  const Ball q = decisions.exceeded ? pose.number(law.max_penetration) / length : g.q;
-
-  const Ball A_k = length / pose.number(2.0);                     // (6)
-  const Ball u_k = q * length;                                    // (11)
-  const Vec3<Ball> n_k = Ball(pose.number(-1.0) / length) * g.N;  // (7)
-  const Vec3<Ball> C_k = position_of(g, q, layers.slave_share);   // (13)
-  const Vec3<Ball> arm = C_k - pose.vector(pose.pose().pose().r);
-  const Vec3<Ball> v_k = relative_velocity(velocity, arm, element.master, pose);  // (17)
-  const Ball v_n = dot(n_k, v_k);                                                 // (16)
-
-  const Ball elastic = layers.stiffness * A_k * u_k;  // (14)
-  const double u_d = law.transition_depth;
-  const Ball fade = u_d > 0 ? min(u_k / pose.number(u_d), pose.number(1.0)) : pose.number(1.0);
-  const Ball damping = pose.number(law.damping) * A_k * v_n * fade;  // (15)
-  Ball F_n = elastic + (law.damping_mode == DampingMode::compression ? max(damping, zero) : damping);
-  if (law.damping_mode == DampingMode::no_tension) F_n = max(F_n, zero);  // (18)
-
-  Vec3<Ball> F_k = F_n * n_k;
-  if (law.friction > 0) {
-    const Vec3<Ball> tangential = tangential_part(v_k, g.N);
-    const Ball v_t = sqrt(max(dot(tangential, tangential), zero));  // (19)
-    const Ball slope = friction_slope(v_t, law.slip_velocity, decisions.slips, pose);
-    F_k = F_k + Ball(pose.number(law.friction) * max(F_n, zero) * slope) * tangential;  // (20), (21)
-  }
-  const Vec3<Ball> force_on_E = element.master == Side::E ? F_k : pose.number(-1.0) * F_k;
-  const Ball slave_length = sqrt(dot(g.slave_N, g.slave_N));
-  return {A_k, u_k,        g.q * length,          dot(g.N, g.slave_N) / (length * slave_length),
-          C_k, force_on_E, cross(arm, force_on_E)};  // (22)
+EnclosedLoad enclose(const ForceQuestion& question, std::size_t i, LiftedPose<Ball>& pose, const Field<Ball>& field) {
+  const ElementGeometry<Ball> g = question.elements.geometry(i, pose);
+  const ElementLoad<Ball> load =
+      load_of(g, question.elements.pair(i).master, question.law, question.pose.pose(), question.velocity, field);
+  return {load, dot(g.N, g.slave_N) / sqrt(dot(g.N, g.N) * dot(g.slave_N, g.slave_N)),
+          load.force + sqrt(load.speed_squared) * load.drag};
 }
 
 Ball length_of(const Vec3<Ball>& v) {
   return sqrt(dot(v, v));
 }
 
-void settle_element(const ElementValues& values, Settler& settle, Element& element) {
-  settle(values.area, element.area);
-  settle(values.penetration, element.penetration);
-  settle(values.cosine, element.cosine);
-  settle(values.position, element.position_Me);
-  settle(values.force_on_E, element.force_Me);
+/// Settles values by their enclosures and, at the last precision, those that are not settled yet by exact loads.
+class LastSettler {
+ public:
+  LastSettler(ExactLoads& exact, bool last) : exact_(exact), last_(last) {}
+
+  template <class Exactly>
+  void operator()(const Ball& value, double& target, const Exactly& exactly) {
+    Settler settle;
+    settle(value, target);
+    if (settle.all()) return;
+    if (last_)
+      target = exactly(exact_);
+    else
+      all_ = false;
+  }
+  template <class Exactly>
+  void operator()(const Vec3<Ball>& value, Eigen::Vector3d& target, const Exactly& exactly) {
+    for (int axis = 0; axis < 3; ++axis)
+      (*this)(value[axis], target[axis], [&](ExactLoads& exact) { return exactly(exact, axis); });
+  }
+
+  void greatest_exceeds(const Ball& greatest, double bound, const Field<Ball>& field, bool& target) {
+    if (std::isinf(bound)) return;
+    if (const std::optional<int> sign = (greatest - field(bound)).sign())
+      target = *sign > 0;
+    else if (last_)
+      target = exact_.greatest_exceeds(bound);
+    else
+      all_ = false;
+  }
+
+  bool all() const { return all_; }
+
+ private:
+  ExactLoads& exact_;
+  bool last_;
+  bool all_ = true;
+};
+
+void settle_element(const EnclosedLoad& element, std::size_t i, LastSettler& settle, Element& target) {
+  settle(element.load.area, target.area, [i](ExactLoads& exact) { return exact.area(i); });
+  settle(element.load.penetration, target.penetration, [i](ExactLoads& exact) { return exact.penetration(i); });
+  settle(element.cosine, target.cosine, [i](ExactLoads& exact) { return exact.cosine(i); });
+  settle(element.load.position, target.position_Me,
+         [i](ExactLoads& exact, int axis) { return exact.position(i, axis); });
+  settle(element.force_on_E, target.force_Me, [i](ExactLoads& exact, int axis) { return exact.force(i, axis); });
 }
 
-void settle_totals(const std::vector<ElementValues>& elements, Mode mode, const LiftedPose<Ball>& pose, Settler& settle,
-                   Answer& answer) {
-  const Vec3<Ball> r = pose.vector(pose.pose().pose().r);
-  Vec3<Ball> force = pose.zero(), torque = pose.zero();
-  Ball force_scale = pose.number(0.0), torque_scale = force_scale, greatest = force_scale;
-  for (const ElementValues& values : elements) {
-    force = force + values.force_on_E;     // (23)
-    torque = torque + values.torque_on_E;  // (24)
-    const Ball size = length_of(values.force_on_E);
+void settle_totals(const std::vector<EnclosedLoad>& elements, const ForceQuestion& question, const Field<Ball>& field,
+                   LastSettler& settle, Answer& answer) {
+  const Ball zero = field(0.0);
+  Vec3<Ball> force{zero, zero, zero}, torque = force;
+  Ball force_scale = zero, torque_scale = zero, greatest = zero;
+  for (const EnclosedLoad& element : elements) {
+    force = force + element.force_on_E;                             // (23)
+    torque = torque + cross(element.load.arm, element.force_on_E);  // (22), (24)
+    const Ball size = length_of(element.force_on_E);
     force_scale = force_scale + size;
-    torque_scale = torque_scale + length_of(values.position - r) * size;
-    greatest = max(greatest, values.unclamped);
+    torque_scale = torque_scale + length_of(element.load.arm) * size;
+    greatest = max(greatest, element.load.greatest_penetration);
   }
-  const Ball factor = pose.number(mode == Mode::both ? 0.5 : 1.0);
-  settle(factor * force, answer.force_Me);
-  settle(factor * torque, answer.torque_Me);
-  settle(factor * force_scale, answer.force_scale);
-  settle(factor * torque_scale, answer.torque_scale);
-  settle(greatest, answer.max_penetration);
+  const Ball share = field(question.share());
+  settle(share * force, answer.force_Me, [](ExactLoads& exact, int axis) { return exact.total_force(axis); });
+  settle(share * torque, answer.torque_Me, [](ExactLoads& exact, int axis) { return exact.total_torque(axis); });
+  settle(share * force_scale, answer.force_scale, [](ExactLoads& exact) { return exact.force_scale(); });
+  settle(share * torque_scale, answer.torque_scale, [](ExactLoads& exact) { return exact.torque_scale(); });
+  settle(greatest, answer.max_penetration, [](ExactLoads& exact) { return exact.greatest_penetration(); });
+  settle.greatest_exceeds(greatest, question.law.max_penetration, field, answer.penetration_exceeded);
 }
 
 }  // namespace
 
-void report_force(const ExactPose& pose, const std::vector<ElementPair>& elements, const ContactLaw& law, Mode mode,
-                  const Velocity& velocity, const Wanted& wanted, Answer& answer) {
-  LiftedPose<Rational> rationals(pose);
-  std::vector<Decisions> decisions;
-  for (const ElementPair& element : elements) {
-    decisions.push_back(decide(rationals, element, law, velocity));
-    answer.penetration_exceeded = answer.penetration_exceeded || decisions.back().exceeded;
+void report_force(const ForceQuestion& question, const Wanted& wanted, Answer& answer) {
+  std::vector<Element> settled(question.elements.size());
+  for (std::size_t i = 0; i < settled.size(); ++i) {
+    const ElementPair pair = question.elements.pair(i);
+    settled[i].master = pair.master;
+    settled[i].master_face = pair.master_face;
+    settled[i].slave_face = pair.slave_face;
   }
-  std::vector<Element> settled;
-  for (const ElementPair& pair : elements) {
-    settled.emplace_back();
-    settled.back().master = pair.master;
-    settled.back().master_face = pair.master_face;
-    settled.back().slave_face = pair.slave_face;
-  }
-  for (mpfr_prec_t precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
-    LiftedPose<Ball> enclosures(pose, Field<Ball>{precision});
-    Settler settle(2 * precision > kLastPrecision);
-    std::vector<ElementValues> values;
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      values.push_back(evaluate(enclosures, elements[i], law, velocity, decisions[i]));
-    settle_totals(values, mode, enclosures, settle, answer);
+  ExactLoads exact(question);
+  for (const mpfr_prec_t precision : {kFirstPrecision, kLastPrecision}) {
+    const Field<Ball> field{precision};
+    LiftedPose<Ball> pose(question.pose, field);
+    LastSettler settle(exact, precision == kLastPrecision);
+    std::vector<EnclosedLoad> loads;
+    for (std::size_t i = 0; i < settled.size(); ++i) loads.push_back(enclose(question, i, pose, field));
+    settle_totals(loads, question, field, settle, answer);
     if (wanted.elements)
-      for (std::size_t i = 0; i < elements.size(); ++i) settle_element(values[i], settle, settled[i]);
+      for (std::size_t i = 0; i < settled.size(); ++i) settle_element(loads[i], i, settle, settled[i]);
     if (settle.all()) break;
   }
   if (wanted.elements) answer.elements = std::move(settled);

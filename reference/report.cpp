@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reference/radical_sum.h"
 #include "reference/settle.h"
 
 namespace pcm::reference {
@@ -11,34 +12,37 @@ namespace {
 
 /// Precision of the enclosures to begin with: enough for nearly all values, and the fastest above one word.
 constexpr mpfr_prec_t kFirstPrecision = 120;
-constexpr mpfr_prec_t kLastPrecision = 4096;
 
 Eigen::Vector3d nearest_doubles(const Vec3<Rational>& v) {
   return {nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)};
 }
 
-Ball enclosed(const Ball& x, const Field<Ball>&) {
-  return x;
-}
-Ball enclosed(const Rational& x, const Field<Ball>& field) {
-  return field(x);
-}
-
 /// The three sums of shares times |N|.
-template <class T>
-void settle_areas(const std::vector<FaceArea<T>>& faces, const Field<Ball>& field, Settler& settle,
+void settle_areas(const std::vector<FaceArea<Ball>>& faces, const Field<Ball>& field, Settler& settle,
                   ActiveArea& active) {
   Ball open = field(0.0), counted = open, closed = open;
-  for (const FaceArea<T>& face : faces) {
-    const Ball length = sqrt(enclosed(dot(face.normal, face.normal), field));
-    const Ball area = enclosed(face.shares.counted, field) * length;
+  for (const FaceArea<Ball>& face : faces) {
+    const Ball length = sqrt(dot(face.normal, face.normal));
+    const Ball area = face.shares.counted * length;
     counted = counted + area;
-    open = open + (face.overlapped ? enclosed(face.shares.open, field) * length : area);
-    closed = closed + (face.overlapped ? enclosed(face.shares.closed, field) * length : area);
+    open = open + (face.overlapped ? face.shares.open * length : area);
+    closed = closed + (face.overlapped ? face.shares.closed * length : area);
   }
   settle(counted, active.area);
   settle(open, active.area_interval.open);
   settle(closed, active.area_interval.closed);
+}
+
+void report_areas(const std::vector<FaceArea<Rational>>& faces, ActiveArea& active) {
+  RadicalSum open, counted, closed;
+  for (const FaceArea<Rational>& face : faces) {
+    const Rational squared_length = dot(face.normal, face.normal);
+    counted.add(face.shares.counted, squared_length);
+    open.add(face.shares.open, squared_length);
+    closed.add(face.shares.closed, squared_length);
+  }
+  active.area = counted.rounded();
+  active.area_interval = {open.rounded(), closed.rounded()};
 }
 
 template <class T>
@@ -52,7 +56,7 @@ bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, c
   const std::vector<Vec3<Ball>> positions = areas.points.positions(pose);
   const auto E = face_areas(areas, Side::E, positions, pose);
   const auto F = face_areas(areas, Side::F, positions, pose);
-  Settler settle(false);
+  Settler settle;
   settle_areas(E, field, settle, answer.E);
   settle_areas(F, field, settle, answer.F);
   settle(vector_area(E, pose), answer.E.vector_area_Me);
@@ -75,12 +79,8 @@ void report_rational(const ExactPose& pose_doubles, const ClippedAreas& areas, A
     const Vec3<Rational> origin = flux_origin(E, F, pose);
     answer.volume = nearest_double(flux_third(E, origin, pose) + flux_third(F, origin, pose));
   }
-  for (mpfr_prec_t precision = 2 * kFirstPrecision; precision <= 2 * kLastPrecision; precision *= 2) {
-    Settler settle(precision > kLastPrecision);
-    settle_areas(E, Field<Ball>{precision}, settle, answer.E);
-    settle_areas(F, Field<Ball>{precision}, settle, answer.F);
-    if (settle.all()) return;
-  }
+  report_areas(E, answer.E);
+  report_areas(F, answer.F);
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ void report_polygons(const ExactPose& pose, const CrossingPoints& points, const 
   LiftedPose<Ball> enclosures(pose, Field<Ball>{kFirstPrecision});
   LiftedPose<Rational> rationals(pose);
   const auto rounded_position = [&](Index crossing) -> Eigen::Vector3d {
-    Settler settle(false);
+    Settler settle;
     Eigen::Vector3d position;
     settle(points.position(crossing, enclosures), position);
     return settle.all() ? position : nearest_doubles(points.position(crossing, rationals));

@@ -8,6 +8,18 @@
 
 namespace pcm::degenerate {
 
+Case shifted_pair(std::string name, std::string shows, TriangleMesh mesh_E, TriangleMesh mesh_F,
+                  std::optional<double> volume, const Eigen::Vector3d& r) {
+  Case result;
+  result.name = std::move(name);
+  result.shows = std::move(shows);
+  result.E = std::move(mesh_E);
+  result.F = std::move(mesh_F);
+  result.r = r;
+  result.volume = volume;
+  return result;
+}
+
 std::vector<Case> catalogue() {
   std::vector<Case> all = meeting_features();
   for (auto more : {coplanar_faces(), unusual_topologies()}) {

@@ -28,6 +28,10 @@ struct Case {
   std::optional<double> volume;
 };
 
+/// E, and F shifted by r.
+Case shifted_pair(std::string name, std::string shows, TriangleMesh mesh_E, TriangleMesh mesh_F,
+                  std::optional<double> volume = std::nullopt, const Eigen::Vector3d& r = Eigen::Vector3d::Zero());
+
 /// Vertices and edges of the two surfaces that meet exactly, also seen along penetration lines.
 std::vector<Case> meeting_features();
 

@@ -17,15 +17,8 @@ TriangleMesh placed(TriangleMesh mesh, double scale, double shift) {
 }
 
 /// Two copies of a body, the second moved by r.
-Case copies(std::string name, std::string shows, TriangleMesh mesh, const Eigen::Vector3d& r, double volume) {
-  Case result;
-  result.name = std::move(name);
-  result.shows = std::move(shows);
-  result.E = mesh;
-  result.F = std::move(mesh);
-  result.r = r;
-  result.volume = volume;
-  return result;
+Case copies(std::string name, std::string shows, const TriangleMesh& mesh, const Eigen::Vector3d& r, double volume) {
+  return shifted_pair(std::move(name), std::move(shows), mesh, mesh, volume, r);
 }
 
 Case turned_about_z(Case original, std::string name, std::string shows) {

@@ -11,22 +11,10 @@
 namespace pcm::degenerate {
 namespace {
 
-Case pair(std::string name, std::string shows, TriangleMesh mesh_E, TriangleMesh mesh_F,
-          std::optional<double> volume = std::nullopt, const Eigen::Vector3d& r = Eigen::Vector3d::Zero()) {
-  Case result;
-  result.name = std::move(name);
-  result.shows = std::move(shows);
-  result.E = std::move(mesh_E);
-  result.F = std::move(mesh_F);
-  result.r = r;
-  result.volume = volume;
-  return result;
-}
-
 /// An upright open rectangle, one metre along x, whose lower border is the x axis and which is two metres high.
 Case pierced_by_rectangle(std::string name, std::string shows, const Eigen::Vector3d& lower_middle) {
-  Case result = pair(std::move(name), std::move(shows), generate::box({0, 0, 0}, {4, 4, 2}), generate::rectangle(1, 2),
-                     std::nullopt, lower_middle + Eigen::Vector3d(0, 0, 1));
+  Case result = shifted_pair(std::move(name), std::move(shows), generate::box({0, 0, 0}, {4, 4, 2}),
+                             generate::rectangle(1, 2), std::nullopt, lower_middle + Eigen::Vector3d(0, 0, 1));
   result.A << 1, 0, 0, 0, 0, -1, 0, 1, 0;
   return result;
 }
@@ -42,25 +30,27 @@ std::vector<Case> unusual_topologies() {
   const TriangleMesh plate = generate::box({-4, -4, -1}, {4, 4, 0});
   const TriangleMesh pins = joined(generate::box({-3, 1, -1}, {-2, 2, 0.5}), generate::box({-1, 2, -1}, {0, 3, 0.5}));
 
-  Case bubble_in_container = pair("bubble_in_open_container", "a closed body against an open container, four patches",
-                                  generate::pyramid(), generate::bubble(), std::nullopt, {0, 0, 0.2109375});
+  Case bubble_in_container =
+      shifted_pair("bubble_in_open_container", "a closed body against an open container, four patches",
+                   generate::pyramid(), generate::bubble(), std::nullopt, {0, 0, 0.2109375});
   bubble_in_container.exactly_representable = false;
 
   return {
-      pair("nested_box", "F inside E without a crossing", large, generate::box({1, 1, 1}, {2, 2, 2}), 1),
-      pair("nested_in_box", "E inside F without a crossing", generate::box({1, 1, 1}, {2, 2, 2}), large, 1),
-      pair("box_in_cavity", "F in the cavity of E, outside its material", hollow,
-           generate::box({1.5, 1.5, 1.5}, {2.5, 2.5, 2.5}), 0),
-      pair("box_filling_cavity", "F fills the cavity of E: every face against an opposite one", hollow,
-           generate::box({1, 1, 1}, {3, 3, 3}), 0),
-      pair("box_through_cavity_wall", "F reaches from the material of E into its cavity", hollow,
-           generate::box({0.5, 0.5, 0.5}, {2, 2, 2}), 2.375),
-      pair("nested_in_cavity_wall", "F inside the material of E between surface and cavity", hollow,
-           generate::box({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}), 0.125),
-      pair("ring_on_plate", "a patch in the shape of a ring", plate, square_ring, 2, {0, 0, 0.5}),
-      pair("ring_resting_on_plate", "a closed chain of edges in the plane of a face", plate, square_ring, 0, {0, 0, 1}),
-      pair("two_pins_under_plate", "two patches on one face of E, F of two components",
-           generate::box({-4, -4, 0}, {4, 4, 1}), pins, 1),
+      shifted_pair("nested_box", "F inside E without a crossing", large, generate::box({1, 1, 1}, {2, 2, 2}), 1),
+      shifted_pair("nested_in_box", "E inside F without a crossing", generate::box({1, 1, 1}, {2, 2, 2}), large, 1),
+      shifted_pair("box_in_cavity", "F in the cavity of E, outside its material", hollow,
+                   generate::box({1.5, 1.5, 1.5}, {2.5, 2.5, 2.5}), 0),
+      shifted_pair("box_filling_cavity", "F fills the cavity of E: every face against an opposite one", hollow,
+                   generate::box({1, 1, 1}, {3, 3, 3}), 0),
+      shifted_pair("box_through_cavity_wall", "F reaches from the material of E into its cavity", hollow,
+                   generate::box({0.5, 0.5, 0.5}, {2, 2, 2}), 2.375),
+      shifted_pair("nested_in_cavity_wall", "F inside the material of E between surface and cavity", hollow,
+                   generate::box({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}), 0.125),
+      shifted_pair("ring_on_plate", "a patch in the shape of a ring", plate, square_ring, 2, {0, 0, 0.5}),
+      shifted_pair("ring_resting_on_plate", "a closed chain of edges in the plane of a face", plate, square_ring, 0,
+                   {0, 0, 1}),
+      shifted_pair("two_pins_under_plate", "two patches on one face of E, F of two components",
+                   generate::box({-4, -4, 0}, {4, 4, 1}), pins, 1),
       pierced_by_rectangle("open_border_inside_patch", "an open surface ends inside E", {3, 1, 1}),
       pierced_by_rectangle("open_border_on_face", "an open surface ends exactly in a face of E", {3, 1, 2}),
       pierced_by_rectangle("open_border_across_edge", "an open surface, its side borders outside and inside E",

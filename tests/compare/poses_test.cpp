@@ -22,7 +22,7 @@ namespace pcm::compare {
 namespace {
 
 /// Changes only with the construction of the poses, and then for every later table too.
-constexpr std::uint64_t kGoldenHash = 0x6bf5ffda99d836a0;
+constexpr std::uint64_t kGoldenHash = 0x5ec641d99f81f1bb;
 
 const TriangleMesh& cube() {
   static const TriangleMesh mesh = generate::box({1, 1, 1});

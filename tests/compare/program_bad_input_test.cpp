@@ -73,7 +73,7 @@ TEST_F(BadInput, CommandsAndOptions) {
   expect_bad_contact({"--engine=fast", "--engine=fast"}, "--engine");
   expect_bad_contact({"--mode", "G"}, "--mode");
   expect_bad_contact({"--scheme", "other"}, "--scheme");
-  expect_bad_contact({"--scheme", "clipped"}, "clipped");
+  expect_bad_contact({"--engine", "reference", "--bound"}, "--bound");
   expect_bad_contact({"--engine", "reference", "--problem", "other"}, "--problem");
   expect_bad_contact({"--problem", "exact"}, "--problem");
 }

@@ -27,12 +27,12 @@ void operator delete(void* memory, std::size_t) noexcept {
 namespace pcm::fast {
 namespace {
 
-TEST(Allocations, NoneOnceTheWorkspaceHasGrown) {
+void expect_no_allocation_once_grown(Scheme scheme) {
   const Surface bubble(generate::bubble());
   ContactLaw law;
   law.friction = 0.5;
-  const Pairing closed(bubble, bubble, law, Mode::both);
-  const Pairing open(Surface(generate::pyramid()), bubble, law, Mode::both);
+  const Pairing closed(bubble, bubble, law, Mode::both, scheme);
+  const Pairing open(Surface(generate::pyramid()), bubble, law, Mode::both, scheme);
   Workspace workspace;
   Wanted bounded;
   bounded.bound = true;
@@ -50,6 +50,14 @@ TEST(Allocations, NoneOnceTheWorkspaceHasGrown) {
   EXPECT_GT(before, 0);
   run();
   EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocations, NoneOnceTheWorkspaceHasGrown) {
+  expect_no_allocation_once_grown(Scheme::barycentric);
+}
+
+TEST(Allocations, NoneInTheClippedSchemeOnceTheWorkspaceHasGrown) {
+  expect_no_allocation_once_grown(Scheme::clipped);
 }
 
 }  // namespace

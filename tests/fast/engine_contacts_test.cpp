@@ -224,7 +224,7 @@ TEST(Engine, DeepPenetrationIsClampedAndFlagged) {
 
 TEST(Engine, FarFromTheOriginNothingBreaks) {
   for (const double distance : {1e3, 1e6, 1e9, 1e12, 1e15}) {
-    const TriangleMesh far_cube = moved(kCube, Vector3d(distance, -distance, distance));
+    const TriangleMesh far_cube = translated(kCube, Vector3d(distance, -distance, distance));
     Pose pose = turned(0.5, {0, 0, 0});
     pose.r = Vector3d(distance, -distance, distance) + Vector3d(1, 0.5, 0.75);
     const Contact contact = answer(far_cube, kCube, pose, stiffness(1), Mode::both);

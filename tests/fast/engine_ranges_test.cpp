@@ -141,8 +141,9 @@ TEST(EngineRanges, AWorkspaceMovedFromStartsAnew) {
   const double volume = evaluate(pairing, shifted(0.5, 0.25, 0.125), {}, {}, first).volume;
   Workspace second = std::move(first);
   EXPECT_EQ(evaluate(pairing, shifted(0.5, 0.25, 0.125), {}, {}, second).volume, volume);
-  EXPECT_EQ(evaluate(pairing, shifted(0.5, 0.25, 0.125), {}, {}, first).volume,
-            volume);  // NOLINT(bugprone-use-after-move)
+  // Using a workspace that was moved from is what this test is about.
+  // NOLINTNEXTLINE(bugprone-use-after-move)
+  EXPECT_EQ(evaluate(pairing, shifted(0.5, 0.25, 0.125), {}, {}, first).volume, volume);
 }
 
 TEST(EngineRanges, FeaturesWhoseSquaresUnderflowGiveFiniteAnswers) {

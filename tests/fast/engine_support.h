@@ -10,15 +10,11 @@
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_round.h"
+#include "tests/meshes/transformed_meshes.h"
+#include "tests/shifted_pose.h"
 
 /// What the tests of the engine share: short names for poses and one-off evaluations.
 namespace pcm::fast::test {
-
-inline Pose shifted(double x, double y, double z) {
-  Pose pose;
-  pose.r = {x, y, z};
-  return pose;
-}
 
 /// A rotation that no coordinate plane survives, about an axis in general position.
 inline Pose turned(double angle, const Eigen::Vector3d& r) {
@@ -37,19 +33,9 @@ inline ContactLaw stiffness(double c_l) {
 /// A copy of the answer to one question.
 inline Contact answer(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose = {},
                       const ContactLaw& law = stiffness(1), Mode mode = Mode::E, const Velocity& velocity = {},
-                      const Wanted& wanted = {}) {
+                      const Wanted& wanted = {}, Scheme scheme = Scheme::barycentric) {
   Workspace workspace;
-  return evaluate(Pairing(Surface(E), Surface(F), law, mode), pose, velocity, wanted, workspace);
-}
-
-inline TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by) {
-  for (Eigen::Vector3d& x : mesh.vertices) x += by;
-  return mesh;
-}
-
-inline TriangleMesh scaled(TriangleMesh mesh, double factor) {
-  for (Eigen::Vector3d& x : mesh.vertices) x *= factor;
-  return mesh;
+  return evaluate(Pairing(Surface(E), Surface(F), law, mode, scheme), pose, velocity, wanted, workspace);
 }
 
 }  // namespace pcm::fast::test

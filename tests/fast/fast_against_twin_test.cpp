@@ -7,35 +7,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "fast/engine.h"
-#include "meshes/degenerate/catalogue.h"
 #include "tests/reference/brute_force/combinatorics.h"
-#include "tests/reference/brute_force/trials.h"
+#include "tests/reference/brute_force/twin_comparison.h"
 
 namespace pcm::brute_force {
 namespace {
 
+/// The engine's answer in the twin's words.
 Combinatorics combinatorics_of(const fast::Contact& contact) {
-  Combinatorics result;
-  result.touching = contact.touching;
-  result.nested = contact.nested;
-  result.ambiguous = contact.ambiguous;
-  result.patches = contact.patches;
-  result.undefined_areas = contact.undefined_areas;
-  result.too_deep = contact.too_deep;
-  for (const fast::Polygon& polygon : contact.polygons) {
-    Polygon& copy = result.polygons.emplace_back();
-    copy.closed = polygon.closed;
-    copy.patch = polygon.patch;
-    for (Index i = polygon.first; i < polygon.first + polygon.count; ++i)
-      copy.points.push_back({contact.crossings[i].edge_side, contact.crossings[i].edge, contact.crossings[i].face});
-  }
-  result.intersected = {contact.E.intersected, contact.F.intersected};
-  result.inner = {contact.E.inner, contact.F.inner};
-  for (const fast::Element& element : contact.elements)
-    result.elements.emplace_back(element.master, element.master_face, element.slave_face);
-  return result;
+  return brute_force::combinatorics_of(contact, [&](const fast::Polygon& polygon) {
+    return std::span(contact.crossings)
+        .subspan(static_cast<std::size_t>(polygon.first), static_cast<std::size_t>(polygon.count));
+  });
 }
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -95,13 +81,8 @@ void expect_area(const ActiveArea& twin, const fast::ActiveArea& found, bool clo
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(found.vector_area_Me[i], twin.perturbed_vector_area[i], bound);
 }
 
-struct Seen {
-  int touching = 0;
-  int elements = 0;
-};
-
-void compare_on(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, Seen& seen) {
-  const Answer twin = answer(E, F, pose, reference::Problem::rounded, Mode::both);
+Answer compare(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
+  Answer twin = answer(E, F, pose, reference::Problem::rounded, Mode::both);
   fast::Workspace workspace;
   const fast::Pairing pairing(fast::Surface(E), fast::Surface(F), {}, Mode::both);
   const fast::Contact& contact = fast::evaluate(pairing, pose, {}, {}, workspace);
@@ -114,42 +95,20 @@ void compare_on(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, 
   if (twin.perturbed_volume) {
     EXPECT_NEAR(contact.volume, *twin.perturbed_volume, 2 * bound * greatest_length(twin.scene));
   }
-  seen.touching += twin.touching ? 1 : 0;
-  seen.elements += twin.elements.empty() ? 0 : 1;
+  return twin;
 }
 
 TEST(FastAgainstTwin, AgreesOnTheDegenerateCatalogue) {
-  Seen seen;
-  for (const degenerate::Case& example : degenerate::catalogue()) {
-    if (example.E.faces.size() + example.F.faces.size() > 200) continue;
-    SCOPED_TRACE(example.name);
-    compare_on(example.E, example.F, {example.A, example.r}, seen);
-  }
-  EXPECT_GE(seen.touching, 10);
+  compare_on_catalogue(compare);
 }
 
-class FastAgainstTwinPoses : public testing::TestWithParam<std::tuple<Kind, int>> {};
+class FastAgainstTwinPoses : public testing::TestWithParam<Series> {};
 
 TEST_P(FastAgainstTwinPoses, Agree) {
-  const Kind kind = std::get<0>(GetParam());
-  const int count = affordable(std::get<1>(GetParam()));
-  Seen seen;
-  for (int number = 0; number < count && !HasFailure(); ++number) {
-    const Trial trial = draw_trial(kind, 40, number);
-    SCOPED_TRACE(trial.description);
-    compare_on(trial.E, trial.F, trial.pose, seen);
-  }
-  EXPECT_GE(seen.touching, count / 5);
-  EXPECT_GE(seen.elements, count / 20);
+  compare_on_trials(GetParam(), 40, compare);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, FastAgainstTwinPoses,
-                         testing::Values(std::tuple{Kind::generic, 200}, std::tuple{Kind::lattice, 400},
-                                         std::tuple{Kind::near_lattice, 300}, std::tuple{Kind::grids, 60},
-                                         std::tuple{Kind::open, 300}),
-                         [](const testing::TestParamInfo<std::tuple<Kind, int>>& test) {
-                           return name_of(std::get<0>(test.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinds, FastAgainstTwinPoses, kAllSeries, series_name);
 
 }  // namespace
 }  // namespace pcm::brute_force

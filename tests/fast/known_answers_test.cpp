@@ -52,7 +52,7 @@ TEST(KnownAnswers, PlateAsMasterFeelsTheImmersedVolumeThroughItsCentroid) {
   // A wedge of 45 degrees stands on its edge; the plate's grid follows its outline, so u is linear over each face.
   // Barycentres sample the force exactly, its arm to the square of the grid's width.
   const double K = 7, h = 0.5;
-  const TriangleMesh wedge = moved(generate::wedge(45, 1, 1), {0, 0, -h});
+  const TriangleMesh wedge = translated(generate::wedge(45, 1, 1), {0, 0, -h});
   double y = 0;
   for (const Vector3d& x : wedge.vertices) y += x.y() / static_cast<double>(wedge.vertices.size());
   const Contact contact = answer(generate::plate(4, 4, 1, 64, 64), wedge, shifted(0.25, 0.5, 0), stiffness(K));

@@ -111,7 +111,7 @@ TEST(Law, ElementsMoveWithTheBodyThatSlides) {
   law.damping = 10;
   law.friction = 0.5;
   const Velocity velocity{{2, 0, -1}, {0, 0, 0}};
-  const Contact contact = test::answer(E, F, test::shifted(0, 0, 0.25), law, Mode::F, velocity);
+  const Contact contact = test::answer(E, F, shifted(0, 0, 0.25), law, Mode::F, velocity);
   EXPECT_DOUBLE_EQ(contact.force_Me.z(), -(100 * 0.25 + 10));
   EXPECT_DOUBLE_EQ(contact.force_Me.x(), 0.5 * 35);
   ASSERT_EQ(contact.elements.size(), 2u);

@@ -9,12 +9,16 @@
 #include <limits>
 #include <utility>
 
+#include "meshes/degenerate/bodies.h"
 #include "tests/meshes/check_test_meshes.h"
 #include "tests/meshes/expect_bad_input.h"
+#include "tests/meshes/transformed_meshes.h"
 
 namespace pcm {
 namespace {
 
+using degenerate::inverted;
+using degenerate::joined;
 using Faces = std::vector<Index>;
 
 /// Expects exactly these kinds of issues, and the text that require_fit throws where one is an error.
@@ -115,7 +119,7 @@ TEST(Check, VerticesOneUlpApartAreNotDuplicates) {
 
 TEST(Check, TwoCubesSharingAnEdgeAreNonManifold) {
   // Second cube diagonally beside the first: they share the edge x = y = 1.
-  const TriangleMesh mesh = weld(join(cube(), translated(cube(), {1, 1, 0})));
+  const TriangleMesh mesh = weld(joined(cube(), translated(cube(), {1, 1, 0})));
   ASSERT_EQ(mesh.vertices.size(), 14u);
   expect_issues(mesh, {MeshIssueKind::non_manifold_edges}, "1 edge of more than two faces: ");
   const MeshReport report = check(mesh);
@@ -125,7 +129,7 @@ TEST(Check, TwoCubesSharingAnEdgeAreNonManifold) {
 }
 
 TEST(Check, TwoCubesSharingAVertexArePinched) {
-  const TriangleMesh mesh = weld(join(cube(), translated(cube(), {1, 1, 1})));
+  const TriangleMesh mesh = weld(joined(cube(), translated(cube(), {1, 1, 1})));
   ASSERT_EQ(mesh.vertices.size(), 15u);
   expect_issues(mesh, {MeshIssueKind::pinched_vertices}, "1 vertex in which parts of the surface touch: ");
   const MeshReport report = check(mesh);
@@ -199,30 +203,30 @@ TEST(Check, CavityLooksInwardAndABodyInsideItOutward) {
   const TriangleMesh outer = scaled(cube(), 8);
   const TriangleMesh cavity = translated(scaled(cube(), 4), {2, 2, 2});
   const TriangleMesh body = translated(cube(), {3, 3, 3});
-  expect_issues(join(outer, inverted(cavity)), {});
-  expect_issues(join(inverted(cavity), outer), {});
-  expect_issues(join(join(body, inverted(cavity)), outer), {});
-  expect_issues(join(outer, cavity), {MeshIssueKind::inside_out_components},
+  expect_issues(joined(outer, inverted(cavity)), {});
+  expect_issues(joined(inverted(cavity), outer), {});
+  expect_issues(joined(joined(body, inverted(cavity)), outer), {});
+  expect_issues(joined(outer, cavity), {MeshIssueKind::inside_out_components},
                 "the one of face 13 (12 faces, enclosed by 1 other)");
-  expect_issues(join(join(inverted(body), inverted(cavity)), outer), {MeshIssueKind::inside_out_components},
+  expect_issues(joined(joined(inverted(body), inverted(cavity)), outer), {MeshIssueKind::inside_out_components},
                 "the one of face 1 (12 faces, enclosed by 2 others)");
-  expect_issues(join(inverted(outer), cavity), {MeshIssueKind::inside_out_components}, "2 closed components");
+  expect_issues(joined(inverted(outer), cavity), {MeshIssueKind::inside_out_components}, "2 closed components");
 }
 
 TEST(Check, BodiesThatTouchOrCrossAreNotNested) {
   // On top of one another, inside touching from within on faces, edges and corners, and crossing.
-  expect_issues(join(scaled(cube(), 2), translated(cube(), {0.5, 0.5, 2})), {});
-  expect_issues(join(scaled(cube(), 4), translated(scaled(cube(), 2), {1, 1, 3})), {});
-  expect_issues(join(scaled(cube(), 4), inverted(translated(scaled(cube(), 2), {1, 1, 2}))), {});
-  expect_issues(join(scaled(cube(), 4), inverted(translated(scaled(cube(), 2), {2, 1, 2}))), {});
-  expect_issues(join(scaled(cube(), 4), translated(cube(), {-2, 1, 1})), {});
+  expect_issues(joined(scaled(cube(), 2), translated(cube(), {0.5, 0.5, 2})), {});
+  expect_issues(joined(scaled(cube(), 4), translated(scaled(cube(), 2), {1, 1, 3})), {});
+  expect_issues(joined(scaled(cube(), 4), inverted(translated(scaled(cube(), 2), {1, 1, 2}))), {});
+  expect_issues(joined(scaled(cube(), 4), inverted(translated(scaled(cube(), 2), {2, 1, 2}))), {});
+  expect_issues(joined(scaled(cube(), 4), translated(cube(), {-2, 1, 1})), {});
 }
 
 TEST(Check, CubesSpreadOverAGridAreAllOutside) {
   TriangleMesh mesh;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
-      for (int k = 0; k < 5; ++k) mesh = join(mesh, translated(cube(), {1.5 * i, 1.5 * j, 1.5 * k}));
+      for (int k = 0; k < 5; ++k) mesh = joined(mesh, translated(cube(), {1.5 * i, 1.5 * j, 1.5 * k}));
   const MeshReport report = check(mesh);
   EXPECT_TRUE(report.fit()) << report.summary();
   EXPECT_EQ(report.component_count, 125);
@@ -231,8 +235,8 @@ TEST(Check, CubesSpreadOverAGridAreAllOutside) {
 
 TEST(Check, InwardPartIsAnErrorBesideAnOpenOneAndAWarningWithinIt) {
   const TriangleMesh plate{{{-9, -9, -9}, {9, -9, 9}, {9, 9, 9}}, {{0, 1, 2}}, ""};
-  expect_issues(join(plate, inverted(cube())), {MeshIssueKind::possible_cavities, MeshIssueKind::border_edges});
-  expect_issues(join(plate, inverted(translated(cube(), {20, 0, 0}))),
+  expect_issues(joined(plate, inverted(cube())), {MeshIssueKind::possible_cavities, MeshIssueKind::border_edges});
+  expect_issues(joined(plate, inverted(translated(cube(), {20, 0, 0}))),
                 {MeshIssueKind::inside_out_components, MeshIssueKind::border_edges}, "is inside out");
 }
 
@@ -247,7 +251,7 @@ TEST(Check, UnusedVertexIsAWarning) {
 }
 
 TEST(Check, OnlyTheFirstFewElementsAreListed) {
-  const std::string text = check(join(cube(), cube())).issues()[0].text;
+  const std::string text = check(joined(cube(), cube())).issues()[0].text;
   EXPECT_TRUE(text.starts_with("8 duplicate vertices: 9 (as 1), ")) << text;
   EXPECT_NE(text.find(" and 3 more; merge"), std::string::npos) << text;
 }
@@ -255,7 +259,7 @@ TEST(Check, OnlyTheFirstFewElementsAreListed) {
 TEST(Check, AMillionFacesAreChecked) {
   // A closed gridded slab with a cavity of the same fineness: 1,003,520 faces.
   const TriangleMesh slab = slab_on_a_grid(352);
-  const TriangleMesh mesh = join(slab, inverted(translated(scaled(slab, 0.5), {88, 88, 0.25})));
+  const TriangleMesh mesh = joined(slab, inverted(translated(scaled(slab, 0.5), {88, 88, 0.25})));
   ASSERT_GT(mesh.faces.size(), 990'000u);
   const MeshReport report = check(mesh);
   EXPECT_TRUE(report.fit()) << report.summary();

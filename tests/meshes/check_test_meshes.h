@@ -4,7 +4,6 @@
 
 #include <array>
 #include <map>
-#include <utility>
 
 #include "meshes/triangle_mesh.h"
 
@@ -23,28 +22,6 @@ inline TriangleMesh cube() {
     mesh.faces.push_back({a, c, d});
   }
   return mesh;
-}
-
-inline TriangleMesh inverted(TriangleMesh mesh) {
-  for (Triangle& face : mesh.faces) std::swap(face[1], face[2]);
-  return mesh;
-}
-
-inline TriangleMesh translated(TriangleMesh mesh, const Eigen::Vector3d& by) {
-  for (Eigen::Vector3d& p : mesh.vertices) p += by;
-  return mesh;
-}
-
-inline TriangleMesh scaled(TriangleMesh mesh, double factor) {
-  for (Eigen::Vector3d& p : mesh.vertices) p *= factor;
-  return mesh;
-}
-
-inline TriangleMesh join(TriangleMesh a, const TriangleMesh& b) {
-  const auto offset = static_cast<Index>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const Triangle& face : b.faces) a.faces.push_back({face[0] + offset, face[1] + offset, face[2] + offset});
-  return a;
 }
 
 /// Vertices of equal coordinates become one.

@@ -6,6 +6,7 @@
 #include <mpfr.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace pcm {
 namespace {
@@ -100,8 +101,8 @@ TEST(DeterministicTrigonometry, AxesAndDiagonalsAreExactWithPositiveZeros) {
 }
 
 TEST(DeterministicTrigonometry, MirrorImagesAgreeBitForBit) {
-  for (int n = 1; n <= 64; ++n) {
-    for (int k = 0; k < n; ++k) {
+  for (std::int64_t n = 1; n <= 64; ++n) {
+    for (std::int64_t k = 0; k < n; ++k) {
       const auto value = cosine_sine_of_turn(k, n);
       const auto mirrored = cosine_sine_of_turn(n - k, n);
       EXPECT_EQ(mirrored.cosine, value.cosine);

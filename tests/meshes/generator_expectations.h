@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <iterator>
 #include <string>
 
 #include "meshes/bad_input.h"
@@ -13,20 +14,20 @@
 namespace pcm::test {
 
 /// That the mesh is sound, closed, consistently oriented outward, with that many faces and that topology.
-inline void expect_closed(const TriangleMesh& mesh, std::size_t faces, int expected_euler_characteristic = 2) {
+inline void expect_closed(const TriangleMesh& mesh, Index faces, int expected_euler_characteristic = 2) {
   SCOPED_TRACE(mesh.name);
   EXPECT_EQ(flaw(mesh), "");
-  EXPECT_EQ(mesh.faces.size(), faces);
+  EXPECT_EQ(std::ssize(mesh.faces), faces);
   EXPECT_EQ(border_edges(mesh), 0);
   EXPECT_EQ(euler_characteristic(mesh), expected_euler_characteristic);
   EXPECT_GT(signed_volume(mesh), 0);
 }
 
 /// That the mesh is sound, consistently oriented, with that many faces and border edges.
-inline void expect_open(const TriangleMesh& mesh, std::size_t faces, int expected_border_edges) {
+inline void expect_open(const TriangleMesh& mesh, Index faces, int expected_border_edges) {
   SCOPED_TRACE(mesh.name);
   EXPECT_EQ(flaw(mesh), "");
-  EXPECT_EQ(mesh.faces.size(), faces);
+  EXPECT_EQ(std::ssize(mesh.faces), faces);
   EXPECT_EQ(border_edges(mesh), expected_border_edges);
 }
 

@@ -142,8 +142,8 @@ TEST(OracleAreas, DegenerateGridPosesProveTheIdentities) {
   const TriangleMesh E = generate::gridded_box(2.0, 2), F = generate::gridded_box(2.0, 2);
   std::mt19937_64 random(7);
   for (int i = 0; i < 12; ++i) {
-    Pose pose = moved_by(static_cast<double>(random() % 5) / 2 - 1, static_cast<double>(random() % 5) / 2 - 1,
-                         static_cast<double>(random() % 5) / 2 - 1);
+    Pose pose = shifted(static_cast<double>(random() % 5) / 2 - 1, static_cast<double>(random() % 5) / 2 - 1,
+                        static_cast<double>(random() % 5) / 2 - 1);
     if (random() % 2 == 0) pose.A << 0, -1, 0, 1, 0, 0, 0, 0, 1;
     expect_identities(E, F, pose);
     Eigen::Vector3d overlap;
@@ -156,7 +156,7 @@ TEST(OracleAreas, OpenContainerClipsTheBoxBelowItsFloor) {
   const TriangleMesh floor = generate::rectangle(10, 10);
   const TriangleMesh box = generate::box({-1, -1, -0.25}, {1, 1, 1});
   for (const Problem problem : kProblems) {
-    const Answer answer = answer_of(box, floor, problem, moved_by(0.125, 0.0625, 0));
+    const Answer answer = answer_of(box, floor, problem, shifted(0.125, 0.0625, 0));
     EXPECT_TRUE(answer.touching);
     EXPECT_FALSE(answer.volume.has_value());
     EXPECT_EQ(answer.E.area, 4 + 8 * 0.25);
@@ -179,7 +179,7 @@ TEST(OracleAreas, OpenRectangleFlushOnABoxWithACavityHasAnIntervalOfWholeFaces) 
   const TriangleMesh hollow =
       with_cavity(generate::box({-1, -1, -1}, {1, 1, 1}), generate::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}));
   const TriangleMesh rectangle = generate::rectangle(1, 1);
-  Pose flush = moved_by(0.125, 0.0625, -1), turned = moved_by(0.125, 0.0625, 1), over_edge = moved_by(1, 0, -1);
+  Pose flush = shifted(0.125, 0.0625, -1), turned = shifted(0.125, 0.0625, 1), over_edge = shifted(1, 0, -1);
   turned.A = Eigen::Vector3d(1, -1, -1).asDiagonal();
   for (const Problem problem : kProblems)
     for (const Pose& pose : {flush, turned, over_edge}) {
@@ -205,7 +205,7 @@ TEST(OracleAreas, BorderThatEndsInAFaceLeavesItsAreaUndefined) {
   const TriangleMesh rectangle = generate::rectangle(1, 1), box = generate::box({-4, -4, -4}, {0, 4, 4});
   for (const Problem problem : kProblems) {
     // The rectangle sticks through the box's wall x = 0: it bounds no part of that wall.
-    const Answer answer = answer_of(rectangle, box, problem, moved_by(0.125, 0.0625, 0.03125));
+    const Answer answer = answer_of(rectangle, box, problem, shifted(0.125, 0.0625, 0.03125));
     EXPECT_TRUE(answer.touching);
     ASSERT_EQ(answer.polygons.size(), 1u);
     EXPECT_FALSE(answer.polygons[0].closed);

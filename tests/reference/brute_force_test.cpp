@@ -7,15 +7,12 @@
 
 #include "meshes/generate_boxes.h"
 #include "tests/reference/brute_force/trials.h"
+#include "tests/shifted_pose.h"
 
 namespace pcm::brute_force {
 namespace {
 
 using reference::Problem;
-
-Pose shifted(double x, double y, double z) {
-  return {Eigen::Matrix3d::Identity(), {x, y, z}};
-}
 
 Answer boxes(const Eigen::Vector3d& extents, const Pose& pose) {
   return answer(generate::box(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 2)),

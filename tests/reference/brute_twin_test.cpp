@@ -5,10 +5,9 @@
 
 #include <algorithm>
 
-#include "meshes/degenerate/catalogue.h"
 #include "reference/oracle.h"
 #include "tests/reference/brute_force/combinatorics.h"
-#include "tests/reference/brute_force/trials.h"
+#include "tests/reference/brute_force/twin_comparison.h"
 #include "tests/reference/oracle_combinatorics.h"
 
 namespace pcm::brute_force {
@@ -70,60 +69,31 @@ void expect_same(const Answer& twin, const reference::Answer& oracle) {
   expect_same_elements(twin, oracle);
 }
 
-/// How much of what is compared was there at all.
-struct Seen {
-  int touching = 0;
-  int elements = 0;
-  int too_deep = 0;
-};
-
-void compare_on(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, Seen& seen) {
+Answer compare(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
   ContactLaw law;
   law.stiffness = kStiffness;
   const reference::Oracle oracle(E, F, law, Mode::both);
-  for (const Problem problem : {Problem::rounded, Problem::exact}) {
+  const auto compare_on = [&](Problem problem) {
     SCOPED_TRACE(problem == Problem::rounded ? "rounded problem" : "exact problem");
-    const Answer twin = answer(E, F, pose, problem, Mode::both);
+    Answer twin = answer(E, F, pose, problem, Mode::both);
     expect_same(twin, oracle.answer(problem, pose));
-    if (problem == Problem::exact) continue;
-    seen.touching += twin.touching ? 1 : 0;
-    seen.elements += twin.elements.empty() ? 0 : 1;
-    seen.too_deep += twin.too_deep > 0 ? 1 : 0;
-  }
+    return twin;
+  };
+  compare_on(Problem::exact);
+  return compare_on(Problem::rounded);
 }
 
 TEST(BruteTwin, AgreesOnTheDegenerateCatalogue) {
-  Seen seen;
-  for (const degenerate::Case& example : degenerate::catalogue()) {
-    if (example.E.faces.size() + example.F.faces.size() > 200) continue;
-    SCOPED_TRACE(example.name);
-    compare_on(example.E, example.F, {example.A, example.r}, seen);
-  }
+  compare_on_catalogue(compare);
 }
 
-class BruteTwinPoses : public testing::TestWithParam<std::tuple<Kind, int>> {};
+class BruteTwinPoses : public testing::TestWithParam<Series> {};
 
 TEST_P(BruteTwinPoses, AgreeWithTheOracle) {
-  const Kind kind = std::get<0>(GetParam());
-  const int count = affordable(std::get<1>(GetParam()));
-  Seen seen;
-  for (int number = 0; number < count && !HasFailure(); ++number) {
-    const Trial trial = draw_trial(kind, 20, number);
-    SCOPED_TRACE(trial.description);
-    compare_on(trial.E, trial.F, trial.pose, seen);
-  }
-  EXPECT_GE(seen.touching, count / 5);
-  EXPECT_GE(seen.elements, count / 20);
-  EXPECT_GE(seen.too_deep, 1);
+  compare_on_trials(GetParam(), 20, compare);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, BruteTwinPoses,
-                         testing::Values(std::tuple{Kind::generic, 200}, std::tuple{Kind::lattice, 400},
-                                         std::tuple{Kind::near_lattice, 300}, std::tuple{Kind::grids, 60},
-                                         std::tuple{Kind::open, 300}),
-                         [](const testing::TestParamInfo<std::tuple<Kind, int>>& test) {
-                           return name_of(std::get<0>(test.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinds, BruteTwinPoses, kAllSeries, series_name);
 
 }  // namespace
 }  // namespace pcm::brute_force

@@ -54,7 +54,7 @@ TEST(OracleCombinatorics, BoxInCavityIsOutside) {
 
 TEST(OracleCombinatorics, ApartIsNothing) {
   const Oracle oracle(generate::box({0, 0, 0}, {1, 1, 1}), generate::box({0, 0, 0}, {1, 1, 1}));
-  const Answer answer = oracle.answer(Problem::exact, moved_by(5, 0, 0));
+  const Answer answer = oracle.answer(Problem::exact, shifted(5, 0, 0));
   EXPECT_FALSE(answer.touching);
   EXPECT_TRUE(answer.polygons.empty());
   EXPECT_TRUE(answer.E.intersected.empty() && answer.E.inner.empty());
@@ -79,7 +79,7 @@ TEST(OracleCombinatorics, IdenticalBodiesChainOnlyClosedPolygons) {
 
 TEST(OracleCombinatorics, BubbleCrossesOpenContainerInClosedPolygons) {
   const Oracle oracle(generate::bubble(), generate::pyramid());
-  const Answer answer = oracle.answer(Problem::rounded, moved_by(0, 0, 0.1));
+  const Answer answer = oracle.answer(Problem::rounded, shifted(0, 0, 0.1));
   EXPECT_TRUE(answer.touching);
   EXPECT_FALSE(answer.ambiguous);
   EXPECT_FALSE(answer.volume.has_value());
@@ -95,7 +95,7 @@ TEST(OracleCombinatorics, FacesBetweenTwoOpenFloorsAreAmbiguous) {
   // A tower of three storeys whose middle one has faces that neither floor crosses.
   const Oracle oracle(generate::gridded_box({-0.5, -0.5, -1.5}, {0.5, 0.5, 2.5}, {2, 2, 16}), floors);
   for (const Problem problem : {Problem::rounded, Problem::exact}) {
-    const Answer answer = oracle.answer(problem, moved_by(0.03125, 0.0625, 0.015625));
+    const Answer answer = oracle.answer(problem, shifted(0.03125, 0.0625, 0.015625));
     EXPECT_TRUE(answer.touching);
     EXPECT_EQ(answer.polygons.size(), 2u);
     EXPECT_TRUE(answer.ambiguous);
@@ -112,7 +112,7 @@ TEST(OracleInput, BadPoseIsRefused) {
   Pose mirrored;
   mirrored.A(0, 0) = -1;
   EXPECT_THROW(oracle.answer(Problem::rounded, mirrored), BadInput);
-  EXPECT_THROW(oracle.answer(Problem::rounded, moved_by(std::numeric_limits<double>::infinity(), 0, 0)), BadInput);
+  EXPECT_THROW(oracle.answer(Problem::rounded, shifted(std::numeric_limits<double>::infinity(), 0, 0)), BadInput);
 }
 
 TEST(OracleInput, UnfitMeshIsRefused) {

@@ -22,6 +22,7 @@
 #include "meshes/generate_round.h"
 #include "meshes/read_mesh.h"
 #include "reference/oracle.h"
+#include "tests/reference/brute_force/scene.h"
 #include "tests/reference/brute_force/trials.h"
 
 namespace pcm {
@@ -32,16 +33,7 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 TriangleMesh moved(TriangleMesh mesh, const Pose& pose) {
-  for (Eigen::Vector3d& x : mesh.vertices) {
-    Eigen::Vector3d y;
-    for (int i = 0; i < 3; ++i) {
-      const double first = pose.A(i, 0) * x[0];
-      const double second = pose.A(i, 1) * x[1];
-      const double third = pose.A(i, 2) * x[2];
-      y[i] = ((first + second) + third) + pose.r[i];
-    }
-    x = y;
-  }
+  for (Eigen::Vector3d& x : mesh.vertices) x = brute_force::rounded_point(x, pose);
   return mesh;
 }
 

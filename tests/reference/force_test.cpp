@@ -37,7 +37,7 @@ const TriangleMesh& plate() {
 TEST(OracleForce, BoxOnPlateIsStiffnessTimesAreaTimesDepth) {
   const Oracle oracle(cube(), plate(), stiffness(100));
   for (const Problem problem : kProblems) {
-    const Answer answer = oracle.answer(problem, moved_by(0.125, 0.0625, 0.0625));
+    const Answer answer = oracle.answer(problem, shifted(0.125, 0.0625, 0.0625));
     EXPECT_EQ(answer.force_Me, Eigen::Vector3d(0, 0, 100 * 0.25 * 0.0625));
     EXPECT_EQ(answer.elements.size(), 2u);  // the walls contribute nothing
     EXPECT_EQ(answer.max_penetration, 0.0625);
@@ -73,7 +73,7 @@ TEST(OracleForce, RestingBoxCarriesNothing) {
 }
 
 TEST(OracleForce, ExchangedBodiesGiveTheOppositeForce) {
-  const Pose pose = moved_by(0.125, 0.0625, 0.0625);
+  const Pose pose = shifted(0.125, 0.0625, 0.0625);
   Pose inverse = pose;
   inverse.r = -pose.r;
   const Answer E = Oracle(cube(), plate(), stiffness(100), Mode::E).answer(Problem::rounded, pose);
@@ -92,7 +92,7 @@ TEST(OracleForce, ModeBothIsTheMean) {
   Velocity velocity;
   velocity.v = {0.5, 0.25, -0.125};
   velocity.w = {0.1, -0.2, 0.3};
-  const Pose pose = moved_by(0.3, 0.2, 1.6);
+  const Pose pose = shifted(0.3, 0.2, 1.6);
   Answer answers[3];
   for (const Mode mode : {Mode::E, Mode::F, Mode::both})
     answers[static_cast<int>(mode)] = Oracle(sphere, sphere, law, mode).answer(Problem::exact, pose, velocity);
@@ -105,7 +105,7 @@ TEST(OracleForce, ModeBothIsTheMean) {
 }
 
 TEST(OracleForce, LayersInSeriesPlaceTheContactBetweenTheFaces) {
-  const Pose pose = moved_by(0, 0, 0.0625);
+  const Pose pose = shifted(0, 0, 0.0625);
   ContactLaw law;
   law.layers = LayerStiffness{100, 300};
   Answer answer = Oracle(cube(), plate(), law).answer(Problem::rounded, pose);
@@ -121,7 +121,7 @@ TEST(OracleForce, LayersInSeriesPlaceTheContactBetweenTheFaces) {
 }
 
 TEST(OracleForce, DampingFadesInAndNeverPulls) {
-  const Pose pose = moved_by(0, 0, 0.0625);
+  const Pose pose = shifted(0, 0, 0.0625);
   ContactLaw law = stiffness(100);
   law.damping = 8;
   Velocity velocity;
@@ -140,7 +140,7 @@ TEST(OracleForce, DampingFadesInAndNeverPulls) {
 }
 
 TEST(OracleForce, FrictionIsRegularisedBelowTheSlipVelocity) {
-  const Pose pose = moved_by(0, 0, 0.0625);
+  const Pose pose = shifted(0, 0, 0.0625);
   ContactLaw law = stiffness(100);
   law.friction = 0.5;
   law.slip_velocity = 1;
@@ -162,17 +162,17 @@ TEST(OracleForce, FrictionIsRegularisedBelowTheSlipVelocity) {
 TEST(OracleForce, PenetrationBeyondTheBoundIsClampedAndFlagged) {
   ContactLaw law = stiffness(100);
   law.max_penetration = 0.0625;
-  Answer answer = Oracle(cube(), plate(), law).answer(Problem::exact, moved_by(0, 0, 0.125));
+  Answer answer = Oracle(cube(), plate(), law).answer(Problem::exact, shifted(0, 0, 0.125));
   EXPECT_TRUE(answer.penetration_exceeded);
   EXPECT_EQ(answer.force_Me.z(), 100 * 0.25 * 0.0625);
   EXPECT_EQ(answer.max_penetration, 0.125);
-  answer = Oracle(cube(), plate(), law).answer(Problem::exact, moved_by(0, 0, 0.0625));
+  answer = Oracle(cube(), plate(), law).answer(Problem::exact, shifted(0, 0, 0.0625));
   EXPECT_FALSE(answer.penetration_exceeded);
 }
 
 TEST(OracleForce, ThinMasterDeepInTheSlaveIsTooDeep) {
   const TriangleMesh sheet = generate::box({-0.25, -0.25, 0}, {0.25, 0.25, 0.0625});
-  const Answer answer = Oracle(sheet, plate()).answer(Problem::rounded, moved_by(0, 0, 0.5));
+  const Answer answer = Oracle(sheet, plate()).answer(Problem::rounded, shifted(0, 0, 0.5));
   EXPECT_TRUE(answer.nested);
   EXPECT_TRUE(answer.elements.empty());
   EXPECT_GE(answer.too_deep, 2);
@@ -204,7 +204,7 @@ TEST(OracleForce, LineThroughAnEdgeOfATurnedSlaveIsNotCertified) {
   tetrahedron.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   const Oracle oracle(tetrahedron, plate(), stiffness(64));
   for (const Problem problem : kProblems) {
-    Pose turned = moved_by(0, 0, 0.0625);
+    Pose turned = shifted(0, 0, 0.0625);
     turned.A << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
     const Answer through_edge = oracle.answer(problem, turned);
     EXPECT_FALSE(through_edge.certified);
@@ -217,7 +217,7 @@ TEST(OracleForce, LineThroughAnEdgeOfATurnedSlaveIsNotCertified) {
     EXPECT_EQ(through_face.force_Me, through_edge.force_Me);
 
     // Not turned, no vertex has any room: the tie rule decides for all of it.
-    EXPECT_EQ(oracle.answer(problem, moved_by(0, 0, 0.0625)).elements.size(), 1u);
+    EXPECT_EQ(oracle.answer(problem, shifted(0, 0, 0.0625)).elements.size(), 1u);
   }
 }
 

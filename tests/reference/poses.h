@@ -4,18 +4,12 @@
 
 #include <Eigen/Core>
 #include <random>
-#include <vector>
+#include <utility>
 
-#include "fast/inputs.h"
-#include "meshes/triangle_mesh.h"
+#include "meshes/degenerate/bodies.h"
+#include "tests/shifted_pose.h"
 
 namespace pcm::reference {
-
-inline Pose moved_by(double x, double y, double z) {
-  Pose pose;
-  pose.r = {x, y, z};
-  return pose;
-}
 
 /// A rotation from small integers (a quaternion), rounded once an entry, so a rotation to a few ulps.
 inline Pose random_pose(std::mt19937_64& random, double spread) {
@@ -33,10 +27,7 @@ inline Pose random_pose(std::mt19937_64& random, double spread) {
 
 /// `inner` turned inside out and added to `outer`: a body with a cavity.
 inline TriangleMesh with_cavity(TriangleMesh outer, const TriangleMesh& inner) {
-  const Index offset = static_cast<Index>(outer.vertices.size());
-  outer.vertices.insert(outer.vertices.end(), inner.vertices.begin(), inner.vertices.end());
-  for (const Triangle& t : inner.faces) outer.faces.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
-  return outer;
+  return degenerate::joined(std::move(outer), degenerate::inverted(inner));
 }
 
 }  // namespace pcm::reference

@@ -12,6 +12,7 @@
 #include "meshes/generate_round.h"
 #include "reference/oracle.h"
 #include "tests/reference/oracle_combinatorics.h"
+#include "tests/shifted_pose.h"
 
 namespace pcm::brute_force {
 namespace {
@@ -27,10 +28,6 @@ reference::Answer answer_held_by_twin(const TriangleMesh& E, const TriangleMesh&
 
 constexpr Problem kProblems[] = {Problem::rounded, Problem::exact};
 
-Pose raised(double z) {
-  return {Eigen::Matrix3d::Identity(), {0, 0, z}};
-}
-
 TriangleMesh box(double x0, double y0, double z0, double x1, double y1, double z1) {
   return generate::box(Eigen::Vector3d(x0, y0, z0), Eigen::Vector3d(x1, y1, z1));
 }
@@ -45,7 +42,7 @@ TEST(WorkedCases, TorusOnPlateHasARingPatch) {
   const TriangleMesh torus = generate::torus(2, 1, 4, 4);
   const TriangleMesh plate = generate::plate(20, 20, 5);
   for (const Problem problem : kProblems) {
-    const reference::Answer a = answer_held_by_twin(torus, plate, raised(-0.5), problem);
+    const reference::Answer a = answer_held_by_twin(torus, plate, shifted(0, 0, -0.5), problem);
     EXPECT_EQ(a.polygons.size(), 2u);
     EXPECT_EQ(a.patches, 1);
     EXPECT_EQ(a.E.area, 8 * std::sqrt(3.0));
@@ -101,7 +98,7 @@ TEST(WorkedCases, PyramidsInsideOneLargeFaceAreClippedWithoutAVertexOfIt) {
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
       "octahedron"};
   const TriangleMesh plate = generate::plate(20, 20, 5);
-  const Pose pose{Eigen::Matrix3d::Identity(), {-4, 4, -0.5}};  // the octahedron is at (4, -4) on the plate
+  const Pose pose = shifted(-4, 4, -0.5);  // the octahedron is at (4, -4) on the plate
   for (const Problem problem : kProblems) {
     const reference::Answer a = answer_held_by_twin(octahedron, plate, pose, problem);
     EXPECT_EQ(a.polygons.size(), 1u);

@@ -36,19 +36,8 @@ std::string text(Index value) {
 }  // namespace
 
 Combinatorics combinatorics_of(const Answer& answer) {
-  Combinatorics result;
-  result.touching = answer.touching;
-  result.nested = answer.nested;
-  result.ambiguous = answer.ambiguous;
-  result.patches = answer.patches;
-  result.undefined_areas = answer.undefined_areas;
-  result.too_deep = answer.too_deep;
-  result.polygons = answer.polygons;
-  result.intersected = {answer.E.intersected, answer.F.intersected};
-  result.inner = {answer.E.inner, answer.F.inner};
-  for (const Element& element : answer.elements)
-    result.elements.emplace_back(element.master, element.master_face, element.slave_face);
-  return result;
+  return combinatorics_of(
+      answer, [](const Polygon& polygon) -> const auto& { return polygon.points; });
 }
 
 std::string difference(const Combinatorics& truth, const Combinatorics& subject) {

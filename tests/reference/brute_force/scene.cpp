@@ -12,22 +12,13 @@ Vector exact(const Eigen::Vector3d& x) {
   return {Rational(x[0]), Rational(x[1]), Rational(x[2])};
 }
 
-/// x_E = A x_F + r over the reals, or with each operation rounded in the order PCM section 1 lays down.
+/// x_E = A x_F + r over the reals, or rounded.
 Vector posed(const Eigen::Vector3d& x, const Pose& pose, reference::Problem problem) {
-  if (problem == reference::Problem::exact) {
-    Vector result = exact(pose.r);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) result[i] += Rational(pose.A(i, j)) * Rational(x[j]);
-    return result;
-  }
-  Eigen::Vector3d result;
-  for (int i = 0; i < 3; ++i) {
-    const double first = pose.A(i, 0) * x[0];
-    const double second = pose.A(i, 1) * x[1];
-    const double third = pose.A(i, 2) * x[2];
-    result[i] = ((first + second) + third) + pose.r[i];
-  }
-  return exact(result);
+  if (problem == reference::Problem::rounded) return exact(rounded_point(x, pose));
+  Vector result = exact(pose.r);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) result[i] += Rational(pose.A(i, j)) * Rational(x[j]);
+  return result;
 }
 
 void derive(Body& body) {
@@ -97,6 +88,17 @@ int perturbed_sign(const std::array<RankedPoint, 4>& points) {
 }
 
 }  // namespace
+
+Eigen::Vector3d rounded_point(const Eigen::Vector3d& x, const Pose& pose) {
+  Eigen::Vector3d result;
+  for (int i = 0; i < 3; ++i) {
+    const double first = pose.A(i, 0) * x[0];
+    const double second = pose.A(i, 1) * x[1];
+    const double third = pose.A(i, 2) * x[2];
+    result[i] = ((first + second) + third) + pose.r[i];
+  }
+  return result;
+}
 
 Scene scene_of(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose& pose, reference::Problem problem) {
   Scene scene;

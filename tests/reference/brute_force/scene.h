@@ -45,6 +45,9 @@ inline Side other(Side side) {
   return side == Side::E ? Side::F : Side::E;
 }
 
+/// x_E = A x_F + r with each operation rounded, in the order PCM section 1 lays down.
+Eigen::Vector3d rounded_point(const Eigen::Vector3d& x, const Pose& pose);
+
 Scene scene_of(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose& pose, reference::Problem problem);
 
 /// A point with its place in the order of the tie rule.

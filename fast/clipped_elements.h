@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fast/contact_elements.h"
+
+namespace pcm::fast {
+
+/// Forms the contact elements of a master in the clipped scheme (PCM section 6): for each active face e and each slave
+/// face f one element, the part of e whose penetration lines leave the slave through f first, before they meet
+/// another face of the master. Its area A_k, mean penetration u_k and centre of pressure are integrals of the linear
+/// penetration over that part, which need be neither convex nor connected. Counts and sums as `sum_elements`; elements
+/// by master face, then slave face.
+///
+/// Degenerate cases: a face of the slave with the same normal that lies in e's plane is met at distance 0, so u = 0
+/// there (flush faces: the force jumps when the pose passes through); one of opposite normal in e's plane carries
+/// nothing and hides what is behind it. Slivers of rounding size may appear or not, their share is as small. Parts
+/// whose area or penetration underflows to 0 make no element. Error: that of a master and slave moved by a few ulps of
+/// the greatest coordinate S, so relative to the sum of |F_k| a few ulps times S over the mean penetration, short of
+/// flush poses. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets overlap.
+MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem);
+
+}  // namespace pcm::fast

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// Convex polygons in the plane of a master face that carry a linear field, cut by lines and integrated (PCM section 6,
+/// clipped scheme). No tolerance anywhere: cuts that miss by a rounding make slivers of an area as small.
+namespace pcm::fast {
+
+/// A point x as a master face (p0, p1, p2) sees it: x = p0 + s (p1 - p0) + t (p2 - p0) - depth n. The first three
+/// entries are the weights of p0, p1 and p2 (1 - s - t, s and t, each computed for itself), the last is the depth, m.
+using PrismPoint = Eigen::Vector4d;
+inline constexpr int kS = 1;
+inline constexpr int kT = 2;
+inline constexpr int kDepth = 3;
+
+/// Twice the area of the triangle (a, b, c) in (s, t): positive where it turns as the face itself.
+inline double cross_st(const PrismPoint& a, const PrismPoint& b, const PrismPoint& c) {
+  return (b[kS] - a[kS]) * (c[kT] - a[kT]) - (b[kT] - a[kT]) * (c[kS] - a[kS]);
+}
+
+/// A convex polygon in (s, t), counterclockwise, with the depth at its vertices. Fewer than three vertices: empty.
+struct ConvexPolygon {
+  /// Most vertices a part may have: a triangle cut by the face's three sides and at depth 0 has seven.
+  static constexpr int kMost = 7;
+  /// Room for five more cuts, those of one other face: each adds at most one vertex.
+  static constexpr int kCapacity = kMost + 5;
+
+  std::array<PrismPoint, kCapacity> points;
+  int count;
+
+  ConvexPolygon() : count(0) {}
+
+  void add(const PrismPoint& point) { points[static_cast<std::size_t>(count++)] = point; }
+  const PrismPoint& operator[](int i) const { return points[static_cast<std::size_t>(i)]; }
+  PrismPoint& operator[](int i) { return points[static_cast<std::size_t>(i)]; }
+  bool empty() const { return count < 3; }
+};
+
+/// A linear function's values at a polygon's vertices.
+using Heights = std::array<double, ConvexPolygon::kCapacity>;
+
+/// Where a linear function is 0 between a (height >= 0) and b (height < 0), reckoned from the nearer of the two. Both
+/// neighbours at an edge see the same ends, so they get the same bits.
+inline PrismPoint point_at_zero(const PrismPoint& a, double height_a, const PrismPoint& b, double height_b) {
+  const double span = height_a - height_b;
+  if (height_a <= -height_b) return a + (height_a / span) * (b - a);
+  return b + (-height_b / span) * (a - b);
+}
+
+/// Cuts away where the linear function is negative. Along the border of a convex polygon the function rises and falls
+/// once; what rounding adds to that is taken as outside, so that at most one vertex joins.
+inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heights) {
+  const int n = polygon.count;
+  int top = 0;
+  bool all = true;
+  for (int i = 0; i < n; ++i) {
+    const double height = heights[static_cast<std::size_t>(i)];
+    all = all && height >= 0;
+    if (height > heights[static_cast<std::size_t>(top)]) top = i;
+  }
+  if (all) return;
+  const auto at = [n](int i) { return static_cast<std::size_t>((i + n) % n); };
+  if (!(heights[at(top)] > 0)) {
+    polygon.count = 0;
+    return;
+  }
+  int last = top, first = top;
+  while (heights[at(last + 1)] >= 0) ++last;
+  while (heights[at(first - 1)] >= 0) --first;
+  ConvexPolygon kept;
+  if (heights[at(first)] > 0) {
+    kept.add(point_at_zero(polygon.points[at(first)], heights[at(first)], polygon.points[at(first - 1)],
+                           heights[at(first - 1)]));
+  }
+  for (int i = first; i <= last; ++i) kept.add(polygon.points[at(i)]);
+  if (heights[at(last)] > 0) {
+    kept.add(point_at_zero(polygon.points[at(last)], heights[at(last)], polygon.points[at(last + 1)],
+                           heights[at(last + 1)]));
+  }
+  polygon = kept;
+}
+
+/// Cuts away where one of the coordinates is negative.
+inline void keep_where_not_negative(ConvexPolygon& polygon, int coordinate) {
+  Heights heights;
+  for (int i = 0; i < polygon.count; ++i) heights[static_cast<std::size_t>(i)] = polygon[i][coordinate];
+  keep_where_not_negative(polygon, heights);
+}
+
+/// How far points may be off in s and t through roundings, none of which is a tolerance: an error bound.
+struct Uncertainty {
+  double s = 0;
+  double t = 0;
+};
+
+/// Integrals over polygons in (s, t), exact for their linear field. A polygon no larger than its own error may be none
+/// at all and counts as none: its mean or greatest depth would mean nothing.
+struct Moments {
+  double area = 0;      ///< of 1; a whole face has 1/2
+  double depth = 0;     ///< of the depth, m
+  double s_depth = 0;   ///< of s times the depth, m
+  double t_depth = 0;   ///< of t times the depth, m
+  double greatest = 0;  ///< greatest depth at a vertex, m
+
+  void add_if_certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty) {
+    Moments moments;
+    moments.add(polygon);
+    PrismPoint low = polygon[0], high = low;
+    for (int i = 1; i < polygon.count; ++i) {
+      low = low.cwiseMin(polygon[i]);
+      high = high.cwiseMax(polygon[i]);
+    }
+    const PrismPoint extent = high - low;
+    if (!(moments.area > extent[kT] * uncertainty.s + extent[kS] * uncertainty.t)) return;
+    area += moments.area;
+    depth += moments.depth;
+    s_depth += moments.s_depth;
+    t_depth += moments.t_depth;
+    greatest = std::max(greatest, moments.greatest);
+  }
+
+  /// A fan of triangles about the first vertex. Over a triangle of area T a linear function integrates to T times the
+  /// mean of its corner values, the product x d of two to T / 12 (sum x sum d + sum of x_i d_i).
+  void add(const ConvexPolygon& polygon) {
+    const PrismPoint& a = polygon[0];
+    greatest = std::max(greatest, a[kDepth]);
+    for (int i = 1; i < polygon.count; ++i) {
+      const PrismPoint& b = polygon[i];
+      greatest = std::max(greatest, b[kDepth]);
+      if (i + 1 == polygon.count) break;
+      const PrismPoint& c = polygon[i + 1];
+      const double triangle = 0.5 * cross_st(a, b, c);
+      const PrismPoint sum = a + b + c;
+      area += triangle;
+      depth += triangle * (sum[kDepth] / 3);
+      const double twelfth = triangle / 12;
+      s_depth += twelfth * (sum[kS] * sum[kDepth] + a[kS] * a[kDepth] + b[kS] * b[kDepth] + c[kS] * c[kDepth]);
+      t_depth += twelfth * (sum[kT] * sum[kDepth] + a[kT] * a[kDepth] + b[kT] * b[kDepth] + c[kT] * c[kDepth]);
+    }
+  }
+};
+
+}  // namespace pcm::fast

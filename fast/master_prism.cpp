@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/master_prism.h"
+
+#include <cmath>
+
+#include "fast/orientation.h"
+
+namespace pcm::fast {
+
+MasterPrism::MasterPrism(const FaceGeometry& face)
+    : face_(face),
+      edge_s_Me_(face.points_Me[1] - face.points_Me[0]),
+      edge_t_Me_(face.points_Me[2] - face.points_Me[0]),
+      inverse_twice_area_(1 / (2 * face.area)) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d side = face.points_Me[(k + 1) % 3] - face.points_Me[k];
+    inward_Me_[k] = inverse_twice_area_ * face.n_Me.cross(side);
+  }
+  const Eigen::Vector3d a = edge_s_Me_.cwiseAbs(), b = edge_t_Me_.cwiseAbs();
+  N_magnitude_ = {a[1] * b[2] + a[2] * b[1] + kFilterUnderflow, a[2] * b[0] + a[0] * b[2] + kFilterUnderflow,
+                  a[0] * b[1] + a[1] * b[0] + kFilterUnderflow};
+}
+
+PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) const {
+  const auto& p = face_.points_Me;
+  const Eigen::Vector3d from_p0 = x_Me - p[0];
+  // N . (x - p0) is the determinant of orient3d(p0, p1, p2, x), term by term, and so is the bound of its error.
+  double height = face_.N_Me.dot(from_p0);
+  const double magnitude = N_magnitude_.dot(from_p0.cwiseAbs());
+  ++work.predicates;
+  if (!(std::abs(height) > kFilterRelative * (magnitude + kFilterUnderflow))) {
+    ++work.exact_predicates;
+    const int sign = exact_orientation(p[0].data(), p[1].data(), p[2].data(), x_Me.data());
+    // Any value within the error bound will do, if it has the right sign.
+    height = sign * (height == 0 ? 0x1p-53 * magnitude : std::abs(height));
+  }
+  return {inward_Me_[1].dot(x_Me - p[1]), inward_Me_[2].dot(x_Me - p[2]), inward_Me_[0].dot(from_p0),
+          -height * inverse_twice_area_};
+}
+
+TreePrism::TreePrism(const MasterPrism& prism, double slack)
+    : down_(-prism.face().n_Me), top_(down_.dot(prism.p0_Me())), slack_(slack) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    inward_[k] = prism.inward_Me(k) / length(prism.inward_Me(k));
+    offset_[k] = inward_[k].dot(prism.face().points_Me[k]);
+  }
+}
+
+TreePrism::TreePrism(const MasterPrism& prism, double slack, const Eigen::Matrix3d& A, const Eigen::Vector3d& r_Me)
+    : TreePrism(prism, slack) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    offset_[k] = inward_[k].dot(prism.face().points_Me[k] - r_Me);
+    inward_[k] = A.transpose() * inward_[k];
+  }
+  top_ = down_.dot(prism.p0_Me() - r_Me);
+  down_ = A.transpose() * down_;
+}
+
+int height_sign(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work) {
+  ++work.predicates;
+  const int sign = filtered_orientation(f[0].data(), f[1].data(), f[2].data(), x.data());
+  if (sign != 0) return sign;
+  ++work.exact_predicates;
+  return exact_orientation(f[0].data(), f[1].data(), f[2].data(), x.data());
+}
+
+}  // namespace pcm::fast

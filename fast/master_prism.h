@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "fast/box_tree.h"
+#include "fast/contact.h"
+#include "fast/convex_polygon.h"
+#include "fast/geometry.h"
+
+namespace pcm::fast {
+
+/// The penetration lines of all points of a master face: a prism over the face, along -n (PCM section 6, clipped
+/// scheme). Turns points into the face's coordinates. Scaling all lengths by 2^k changes no weight.
+class MasterPrism {
+ public:
+  /// Only for faces of area > 0.
+  explicit MasterPrism(const FaceGeometry& face);
+
+  /// What the face sees of x. Each weight is taken from an end of the side where it is 0, so its error is a few ulps of
+  /// the distance over the face's height. The depth has the exact sign of the rounded problem, 0 where x lies exactly
+  /// in the face's plane: what is flush is decided here.
+  PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
+
+  /// How far lines through points seen by the prism may be off, given the points: 16 u covers the roundings of a
+  /// distance, of the direction it is measured in and of a cut. Multiplied with the greatest distance from p0.
+  Uncertainty uncertainty(double distance) const {
+    return {16 * 0x1p-53 * distance * length(inward_Me_[2]), 16 * 0x1p-53 * distance * length(inward_Me_[0])};
+  }
+
+  /// The face's own corner k, exactly.
+  static PrismPoint corner(int k) {
+    PrismPoint point = PrismPoint::Zero();
+    point[k] = 1;
+    return point;
+  }
+
+  const FaceGeometry& face() const { return face_; }
+  const Eigen::Vector3d& p0_Me() const { return face_.points_Me[0]; }
+  const Eigen::Vector3d& edge_s_Me() const { return edge_s_Me_; }  ///< p1 - p0
+  const Eigen::Vector3d& edge_t_Me() const { return edge_t_Me_; }  ///< p2 - p0
+  /// Gradient of the weight of p2, p0 and p1, that is inward from side 0, 1 and 2; side k joins corners k and k + 1.
+  const Eigen::Vector3d& inward_Me(std::size_t side) const { return inward_Me_[side]; }
+
+ private:
+  FaceGeometry face_;
+  Eigen::Vector3d edge_s_Me_;
+  Eigen::Vector3d edge_t_Me_;
+  std::array<Eigen::Vector3d, 3> inward_Me_;  ///< 1 / m
+  Eigen::Vector3d N_magnitude_;               ///< N with every term taken absolutely, m^2
+  double inverse_twice_area_;                 ///< 1 / m^2
+};
+
+/// A master prism in the frame of a surface's tree: half spaces direction . x >= offset.
+class TreePrism {
+ public:
+  /// In Me. Boxes grow by `slack` before they are tested, m.
+  TreePrism(const MasterPrism& prism, double slack);
+  /// In the frame whose points x are at A x + r in Me. No inverse of A is taken, so that it need not be orthogonal.
+  TreePrism(const MasterPrism& prism, double slack, const Eigen::Matrix3d& A, const Eigen::Vector3d& r_Me);
+
+  /// False only where no point of the box, grown by the slack, lies in the prism at a depth from 0 to `deepest`.
+  bool may_meet(const Box& box, double deepest) const {
+    const double depth = down_.dot(box.centre) - top_;
+    const double reach = down_.cwiseAbs().dot(box.half) + slack_;
+    if (depth + reach < 0 || depth - reach > deepest) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (inward_[k].dot(box.centre) + inward_[k].cwiseAbs().dot(box.half) + slack_ < offset_[k]) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::array<Eigen::Vector3d, 3> inward_;  ///< of unit length in Me
+  std::array<double, 3> offset_;           ///< m
+  Eigen::Vector3d down_;                   ///< -n
+  double top_;                             ///< m
+  double slack_;                           ///< m
+};
+
+/// The sign of ((f1 - f0) x (f2 - f0)) . (x - f0): +1 where x is above the plane of f, 0 where it lies in it, exactly.
+int height_sign(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work);
+
+}  // namespace pcm::fast

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/projected_face.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcm::fast {
+
+namespace {
+
+/// Whether one of a's sides has all of b on its far side. A corner that both share lies on its sides exactly.
+bool side_separates(const ProjectedFace& a, const ProjectedFace& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PrismPoint& from = a.corners[k];
+    const PrismPoint& to = a.corners[(k + 1) % 3];
+    if (cross_st(from, to, b.corners[0]) <= 0 && cross_st(from, to, b.corners[1]) <= 0 &&
+        cross_st(from, to, b.corners[2]) <= 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A face that carries an element of its own.
+bool may_be_first(const ProjectedFace& face) {
+  return face.leaves && !face.own;
+}
+
+}  // namespace
+
+bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face) {
+  for (int weight = 0; weight < 3; ++weight) {
+    if (!(std::max({corners[0][weight], corners[1][weight], corners[2][weight]}) > 0)) return false;
+  }
+  if (!(std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) >= 0)) return false;
+  const double twice_area = cross_st(corners[0], corners[1], corners[2]);
+  if (!(std::abs(twice_area) > 0)) return false;
+  face.leaves = twice_area < 0;
+  face.vertices = vertices;
+  face.corners = corners;
+  if (face.leaves) {
+    std::swap(face.vertices[1], face.vertices[2]);
+    std::swap(face.corners[1], face.corners[2]);
+  }
+  ConvexPolygon& seen = face.seen;
+  seen.count = 0;
+  for (const PrismPoint& corner : face.corners) seen.add(corner);
+  for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
+    keep_where_not_negative(seen, coordinate);
+    if (seen.empty()) return false;
+  }
+  face.low_s = face.low_t = std::numeric_limits<double>::infinity();
+  face.high_s = face.high_t = -face.low_s;
+  for (int i = 0; i < seen.count; ++i) {
+    seen[i][kDepth] = std::max(seen[i][kDepth], 0.0);
+    face.low_s = std::min(face.low_s, seen[i][kS]);
+    face.high_s = std::max(face.high_s, seen[i][kS]);
+    face.low_t = std::min(face.low_t, seen[i][kT]);
+    face.high_t = std::max(face.high_t, seen[i][kT]);
+  }
+  return true;
+}
+
+void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<std::size_t>& order,
+                   std::vector<Overlap>& overlaps) {
+  overlaps.clear();
+  order.clear();
+  for (std::size_t i = 0; i < faces.size(); ++i) order.push_back(i);
+  std::sort(order.begin(), order.end(), [&faces](std::size_t a, std::size_t b) {
+    return faces[a].low_s < faces[b].low_s || (faces[a].low_s == faces[b].low_s && a < b);
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const ProjectedFace& f = faces[order[i]];
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const ProjectedFace& g = faces[order[j]];
+      if (!(g.low_s < f.high_s)) break;
+      if (!(g.low_t < f.high_t && f.low_t < g.high_t) || !(may_be_first(f) || may_be_first(g))) continue;
+      if (side_separates(f, g) || side_separates(g, f)) continue;
+      if (may_be_first(f)) overlaps.emplace_back(order[i], order[j]);
+      if (may_be_first(g)) overlaps.emplace_back(order[j], order[i]);
+    }
+  }
+  std::sort(overlaps.begin(), overlaps.end());
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "reference/ball.h"
+#include "reference/contact_elements.h"
+#include "reference/element_geometry.h"
+#include "reference/lifted_pose.h"
+
+namespace pcm::reference {
+
+/// The contact elements of one pose as the force law sees them, of either scheme: faces, and geometry both enclosed and
+/// exact. Ordered by master (E first), master face, slave face.
+class ElementSource {
+ public:
+  virtual ~ElementSource() = default;
+  virtual std::size_t size() const = 0;
+  virtual ElementPair pair(std::size_t i) const = 0;
+  virtual ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const = 0;
+  virtual ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const = 0;
+};
+
+/// Elements of the barycentric scheme: whole master faces, seen from their barycentres (8), (11). The pairs must
+/// outlive this.
+class BarycentricElements final : public ElementSource {
+ public:
+  explicit BarycentricElements(const std::vector<ElementPair>& pairs) : pairs_(pairs) {}
+  std::size_t size() const override { return pairs_.size(); }
+  ElementPair pair(std::size_t i) const override { return pairs_[i]; }
+  ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
+  ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
+
+ private:
+  const std::vector<ElementPair>& pairs_;
+};
+
+}  // namespace pcm::reference

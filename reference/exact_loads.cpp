@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/exact_loads.h"
+
+namespace pcm::reference {
+namespace {
+
+/// Of the scales, of which no rounding is claimed.
+constexpr mpfr_prec_t kScalePrecision = 256;
+
+Vec3<Quadratic> lifted(const Vec3<Rational>& v) {
+  return {Quadratic(v.x), Quadratic(v.y), Quadratic(v.z)};
+}
+
+ElementGeometry<Quadratic> lifted(const ElementGeometry<Rational>& g) {
+  return {lifted(g.N), lifted(g.slave_N), Quadratic(g.alpha), Quadratic(g.q), Quadratic(g.q_greatest), lifted(g.foot)};
+}
+
+double rounded(const Quadratic& x) {
+  RadicalSum sum;
+  sum.add(x);
+  return sum.rounded();
+}
+
+Ball force_size(const ElementLoad<Quadratic>& load) {
+  const Ball v_t = sqrt(enclosed(load.speed_squared, kScalePrecision));
+  Ball squares(0.0, kScalePrecision);
+  for (int i = 0; i < 3; ++i) {
+    const Ball component = enclosed(load.force[i], kScalePrecision) + v_t * enclosed(load.drag[i], kScalePrecision);
+    squares = squares + component * component;
+  }
+  return sqrt(squares);
+}
+
+}  // namespace
+
+const ExactLoads::Known& ExactLoads::at(std::size_t i) {
+  std::optional<Known>& known = known_[i];
+  if (!known) {
+    const ElementGeometry<Rational> g = question_.elements.geometry(i, pose_);
+    known = Known{g, load_of(lifted(g), question_.elements.pair(i).master, question_.law, question_.pose.pose(),
+                             question_.velocity, Field<Quadratic>{})};
+  }
+  return *known;
+}
+
+const ExactLoads::Known* ExactLoads::deepest() {
+  const Known* deepest = nullptr;
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    const Known& known = at(i);
+    const auto squared = [](const Known& k) -> Rational {
+      return k.geometry.q_greatest * k.geometry.q_greatest * dot(k.geometry.N, k.geometry.N);
+    };
+    if (!deepest || squared(known) > squared(*deepest)) deepest = &known;
+  }
+  return deepest;
+}
+
+double ExactLoads::area(std::size_t i) {
+  return rounded(at(i).load.area);
+}
+
+double ExactLoads::penetration(std::size_t i) {
+  return rounded(at(i).load.penetration);
+}
+
+double ExactLoads::cosine(std::size_t i) {
+  const ElementGeometry<Rational>& g = at(i).geometry;
+  const Rational squares = dot(g.N, g.N) * dot(g.slave_N, g.slave_N);
+  RadicalSum quotient;
+  quotient.add(Rational(dot(g.N, g.slave_N) / squares), squares);
+  return quotient.rounded();
+}
+
+double ExactLoads::position(std::size_t i, int axis) {
+  return rounded(at(i).load.position[axis]);
+}
+
+double ExactLoads::force(std::size_t i, int axis) {
+  const ElementLoad<Quadratic>& load = at(i).load;
+  RadicalSum sum;
+  sum.add(load.force[axis]);
+  sum.add(load.drag[axis], load.speed_squared);
+  return sum.rounded();
+}
+
+double ExactLoads::total_force(int axis) {
+  const Quadratic share{Rational(question_.share())};
+  RadicalSum sum;
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    const ElementLoad<Quadratic>& load = at(i).load;
+    sum.add(share * load.force[axis]);  // (23)
+    sum.add(share * load.drag[axis], load.speed_squared);
+  }
+  return sum.rounded();
+}
+
+double ExactLoads::total_torque(int axis) {
+  const Quadratic share{Rational(question_.share())};
+  RadicalSum sum;
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    const ElementLoad<Quadratic>& load = at(i).load;
+    sum.add(share * cross(load.arm, load.force)[axis]);  // (22), (24)
+    sum.add(share * cross(load.arm, load.drag)[axis], load.speed_squared);
+  }
+  return sum.rounded();
+}
+
+double ExactLoads::greatest_penetration() {
+  const Known* known = deepest();
+  return known ? rounded(known->load.greatest_penetration) : 0;
+}
+
+bool ExactLoads::greatest_exceeds(double bound) {
+  const Known* known = deepest();
+  return known && (known->load.greatest_penetration - Quadratic(Rational(bound))).sign() > 0;
+}
+
+double ExactLoads::force_scale() {
+  Ball sum(0.0, kScalePrecision);
+  for (std::size_t i = 0; i < known_.size(); ++i) sum = sum + force_size(at(i).load);
+  return (Ball(question_.share(), kScalePrecision) * sum).middle();
+}
+
+double ExactLoads::torque_scale() {
+  Ball sum(0.0, kScalePrecision);
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    const ElementLoad<Quadratic>& load = at(i).load;
+    Ball squares(0.0, kScalePrecision);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Ball component = enclosed(load.arm[axis], kScalePrecision);
+      squares = squares + component * component;
+    }
+    sum = sum + sqrt(squares) * force_size(load);
+  }
+  return (Ball(question_.share(), kScalePrecision) * sum).middle();
+}
+
+}  // namespace pcm::reference

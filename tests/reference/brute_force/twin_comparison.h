@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <tuple>
+
+#include "meshes/degenerate/catalogue.h"
+#include "tests/reference/brute_force/brute_force.h"
+#include "tests/reference/brute_force/trials.h"
+
+/// The poses on which oracle and engine are held against the twin. A test brings what it compares: a function of E, F
+/// and pose that holds its subject against the twin and returns the twin's answer to the rounded problem.
+namespace pcm::brute_force {
+
+/// How much of what is compared was there at all, in poses.
+struct Seen {
+  int touching = 0;
+  int elements = 0;
+  int too_deep = 0;
+
+  void add(const Answer& twin) {
+    touching += twin.touching ? 1 : 0;
+    elements += twin.elements.empty() ? 0 : 1;
+    too_deep += twin.too_deep > 0 ? 1 : 0;
+  }
+};
+
+/// All cases of the degenerate catalogue that are small enough for the twin.
+template <class Compare>
+void compare_on_catalogue(const Compare& compare) {
+  Seen seen;
+  for (const degenerate::Case& example : degenerate::catalogue()) {
+    if (example.E.faces.size() + example.F.faces.size() > 200) continue;
+    SCOPED_TRACE(example.name);
+    seen.add(compare(example.E, example.F, Pose{example.A, example.r}));
+  }
+  EXPECT_GE(seen.touching, 10);
+}
+
+/// A kind of trial, and how many of it.
+using Series = std::tuple<Kind, int>;
+
+/// Every kind, for INSTANTIATE_TEST_SUITE_P, and the name of each.
+inline const auto kAllSeries =
+    testing::Values(Series{Kind::generic, 200}, Series{Kind::lattice, 400}, Series{Kind::near_lattice, 300},
+                    Series{Kind::grids, 60}, Series{Kind::open, 300});
+inline std::string series_name(const testing::TestParamInfo<Series>& test) {
+  return name_of(std::get<Kind>(test.param));
+}
+
+/// The trials of one series up to the first failure.
+template <class Compare>
+void compare_on_trials(const Series& series, std::uint64_t seed, const Compare& compare) {
+  const int count = affordable(std::get<int>(series));
+  Seen seen;
+  for (int number = 0; number < count && !testing::Test::HasFailure(); ++number) {
+    const Trial trial = draw_trial(std::get<Kind>(series), seed, number);
+    SCOPED_TRACE(trial.description);
+    seen.add(compare(trial.E, trial.F, trial.pose));
+  }
+  EXPECT_GE(seen.touching, count / 5);
+  EXPECT_GE(seen.elements, count / 20);
+  EXPECT_GE(seen.too_deep, 1);
+}
+
+}  // namespace pcm::brute_force
