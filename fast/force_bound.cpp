@@ -108,6 +108,7 @@ void MasterBound::promise_nothing() {
   if (side.intersected.empty() && side.inner.empty() && side.undecided_faces.empty()) return;
   sum_.force_Me.setConstant(std::numeric_limits<double>::infinity());
   sum_.torque_Me = sum_.force_Me;
+  sum_.flipped = true;
 }
 
 ForceBound MasterBound::result() const {

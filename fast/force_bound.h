@@ -33,8 +33,8 @@ class MasterBound {
   /// The faces that are not active in the rounded problem, but may be in the exact one.
   void add_inactive_faces();
 
-  /// In place of all the above, for the clipped scheme, whose parts of faces have no such bound: infinite where any
-  /// face is active or may be.
+  /// In place of all the above, for the clipped scheme, whose parts of faces have no such bound: infinite, and
+  /// flipped, where any face is active or may be.
   void promise_nothing();
 
   ForceBound result() const;

@@ -77,7 +77,7 @@ TEST(ForceBound, GrowsWithTheDistanceFromTheOrigin) {
   double previous = 0;
   for (const double far : {1.0, 1e3, 1e6}) {
     const Eigen::Vector3d at(far, 0, 0);
-    const Contact contact = answer(moved(E, at), F, turned(0.4, at + Eigen::Vector3d(0.3, 0.4, 1.7)), stiffness(1),
+    const Contact contact = answer(translated(E, at), F, turned(0.4, at + Eigen::Vector3d(0.3, 0.4, 1.7)), stiffness(1),
                                    Mode::E, {}, with_bound());
     EXPECT_FALSE(contact.bound->flipped);
     EXPECT_GT(contact.bound->force_Me.norm(), 10 * previous);
