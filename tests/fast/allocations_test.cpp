@@ -34,12 +34,16 @@ void expect_no_allocation_once_grown(Scheme scheme) {
   const Pairing closed(bubble, bubble, law, Mode::both, scheme);
   const Pairing open(Surface(generate::pyramid()), bubble, law, Mode::both, scheme);
   Workspace workspace;
+  Wanted bounded;
+  bounded.bound = true;
   const auto run = [&] {
     for (int i = 0; i < 20; ++i) {
       const Pose deep = test::turned(0.3 * i, {0.05, 0.1, 0.12});
       EXPECT_TRUE(evaluate(closed, deep, {}, {}, workspace).touching);
       EXPECT_TRUE(evaluate(open, test::turned(0.3 * i, {0.01, 0.02, 0.05}), {}, {}, workspace).touching);
+      EXPECT_TRUE(evaluate(closed, deep, {}, bounded, workspace).bound.has_value());
     }
+    EXPECT_TRUE(evaluate(closed, {}, {}, bounded, workspace).bound->flipped);
   };
   run();
   const long before = allocations;
