@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 
 #include "fast/box_tree.h"
@@ -25,13 +24,12 @@ class MasterPrism {
   /// x lies exactly in the face's plane. What is flush is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
 
-  /// How far lines through points seen by the prism may be off, where no |coordinate| exceeds `reach`. A vertex of F is
-  /// off by 4 u reach a coordinate (u = 2^-53); no distance from p0 is greater than 4 reach, and 16 u of it cover the
-  /// roundings of a distance, of a cut and of the direction the lines run in, N off by 4 u |p1 - p0| |p2 - p0| a
-  /// component: for a needle that is many u of N.
+  /// How far lines through points seen by the prism may be off from each other, where no |coordinate| exceeds `reach`.
+  /// A vertex of F is off by 4 u reach a coordinate (u = 2^-53); no distance from p0 is greater than 4 reach, and 16 u
+  /// of it cover the roundings of a distance and of a cut. An error of the lines' common direction, great for a needle,
+  /// moves all of them alike and makes no sliver.
   Uncertainty uncertainty(double reach) const {
-    const double needle = length(edge_s_Me_) * length(edge_t_Me_) * inverse_twice_area_;
-    const double distance = 64 * 0x1p-53 * reach * std::max(needle, 1.0);
+    const double distance = 64 * 0x1p-53 * reach;
     return {distance * length(inward_Me_[2]), distance * length(inward_Me_[0])};
   }
 
