@@ -258,8 +258,9 @@ nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report) {
 }
 
 std::string known_answers_summary(const KnownAnswersReport& report) {
-  std::string screen = fmt::format("{:<5}{:<38}{:>5}{:>7}  {:<26}{:<26}\n", "case", "title", "rows", "missed",
-                                   "finest |dev.| bary/clipped", "order bary/clipped");
+  std::string screen = "Deviations and orders: barycentric / clipped.\n";
+  screen += fmt::format("{:<5}{:<42}{:>5}{:>7}  {:<29}{}\n", "case", "title", "rows", "missed",
+                        "greatest |deviation|, finest", "observed order");
   for (const KnownAnswerResult& result : report.problems) {
     std::string deviations, orders;
     for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
@@ -280,7 +281,7 @@ std::string known_answers_summary(const KnownAnswersReport& report) {
       deviations += between + (any ? fmt::format("{:.1e}", worst) : "-");
       orders += between + (any_order ? fmt::format("{:.2f}..{:.2f}", least, greatest) : "-");
     }
-    screen += fmt::format("{:<5}{:<38}{:>5}{:>7}  {:<26}{:<26}\n", result.problem.id, result.problem.title,
+    screen += fmt::format("{:<5}{:<42}{:>5}{:>7}  {:<29}{}\n", result.problem.id, result.problem.title,
                           result.series.size(), result.missed(), deviations, orders);
   }
   screen += fmt::format("\n{:<50}{:>12}{:>9}{:>12}{:>8}\n", "identity", "sharpness", "checks", "violations", "worst");
