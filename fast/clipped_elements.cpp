@@ -55,18 +55,19 @@ bool near_barycentre(const std::array<PrismPoint, 3>& corners) {
 
 /// What the penetration lines of one master face meet.
 struct View {
-  double edge_s, edge_t;             ///< lengths, m
+  Eigen::Vector3d edge_s_Me, edge_t_Me;
   double farthest;                   ///< no face is seen whose corners are farther from p0, m
   double deepest = -1;               ///< greatest depth at which the slave is left, whatever lies before, m
   bool slave_at_barycentre = false;  ///< the line of the barycentre may leave the slave
   bool own_at_barycentre = false;    ///< it may meet another face of the master
 
   explicit View(const MasterPrism& prism)
-      : edge_s(length(prism.edge_s_Me())), edge_t(length(prism.edge_t_Me())), farthest(edge_s + edge_t) {}
+      : edge_s_Me(prism.edge_s_Me()), edge_t_Me(prism.edge_t_Me()), farthest(length(edge_s_Me) + length(edge_t_Me)) {}
 
   void add(const ProjectedFace& face) {
     for (const PrismPoint& x : face.corners) {
-      farthest = std::max(farthest, std::abs(x[kS]) * edge_s + std::abs(x[kT]) * edge_t + std::abs(x[kDepth]));
+      // Of a thin master face s and t may be huge and nearly cancel, so their absolute sum would mean nothing.
+      farthest = std::max(farthest, length(x[kS] * edge_s_Me + x[kT] * edge_t_Me) + std::abs(x[kDepth]));
     }
   }
 };

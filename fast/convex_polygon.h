@@ -34,6 +34,15 @@ struct ConvexPolygon {
   int count;
 
   ConvexPolygon() : count(0) {}
+  /// Only the vertices there are.
+  ConvexPolygon(const ConvexPolygon& other) : count(other.count) {
+    std::copy_n(other.points.begin(), count, points.begin());
+  }
+  ConvexPolygon& operator=(const ConvexPolygon& other) {
+    count = other.count;
+    std::copy_n(other.points.begin(), count, points.begin());
+    return *this;
+  }
 
   void add(const PrismPoint& point) { points[static_cast<std::size_t>(count++)] = point; }
   const PrismPoint& operator[](int i) const { return points[static_cast<std::size_t>(i)]; }
@@ -64,24 +73,21 @@ inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heigh
     if (height > heights[static_cast<std::size_t>(top)]) top = i;
   }
   if (all) return;
-  const auto at = [n](int i) { return static_cast<std::size_t>((i + n) % n); };
-  if (!(heights[at(top)] > 0)) {
+  const auto at = [&heights](int i) { return heights[static_cast<std::size_t>(i)]; };
+  if (!(at(top) > 0)) {
     polygon.count = 0;
     return;
   }
-  int last = top, first = top;
-  while (heights[at(last + 1)] >= 0) ++last;
-  while (heights[at(first - 1)] >= 0) --first;
+  const auto next = [n](int i) { return i + 1 == n ? 0 : i + 1; };
+  const auto previous = [n](int i) { return i == 0 ? n - 1 : i - 1; };
+  int first = top, last = top;
+  int before = previous(first), after = next(last);
+  for (; at(before) >= 0; before = previous(before)) first = before;
+  for (; at(after) >= 0; after = next(after)) last = after;
   ConvexPolygon kept;
-  if (heights[at(first)] > 0) {
-    kept.add(point_at_zero(polygon.points[at(first)], heights[at(first)], polygon.points[at(first - 1)],
-                           heights[at(first - 1)]));
-  }
-  for (int i = first; i <= last; ++i) kept.add(polygon.points[at(i)]);
-  if (heights[at(last)] > 0) {
-    kept.add(point_at_zero(polygon.points[at(last)], heights[at(last)], polygon.points[at(last + 1)],
-                           heights[at(last + 1)]));
-  }
+  if (at(first) > 0) kept.add(point_at_zero(polygon[first], at(first), polygon[before], at(before)));
+  for (int i = first; i != after; i = next(i)) kept.add(polygon[i]);
+  if (at(last) > 0) kept.add(point_at_zero(polygon[last], at(last), polygon[after], at(after)));
   polygon = kept;
 }
 

@@ -4,9 +4,26 @@
 
 #include <cmath>
 
+#include "fast/number_vector.h"
 #include "fast/orientation.h"
 
 namespace pcm::fast {
+
+namespace {
+
+/// N . (x - p0) to a few ulps of itself, 0 only where it is 0: exact but for the last step. `size` is a length of the
+/// face, so that scaling everything by 2^k scales the result exactly: the exact numbers' limbs have 64 bits.
+double exact_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x, double size) {
+  const int exponent = std::ilogb(size) % 64;
+  const double unit = std::ldexp(1, exponent < 0 ? -exponent : 64 - exponent);
+  const auto from_p0 = [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d to = unit * point, from = unit * p[0];
+    return difference<Dyadic>(to.data(), from.data());
+  };
+  return dot(cross(from_p0(p[1]), from_p0(p[2])), from_p0(x)).approximate() / (unit * unit * unit);
+}
+
+}  // namespace
 
 MasterPrism::MasterPrism(const FaceGeometry& face)
     : face_(face),
@@ -31,9 +48,7 @@ PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) con
   ++work.predicates;
   if (!(std::abs(height) > kFilterRelative * (magnitude + kFilterUnderflow))) {
     ++work.exact_predicates;
-    const int sign = exact_orientation(p[0].data(), p[1].data(), p[2].data(), x_Me.data());
-    // Any value within the error bound will do, if it has the right sign.
-    height = sign * (height == 0 ? 0x1p-53 * magnitude : std::abs(height));
+    height = exact_height(p, x_Me, edge_s_Me_.cwiseAbs().maxCoeff());
   }
   return {inward_Me_[1].dot(x_Me - p[1]), inward_Me_[2].dot(x_Me - p[2]), inward_Me_[0].dot(from_p0),
           -height * inverse_twice_area_};

@@ -20,8 +20,8 @@ class MasterPrism {
   explicit MasterPrism(const FaceGeometry& face);
 
   /// What the face sees of x. Each weight is taken from an end of the side where it is 0, so its error is a few ulps of
-  /// the distance over the face's height. The depth has the exact sign of the rounded problem, 0 where x lies exactly
-  /// in the face's plane: what is flush is decided here.
+  /// the distance over the face's height. The depth is computed exactly where it is not sure of its sign: it is 0 where
+  /// x lies exactly in the face's plane. What is flush is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
 
   /// How far lines through points seen by the prism may be off, given the points: 16 u covers the roundings of a

@@ -63,9 +63,11 @@ struct Element {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E
 };
 
-/// The oracle's answer to one problem. Positions, areas and the volume are the true values, correctly rounded. Forces,
-/// torques and penetrations are too, unless an enclosure of 960 bits still cannot tell which way to round (as where the
-/// true value lies half-way between two doubles); then the middle of that enclosure is rounded.
+/// The oracle's answer to one problem. Every number is the true value, correctly rounded (ties to even, zero as +0):
+/// positions, areas, volume, and all of elements, force, torque and penetration, with two exceptions (contact_force.h).
+/// The scales are near enough for what they are for. And where friction acts on an element that is clamped to
+/// max_penetration while F turns (w != 0), forces and torque hold roots of roots: those are enclosed to 4096 bits, and
+/// where that does not tell which way to round, the middle of the enclosure is rounded.
 struct Answer {
   bool touching = false;
   bool nested = false;
@@ -75,7 +77,7 @@ struct Answer {
   ActiveArea E;
   ActiveArea F;
   std::optional<double> volume;   ///< none where a surface is open or the answer is ambiguous
-  std::vector<Element> elements;  ///< by master (E first), then master face
+  std::vector<Element> elements;  ///< by master (E first), then master face, then slave face
   Index undefined_areas = 0;      ///< faces a border of the other, open surface ends in: their clipped area counts as 0
   Index too_deep = 0;
   double max_penetration = 0;  ///< greatest u before clamping
@@ -84,7 +86,9 @@ struct Answer {
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();
   double force_scale = 0;   ///< sum of |F_k|: what a force error is measured against (DESIGN section 3)
   double torque_scale = 0;  ///< sum of |C_k - r| |F_k|
-  bool certified = true;    ///< every decision about the elements holds for all vertices within their rounding boxes
+  /// Barycentric scheme: every decision about the elements holds for all vertices within their rounding boxes. Clipped
+  /// scheme: always true, for small changes of the vertices change its elements by slivers.
+  bool certified = true;
 };
 
 }  // namespace pcm::reference

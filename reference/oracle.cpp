@@ -3,8 +3,10 @@
 #include "reference/oracle.h"
 
 #include <utility>
+#include <vector>
 
 #include "meshes/check.h"
+#include "reference/clipped_elements.h"
 #include "reference/combinatorics.h"
 #include "reference/contact_elements.h"
 #include "reference/contact_force.h"
@@ -54,9 +56,14 @@ Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity&
     report_areas(pose, found.clip(pose), data_->E.closed && data_->F.closed && !answer.ambiguous, answer);
   if (wanted.force) {
     const ElementPairs elements = find_elements(pose, data_->mode, found);
-    answer.too_deep = elements.too_deep;
-    answer.certified = elements.certified;
-    report_force({pose, BarycentricElements(elements.pairs), data_->law, data_->mode, velocity}, wanted, answer);
+    answer.too_deep = elements.too_deep;  // by the barycentres' lines in either scheme
+    if (data_->scheme == Scheme::barycentric) {
+      answer.certified = elements.certified;
+      report_force({pose, BarycentricElements(elements.pairs), data_->law, data_->mode, velocity}, wanted, answer);
+    } else {
+      const std::vector<ClippedElement> clipped = find_clipped_elements(pose, data_->mode, found);
+      report_force({pose, ClippedElements(clipped), data_->law, data_->mode, velocity}, wanted, answer);
+    }
   }
   return answer;
 }

@@ -139,23 +139,27 @@ int PenetrationLine::compare(Side side_a, Index face_a, Side side_b, Index face_
   return slopes * sign_of(change_between(line, a, b, line.v2));
 }
 
-double PenetrationLine::reach(const Box& box) const {
-  const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
+double reach(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box) {
   // All comparisons are such that an overflow, which leaves no number, leaves the box in question.
   double least = 0, greatest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    if (certain_sign(enclosed_.N[i]) == 0) continue;
-    const Interval q = (C_[i] - Interval(box.lower[i], box.upper[i])) / enclosed_.N[i];
+    if (certain_sign(N[i]) == 0) continue;
+    const Interval q = (from[i] - Interval(box.lower[i], box.upper[i])) / N[i];
     if (q.inf() > least) least = q.inf();
     if (q.sup() < greatest) greatest = q.sup();
     if (greatest < least) return -1;
   }
   for (int i = 0; i < 3; ++i) {
-    if (certain_sign(enclosed_.N[i]) != 0) continue;
-    const Interval x = C_[i] - Interval(least, greatest) * enclosed_.N[i];
+    if (certain_sign(N[i]) != 0) continue;
+    const Interval x = from[i] - Interval(least, greatest) * N[i];
     if (x.sup() < box.lower[i] || x.inf() > box.upper[i]) return -1;
   }
   return least;
+}
+
+double PenetrationLine::reach(const Box& box) const {
+  const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
+  return reference::reach(C_, enclosed_.N, box);
 }
 
 double PenetrationLine::farthest(Side side, Index face) const {

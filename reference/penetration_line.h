@@ -31,6 +31,10 @@ struct Meeting {
   bool ahead = false;  ///< q > 0 before the shift; otherwise q = 0
 };
 
+/// A lower bound of the q >= 0 at which x - q N may be in the box for an x in `from`; negative where it surely misses
+/// it. To be called while the rounding mode is upward.
+double reach(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box);
+
 /// The penetration line of one master face. Every decision is made for all vertices within their rounding boxes at once
 /// where that is possible; where it is not, exactly on the pose's own problem, and `certified` drops to false.
 class PenetrationLine {

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "reference/combinatorics.h"
+#include "reference/contact_elements.h"
+#include "reference/element_source.h"
+#include "reference/sight_lines.h"
+
+/// Elements of the clipped scheme (PCM section 6): the lower envelope of the slave's sheets, and of the master's own
+/// other faces, below each active master face e. Every depth d_g is linear in (s, t), so the part of e that belongs to
+/// the slave face f is a polygon:
+///
+///   P_ef = e n proj(f) n {d_f >= 0}, N . N_f < 0 (the line leaves the slave's body there),
+///     less, for each other slave face g:        proj(g) n {d_g >= 0} n {d_g <= d_f},
+///     less, for each other face g of the master: the same.
+///
+/// Faces seen edge-on (N . N_g = 0) are never met. Where d_g = d_f throughout, the slave face of the smaller index is
+/// first, and a face of the master is not before f. Where d_g = 0 throughout, g is met, at once.
+namespace pcm::reference {
+
+/// A convex polygon by the lines that bound it, counterclockwise in (s, t).
+using PieceOutline = std::vector<SightLine>;
+
+/// An element {e, f}: P_ef has area and f does not lie in e's plane, so the mean penetration is positive.
+struct ClippedElement {
+  ElementPair faces;
+  std::vector<PieceOutline> pieces;  ///< P_ef cut into convex pieces, without common area
+};
+
+/// By master (E first), then master face, then slave face. The cost of a master face grows with the slave's and its own
+/// faces below it, each looked up in a tree of boxes.
+std::vector<ClippedElement> find_clipped_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics);
+
+/// Their values by exact moments of a linear field over convex pieces: alpha = area of P_ef in (s, t), q = (integral of
+/// d_f) / alpha, q_greatest = the greatest d_f at a corner, foot = (integral of x d_f) / (integral of d_f).
+class ClippedElements final : public ElementSource {
+ public:
+  /// The elements must outlive this.
+  explicit ClippedElements(const std::vector<ClippedElement>& elements) : elements_(elements) {}
+  std::size_t size() const override { return elements_.size(); }
+  ElementPair pair(std::size_t i) const override { return elements_[i].faces; }
+  ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
+  ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
+
+ private:
+  const std::vector<ClippedElement>& elements_;
+};
+
+}  // namespace pcm::reference
