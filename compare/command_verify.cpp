@@ -15,6 +15,7 @@
 #include <system_error>
 #include <thread>
 
+#include "compare/command_verify_known_answers.h"
 #include "compare/law_options.h"
 #include "compare/sha256.h"
 #include "compare/surface_warnings.h"
@@ -39,6 +40,8 @@ struct VerifyOptions {
   std::optional<std::string> jobs;
   std::optional<std::string> out;
   std::optional<std::string> case_file;
+  bool known_answers = false;
+  bool quick = false;
 };
 
 /// More than any machine gets through; products of pose numbers and shares stay below 2^63.
@@ -204,6 +207,13 @@ Exit verify(const VerifyOptions& options) {
   return run.total().disagreeing == 0 && run.finished() ? Exit::success : Exit::negative;
 }
 
+Exit known_answers(const VerifyOptions& options) {
+  const std::uint64_t seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  std::optional<fs::path> folder;
+  if (options.out) folder = prepare_folder(*options.out);
+  return verify_known_answers(options.quick ? Extent::quick : Extent::full, seed, number_of_jobs(options), folder);
+}
+
 Exit replay(const std::string& file) {
   const Case posed = read_case(file);
   const Scene scene(posed.E, posed.F, posed.law, posed.mode, posed.scheme);
@@ -229,6 +239,7 @@ void add_verify_command(CLI::App& program, Run& run) {
       "Examples:\n"
       "  pcm verify --poses 200000 --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
+      "  pcm verify --known-answers --out answers\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17.json");
   command->add_option("--poses", options->poses, "How many poses in all")->type_name("N")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of the random poses, a whole number")
@@ -259,8 +270,16 @@ void add_verify_command(CLI::App& program, Run& run) {
   command->add_option("--case", options->case_file, "Replay a case file instead")
       ->type_name("FILE")
       ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--out");
+  CLI::Option* known = command
+                           ->add_flag("--known-answers", options->known_answers,
+                                      "Instead: forces known in closed form over resolutions, and identities (minutes)")
+                           ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--case");
+  command->add_flag("--quick", options->quick, "Known answers on coarser meshes only")->needs(known);
   command->callback([options, &run] {
-    run = [options] { return options->case_file ? replay(*options->case_file) : verify(*options); };
+    run = [options] {
+      if (options->case_file) return replay(*options->case_file);
+      return options->known_answers ? known_answers(*options) : verify(*options);
+    };
   });
 }
 

@@ -106,6 +106,29 @@ TriangleMesh cone(double radius, double height, Index segments, Index bands, Ind
   return surface_of_revolution("cone", profile, segments);
 }
 
+TriangleMesh tube(double inner_radius, double outer_radius, double length, Index segments, Index bands) {
+  require_length("inner_radius", inner_radius);
+  require_length("outer_radius", outer_radius);
+  require_between("inner_radius", inner_radius, 0, outer_radius);
+  require_length("length", length);
+  require_count("segments", segments, 3);
+  require_count("bands", bands, 1);
+  // Up the outside, across the upper end and down the bore: with the body on the left.
+  std::vector<ProfilePoint> profile;
+  const auto height = [&](Index i) { return length * (static_cast<double>(i) / bands) - length / 2; };
+  for (Index i = 0; i <= bands; ++i) profile.push_back({outer_radius, height(i)});
+  for (Index i = bands; i >= 0; --i) profile.push_back({inner_radius, height(i)});
+  std::vector<Eigen::Vector3d> vertices;
+  vertices.reserve(profile.size() * static_cast<std::size_t>(segments));
+  for (const ProfilePoint& point : profile) {
+    for (Index k = 0; k < segments; ++k) {
+      const auto [cosine, sine] = cosine_sine_of_turn(k, segments);
+      vertices.emplace_back(point.radius * cosine, point.radius * sine, point.z);
+    }
+  }
+  return finished("tube", std::move(vertices), ring_faces(static_cast<Index>(profile.size()), segments));
+}
+
 TriangleMesh torus(double ring_radius, double tube_radius, Index segments, Index tube_segments) {
   require_length("ring_radius", ring_radius);
   require_length("tube_radius", tube_radius);

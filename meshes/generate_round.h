@@ -26,6 +26,10 @@ TriangleMesh cylinder(double radius, double length, Index segments, Index bands 
 /// 2 segments (bands + cap_rings - 1) faces.
 TriangleMesh cone(double radius, double height, Index segments, Index bands = 1, Index cap_rings = 1);
 
+/// Tube between z = -length / 2 and length / 2, the body between a bore and a coaxial outside, both in `bands` bands:
+/// 4 segments (bands + 1) faces. inner_radius < outer_radius.
+TriangleMesh tube(double inner_radius, double outer_radius, double length, Index segments, Index bands = 1);
+
 /// Torus about the z axis in the plane z = 0; tube_radius < ring_radius. 2 segments tube_segments faces.
 TriangleMesh torus(double ring_radius, double tube_radius, Index segments, Index tube_segments);
 

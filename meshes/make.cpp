@@ -129,6 +129,15 @@ std::vector<Entry> round_shapes() {
          return generate::cone(v.number("radius"), v.number("height"), v.count("segments"), v.count("bands"),
                                v.count("cap_rings"));
        }},
+      {{"tube",
+        "tube about the z axis and the origin, a bore in a coaxial cylinder",
+        {length("inner_radius", 0.5, "of the bore"), length("outer_radius", 1, "of the outside"),
+         length("length", 1, "along z"), count("segments", 32, "around the axis"),
+         count("bands", 4, "along the axis")}},
+       [](const Values& v) {
+         return generate::tube(v.number("inner_radius"), v.number("outer_radius"), v.number("length"),
+                               v.count("segments"), v.count("bands"));
+       }},
       {{"torus",
         "torus about the z axis",
         {length("ring_radius", 1, "of the tube's centre line"), length("tube_radius", 0.25, "of the tube"),

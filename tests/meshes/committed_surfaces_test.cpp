@@ -45,6 +45,7 @@ std::vector<CommittedSurface> committed_surfaces() {
           {"socket", {{"segments", 24}, {"bands", 6}}},
           {"spur_gear", {{"teeth", 12}}},
           {"torus", {{"segments", 24}, {"tube_segments", 12}}},
+          {"tube", {{"segments", 16}, {"bands", 2}}},
           {"uv_sphere", {{"segments", 16}, {"bands", 8}}},
           {"wedge", {}}};
 }

@@ -95,6 +95,8 @@ TEST(GenerateRound, AreClosedWithTheFacesPromised) {
   test::expect_closed(generate::cone(1, 2, 12), 2 * 12);
   test::expect_closed(generate::cone(1, 2, 12, 4, 3), 2 * 12 * 6);
   test::expect_closed(generate::torus(1, 0.25, 16, 8), 2 * 16 * 8, 0);
+  test::expect_closed(generate::tube(1, 2, 3, 12), 4 * 12 * 2, 0);
+  test::expect_closed(generate::tube(1, 2, 3, 12, 5), 4 * 12 * 6, 0);
 }
 
 TEST(GenerateRound, SphereVerticesLieOnTheSphere) {
@@ -109,6 +111,7 @@ TEST(GenerateRound, VolumesConvergeAtSecondOrder) {
   expect_second_order([](Index n) { return test::signed_volume(generate::cylinder(0.5, 2, n, 3, 2)); }, pi / 2);
   expect_second_order([](Index n) { return test::signed_volume(generate::cone(0.5, 3, n, 3, 2)); }, pi / 4);
   expect_second_order([](Index n) { return test::signed_volume(generate::torus(2, 0.5, 2 * n, n)); }, pi * pi);
+  expect_second_order([](Index n) { return test::signed_volume(generate::tube(1, 2, 0.5, n)); }, 1.5 * pi);
 }
 
 TEST(GenerateBubbles, BubbleHasNineHundredFiftyFacesAndAConcaveWaist) {
@@ -167,6 +170,7 @@ TEST(Generate, RefusesBadParametersByName) {
   test::expect_refused([] { generate::icosphere(1, 11); }, "level");
   test::expect_refused([] { generate::wedge(90, 1, 1); }, "tilt_degrees");
   test::expect_refused([] { generate::torus(1, 1, 8, 8); }, "tube_radius");
+  test::expect_refused([] { generate::tube(1, 1, 1, 8); }, "inner_radius");
   test::expect_refused([] { generate::box({1, 1, 1}, {1, 2, 2}); }, "extent_x");
 }
 
