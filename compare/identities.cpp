@@ -209,12 +209,13 @@ std::vector<Posed> poses_where(const std::vector<Posed>& poses, const std::strin
 
 std::vector<IdentityResult> check_identities(std::uint64_t seed, Extent extent) {
   const bool full = extent == Extent::full;
-  const std::vector<Posed> all = posed_pairs(seed, full ? 4 : 1);
-  const std::vector<Posed> generic = poses_where(all, "/generic/", 5000);
+  // Surfaces are prepared anew for every answer, which large ones make the bulk of the work.
+  const std::vector<Posed> all = poses_where(posed_pairs(seed, full ? 3 : 1), "", full ? 4000 : 700);
+  const std::vector<Posed> generic = poses_where(all, "/generic/", 4000);
   // The pairs of the hard strata have dyadic coordinates, so the middles of their edges are doubles.
   const std::vector<Posed> dyadic = poses_where(all, "/generic/", 200);
   const std::vector<Posed> small = poses_where(all, "", 200);
-  const std::vector<Posed> some = poses_where(posed_pairs(seed, 1), "", full ? 5000 : 700);
+  const std::vector<Posed> some = poses_where(posed_pairs(seed, 1), "", full ? 2000 : 200);
 
   std::vector<IdentityResult> results;
   results.push_back(over_poses("mode both is the mean of the two", "F(both) = (F(E) + F(F)) / 2, torque alike",

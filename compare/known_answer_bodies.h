@@ -16,7 +16,8 @@ namespace pcm::compare {
 inline constexpr std::array kModes = {Mode::E, Mode::F, Mode::both};
 inline constexpr std::array kSchemes = {Scheme::barycentric, Scheme::clipped};
 
-/// How many fixed orientations there are.
+/// How many fixed orientations there are: means are taken over all of them; where a row is exact but for rounding, a
+/// few do.
 inline constexpr int kOrientations = 20;
 
 /// Fixed rotation number i, from a quaternion of small integers: a rational matrix, rounded. No two faces of the test

@@ -29,16 +29,18 @@ Eigen::Matrix3d lying() {
 }
 
 std::vector<Index> segments_of(Extent extent) {
-  return extent == Extent::full ? std::vector<Index>{64, 128, 256, 512, 1024} : std::vector<Index>{64, 128, 256, 512};
+  return extent == Extent::full ? std::vector<Index>{64, 128, 256, 512} : std::vector<Index>{64, 128, 256};
 }
 
 /// Both sums run over whole periods of the polygon only on the mean over the orientations; the rest stays below 5 % of
-/// the leading term where the contact is 20 edges wide.
-void expect(Series& series, double leading) {
+/// the leading term where the contact is 50 edges wide.
+void expect(Series& series, double leading, Extent extent) {
+  const double part = extent == Extent::full ? 0.05 : 0.15;
   const double e = series.levels.back().edge;
-  series.levels.back().deviation = between(0.95, 1.05, leading * e * e);
-  series.order = Band{1.9, 2.1};
-  series.reason = fmt::format("leading term of the inscribed polygon: {:.4g} (e/r)^2, to 5 %", leading);
+  series.levels.back().deviation = between(1 - part, 1 + part, leading * e * e);
+  if (extent == Extent::full) series.order = Band{1.9, 2.1};
+  series.reason =
+      fmt::format("leading term of the inscribed polygon: {:.4g} (e/r)^2, to {:.0f} %", leading, 100 * part);
 }
 
 /// Mean deviation from the closed form, relative, divided by the edge length squared (radius 1). A chord lies e^2 / 12
@@ -84,7 +86,8 @@ KnownAnswer cylinder_on_plane(Extent extent) {
         series.scale = static_cast<double>(series.reference);
         series.orientations = kOrientations;
         std::vector<fast::Pairing> pairings;
-        for (const Index n : segments_of(extent)) {
+        for (const Index half : segments_of(extent)) {
+          const Index n = 2 * half;  // a contact at least 20 edges wide at the last three levels
           const Index cells = n / 4;
           const fast::Surface E(generate::cylinder(kRadius, kLength, n));
           const fast::Surface F(generate::plate(1.5, 2 * kLength, 1, cells, 4));
@@ -100,7 +103,7 @@ KnownAnswer cylinder_on_plane(Extent extent) {
           const Placement placement{lying() * fixed_roll(orientation), {0.1 * (x - std::floor(x)), 0, kRadius - h}};
           return load(pairings[level], placement, workspace).force_F.z() / kLength;
         };
-        expect(series, leading_on_plane(mode, scheme, h));
+        expect(series, leading_on_plane(mode, scheme, h), extent);
       }
   return problem;
 }
@@ -163,7 +166,7 @@ KnownAnswer journal_in_bore(Extent extent) {
       const double added = mode == Mode::both
                                ? (added_in_bore(Mode::E, scheme, d) + added_in_bore(Mode::F, scheme, d)) / 2
                                : added_in_bore(mode, scheme, d);
-      expect(series, added / series.scale);
+      expect(series, added / series.scale, extent);
     }
   return problem;
 }

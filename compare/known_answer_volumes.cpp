@@ -119,7 +119,7 @@ std::vector<KnownAnswer> volumes(Extent extent) {
       "F = K V along the plane's normal, through the centroid of the immersed volume V (CASES A8); V and centroid by "
       "the "
       "divergence theorem, in long double";
-  const int orientations = extent == Extent::full ? kOrientations : 3;
+  const int orientations = extent == Extent::full ? 10 : 3;
   const std::vector<TriangleMesh> bodies{generate::box({1.5, 1.5, 1.5}), generate::icosphere(0.75, 3),
                                          generate::bubble(1), generate::torus(0.75, 0.25, 48, 24)};
   std::vector<fast::Surface> plates;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kStiffness = 3;
 constexpr double kWidth = 1;
 constexpr double kDepth = 0.5;  ///< half the wedge's height, so that a row of an even grid ends there
-constexpr double kReach = 10;   ///< of the plate
+constexpr double kReach = 6;    ///< of the plate
 
 /// Force on the wedge at the depth h, x along the inward horizontal of the face tilted by p.
 struct WedgeForce {
@@ -44,7 +44,7 @@ struct Meshes {
 Meshes meshes_for(double degrees, Mode mode, Scheme scheme, int orientations) {
   Meshes meshes;
   for (const Index n : {2, 4, 8}) {
-    const Index cells = 10 * n;
+    const Index cells = 6 * n;
     const fast::Surface plate(generate::plate(kReach, kReach, 5, cells, cells));
     std::vector<fast::Pairing>& level = meshes.pairings.emplace_back();
     for (int i = 0; i < orientations; ++i) {
@@ -84,7 +84,7 @@ KnownAnswer wedge_on_plane(Extent extent) {
   problem.reference =
       "wedge master: F_z = (K w h^2 / 2)(1 / sin p + 1 / cos p), F_x / F_z = tan(p - 45 deg) although mu = 0; plane "
       "master: F_z = (K w h^2 / 2)(tan p + cot p), F_x = 0 (CASES A9); their mean with both";
-  const int orientations = extent == Extent::full ? kOrientations : 3;
+  const int orientations = extent == Extent::full ? 5 : 2;
   for (const double degrees : {45.0, 40.0, 30.0, 15.0})
     for (const Mode mode : kModes)
       for (const Scheme scheme : kSchemes) {
@@ -141,7 +141,7 @@ KnownAnswer loop_of_the_wedge(Extent extent) {
       "contact "
       "force on it, which a conservative force would not do.";
   problem.reference = "F_x s with F_x of A9: wedge master F_z tan(p - 45 deg) s, plane master 0, both half (CASES A10)";
-  const int orientations = extent == Extent::full ? kOrientations : 3;
+  const int orientations = extent == Extent::full ? 3 : 1;
   for (const double degrees : {45.0, 30.0, 15.0})
     for (const Mode mode : kModes)
       for (const Scheme scheme : kSchemes) {

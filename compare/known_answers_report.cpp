@@ -195,7 +195,7 @@ std::string known_answers_csv(const KnownAnswersReport& report) {
       "case,quantity,mode,scheme,reference,meshes,edge,faces,edges_across,value,deviation,deviation_least,"
       "deviation_greatest,expected_least,expected_greatest,order,order_of_values,richardson,grid_convergence_index,"
       "met\n";
-  const auto number = [](const std::optional<double>& x) { return x ? fmt::format("{}", *x) : std::string(); };
+  const auto number = [](const std::optional<double>& x) { return x.has_value() ? fmt::format("{}", x.value()) : ""; };
   for (const KnownAnswerResult& result : report.problems)
     for (std::size_t s = 0; s < result.series.size(); ++s) {
       const Series& series = result.problem.series[s];
@@ -208,9 +208,11 @@ std::string known_answers_csv(const KnownAnswersReport& report) {
                              name(series.mode), name(series.scheme), static_cast<double>(series.reference),
                              quoted(level.meshes), level.edge, level.faces, level.across, found.value, found.deviation,
                              found.least, found.greatest, level.deviation.least, level.deviation.greatest);
-        const Convergence c = finest ? row.convergence : Convergence();
-        table += fmt::format(",{},{},{},{},{}\n", number(c.order), number(c.order_of_values), number(c.richardson),
-                             number(c.grid_convergence_index), row.misses.empty() ? "yes" : "no");
+        const Convergence& c = row.convergence;
+        table += finest ? fmt::format(",{},{},{},{}", number(c.order), number(c.order_of_values), number(c.richardson),
+                                      number(c.grid_convergence_index))
+                        : ",,,,";
+        table += row.misses.empty() ? ",yes\n" : ",no\n";
       }
     }
   return table;
@@ -256,8 +258,9 @@ nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report) {
 }
 
 std::string known_answers_summary(const KnownAnswersReport& report) {
-  std::string screen = fmt::format("{:<5}{:<38}{:>5}{:>7}  {:<26}{:<26}\n", "case", "title", "rows", "missed",
-                                   "finest |dev.| bary/clipped", "order bary/clipped");
+  std::string screen = "Deviations and orders: barycentric / clipped.\n";
+  screen += fmt::format("{:<5}{:<42}{:>5}{:>7}  {:<29}{}\n", "case", "title", "rows", "missed",
+                        "greatest |deviation|, finest", "observed order");
   for (const KnownAnswerResult& result : report.problems) {
     std::string deviations, orders;
     for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
@@ -278,7 +281,7 @@ std::string known_answers_summary(const KnownAnswersReport& report) {
       deviations += between + (any ? fmt::format("{:.1e}", worst) : "-");
       orders += between + (any_order ? fmt::format("{:.2f}..{:.2f}", least, greatest) : "-");
     }
-    screen += fmt::format("{:<5}{:<38}{:>5}{:>7}  {:<26}{:<26}\n", result.problem.id, result.problem.title,
+    screen += fmt::format("{:<5}{:<42}{:>5}{:>7}  {:<29}{}\n", result.problem.id, result.problem.title,
                           result.series.size(), result.missed(), deviations, orders);
   }
   screen += fmt::format("\n{:<50}{:>12}{:>9}{:>12}{:>8}\n", "identity", "sharpness", "checks", "violations", "worst");

@@ -8,7 +8,8 @@
 #include <cmath>
 
 /// Convex polygons in the plane of a master face that carry a linear field, cut by lines and integrated (PCM section 6,
-/// clipped scheme). No tolerance anywhere: cuts that miss by a rounding make slivers of an area as small.
+/// clipped scheme). No tolerance anywhere: cuts that miss by a rounding make slivers of an area as small, which are
+/// told by a bound of that error.
 namespace pcm::fast {
 
 /// A point x as a master face (p0, p1, p2) sees it: x = p0 + s (p1 - p0) + t (p2 - p0) - depth n. The first three
@@ -34,6 +35,15 @@ struct ConvexPolygon {
   int count;
 
   ConvexPolygon() : count(0) {}
+  /// Only the vertices there are.
+  ConvexPolygon(const ConvexPolygon& other) : count(other.count) {
+    std::copy_n(other.points.begin(), count, points.begin());
+  }
+  ConvexPolygon& operator=(const ConvexPolygon& other) {
+    count = other.count;
+    std::copy_n(other.points.begin(), count, points.begin());
+    return *this;
+  }
 
   void add(const PrismPoint& point) { points[static_cast<std::size_t>(count++)] = point; }
   const PrismPoint& operator[](int i) const { return points[static_cast<std::size_t>(i)]; }
@@ -64,24 +74,21 @@ inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heigh
     if (height > heights[static_cast<std::size_t>(top)]) top = i;
   }
   if (all) return;
-  const auto at = [n](int i) { return static_cast<std::size_t>((i + n) % n); };
-  if (!(heights[at(top)] > 0)) {
+  const auto at = [&heights](int i) { return heights[static_cast<std::size_t>(i)]; };
+  if (!(at(top) > 0)) {
     polygon.count = 0;
     return;
   }
-  int last = top, first = top;
-  while (heights[at(last + 1)] >= 0) ++last;
-  while (heights[at(first - 1)] >= 0) --first;
+  const auto next = [n](int i) { return i + 1 == n ? 0 : i + 1; };
+  const auto previous = [n](int i) { return i == 0 ? n - 1 : i - 1; };
+  int first = top, last = top;
+  int before = previous(first), after = next(last);
+  for (; at(before) >= 0; before = previous(before)) first = before;
+  for (; at(after) >= 0; after = next(after)) last = after;
   ConvexPolygon kept;
-  if (heights[at(first)] > 0) {
-    kept.add(point_at_zero(polygon.points[at(first)], heights[at(first)], polygon.points[at(first - 1)],
-                           heights[at(first - 1)]));
-  }
-  for (int i = first; i <= last; ++i) kept.add(polygon.points[at(i)]);
-  if (heights[at(last)] > 0) {
-    kept.add(point_at_zero(polygon.points[at(last)], heights[at(last)], polygon.points[at(last + 1)],
-                           heights[at(last + 1)]));
-  }
+  if (at(first) > 0) kept.add(point_at_zero(polygon[first], at(first), polygon[before], at(before)));
+  for (int i = first; i != after; i = next(i)) kept.add(polygon[i]);
+  if (at(last) > 0) kept.add(point_at_zero(polygon[last], at(last), polygon[after], at(after)));
   polygon = kept;
 }
 
@@ -98,31 +105,34 @@ struct Uncertainty {
   double t = 0;
 };
 
-/// Integrals over polygons in (s, t), exact for their linear field. A polygon no larger than its own error may be none
-/// at all and counts as none: its mean or greatest depth would mean nothing.
+/// Twice the area of a polygon in (s, t).
+inline double twice_area(const ConvexPolygon& polygon) {
+  double sum = 0;
+  for (int i = 1; i + 1 < polygon.count; ++i) sum += cross_st(polygon[0], polygon[i], polygon[i + 1]);
+  return sum;
+}
+
+/// Whether a polygon has area however its points are off within the uncertainty. One that may have none counts as
+/// none: its mean or greatest depth would mean nothing, and cutting with it would only make more of its kind.
+inline bool certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty) {
+  if (polygon.empty()) return false;
+  double low_s = polygon[0][kS], high_s = low_s, low_t = polygon[0][kT], high_t = low_t;
+  for (int i = 1; i < polygon.count; ++i) {
+    low_s = std::min(low_s, polygon[i][kS]);
+    high_s = std::max(high_s, polygon[i][kS]);
+    low_t = std::min(low_t, polygon[i][kT]);
+    high_t = std::max(high_t, polygon[i][kT]);
+  }
+  return 0.5 * twice_area(polygon) > (high_t - low_t) * uncertainty.s + (high_s - low_s) * uncertainty.t;
+}
+
+/// Integrals over polygons in (s, t), exact for their linear field.
 struct Moments {
   double area = 0;      ///< of 1; a whole face has 1/2
   double depth = 0;     ///< of the depth, m
   double s_depth = 0;   ///< of s times the depth, m
   double t_depth = 0;   ///< of t times the depth, m
   double greatest = 0;  ///< greatest depth at a vertex, m
-
-  void add_if_certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty) {
-    Moments moments;
-    moments.add(polygon);
-    PrismPoint low = polygon[0], high = low;
-    for (int i = 1; i < polygon.count; ++i) {
-      low = low.cwiseMin(polygon[i]);
-      high = high.cwiseMax(polygon[i]);
-    }
-    const PrismPoint extent = high - low;
-    if (!(moments.area > extent[kT] * uncertainty.s + extent[kS] * uncertainty.t)) return;
-    area += moments.area;
-    depth += moments.depth;
-    s_depth += moments.s_depth;
-    t_depth += moments.t_depth;
-    greatest = std::max(greatest, moments.greatest);
-  }
 
   /// A fan of triangles about the first vertex. Over a triangle of area T a linear function integrates to T times the
   /// mean of its corner values, the product x d of two to T / 12 (sum x sum d + sum of x_i d_i).

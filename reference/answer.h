@@ -63,9 +63,11 @@ struct Element {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E
 };
 
-/// The oracle's answer to one problem. Positions, areas and the volume are the true values, correctly rounded. Forces,
-/// torques and penetrations are too, unless an enclosure of 960 bits still cannot tell which way to round (as where the
-/// true value lies half-way between two doubles); then the middle of that enclosure is rounded.
+/// The oracle's answer to one problem. Every number is the true value, correctly rounded (ties to even, zero as +0):
+/// positions, areas, volume, and all of elements, force, torque and penetration, with two exceptions (contact_force.h).
+/// The scales are near enough for what they are for. And where friction acts on an element that is clamped to
+/// max_penetration while F turns (w != 0), forces and torque hold roots of roots: those are enclosed to 4096 bits, and
+/// where that does not tell which way to round, the middle of the enclosure is rounded.
 struct Answer {
   bool touching = false;
   bool nested = false;

@@ -43,22 +43,22 @@ Vec3<Interval> box_of(SightPoints& points, Face face) {
   return interval_point(points.enclosed.pose().face_box(face.side, face.index));
 }
 
-/// The column from the piece down to f's greatest depth there, in whole-face bounds where enclosures do not tell.
+bool is_bounded(const Interval& x) {
+  return x.inf() > -kInfinity && x.sup() < kInfinity;
+}
+
+/// The column from the piece down to f's greatest depth there; below the whole face where enclosures do not tell.
 Column column_below(SightPlane& plane, const ConvexPiece& piece, Face f, const Vec3<Interval>& master_box) {
   const MasterFrame<Interval>& e = plane.frame();
   const Depth<Interval> d = plane.depth(f);
-  if (certain_sign(d.denominator) == 0) return {master_box, kInfinity};
   Column column{master_box, 0};
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Vec3<Interval>& corner = piece.corners[i];
-    if (certain_sign(corner.z) == 0) return {master_box, kInfinity};
-    const Vec3<Interval> x = e.p0 + Interval(corner.x / corner.z) * e.v1 + Interval(corner.y / corner.z) * e.v2;
-    if (i == 0)
-      column.top = x;
-    else
-      column.top = {hull(column.top.x, x.x), hull(column.top.y, x.y), hull(column.top.z, x.z)};
     const Interval depth = dot(d.numerator, corner) / (d.denominator * corner.z);
-    if (!(depth.sup() <= column.depth)) column.depth = depth.sup();
+    const Vec3<Interval> x = e.p0 + Interval(corner.x / corner.z) * e.v1 + Interval(corner.y / corner.z) * e.v2;
+    if (!is_bounded(depth) || !is_bounded(x.x) || !is_bounded(x.y) || !is_bounded(x.z)) return {master_box, kInfinity};
+    column.depth = std::max(column.depth, depth.sup());
+    column.top = i == 0 ? x : Vec3<Interval>{hull(column.top.x, x.x), hull(column.top.y, x.y), hull(column.top.z, x.z)};
   }
   return column;
 }

@@ -17,8 +17,10 @@ template <class T>
 std::vector<Sample<T>> corners_of(LiftedPose<T>& pose, const MasterFrame<T>& e, Face master, const Vec3<T>& depth,
                                   const PieceOutline& outline) {
   std::vector<Vec3<T>> lines;
+  lines.reserve(outline.size());
   for (const SightLine& line : outline) lines.push_back(coefficients(pose, e, master, line));
   std::vector<Sample<T>> corners;
+  corners.reserve(outline.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Vec3<T> corner = cross(lines[i], lines[i + 1 == lines.size() ? 0 : i + 1]);
     const T s = corner.x / corner.z, t = corner.y / corner.z;
@@ -52,7 +54,6 @@ ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ClippedElement& elemen
   const MasterFrame<T> e = make_frame(pose, master);
   const Depth<T> fraction = depth_of(pose, e, slave);
   const Vec3<T> depth = T(pose.number(1.0) / fraction.denominator) * fraction.numerator;
-  const auto f = pose.corners(slave.side, slave.index);
 
   const T zero = pose.number(0.0);
   Moments<T> sum{zero, zero, zero, zero};
@@ -64,7 +65,7 @@ ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ClippedElement& elemen
   }
   const T d24 = pose.number(4.0) * sum.d6;
   return {e.N,
-          doubled_normal(f[0], f[1], f[2]),
+          fraction.N_g,
           sum.area2 / pose.number(2.0),
           sum.d6 / (pose.number(3.0) * sum.area2),
           greatest,

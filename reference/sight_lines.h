@@ -64,13 +64,14 @@ template <class T>
 struct Depth {
   Vec3<T> numerator;  ///< linear in (s, t, 1)
   T denominator;      ///< its sign tells how g faces e: -1 where the line leaves g's body
+  Vec3<T> N_g;
 };
 
 template <class T>
 Depth<T> depth_of(LiftedPose<T>& pose, const MasterFrame<T>& e, Face g) {
   const auto p = pose.corners(g.side, g.index);
   const Vec3<T> N_g = doubled_normal(p[0], p[1], p[2]);
-  return {{dot(e.v1, N_g), dot(e.v2, N_g), dot(e.p0 - p[0], N_g)}, dot(e.N, N_g)};
+  return {{dot(e.v1, N_g), dot(e.v2, N_g), dot(e.p0 - p[0], N_g)}, dot(e.N, N_g), N_g};
 }
 
 /// d_a - d_b times the product of their denominators; for b = e, the numerator of d_a.

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <utility>
 
 #include "reference/oracle.h"
 #include "tests/reference/brute_force/combinatorics.h"
@@ -36,6 +40,19 @@ void expect_same_area(const ActiveArea& twin, const reference::ActiveArea& oracl
   EXPECT_EQ(eigen(twin.vector_area), oracle.vector_area_Me);
 }
 
+/// Which components of force and torque differ from the twin's; empty where none does.
+std::string difference_of_loads(const ForceAndTorque& twin, const Eigen::Vector3d& force,
+                                const Eigen::Vector3d& torque) {
+  std::ostringstream difference;
+  difference << std::setprecision(17);
+  for (int i = 0; i < 3; ++i) {
+    if (twin.force[i] != force[i]) difference << "force " << i << ": " << twin.force[i] << ", not " << force[i] << "; ";
+    if (twin.torque[i] != torque[i])
+      difference << "torque " << i << ": " << twin.torque[i] << ", not " << torque[i] << "; ";
+  }
+  return difference.str();
+}
+
 void expect_same_elements(const Answer& twin, const reference::Answer& oracle) {
   ASSERT_EQ(twin.elements.size(), oracle.elements.size());
   double greatest = 0;
@@ -46,9 +63,7 @@ void expect_same_elements(const Answer& twin, const reference::Answer& oracle) {
     greatest = std::max(greatest, u);
   }
   EXPECT_EQ(greatest, oracle.max_penetration);
-  const ForceAndTorque load = elastic_force(twin, kStiffness, Mode::both);
-  EXPECT_EQ(eigen(load.force), oracle.force_Me);
-  EXPECT_EQ(eigen(load.torque), oracle.torque_Me);
+  EXPECT_EQ(difference_of_loads(elastic_force(twin, kStiffness, Mode::both), oracle.force_Me, oracle.torque_Me), "");
 }
 
 void expect_same(const Answer& twin, const reference::Answer& oracle) {
@@ -85,6 +100,53 @@ Answer compare(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
 
 TEST(BruteTwin, AgreesOnTheDegenerateCatalogue) {
   compare_on_catalogue(compare);
+}
+
+TEST(BruteTwin, AgreesOnAnElementWithAForceHalfwayBetweenTwoDoubles) {
+  const Trial trial = draw_trial(Kind::open, 888, 88);
+  compare(trial.E, trial.F, trial.pose);
+  ContactLaw law;
+  law.stiffness = kStiffness;
+  const reference::Oracle oracle(trial.E, trial.F, law, Mode::both);
+  for (const Problem problem : {Problem::rounded, Problem::exact}) {
+    const std::vector<reference::Element> elements = oracle.answer(problem, trial.pose).elements;
+    Answer twin = answer(trial.E, trial.F, trial.pose, problem, Mode::both);
+    const std::vector<Element> found = std::exchange(twin.elements, {});
+    ASSERT_EQ(found.size(), elements.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      twin.elements = {found[i]};
+      EXPECT_EQ(eigen(elastic_force(twin, kStiffness, Mode::E).force), elements[i].force_Me);
+    }
+  }
+}
+
+/// Rounded to 45 bits: 8 less than a double has.
+Eigen::Vector3d eight_bits_less(const Eigen::Vector3d& x) {
+  return x.unaryExpr([](double component) {
+    int exponent = 0;
+    const double mantissa = std::frexp(component, &exponent);
+    return std::ldexp(std::nearbyint(std::ldexp(mantissa, 45)), exponent - 45);
+  });
+}
+
+TEST(BruteTwin, NoticesAnOracleEightBitsLessPrecise) {
+  ContactLaw law;
+  law.stiffness = kStiffness;
+  int noticed = 0;
+  for (int number = 0; number < affordable(40); ++number) {
+    const Trial trial = draw_trial(Kind::generic, 20, number);
+    SCOPED_TRACE(trial.description);
+    const Answer twin = answer(trial.E, trial.F, trial.pose, Problem::exact, Mode::both);
+    if (twin.elements.empty()) continue;
+    const reference::Answer oracle =
+        reference::Oracle(trial.E, trial.F, law, Mode::both).answer(Problem::exact, trial.pose);
+    const ForceAndTorque truth = elastic_force(twin, kStiffness, Mode::both);
+    EXPECT_EQ(difference_of_loads(truth, oracle.force_Me, oracle.torque_Me), "");
+    EXPECT_NE(difference_of_loads(truth, eight_bits_less(oracle.force_Me), oracle.torque_Me), "");
+    EXPECT_NE(difference_of_loads(truth, oracle.force_Me, eight_bits_less(oracle.torque_Me)), "");
+    ++noticed;
+  }
+  EXPECT_GE(noticed, affordable(40) / 8);
 }
 
 class BruteTwinPoses : public testing::TestWithParam<Series> {};

@@ -142,7 +142,7 @@ TEST(ClippedElements, BoxOnPlateIsStiffnessTimesAreaTimesDepthInEveryMode) {
   const TriangleMesh cube = box(-0.25, -0.25, 0, 0.25, 0.25, 0.5), plate = box(-2, -2, -1, 2, 2, 0);
   for (const Problem problem : kProblems)
     for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
-      const Answer answer = clipped(cube, plate, mode, stiffness(100)).answer(problem, moved_by(0.125, 0.0625, 0.0625));
+      const Answer answer = clipped(cube, plate, mode, stiffness(100)).answer(problem, shifted(0.125, 0.0625, 0.0625));
       EXPECT_EQ(answer.force_Me, Eigen::Vector3d(0, 0, 1.5625));
       EXPECT_EQ(answer.torque_Me, Eigen::Vector3d(-0.0625, 0.125, 0) * 1.5625);
       EXPECT_EQ(answer.max_penetration, 0.0625);
@@ -156,7 +156,7 @@ TEST(ClippedElements, BoxOnPlateWithDecimalNumbersIsCorrectlyRounded) {
   const TriangleMesh cube = box(-0.25, -0.25, 0, 0.25, 0.25, 0.5), plate = box(-2, -2, -1, 2, 2, 0);
   for (const Problem problem : kProblems)
     for (const Mode mode : {Mode::E, Mode::F, Mode::both})
-      EXPECT_EQ(clipped(cube, plate, mode, stiffness(100)).answer(problem, moved_by(0, 0, 0.05)).force_Me,
+      EXPECT_EQ(clipped(cube, plate, mode, stiffness(100)).answer(problem, shifted(0, 0, 0.05)).force_Me,
                 Eigen::Vector3d(0, 0, 1.25));
 }
 
@@ -200,12 +200,12 @@ TEST(ClippedElements, WedgeAsMasterIsPushedAside) {
       const TriangleMesh wedge = generate::wedge(degrees, 1, w, 2);
       const double p = degrees * std::numbers::pi / 180;
       const double F_z = w * h * h / 2 * (1 / std::sin(p) + 1 / std::cos(p));
-      const Eigen::Vector3d force = clipped(wedge, plate).answer(problem, moved_by(0, 0, h)).force_Me;
+      const Eigen::Vector3d force = clipped(wedge, plate).answer(problem, shifted(0, 0, h)).force_Me;
       EXPECT_NEAR(force.z(), F_z, 1e-14 * F_z);
       EXPECT_NEAR(force.x(), F_z * std::tan(p - std::numbers::pi / 4), 1e-14 * F_z);
       EXPECT_EQ(force.y(), 0);
       // Plane master: the volume w h^2 / (2 sin p cos p), nothing sideways.
-      const Eigen::Vector3d flat = clipped(wedge, plate, Mode::F).answer(problem, moved_by(0, 0, h)).force_Me;
+      const Eigen::Vector3d flat = clipped(wedge, plate, Mode::F).answer(problem, shifted(0, 0, h)).force_Me;
       const double volume = w * h * h / (2 * std::sin(p) * std::cos(p));
       EXPECT_NEAR(flat.z(), volume, 1e-14 * volume);
       EXPECT_EQ(flat.x(), 0);
@@ -363,7 +363,7 @@ TEST(ClippedElements, IdenticalBodiesAtTheIdentityPoseCarryNothing) {
 
 TEST(ClippedElements, ExchangedBodiesGiveTheOppositeForce) {
   const TriangleMesh torus = generate::torus(1, 0.4, 9, 7), ball = generate::icosphere(0.75, 1);
-  const Pose pose = moved_by(0.3125, 0.125, 0.75);
+  const Pose pose = shifted(0.3125, 0.125, 0.75);
   Pose inverse = pose;
   inverse.r = -pose.r;
   for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {

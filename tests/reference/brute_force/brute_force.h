@@ -16,7 +16,8 @@
 /// - Inside: a segment to a far point, against all faces.
 /// - Clipped areas of closed surfaces: the winding number of F is the sum over its faces f of +-1 on the prism below f,
 ///   so a face's area inside F is a sum of convex clippings.
-/// - Elements: the penetration line against all faces.
+/// - Elements: the penetration line against all faces. Clipped scheme: the lines of sample points, one between any two
+///   neighbours of all boundaries that matter, against all faces.
 namespace pcm::brute_force {
 
 /// An edge of one surface passes through a face of the other.
@@ -60,11 +61,15 @@ struct ActiveArea {
   Vector exact_vector_area{};  ///< of `area`, in units^2
 };
 
+/// A contact element of either scheme.
 struct Element {
   Side master = Side::E;
   Index master_face = 0;
   Index slave_face = 0;
-  Rational q;  ///< u = q |N|
+  Rational q;           ///< u_k = q |N|
+  Rational alpha;       ///< A_k = alpha |N|
+  Rational q_greatest;  ///< of all points of the element
+  Vector foot;          ///< what C_k (13) is measured from, in units
 };
 
 struct Answer {
@@ -81,7 +86,7 @@ struct Answer {
   std::optional<double> volume;            ///< of `area`
   std::optional<double> perturbed_volume;  ///< of `perturbed_area`
   std::array<Rational, 3> fluxes;          ///< of x n_x, y n_y, z n_z over both areas, in units^3: all equal the volume
-  std::vector<Element> elements;           ///< by master (E first), then master face
+  std::vector<Element> elements;           ///< by master (E first), then master face, then slave face
   Index too_deep = 0;
 
   const ActiveArea& active(Side side) const { return side == Side::E ? E : F; }
@@ -90,11 +95,15 @@ struct Answer {
 /// Everything about one pose. Asserts what must hold of itself: two crossings a pair, one start and one end; the
 /// winding number the same along two segments.
 Answer answer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose& pose, reference::Problem problem,
-              Mode mode = Mode::E);
+              Mode mode = Mode::E, Scheme scheme = Scheme::barycentric);
 
-/// u and A of an element, and the elastic force and torque at rest (14), (21)-(24), both layers of equal stiffness.
+/// u, its greatest value, A, C_k and force of an element, and the elastic force and torque at rest (14), (21)-(24),
+/// both layers of equal stiffness.
 double penetration(const Scene& scene, const Element& element);
+double greatest_penetration(const Scene& scene, const Element& element);
 double element_area(const Scene& scene, const Element& element);
+std::array<double, 3> element_position(const Scene& scene, const Element& element);
+std::array<double, 3> element_force(const Scene& scene, const Element& element, const Rational& stiffness);
 struct ForceAndTorque {
   std::array<double, 3> force{};
   std::array<double, 3> torque{};

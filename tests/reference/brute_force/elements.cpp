@@ -70,20 +70,28 @@ void find_element(Answer& answer, Side master, Index face) {
     ++answer.too_deep;
     return;
   }
-  if (first->order[0] > 0) answer.elements.push_back({master, face, first->face, first->order[0]});
+  const Rational& q = first->order[0];
+  if (q > 0) answer.elements.push_back({master, face, first->face, q, Rational(1, 2), q, line.C});
 }
 
-Vector force_or_torque(const Answer& answer, const Element& element, bool torque, const Rational& stiffness) {
-  const Body& body = answer.scene.body(element.master);
-  const Vector& N = body.normals[element.master_face];
-  // c_l A u n_k with A = |N| / 2, u = q |N|, n_k = -N / |N|; what is left out here is the factor |N|.
-  Vector force = Rational(-stiffness * element.q / 2) * N;
+/// C_k (13) with equal layers.
+Vector position(const Scene& scene, const Element& element) {
+  return element.foot - Rational(element.q / 2) * scene.body(element.master).normals[element.master_face];
+}
+
+Vector force_or_torque(const Scene& scene, const Element& element, bool torque, const Rational& stiffness) {
+  const Vector& N = scene.body(element.master).normals[element.master_face];
+  // c_l A u n_k with A = alpha |N|, u = q |N|, n_k = -N / |N|; what is left out here is the factor |N|.
+  Vector force = Rational(-stiffness * element.alpha * element.q) * N;
   if (element.master == Side::F) force = Rational(-1) * force;
   if (!torque) return force;
-  const Vector C = Rational(1, 3) * (body.corner(element.master_face, 0) + body.corner(element.master_face, 1) +
-                                     body.corner(element.master_face, 2));
-  const Vector at = C - Rational(element.q / 2) * N;  // (13) with equal layers
-  return cross(at - answer.scene.r_MeMf, force);
+  return cross(position(scene, element) - scene.r_MeMf, force);
+}
+
+/// factor |N|, correctly rounded.
+double times_normal(const Scene& scene, const Element& element, const Rational& factor) {
+  const Vector& N = scene.body(element.master).normals[element.master_face];
+  return rounded({Root{factor, dot(N, N)}});
 }
 
 }  // namespace
@@ -97,13 +105,27 @@ void find_elements(Answer& answer, const Steps& steps, Mode mode) {
 }
 
 double penetration(const Scene& scene, const Element& element) {
-  const Vector& N = scene.body(element.master).normals[element.master_face];
-  return rounded({Root{Rational(element.q * scene.unit), dot(N, N)}});
+  return times_normal(scene, element, element.q * scene.unit);
+}
+
+double greatest_penetration(const Scene& scene, const Element& element) {
+  return times_normal(scene, element, element.q_greatest * scene.unit);
 }
 
 double element_area(const Scene& scene, const Element& element) {
-  const Vector& N = scene.body(element.master).normals[element.master_face];
-  return rounded({Root{Rational(scene.unit * scene.unit / 2), dot(N, N)}});
+  return times_normal(scene, element, element.alpha * scene.unit * scene.unit);
+}
+
+std::array<double, 3> element_position(const Scene& scene, const Element& element) {
+  const Vector C = scene.unit * position(scene, element);
+  return {rounded(C[0]), rounded(C[1]), rounded(C[2])};
+}
+
+std::array<double, 3> element_force(const Scene& scene, const Element& element, const Rational& stiffness) {
+  const Vector force =
+      Rational(scene.unit * scene.unit * scene.unit) * force_or_torque(scene, element, false, stiffness);
+  return {times_normal(scene, element, force[0]), times_normal(scene, element, force[1]),
+          times_normal(scene, element, force[2])};
 }
 
 ForceAndTorque elastic_force(const Answer& answer, const Rational& stiffness, Mode mode) {
@@ -116,9 +138,10 @@ ForceAndTorque elastic_force(const Answer& answer, const Rational& stiffness, Mo
     for (const Element& element : answer.elements) {
       const Vector& N = answer.scene.body(element.master).normals[element.master_face];
       const Rational radicand = dot(N, N);
-      force.push_back({Rational(weight * cube * force_or_torque(answer, element, false, stiffness)[i]), radicand});
+      force.push_back(
+          {Rational(weight * cube * force_or_torque(answer.scene, element, false, stiffness)[i]), radicand});
       torque.push_back(
-          {Rational(weight * cube * answer.scene.unit * force_or_torque(answer, element, true, stiffness)[i]),
+          {Rational(weight * cube * answer.scene.unit * force_or_torque(answer.scene, element, true, stiffness)[i]),
            radicand});
     }
     result.force[i] = rounded(force);
