@@ -12,7 +12,7 @@ namespace pcm::fast {
 namespace {
 
 /// The terms of N = (p1 - p0) x (p2 - p0) taken absolutely.
-Eigen::Vector3d magnitude_of_N(const std::array<Eigen::Vector3d, 3>& p) {
+Eigen::Vector3d magnitude_of_normal(const std::array<Eigen::Vector3d, 3>& p) {
   const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
   return {a[1] * b[2] + a[2] * b[1] + kFilterUnderflow, a[2] * b[0] + a[0] * b[2] + kFilterUnderflow,
           a[0] * b[1] + a[1] * b[0] + kFilterUnderflow};
@@ -54,7 +54,7 @@ MasterPrism::MasterPrism(const FaceGeometry& face)
     const Eigen::Vector3d side = face.points_Me[(k + 1) % 3] - face.points_Me[k];
     inward_Me_[k] = inverse_twice_area_ * face.n_Me.cross(side);
   }
-  N_magnitude_ = magnitude_of_N(face.points_Me);
+  N_magnitude_ = magnitude_of_normal(face.points_Me);
 }
 
 PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) const {
@@ -84,7 +84,7 @@ TreePrism::TreePrism(const MasterPrism& prism, double slack, const Eigen::Matrix
 }
 
 double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work) {
-  return height_along((f[1] - f[0]).cross(f[2] - f[0]), magnitude_of_N(f), f, x, work);
+  return height_along((f[1] - f[0]).cross(f[2] - f[0]), magnitude_of_normal(f), f, x, work);
 }
 
 }  // namespace pcm::fast
