@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fast/depth.h"
+#include "fast/line_search.h"
 #include "fast/penetration_predicates.h"
 #include "fast/ray.h"
 #include "fast/thickness.h"
@@ -17,11 +18,16 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The ray in the frame of a surface's tree. No point of the surfaces is farther from its origin than 8 times the
-/// reach.
-TreeRay in_tree_of(Side side, const Ray& ray, const Placement& placement, double radius) {
-  return {placement.to_frame_of(side, ray.origin), placement.direction_in_frame_of(side, ray.direction),
-          placement.slack(side) + 8 * placement.reach * ray.direction_error + radius};
+/// How far the line's points and a surface's may be from the computed ones, m. No point of the surfaces is farther from
+/// the line's origin than 8 times the reach.
+double line_slack(Side side, const Ray& ray, const Placement& placement) {
+  return placement.slack(side) + 8 * placement.reach * ray.direction_error;
+}
+
+/// The line in the coordinates of a surface's tree.
+WideRay in_tree_of(Side side, const WideTree& tree, const Ray& ray, const Placement& placement, double radius) {
+  return {tree, placement.to_frame_of(side, ray.origin), placement.direction_in_frame_of(side, ray.direction),
+          line_slack(side, ray, placement) + radius};
 }
 
 /// An upper bound of the distance at which the line meets f, given that it does: no farther than f's farthest vertex,
@@ -59,86 +65,48 @@ struct FirstFace {
 };
 
 /// The first face of a surface that the line meets, by exact distance, then shift, then face index.
-template <bool kTraced>
 FirstFace first_face_met(Workspace::Data& workspace, Side slave, const PenetrationLine& line, const Ray& ray,
                          LineTrace* trace) {
   PosedSurface& posed = workspace.side(slave).posed;
-  const BoxTree& tree = posed.surface().tree;
+  const WideTree& tree = posed.surface().wide_tree;
   WorkCounters& work = workspace.contact.work;
-  const TreeRay tree_ray = in_tree_of(slave, ray, workspace.placement, kTraced ? trace->radius : 0);
-  auto& open = workspace.ray_nodes;
-  open.clear();
+  const double slack = line_slack(slave, ray, workspace.placement);
+  const WideRay wide_ray = in_tree_of(slave, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
   FirstFace first;
-  if constexpr (kTraced) trace->slave_reach = kInfinity;
-  const auto visit = [&](Index node) {
-    ++work.box_tests;
-    const double entry = tree_ray.entry(tree.node(node).box);
-    if (entry <= first.no_farther_than && entry < kInfinity) {
-      open.emplace_back(entry, node);
-    } else if constexpr (kTraced) {
-      trace->slave_reach = std::min(trace->slave_reach, entry);
-    }
-  };
-  visit(0);
-  while (!open.empty()) {
-    const auto [entry, index] = open.back();
-    open.pop_back();
-    if (entry > first.no_farther_than) {
-      if constexpr (kTraced) trace->slave_reach = std::min(trace->slave_reach, entry);
-      continue;
-    }
-    const BoxNode& node = tree.node(index);
-    if (!node.leaf()) {
-      const std::size_t before = open.size();
-      visit(node.child);
-      visit(node.child + 1);
-      // The nearer child is looked into first.
-      if (open.size() == before + 2 && open[before].first < open[before + 1].first) {
-        std::swap(open[before], open[before + 1]);
-      }
-      continue;
-    }
-    if constexpr (kTraced) trace->slave_faces.push_back(node.face);
-    const FacePoints points = posed.face_Me(node.face, work);
+  const double reach = search_along(tree, wide_ray, first.no_farther_than, workspace.line_nodes, work, [&](Index face) {
+    if (trace != nullptr) trace->slave_faces.push_back(face);
+    const FacePoints points = posed.face_Me(face, work);
     int direction = 0;
-    if (!meets(line, points, direction, work)) continue;
+    if (!meets(line, points, direction, work)) return;
     if (first.face >= 0) {
       const int order = compare_distance(line, points, first.points_Me, work);
-      if (order > 0 || (order == 0 && node.face > first.face)) continue;
+      if (order > 0 || (order == 0 && face > first.face)) return;
     }
-    first = {node.face, direction, points, greatest_distance(ray, points, tree_ray.slack)};
-  }
+    first = {face, direction, points, greatest_distance(ray, points, slack)};
+  });
+  if (trace != nullptr) trace->slave_reach = reach;
   return first;
 }
 
 /// Whether the line meets another face of the master strictly before `limit`.
-template <bool kTraced>
 bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, const PenetrationLine& line,
                           const Ray& ray, const FirstFace& limit, LineTrace* trace) {
   PosedSurface& posed = workspace.side(master).posed;
-  const BoxTree& tree = posed.surface().tree;
+  const WideTree& tree = posed.surface().wide_tree;
   WorkCounters& work = workspace.contact.work;
-  const TreeRay tree_ray = in_tree_of(master, ray, workspace.placement, kTraced ? trace->radius : 0);
-  std::vector<Index>& open = workspace.nodes;
-  open.assign(1, 0);
-  while (!open.empty()) {
-    const BoxNode& node = tree.node(open.back());
-    open.pop_back();
-    ++work.box_tests;
-    const double entry = tree_ray.entry(node.box);
-    if (!(entry <= limit.no_farther_than && entry < kInfinity)) continue;
-    if (!node.leaf()) {
-      open.push_back(node.child);
-      open.push_back(node.child + 1);
-      continue;
-    }
-    if (node.face == face) continue;
-    if constexpr (kTraced) trace->own_faces.push_back(node.face);
-    const FacePoints points = posed.face_Me(node.face, work);
+  const WideRay wide_ray = in_tree_of(master, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
+  bool leaves = false;
+  double no_farther_than = limit.no_farther_than;
+  search_along(tree, wide_ray, no_farther_than, workspace.line_nodes, work, [&](Index own) {
+    if (own == face || leaves) return;
+    if (trace != nullptr) trace->own_faces.push_back(own);
+    const FacePoints points = posed.face_Me(own, work);
     int direction = 0;
-    if (meets(line, points, direction, work) && compare_distance(line, points, limit.points_Me, work) < 0) return true;
-  }
-  return false;
+    if (!meets(line, points, direction, work) || compare_distance(line, points, limit.points_Me, work) >= 0) return;
+    leaves = true;
+    no_farther_than = -1;  // The search is over.
+  });
+  return leaves;
 }
 
 /// Whether a face's vertices lie exactly on a line: N = 0 where the plane through them holds every point that differs
@@ -152,33 +120,6 @@ bool has_no_normal(const FacePoints& p) {
   return true;
 }
 
-template <bool kTraced>
-Penetration follow_line(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                        LineTrace* trace) {
-  WorkCounters& work = workspace.contact.work;
-  if constexpr (kTraced) {
-    trace->clear();
-  }
-  const Ray ray(geometry, geometry.barycentre_Me());
-  Penetration penetration;
-  if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
-  const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
-  const FirstFace first = first_face_met<kTraced>(workspace, opposite(master), line, ray, trace);
-  penetration.first_met = first.face;
-  if (first.face < 0 || first.direction > 0) return penetration;
-  if (!thicker_than(workspace, master, face, geometry, first.no_farther_than) &&
-      leaves_master_before<kTraced>(workspace, master, face, line, ray, first, trace)) {
-    penetration.outcome = Penetration::Outcome::too_deep;
-    return penetration;
-  }
-  if constexpr (kTraced) trace->own_reach = first.no_farther_than;
-  if (distance_sign(line, first.points_Me, work) == 0) return penetration;
-  penetration.outcome = Penetration::Outcome::element;
-  penetration.slave_face = first.face;
-  penetration.depth = DepthBelow(geometry, first.points_Me).value();
-  return penetration;
-}
-
 }  // namespace
 
 bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
@@ -190,8 +131,26 @@ bool thicker_than(const Workspace::Data& workspace, Side master, Index face, con
 
 Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
                              LineTrace* trace) {
-  return trace == nullptr ? follow_line<false>(workspace, master, face, geometry, nullptr)
-                          : follow_line<true>(workspace, master, face, geometry, trace);
+  WorkCounters& work = workspace.contact.work;
+  if (trace != nullptr) trace->clear();
+  const Ray ray(geometry, geometry.barycentre_Me());
+  Penetration penetration;
+  if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
+  const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
+  const FirstFace first = first_face_met(workspace, opposite(master), line, ray, trace);
+  penetration.first_met = first.face;
+  if (first.face < 0 || first.direction > 0) return penetration;
+  if (!thicker_than(workspace, master, face, geometry, first.no_farther_than) &&
+      leaves_master_before(workspace, master, face, line, ray, first, trace)) {
+    penetration.outcome = Penetration::Outcome::too_deep;
+    return penetration;
+  }
+  if (trace != nullptr) trace->own_reach = first.no_farther_than;
+  if (distance_sign(line, first.points_Me, work) == 0) return penetration;
+  penetration.outcome = Penetration::Outcome::element;
+  penetration.slave_face = first.face;
+  penetration.depth = DepthBelow(geometry, first.points_Me).value();
+  return penetration;
 }
 
 }  // namespace pcm::fast
