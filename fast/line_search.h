@@ -17,9 +17,16 @@ namespace pcm::fast {
 /// tree's unit.
 using LineNodes = std::vector<std::pair<float, Index>>;
 
-/// Calls `visit(face)` for every face of the tree's surface that the line of `ray` may meet at most `limit` metres
-/// along it, nearer boxes first; `visit` may lower the limit. Returns how far along the line every such face surely was
-/// visited, m.
+/// What is known, without a doubt, of a line and a face.
+enum class Passage : std::uint8_t {
+  unknown,   ///< it may miss it
+  leaving,   ///< it passes through, along the face's normal
+  entering,  ///< it passes through, against the normal
+};
+
+/// Calls `visit(face, passage)` for every face of the tree's surface that the line of `ray` may meet at most `limit`
+/// metres along it, nearer boxes first; `visit` may lower the limit. Returns how far along the line every such face
+/// surely was visited, m.
 template <class Visit>
 double search_along(const WideTree& tree, const WideRay& ray, const double& limit, LineNodes& open, WorkCounters& work,
                     const Visit& visit) {
@@ -40,7 +47,11 @@ double search_along(const WideTree& tree, const WideRay& ray, const double& limi
     work.box_tests += node.count;
     Lanes entries;
     std::uint32_t lanes = test.boxes_met(node, ray, entries);
-    if (node.bottom() && lanes != 0) lanes &= test.faces_met(tree.group(node.group), ray);
+    FacesMet met;
+    if (node.bottom() && lanes != 0) {
+      met = test.faces_met(tree.group(node.group), ray);
+      lanes &= met.possible;
+    }
     const std::size_t before = open.size();
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
@@ -48,7 +59,9 @@ double search_along(const WideTree& tree, const WideRay& ray, const double& limi
       if (beyond(child_entry)) {
         pass_by(child_entry);
       } else if (node.bottom()) {
-        visit(node.child[lane]);
+        visit(node.child[lane], (met.leaving >> lane & 1U) != 0    ? Passage::leaving
+                                : (met.entering >> lane & 1U) != 0 ? Passage::entering
+                                                                   : Passage::unknown);
       } else {
         // The nearest on top.
         std::size_t at = open.size();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "fast/depth.h"
 #include "fast/line_search.h"
@@ -30,79 +31,126 @@ WideRay in_tree_of(Side side, const WideTree& tree, const Ray& ray, const Placem
           line_slack(side, ray, placement) + radius};
 }
 
-/// An upper bound of the distance at which the line meets f, given that it does: no farther than f's farthest vertex,
+/// Where the line meets the plane of a face: bounds of the distance, m.
+struct Distance {
+  double least = -kInfinity;
+  double greatest = kInfinity;
+
+  bool surely_before(const Distance& other) const { return greatest < other.least; }
+};
+
+/// Bounds of the distance at which the line meets f, given that it does: no nearer and no farther than f's vertices,
 /// and near the quotient (11) where the angle is fair.
-double greatest_distance(const Ray& ray, const FacePoints& f, double slack) {
-  if (!(ray.direction_error < 1)) return kInfinity;
+Distance distance_to(const Ray& ray, const FacePoints& f, double slack) {
+  if (!(ray.direction_error < 1)) return {};
   const Eigen::Vector3d d0 = f[0] - ray.origin;
   const Eigen::Vector3d first_edge = f[1] - f[0], second_edge = f[2] - f[0];
   const double along0 = ray.direction.dot(d0);
-  double greatest = std::max({along0, along0 + ray.direction.dot(first_edge), along0 + ray.direction.dot(second_edge)});
+  const double along1 = along0 + ray.direction.dot(first_edge), along2 = along0 + ray.direction.dot(second_edge);
+  double least = std::min({along0, along1, along2}), greatest = std::max({along0, along1, along2});
   const Eigen::Vector3d N = first_edge.cross(second_edge);
   // 1-norms: |a x b| <= |a| |b|. Roundings: 32 u covers the 12 of each quantity.
   const double size = first_edge.lpNorm<1>() * second_edge.lpNorm<1>();
   const double height_error = (slack + 32 * 0x1p-53 * d0.lpNorm<1>()) * size;
-  const double slope = std::abs(ray.direction.dot(N));
+  const double slope = ray.direction.dot(N);
   const double slope_error = (3 * ray.direction_error + 32 * 0x1p-53) * size;
-  if (slope > 2 * slope_error && slope > kLeastProduct) {
-    greatest = std::min(greatest, (std::abs(d0.dot(N)) + height_error) / (slope - slope_error));
+  if (std::abs(slope) > 2 * slope_error && std::abs(slope) > kLeastProduct) {
+    const double height = slope > 0 ? d0.dot(N) : -d0.dot(N);
+    const double steepest = std::abs(slope) + slope_error, least_steep = std::abs(slope) - slope_error;
+    const auto quotient = [&](double numerator, double small, double great) {
+      return numerator / (numerator > 0 ? small : great);
+    };
+    greatest = std::min(greatest, quotient(height + height_error, least_steep, steepest));
+    least = std::max(least, quotient(height - height_error, steepest, least_steep));
   }
-  // Where anything overflowed, nothing is known.
-  return std::isfinite(greatest) ? std::max(greatest, 0.0) + slack : kInfinity;
+  // Where anything overflowed, nothing is known. The last roundings are far below the slack.
+  return {std::isfinite(least) ? least - slack : -kInfinity, std::isfinite(greatest) ? greatest + slack : kInfinity};
 }
 
-/// The line meets f at q >= 0 (before the shift).
-bool meets(const PenetrationLine& line, const FacePoints& f, int& face_direction, WorkCounters& work) {
-  face_direction = facing(line, f, work);
-  return face_direction != 0 && passes_through(line, f, work) && distance_sign(line, f, work) >= 0;
-}
+/// The penetration line as exact predicates take it, made when one is first needed.
+class ExactLine {
+ public:
+  explicit ExactLine(const FacePoints& points) : points_(points) {}
+  const PenetrationLine& operator*() {
+    if (!line_) line_.emplace(points_[0], points_[1], points_[2]);
+    return *line_;
+  }
 
-struct FirstFace {
-  Index face = -1;
-  int direction = 0;  ///< -1 where the line leaves the slave there, +1 where it enters
-  FacePoints points_Me;
-  double no_farther_than = kInfinity;
+ private:
+  const FacePoints& points_;
+  std::optional<PenetrationLine> line_;
 };
 
+/// A face that the line meets.
+struct FaceMet {
+  Index face = -1;
+  int direction = 0;  ///< -1 where the line leaves the face's body there, +1 where it enters
+  FacePoints points_Me;
+  Distance distance;
+};
+
+/// Whether the line meets the face at q >= 0 (before the shift); fills `met`.
+bool meets(ExactLine& line, const Ray& ray, const FacePoints& points, Passage passage, double slack, FaceMet& met,
+           WorkCounters& work) {
+  if (passage == Passage::unknown) {
+    met.direction = facing(*line, points, work);
+    if (met.direction == 0 || !passes_through(*line, points, work)) return false;
+  } else {
+    met.direction = passage == Passage::leaving ? -1 : 1;
+  }
+  met.distance = distance_to(ray, points, slack);
+  if (met.distance.greatest < 0) return false;
+  return met.distance.least > 0 || distance_sign(*line, points, work) >= 0;
+}
+
+/// The order of two faces met: by distance, then shift; 0 where both are tied.
+int compare(ExactLine& line, const FaceMet& f, const FaceMet& g, WorkCounters& work) {
+  if (f.distance.surely_before(g.distance)) return -1;
+  if (g.distance.surely_before(f.distance)) return 1;
+  return compare_distance(*line, f.points_Me, g.points_Me, work);
+}
+
 /// The first face of a surface that the line meets, by exact distance, then shift, then face index.
-FirstFace first_face_met(Workspace::Data& workspace, Side slave, const PenetrationLine& line, const Ray& ray,
-                         LineTrace* trace) {
+FaceMet first_face_met(Workspace::Data& workspace, Side slave, ExactLine& line, const Ray& ray, LineTrace* trace) {
   PosedSurface& posed = workspace.side(slave).posed;
   const WideTree& tree = posed.surface().wide_tree;
   WorkCounters& work = workspace.contact.work;
   const double slack = line_slack(slave, ray, workspace.placement);
   const WideRay wide_ray = in_tree_of(slave, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
-  FirstFace first;
-  const double reach = search_along(tree, wide_ray, first.no_farther_than, workspace.line_nodes, work, [&](Index face) {
+  FaceMet first;
+  const auto visit = [&](Index face, Passage passage) {
     if (trace != nullptr) trace->slave_faces.push_back(face);
-    const FacePoints points = posed.face_Me(face, work);
-    int direction = 0;
-    if (!meets(line, points, direction, work)) return;
+    FaceMet met;
+    met.face = face;
+    met.points_Me = posed.face_Me(face, work);
+    if (!meets(line, ray, met.points_Me, passage, slack, met, work)) return;
     if (first.face >= 0) {
-      const int order = compare_distance(line, points, first.points_Me, work);
+      const int order = compare(line, met, first, work);
       if (order > 0 || (order == 0 && face > first.face)) return;
     }
-    first = {face, direction, points, greatest_distance(ray, points, slack)};
-  });
+    first = met;
+  };
+  const double reach = search_along(tree, wide_ray, first.distance.greatest, workspace.line_nodes, work, visit);
   if (trace != nullptr) trace->slave_reach = reach;
   return first;
 }
 
 /// Whether the line meets another face of the master strictly before `limit`.
-bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, const PenetrationLine& line,
-                          const Ray& ray, const FirstFace& limit, LineTrace* trace) {
+bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, ExactLine& line, const Ray& ray,
+                          const FaceMet& limit, LineTrace* trace) {
   PosedSurface& posed = workspace.side(master).posed;
   const WideTree& tree = posed.surface().wide_tree;
   WorkCounters& work = workspace.contact.work;
+  const double slack = line_slack(master, ray, workspace.placement);
   const WideRay wide_ray = in_tree_of(master, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
   bool leaves = false;
-  double no_farther_than = limit.no_farther_than;
-  search_along(tree, wide_ray, no_farther_than, workspace.line_nodes, work, [&](Index own) {
+  double no_farther_than = limit.distance.greatest;
+  search_along(tree, wide_ray, no_farther_than, workspace.line_nodes, work, [&](Index own, Passage passage) {
     if (own == face || leaves) return;
     if (trace != nullptr) trace->own_faces.push_back(own);
-    const FacePoints points = posed.face_Me(own, work);
-    int direction = 0;
-    if (!meets(line, points, direction, work) || compare_distance(line, points, limit.points_Me, work) >= 0) return;
+    FaceMet met;
+    met.points_Me = posed.face_Me(own, work);
+    if (!meets(line, ray, met.points_Me, passage, slack, met, work) || compare(line, met, limit, work) >= 0) return;
     leaves = true;
     no_farther_than = -1;  // The search is over.
   });
@@ -136,17 +184,17 @@ Penetration find_penetration(Workspace::Data& workspace, Side master, Index face
   const Ray ray(geometry, geometry.barycentre_Me());
   Penetration penetration;
   if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
-  const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
-  const FirstFace first = first_face_met(workspace, opposite(master), line, ray, trace);
+  ExactLine line(geometry.points_Me);
+  const FaceMet first = first_face_met(workspace, opposite(master), line, ray, trace);
   penetration.first_met = first.face;
   if (first.face < 0 || first.direction > 0) return penetration;
-  if (!thicker_than(workspace, master, face, geometry, first.no_farther_than) &&
+  if (!thicker_than(workspace, master, face, geometry, first.distance.greatest) &&
       leaves_master_before(workspace, master, face, line, ray, first, trace)) {
     penetration.outcome = Penetration::Outcome::too_deep;
     return penetration;
   }
-  if (trace != nullptr) trace->own_reach = first.no_farther_than;
-  if (distance_sign(line, first.points_Me, work) == 0) return penetration;
+  if (trace != nullptr) trace->own_reach = first.distance.greatest;
+  if (!(first.distance.least > 0) && distance_sign(*line, first.points_Me, work) == 0) return penetration;
   penetration.outcome = Penetration::Outcome::element;
   penetration.slave_face = first.face;
   penetration.depth = DepthBelow(geometry, first.points_Me).value();

@@ -236,20 +236,24 @@ inline Vector8 cross(const Vector8& v, const Vector8& w) {
 
 // An edge from a to b, both from the line's origin, passes the line at a distance, in the plane across it, of
 // direction . (a x (b - a)) over the edge's projected length. A line that is farther than the slack to the left of one
-// edge and to the right of another misses the face, whichever way that turns.
-std::uint32_t test_faces_met(const FaceGroup& faces, const WideRay& ray) {
+// edge and to the right of another misses the face, whichever way that turns. One that is farther to the same side of
+// all three passes through it.
+FacesMet test_faces_met(const FaceGroup& faces, const WideRay& ray) {
   const Vector8 origin = all(ray.origin), direction = all(ray.direction);
   const std::array<Vector8, 3> x{load(faces.vertex[0]) - origin, load(faces.vertex[1]) - origin,
                                  load(faces.vertex[2]) - origin};
-  Int8 left{}, right{};
+  Int8 some_left{}, some_right{}, all_left = ~Int8{}, all_right = ~Int8{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector8 edge = x[i == 2 ? 0 : i + 1] - x[i];
     const Float8 moment = dot(cross(direction, x[i]), edge);
     const Float8 room = all(ray.slack) * (absolute(edge.x) + absolute(edge.y) + absolute(edge.z));
-    left |= moment > room;
-    right |= moment < -room;
+    const Int8 left = moment > room, right = moment < -room;
+    some_left |= left;
+    some_right |= right;
+    all_left &= left;
+    all_right &= right;
   }
-  return ~bits_of(left & right) & 0xffU;
+  return {~bits_of(some_left & some_right) & 0xffU, bits_of(all_left), bits_of(all_right)};
 }
 
 constexpr WideTests kTests{test_boxes, test_children_of_E, test_children_of_F,

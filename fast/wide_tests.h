@@ -39,7 +39,7 @@ struct WidePose {
 /// Let G bound |x| + |y| + |z| of the tree's points and of the line's origin, added up. Positions are off by 3 v G; a
 /// box is entered at the greatest of three quotients, off by less than 24 v G where it is not out of reach: boxes that
 /// grow by 64 v G are entered no later than the true ones. A face is passed at a distance, times an edge's length, off
-/// by 8 v G times that length and 8 v G more for the positions: 64 v G covers both.
+/// by 8 v G times that length and 8 v G more for the positions: 64 v G covers both, outside and inside.
 struct WideRay {
   std::array<float, 3> origin{};
   std::array<float, 3> direction{};
@@ -54,6 +54,13 @@ struct WideRay {
 /// Which of E's children may touch which of F's: bit 8 j + i is child i of E with child j of F.
 using LanePairs = std::uint64_t;
 
+/// Faces and a line, bit by bit.
+struct FacesMet {
+  std::uint32_t possible = 0;  ///< all others surely are missed
+  std::uint32_t leaving = 0;   ///< surely passed through, from inside: along their normal
+  std::uint32_t entering = 0;  ///< surely passed through, from outside
+};
+
 /// The tests, compiled for one set of instructions. Plain multiplications and additions only, never fused: all sets
 /// give the same bits. False only for what is apart in every position of F's vertices within their rounding.
 struct WideTests {
@@ -67,8 +74,8 @@ struct WideTests {
                      const WidePose& pose);
   /// Children whose boxes the ray may meet, and how far along it at least.
   std::uint32_t (*boxes_met)(const WideNode& node, const WideRay& ray, Lanes& entry);
-  /// Faces that the line, taken as infinite both ways, may pass through.
-  std::uint32_t (*faces_met)(const FaceGroup& faces, const WideRay& ray);
+  /// Faces that the line, taken as infinite both ways, passes through.
+  FacesMet (*faces_met)(const FaceGroup& faces, const WideRay& ray);
 };
 
 /// The fastest that this processor runs.
