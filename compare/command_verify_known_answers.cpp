@@ -33,6 +33,9 @@ Exit verify_known_answers(Extent extent, std::uint64_t seed, int jobs,
     if (terminal) std::cerr << fmt::format("\r{:<60}", what) << std::flush;
   });
   if (terminal) std::cerr << fmt::format("\r{:<60}\r", "");
+#ifndef PCM_WITH_DYNAMICS
+  std::cerr << "A12 to A17 are left out: this program was built without SUNDIALS\n";
+#endif
   if (folder) write_tables(*folder, report);
   std::cout << known_answers_summary(report) << fmt::format("identities: seed {}\n", seed)
             << known_answers_verdict(report) << '\n';

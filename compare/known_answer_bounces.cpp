@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "compare/dynamic_answer_support.h"
 #include "compare/dynamic_closed_forms.h"
+#include "compare/known_answer_bodies.h"
 #include "compare/known_answer_dynamics.h"
-#include "compare/known_answer_motions.h"
 #include "compare/one_body_motion.h"
 #include "meshes/generate_boxes.h"
 
@@ -61,7 +62,7 @@ void add_bounces(const DynamicPlan& plan, DynamicAnswer answer, const ContactLaw
   answer.quantity = "restitution";
   answer.scheme = plan.scheme;
   for (const double tolerance : plan.tolerances) {
-    answer.tolerance = tolerance;
+    set_tolerance(answer, tolerance);
     IntegrationWork work;
     const double computed = restitution({law, plan.scheme, tolerance}, work);
     const double bound = dynamic_bound(tolerance, static_cast<double>(work.steps), condition, 1);
@@ -82,7 +83,7 @@ std::vector<DynamicAnswer> flat_bounces(const DynamicPlan& plan) {
   for (const double z : {0.1, 0.2, 0.3, 0.5}) {
     for (const auto& [mode, name] : modes) {
       answer.parameter = "z = " + number(z) + ", " + name;
-      ContactLaw law = elastic_law(kStiffness);
+      ContactLaw law = stiffness(kStiffness);
       law.damping = 2 * z * std::sqrt(kMass * kStiffness * kArea) / kArea;
       law.damping_mode = mode;
       const double e = flat_restitution(z, mode);
@@ -93,7 +94,7 @@ std::vector<DynamicAnswer> flat_bounces(const DynamicPlan& plan) {
   answer.reference = "a - ln(1 + a) = -a e - ln(1 - a e)";
   for (const double a : {0.1, 0.3, 1.0, 3.0}) {
     answer.parameter = "a = " + number(a);
-    ContactLaw law = elastic_law(kStiffness);
+    ContactLaw law = stiffness(kStiffness);
     law.transition_depth = 0.05;  // five times the depth without damping
     law.damping = a * kStiffness * law.transition_depth / kSpeed;
     const double e = faded_restitution(a);

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "compare/known_answer_motions.h"
+#include "compare/dynamic_answer_support.h"
 
 namespace pcm::compare {
 
@@ -16,6 +16,11 @@ double DynamicAnswer::relative_error() const {
 
 double dynamic_bound(double tolerance, double steps, double condition, double size_over_depth) {
   return condition * (2 * std::sqrt(6.0) * tolerance * steps + 0x1p-52 * (steps + 1000) * size_over_depth);
+}
+
+void set_tolerance(DynamicAnswer& answer, double tolerance) {
+  answer.tolerance = answer.resolution = tolerance;
+  answer.level = fmt::format("rtol {:.0e}", tolerance);
 }
 
 void append(DynamicAnswer answer, double computed, double expected, double bound, const IntegrationWork& work,
@@ -30,12 +35,6 @@ void append(DynamicAnswer answer, double computed, double expected, double bound
 
 std::string number(double x) {
   return fmt::format("{}", x);
-}
-
-ContactLaw elastic_law(double stiffness) {
-  ContactLaw law;
-  law.stiffness = stiffness;
-  return law;
 }
 
 }  // namespace pcm::compare

@@ -15,5 +15,8 @@ std::vector<KnownAnswer> cylinders(Extent extent);          ///< A5, A7
 std::vector<KnownAnswer> sockets(Extent extent);            ///< A6
 std::vector<KnownAnswer> volumes(Extent extent);            ///< A8
 std::vector<KnownAnswer> wedges(Extent extent);             ///< A9, A10
+#ifdef PCM_WITH_DYNAMICS
+std::vector<KnownAnswer> motions(Extent extent);  ///< A12 to A17
+#endif
 
 }  // namespace pcm::compare

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "compare/dynamic_answer_support.h"
 #include "compare/dynamic_closed_forms.h"
+#include "compare/known_answer_bodies.h"
 #include "compare/known_answer_dynamics.h"
-#include "compare/known_answer_motions.h"
 #include "compare/one_body_motion.h"
 #include "meshes/generate_boxes.h"
 
@@ -24,7 +25,7 @@ Mode mode_for(Scheme scheme) {
 /// A box that slides along x on a long plate, damped in the normal direction with 0.7 of critical damping.
 OneBodyMotion sliding_box(const MovingBody& body, double friction, double slip_velocity, const MotionScale& scale,
                           Scheme scheme, double tolerance) {
-  ContactLaw law = elastic_law(kStiffness);
+  ContactLaw law = stiffness(kStiffness);
   law.damping = 2 * 0.7 * std::sqrt(body.mass * kSpring) / kArea;
   law.friction = friction;
   law.slip_velocity = slip_velocity;
@@ -40,7 +41,7 @@ DynamicAnswer blank(const DynamicPlan& plan, double tolerance) {
   DynamicAnswer answer;
   answer.scheme = plan.scheme;
   answer.mode = mode_for(plan.scheme);
-  answer.tolerance = tolerance;
+  set_tolerance(answer, tolerance);
   return answer;
 }
 

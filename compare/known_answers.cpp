@@ -128,7 +128,11 @@ KnownAnswerResult run(KnownAnswer problem) {
 }
 
 const std::vector<KnownAnswerFamily>& known_answer_families() {
-  static const std::vector<KnownAnswerFamily> families{blocks, spheres_on_planes, cylinders, sockets, volumes, wedges};
+  static const std::vector<KnownAnswerFamily> families{
+#ifdef PCM_WITH_DYNAMICS
+      motions,
+#endif
+      blocks,  spheres_on_planes, cylinders, sockets, volumes, wedges};
   return families;
 }
 

@@ -55,21 +55,10 @@ bool near_barycentre(const std::array<PrismPoint, 3>& corners) {
 
 /// What the penetration lines of one master face meet.
 struct View {
-  Eigen::Vector3d edge_s_Me, edge_t_Me;
-  double farthest;                   ///< no face is seen whose corners are farther from p0, m
-  double deepest = -1;               ///< greatest depth at which the slave is left, whatever lies before, m
+  Uncertainty uncertainty;
+  double deepest = -1;               ///< greatest depth at which the slave may be left, whatever lies before, m
   bool slave_at_barycentre = false;  ///< the line of the barycentre may leave the slave
   bool own_at_barycentre = false;    ///< it may meet another face of the master
-
-  explicit View(const MasterPrism& prism)
-      : edge_s_Me(prism.edge_s_Me()), edge_t_Me(prism.edge_t_Me()), farthest(length(edge_s_Me) + length(edge_t_Me)) {}
-
-  void add(const ProjectedFace& face) {
-    for (const PrismPoint& x : face.corners) {
-      // Of a thin master face s and t may be huge and nearly cancel, so their absolute sum would mean nothing.
-      farthest = std::max(farthest, length(x[kS] * edge_s_Me + x[kT] * edge_t_Me) + std::abs(x[kDepth]));
-    }
-  }
 };
 
 void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& prism, View& view) {
@@ -81,15 +70,23 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
     const std::array<PrismPoint, 3> corners{prism.see(posed.vertex_Me(vertices[0], work), work),
                                             prism.see(posed.vertex_Me(vertices[1], work), work),
                                             prism.see(posed.vertex_Me(vertices[2], work), work)};
+    const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
+    if (deepest < 0) continue;
     ProjectedFace projected;
-    if (!project_face(vertices, corners, projected)) continue;
+    const bool is_seen = project_face(vertices, corners, projected);
+    const bool is_certain = is_seen && certain(projected.seen, view.uncertainty);
+    // A line may leave the slave through a sliver whose side it sees is not certain.
+    if (near_barycentre(corners) && !(is_certain && !projected.leaves)) {
+      view.slave_at_barycentre = true;
+      view.deepest = std::max(view.deepest, deepest);
+    }
+    if (!is_seen) continue;
     projected.face = face;
     projected.own = false;
-    if (projected.leaves) {
+    projected.carries = projected.leaves && is_certain;
+    if (projected.carries) {
       for (int i = 0; i < projected.seen.count; ++i) view.deepest = std::max(view.deepest, projected.seen[i][kDepth]);
-      view.slave_at_barycentre = view.slave_at_barycentre || near_barycentre(corners);
     }
-    view.add(projected);
     workspace.projection.faces.push_back(projected);
   }
 }
@@ -114,7 +111,7 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
     if (!project_face(vertices, corners, projected)) continue;
     projected.face = face;
     projected.own = true;
-    view.add(projected);
+    projected.carries = false;
     workspace.projection.faces.push_back(projected);
   }
 }
@@ -129,14 +126,13 @@ PlacedFace placed(Workspace::Data& workspace, Side side, const ProjectedFace& fa
 
 /// Integrals over the part of the master face that sees the slave face at `index` of the projected ones first.
 /// `overlap` is the first overlap that may concern it and moves on past them.
-Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const MasterPrism& prism,
-                                const Uncertainty& uncertainty, std::size_t index,
-                                std::vector<Overlap>::const_iterator& overlap) {
+Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const Uncertainty& uncertainty,
+                                std::size_t index, std::vector<Overlap>::const_iterator& overlap) {
   ProjectionScratch& scratch = workspace.projection;
   const ProjectedFace& f = scratch.faces[index];
   Moments moments;
   if (overlap == scratch.overlaps.end() || overlap->first != index) {
-    moments.add_if_certain(f.seen, uncertainty);
+    moments.add(f.seen);
     return moments;
   }
   const PlacedFace placed_f = placed(workspace, opposite(master), f);
@@ -145,9 +141,9 @@ Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const M
     if (scratch.parts.empty()) continue;
     const ProjectedFace& g = scratch.faces[overlap->second];
     const PlacedFace placed_g = placed(workspace, g.own ? master : opposite(master), g);
-    subtract_hidden(prism, placed_f, placed_g, scratch.parts, scratch.remaining, workspace.contact.work);
+    subtract_hidden(uncertainty, placed_f, placed_g, scratch.parts, scratch.remaining, workspace.contact.work);
   }
-  for (const ConvexPolygon& part : scratch.parts) moments.add_if_certain(part, uncertainty);
+  for (const ConvexPolygon& part : scratch.parts) moments.add(part);
   return moments;
 }
 
@@ -166,7 +162,7 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
   if (!(geometry.area > 0)) return;
   const MasterPrism prism(geometry);
   scratch.faces.clear();
-  View view(prism);
+  View view{prism.uncertainty(workspace.placement.reach)};
   project_slave(workspace, opposite(master), prism, view);
   if (view.deepest < 0) return;
   const Surface::Data& surface = workspace.side(master).surface();
@@ -180,11 +176,10 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
     }
   }
   find_overlaps(scratch.faces, scratch.order, scratch.overlaps);
-  const Uncertainty uncertainty = prism.uncertainty(view.farthest);
   auto overlap = scratch.overlaps.cbegin();
   for (std::size_t i = 0; i < scratch.faces.size() && !scratch.faces[i].own; ++i) {
-    if (!scratch.faces[i].leaves) continue;
-    const Moments moments = moments_of_visible_part(workspace, master, prism, uncertainty, i, overlap);
+    if (!scratch.faces[i].carries) continue;
+    const Moments moments = moments_of_visible_part(workspace, master, view.uncertainty, i, overlap);
     const double area = moments.area * (2 * geometry.area);
     const double mean = std::min(moments.depth / moments.area, moments.greatest);
     if (!(area > 0 && mean > 0)) continue;

@@ -6,6 +6,7 @@
 
 #include "fast/clipped_elements.h"
 #include "fast/contact_force.h"
+#include "fast/force_bound.h"
 #include "fast/geometry.h"
 #include "fast/penetration.h"
 
@@ -13,15 +14,20 @@ namespace pcm::fast {
 
 namespace {
 
-MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
+MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
+                                     MasterBound* bound) {
   SideState& side = workspace.side(master);
   Contact& contact = workspace.contact;
   MasterForce total;
   for_each_active_face(side, [&](Index face) {
     const FaceGeometry geometry(side.posed.face_Me(face, contact.work));
-    const Penetration penetration = find_penetration(workspace, master, face, geometry);
+    LineTrace* const trace = bound != nullptr ? bound->begin_face(face, geometry) : nullptr;
+    const Penetration penetration = find_penetration(workspace, master, face, geometry, trace);
     if (penetration.outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
-    if (penetration.outcome != Penetration::Outcome::element) return;
+    if (penetration.outcome != Penetration::Outcome::element) {
+      if (bound != nullptr) bound->add_no_element(face, geometry, penetration.first_met);
+      return;
+    }
     Element element;
     element.master = master;
     element.master_face = face;
@@ -30,7 +36,9 @@ MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, co
     element.penetration = penetration.depth;
     element.normal_Me = -geometry.n_Me;
     add_element(contact, problem, penetration.depth, geometry.barycentre_Me(), element, total);
+    if (bound != nullptr) bound->add_element(geometry, element, total);
   });
+  if (bound != nullptr) bound->add_inactive_faces();
   return total;
 }
 
@@ -48,9 +56,10 @@ void add_element(Contact& contact, const ForceProblem& problem, double greatest_
   if (problem.keep_elements) contact.elements.push_back(element);
 }
 
-MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
-  return problem.scheme == Scheme::clipped ? sum_clipped_elements(workspace, master, problem)
-                                           : sum_barycentric_elements(workspace, master, problem);
+MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem, MasterBound* bound) {
+  if (problem.scheme == Scheme::barycentric) return sum_barycentric_elements(workspace, master, problem, bound);
+  if (bound != nullptr) bound->promise_nothing();
+  return sum_clipped_elements(workspace, master, problem);
 }
 
 }  // namespace pcm::fast

@@ -16,6 +16,7 @@ struct ForceProblem {
   const Velocity& velocity;
   bool with_velocities;  ///< some result depends on them
   bool keep_elements;    ///< in the answer, with their statistics
+  bool with_bound;       ///< fill Contact::bound
 };
 
 /// Force and torque of the elements of one master, resolved in Me.
@@ -23,6 +24,8 @@ struct MasterForce {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m
 };
+
+class MasterBound;
 
 /// Calls `visit(face)` for the active faces of a side, intersected and inner, in face-index order.
 template <class Visit>
@@ -42,7 +45,9 @@ void add_element(Contact& contact, const ForceProblem& problem, double greatest_
 
 /// Forms the contact elements of a master (PCM section 6), in face-index order; counts them and the faces that are too
 /// deep, and sums their forces (21)-(24). Barycentric scheme: one element for each active face whose penetration line
-/// leaves the slave at u > 0. Clipped scheme: see fast/clipped_elements.h. Needs that side's active area.
-MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem);
+/// leaves the slave at u > 0. Clipped scheme: see fast/clipped_elements.h. Needs that side's active area. `bound`,
+/// where given, gathers what the errors of the elements may be (barycentric scheme only).
+MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
+                         MasterBound* bound = nullptr);
 
 }  // namespace pcm::fast

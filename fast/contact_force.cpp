@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "fast/force_bound.h"
 #include "fast/geometry.h"
 
 namespace pcm::fast {
@@ -58,15 +60,24 @@ Statistics summarize(const std::vector<Element>& elements) {
 
 void compute_force(Workspace::Data& workspace, Mode mode, const ForceProblem& problem) {
   Contact& contact = workspace.contact;
+  std::optional<MasterBound> bounds[2];
+  const auto total_of = [&](Side master) {
+    if (!problem.with_bound) return sum_elements(workspace, master, problem);
+    return sum_elements(workspace, master, problem,
+                        &bounds[static_cast<std::size_t>(master)].emplace(workspace, master, problem));
+  };
   if (mode == Mode::both) {
-    const MasterForce on_E = sum_elements(workspace, Side::E, problem);
-    const MasterForce on_F = sum_elements(workspace, Side::F, problem);
+    const MasterForce on_E = total_of(Side::E);
+    const MasterForce on_F = total_of(Side::F);
     contact.force_Me = 0.5 * (on_E.force_Me + on_F.force_Me);
     contact.torque_Me = 0.5 * (on_E.torque_Me + on_F.torque_Me);
+    if (problem.with_bound) contact.bound = mean_bound(*bounds[0], *bounds[1], contact);
   } else {
-    const MasterForce total = sum_elements(workspace, mode == Mode::E ? Side::E : Side::F, problem);
+    const Side master = mode == Mode::E ? Side::E : Side::F;
+    const MasterForce total = total_of(master);
     contact.force_Me = total.force_Me;
     contact.torque_Me = total.torque_Me;
+    if (problem.with_bound) contact.bound = bounds[static_cast<std::size_t>(master)]->result();
   }
   if (problem.keep_elements) contact.statistics = summarize(contact.elements);
 }

@@ -8,7 +8,8 @@
 #include <cmath>
 
 /// Convex polygons in the plane of a master face that carry a linear field, cut by lines and integrated (PCM section 6,
-/// clipped scheme). No tolerance anywhere: cuts that miss by a rounding make slivers of an area as small.
+/// clipped scheme). No tolerance anywhere: cuts that miss by a rounding make slivers of an area as small, which are
+/// told by a bound of that error.
 namespace pcm::fast {
 
 /// A point x as a master face (p0, p1, p2) sees it: x = p0 + s (p1 - p0) + t (p2 - p0) - depth n. The first three
@@ -104,31 +105,34 @@ struct Uncertainty {
   double t = 0;
 };
 
-/// Integrals over polygons in (s, t), exact for their linear field. A polygon no larger than its own error may be none
-/// at all and counts as none: its mean or greatest depth would mean nothing.
+/// Twice the area of a polygon in (s, t).
+inline double twice_area(const ConvexPolygon& polygon) {
+  double sum = 0;
+  for (int i = 1; i + 1 < polygon.count; ++i) sum += cross_st(polygon[0], polygon[i], polygon[i + 1]);
+  return sum;
+}
+
+/// Whether a polygon has area however its points are off within the uncertainty. One that may have none counts as
+/// none: its mean or greatest depth would mean nothing, and cutting with it would only make more of its kind.
+inline bool certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty) {
+  if (polygon.empty()) return false;
+  double low_s = polygon[0][kS], high_s = low_s, low_t = polygon[0][kT], high_t = low_t;
+  for (int i = 1; i < polygon.count; ++i) {
+    low_s = std::min(low_s, polygon[i][kS]);
+    high_s = std::max(high_s, polygon[i][kS]);
+    low_t = std::min(low_t, polygon[i][kT]);
+    high_t = std::max(high_t, polygon[i][kT]);
+  }
+  return 0.5 * twice_area(polygon) > (high_t - low_t) * uncertainty.s + (high_s - low_s) * uncertainty.t;
+}
+
+/// Integrals over polygons in (s, t), exact for their linear field.
 struct Moments {
   double area = 0;      ///< of 1; a whole face has 1/2
   double depth = 0;     ///< of the depth, m
   double s_depth = 0;   ///< of s times the depth, m
   double t_depth = 0;   ///< of t times the depth, m
   double greatest = 0;  ///< greatest depth at a vertex, m
-
-  void add_if_certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty) {
-    Moments moments;
-    moments.add(polygon);
-    PrismPoint low = polygon[0], high = low;
-    for (int i = 1; i < polygon.count; ++i) {
-      low = low.cwiseMin(polygon[i]);
-      high = high.cwiseMax(polygon[i]);
-    }
-    const PrismPoint extent = high - low;
-    if (!(moments.area > extent[kT] * uncertainty.s + extent[kS] * uncertainty.t)) return;
-    area += moments.area;
-    depth += moments.depth;
-    s_depth += moments.s_depth;
-    t_depth += moments.t_depth;
-    greatest = std::max(greatest, moments.greatest);
-  }
 
   /// A fan of triangles about the first vertex. Over a triangle of area T a linear function integrates to T times the
   /// mean of its corner values, the product x d of two to T / 12 (sum x sum d + sum of x_i d_i).

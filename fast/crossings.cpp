@@ -131,10 +131,11 @@ Index CrossingIndex::find_or_insert(std::uint64_t key, Index fresh) {
   return fresh;
 }
 
-bool find_crossings(Workspace::Data& workspace, bool stop_at_first) {
+bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_candidates) {
   SideState& side_E = workspace.side(Side::E);
   SideState& side_F = workspace.side(Side::F);
   WorkCounters& work = workspace.contact.work;
+  workspace.candidates.clear();
   workspace.crossings.clear();
   workspace.crossing_index.start();
   for (SideState& side : workspace.sides) {
@@ -145,6 +146,7 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first) {
   for_each_candidate(
       side_E.surface(), side_F.surface(), workspace.placement, workspace.node_pairs, work,
       [&](Index face_E, Index face_F) {
+        if (keep_candidates) workspace.candidates.emplace_back(face_E, face_F);
         PairCrossing pair;
         if (!cross(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work), pair, work)) {
           return true;

@@ -90,9 +90,9 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   data.side(Side::E).posed.place_E(surface_E);
   data.side(Side::F).posed.place_F(surface_F, pose, surface_E.mesh.vertices.size());
 
-  const bool force = wanted.force || wanted.elements;
+  const bool force = wanted.force || wanted.elements || wanted.bound;
   const bool only_touch = !wanted.polygons && !wanted.areas && !force;
-  contact.touching = find_crossings(data, only_touch);
+  contact.touching = find_crossings(data, only_touch, wanted.bound);
   if (only_touch) return contact;
 
   const bool polygons = wanted.polygons || wanted.areas;
@@ -114,8 +114,9 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   if (force) {
     const ContactLaw& law = pairing.law();
     const bool with_velocities = law.damping != 0 || law.friction != 0 || wanted.elements;
-    compute_force(data, pairing.mode(),
-                  {pairing.scheme(), law, SeriesStiffness(law), pose, velocity, with_velocities, wanted.elements});
+    compute_force(
+        data, pairing.mode(),
+        {pairing.scheme(), law, SeriesStiffness(law), pose, velocity, with_velocities, wanted.elements, wanted.bound});
     if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite()) {
       throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
     }

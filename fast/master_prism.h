@@ -24,10 +24,13 @@ class MasterPrism {
   /// x lies exactly in the face's plane. What is flush is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
 
-  /// How far lines through points seen by the prism may be off, given the points: 16 u covers the roundings of a
-  /// distance, of the direction it is measured in and of a cut. Multiplied with the greatest distance from p0.
-  Uncertainty uncertainty(double distance) const {
-    return {16 * 0x1p-53 * distance * length(inward_Me_[2]), 16 * 0x1p-53 * distance * length(inward_Me_[0])};
+  /// How far lines through points seen by the prism may be off from each other, where no |coordinate| exceeds `reach`.
+  /// A vertex of F is off by 4 u reach a coordinate (u = 2^-53); no distance from p0 is greater than 4 reach, and 16 u
+  /// of it cover the roundings of a distance and of a cut. An error of the lines' common direction, great for a needle,
+  /// moves all of them alike and makes no sliver.
+  Uncertainty uncertainty(double reach) const {
+    const double distance = 64 * 0x1p-53 * reach;
+    return {distance * length(inward_Me_[2]), distance * length(inward_Me_[0])};
   }
 
   /// The face's own corner k, exactly.
@@ -80,7 +83,8 @@ class TreePrism {
   double slack_;                           ///< m
 };
 
-/// The sign of ((f1 - f0) x (f2 - f0)) . (x - f0): +1 where x is above the plane of f, 0 where it lies in it, exactly.
-int height_sign(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work);
+/// ((f1 - f0) x (f2 - f0)) . (x - f0): positive where x is above the plane of f, 0 where it lies in it, exactly; to a
+/// few ulps where roundings might change its sign.
+double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work);
 
 }  // namespace pcm::fast

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/depth.h"
 #include "fast/penetration_predicates.h"
 #include "fast/ray.h"
 #include "fast/thickness.h"
@@ -18,9 +19,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The ray in the frame of a surface's tree. No point of the surfaces is farther from its origin than 8 times the
 /// reach.
-TreeRay in_tree_of(Side side, const Ray& ray, const Placement& placement) {
+TreeRay in_tree_of(Side side, const Ray& ray, const Placement& placement, double radius) {
   return {placement.to_frame_of(side, ray.origin), placement.direction_in_frame_of(side, ray.direction),
-          placement.slack(side) + 8 * placement.reach * ray.direction_error};
+          placement.slack(side) + 8 * placement.reach * ray.direction_error + radius};
 }
 
 /// An upper bound of the distance at which the line meets f, given that it does: no farther than f's farthest vertex,
@@ -58,24 +59,34 @@ struct FirstFace {
 };
 
 /// The first face of a surface that the line meets, by exact distance, then shift, then face index.
-FirstFace first_face_met(Workspace::Data& workspace, Side slave, const PenetrationLine& line, const Ray& ray) {
+template <bool kTraced>
+FirstFace first_face_met(Workspace::Data& workspace, Side slave, const PenetrationLine& line, const Ray& ray,
+                         LineTrace* trace) {
   PosedSurface& posed = workspace.side(slave).posed;
   const BoxTree& tree = posed.surface().tree;
   WorkCounters& work = workspace.contact.work;
-  const TreeRay tree_ray = in_tree_of(slave, ray, workspace.placement);
+  const TreeRay tree_ray = in_tree_of(slave, ray, workspace.placement, kTraced ? trace->radius : 0);
   auto& open = workspace.ray_nodes;
   open.clear();
   FirstFace first;
+  if constexpr (kTraced) trace->slave_reach = kInfinity;
   const auto visit = [&](Index node) {
     ++work.box_tests;
     const double entry = tree_ray.entry(tree.node(node).box);
-    if (entry <= first.no_farther_than && entry < kInfinity) open.emplace_back(entry, node);
+    if (entry <= first.no_farther_than && entry < kInfinity) {
+      open.emplace_back(entry, node);
+    } else if constexpr (kTraced) {
+      trace->slave_reach = std::min(trace->slave_reach, entry);
+    }
   };
   visit(0);
   while (!open.empty()) {
     const auto [entry, index] = open.back();
     open.pop_back();
-    if (entry > first.no_farther_than) continue;
+    if (entry > first.no_farther_than) {
+      if constexpr (kTraced) trace->slave_reach = std::min(trace->slave_reach, entry);
+      continue;
+    }
     const BoxNode& node = tree.node(index);
     if (!node.leaf()) {
       const std::size_t before = open.size();
@@ -87,6 +98,7 @@ FirstFace first_face_met(Workspace::Data& workspace, Side slave, const Penetrati
       }
       continue;
     }
+    if constexpr (kTraced) trace->slave_faces.push_back(node.face);
     const FacePoints points = posed.face_Me(node.face, work);
     int direction = 0;
     if (!meets(line, points, direction, work)) continue;
@@ -100,12 +112,13 @@ FirstFace first_face_met(Workspace::Data& workspace, Side slave, const Penetrati
 }
 
 /// Whether the line meets another face of the master strictly before `limit`.
+template <bool kTraced>
 bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, const PenetrationLine& line,
-                          const Ray& ray, const FirstFace& limit) {
+                          const Ray& ray, const FirstFace& limit, LineTrace* trace) {
   PosedSurface& posed = workspace.side(master).posed;
   const BoxTree& tree = posed.surface().tree;
   WorkCounters& work = workspace.contact.work;
-  const TreeRay tree_ray = in_tree_of(master, ray, workspace.placement);
+  const TreeRay tree_ray = in_tree_of(master, ray, workspace.placement, kTraced ? trace->radius : 0);
   std::vector<Index>& open = workspace.nodes;
   open.assign(1, 0);
   while (!open.empty()) {
@@ -120,6 +133,7 @@ bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, c
       continue;
     }
     if (node.face == face) continue;
+    if constexpr (kTraced) trace->own_faces.push_back(node.face);
     const FacePoints points = posed.face_Me(node.face, work);
     int direction = 0;
     if (meets(line, points, direction, work) && compare_distance(line, points, limit.points_Me, work) < 0) return true;
@@ -138,45 +152,46 @@ bool has_no_normal(const FacePoints& p) {
   return true;
 }
 
-/// (11): the distance from C to the plane of f along the line, from differences of vertices only.
-double depth_below(const FaceGeometry& master, const FacePoints& f) {
-  const Eigen::Vector3d N_f = (f[1] - f[0]).cross(f[2] - f[0]);
-  const auto& p = master.points_Me;
-  double height = kInfinity, nearest = kInfinity;
-  for (const Eigen::Vector3d& corner : f) {
-    const Eigen::Vector3d from_C = ((corner - p[0]) + (corner - p[1]) + (corner - p[2])) / 3;
-    const double square = from_C.dot(from_C);
-    if (square >= nearest) continue;
-    nearest = square;
-    height = from_C.dot(N_f);
-  }
-  const double depth = -height / master.n_Me.dot(N_f);
-  return std::isfinite(depth) ? std::max(depth, 0.0) : 0;
-}
-
-}  // namespace
-
-Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry) {
+template <bool kTraced>
+Penetration follow_line(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                        LineTrace* trace) {
   WorkCounters& work = workspace.contact.work;
+  if constexpr (kTraced) {
+    trace->clear();
+  }
   const Ray ray(geometry, geometry.barycentre_Me());
   Penetration penetration;
   if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
   const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
-  const FirstFace first = first_face_met(workspace, opposite(master), line, ray);
+  const FirstFace first = first_face_met<kTraced>(workspace, opposite(master), line, ray, trace);
+  penetration.first_met = first.face;
   if (first.face < 0 || first.direction > 0) return penetration;
-  const Surface::Data& surface = workspace.side(master).surface();
-  // Thickness computed beforehand may already say that no other face of the master is met as near.
-  const bool thick = first.no_farther_than < surface.thickness[static_cast<std::size_t>(face)] &&
-                     thickness_holds(surface, workspace.placement.slack(master), geometry);
-  if (!thick && leaves_master_before(workspace, master, face, line, ray, first)) {
+  if (!thicker_than(workspace, master, face, geometry, first.no_farther_than) &&
+      leaves_master_before<kTraced>(workspace, master, face, line, ray, first, trace)) {
     penetration.outcome = Penetration::Outcome::too_deep;
     return penetration;
   }
+  if constexpr (kTraced) trace->own_reach = first.no_farther_than;
   if (distance_sign(line, first.points_Me, work) == 0) return penetration;
   penetration.outcome = Penetration::Outcome::element;
   penetration.slave_face = first.face;
-  penetration.depth = depth_below(geometry, first.points_Me);
+  penetration.depth = DepthBelow(geometry, first.points_Me).value();
   return penetration;
+}
+
+}  // namespace
+
+bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                  double distance) {
+  const Surface::Data& surface = workspace.side(master).surface();
+  return distance < surface.thickness[static_cast<std::size_t>(face)] &&
+         thickness_holds(surface, workspace.placement.slack(master), geometry);
+}
+
+Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                             LineTrace* trace) {
+  return trace == nullptr ? follow_line<false>(workspace, master, face, geometry, nullptr)
+                          : follow_line<true>(workspace, master, face, geometry, trace);
 }
 
 }  // namespace pcm::fast

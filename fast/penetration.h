@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fast/geometry.h"
+#include "fast/line_trace.h"
 #include "fast/workspace.h"
 
 namespace pcm::fast {
@@ -16,11 +17,19 @@ struct Penetration {
   };
   Outcome outcome = Outcome::none;
   Index slave_face = -1;
-  double depth = 0;  ///< u (11), m; not negative
+  double depth = 0;      ///< u (11), m; not negative
+  Index first_met = -1;  ///< the first face of the slave that the line meets, whatever comes of it; -1 where none
 };
 
 /// Follows the penetration line of face `face` of side `master`. Every decision is exact on the rounded problem; the
-/// depth is off by a few ulps of the distance between the faces over |n_e . n_f|. Near O(log n).
-Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry);
+/// depth is off by a few ulps of the distance between the faces over |n_e . n_f|. Near O(log n). Fills `trace` where
+/// one is given, without any change of the result.
+Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                             LineTrace* trace = nullptr);
+
+/// Whether the thickness computed beforehand already says that the face's penetration line meets no other face of the
+/// master as near as `distance`, in the rounded problem and in the exact one alike.
+bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                  double distance);
 
 }  // namespace pcm::fast

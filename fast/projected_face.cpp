@@ -23,11 +23,6 @@ bool side_separates(const ProjectedFace& a, const ProjectedFace& b) {
   return false;
 }
 
-/// A face that carries an element of its own.
-bool may_be_first(const ProjectedFace& face) {
-  return face.leaves && !face.own;
-}
-
 }  // namespace
 
 bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face) {
@@ -76,10 +71,10 @@ void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<std::siz
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       const ProjectedFace& g = faces[order[j]];
       if (!(g.low_s < f.high_s)) break;
-      if (!(g.low_t < f.high_t && f.low_t < g.high_t) || !(may_be_first(f) || may_be_first(g))) continue;
+      if (!(g.low_t < f.high_t && f.low_t < g.high_t) || !(f.carries || g.carries)) continue;
       if (side_separates(f, g) || side_separates(g, f)) continue;
-      if (may_be_first(f)) overlaps.emplace_back(order[i], order[j]);
-      if (may_be_first(g)) overlaps.emplace_back(order[j], order[i]);
+      if (f.carries) overlaps.emplace_back(order[i], order[j]);
+      if (g.carries) overlaps.emplace_back(order[j], order[i]);
     }
   }
   std::sort(overlaps.begin(), overlaps.end());

@@ -12,91 +12,93 @@ namespace {
 /// Where a face lies along the lines, compared with another one.
 enum class Order : std::uint8_t { before, after, crossing };
 
-/// A linear function c + c_s (s - s_0) + c_t (t - t_0) + c_depth depth; a half space is where it is not negative.
-struct HalfSpace {
-  double c, c_s, s_0, c_t, t_0, c_depth;
+/// A linear function c + c_s (s - s_0) + c_t (t - t_0); a half plane is where it is not negative.
+struct HalfPlane {
+  double c, c_s, s_0, c_t, t_0;
 
-  double operator()(const PrismPoint& x) const {
-    return c + (c_s * (x[kS] - s_0) + c_t * (x[kT] - t_0)) + c_depth * x[kDepth];
-  }
+  double operator()(const PrismPoint& x) const { return c + (c_s * (x[kS] - s_0) + c_t * (x[kT] - t_0)); }
 };
 
-/// A convex set of points, the intersection of half spaces.
+/// A convex set of points, the intersection of half planes.
 struct ConvexSet {
-  std::array<HalfSpace, 5> half_spaces;
+  std::array<HalfPlane, 5> half_planes;
   std::size_t count = 0;
 
-  void add(const HalfSpace& half_space) { half_spaces[count++] = half_space; }
-  const HalfSpace* begin() const { return half_spaces.data(); }
-  const HalfSpace* end() const { return half_spaces.data() + count; }
+  void add(const HalfPlane& half_plane) { half_planes[count++] = half_plane; }
+  const HalfPlane* begin() const { return half_planes.data(); }
+  const HalfPlane* end() const { return half_planes.data() + count; }
 };
 
 /// The inner side of side k of a counterclockwise face. The line runs from the vertex of smaller index to the other,
 /// so that both faces at the edge have the same one.
-HalfSpace inside_of_side(const ProjectedFace& face, std::size_t k) {
+HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
   const std::size_t next = (k + 1) % 3;
   const bool ascending = face.vertices[k] < face.vertices[next];
   const PrismPoint& a = face.corners[ascending ? k : next];
   const PrismPoint& b = face.corners[ascending ? next : k];
   const double sign = ascending ? 1 : -1;
-  return {0, -sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT], 0};
+  return {0, -sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT]};
 }
 
-/// `sign` times the height of points over the plane of f; with depth 0 where `in_plane`, the height of their feet.
-HalfSpace height_over(const MasterPrism& prism, const PlacedFace& f, double sign, bool in_plane) {
-  const auto& p = f.points_Me;
-  const Eigen::Vector3d N = sign * (p[1] - p[0]).cross(p[2] - p[0]);
-  return {N.dot(prism.p0_Me() - p[0]),
-          N.dot(prism.edge_s_Me()),
-          0,
-          N.dot(prism.edge_t_Me()),
-          0,
-          in_plane ? 0 : -N.dot(prism.face().n_Me)};
+/// The linear function with the given values at the corners of a face, times twice its area in (s, t): as sure of its
+/// sign as they are, however small they are.
+HalfPlane through(const ProjectedFace& face, const std::array<double, 3>& values) {
+  const PrismPoint a = face.corners[1] - face.corners[0], b = face.corners[2] - face.corners[0];
+  const double a_rise = values[1] - values[0], b_rise = values[2] - values[0];
+  return {values[0] * (a[kS] * b[kT] - a[kT] * b[kS]), a_rise * b[kT] - b_rise * a[kT], face.corners[0][kS],
+          b_rise * a[kS] - a_rise * b[kS], face.corners[0][kT]};
 }
 
-/// On which side of the plane of f the vertices of g lie: 1 above or in it, -1 below or in it, 0 all in it, 2 both.
-/// "Above" is where the lines come from: the vertices of f run counterclockwise as the master sees them.
-int side_of_plane(const PlacedFace& f, const PlacedFace& g, WorkCounters& work) {
-  bool above = false, below = false;
+/// Heights of the vertices of g over the plane of f, times twice the area of f. Above is where the lines come from: the
+/// vertices of f run counterclockwise as the master sees them.
+std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, WorkCounters& work) {
+  std::array<double, 3> heights;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& shared = f.projected.vertices;
     const bool is_corner = f.projected.own == g.projected.own &&
                            std::find(shared.begin(), shared.end(), g.projected.vertices[k]) != shared.end();
-    const int sign = is_corner ? 0 : height_sign(f.points_Me, g.points_Me[k], work);
-    above = above || sign > 0;
-    below = below || sign < 0;
+    heights[k] = is_corner ? 0 : height_over(f.points_Me, g.points_Me[k], work);
   }
-  return above && below ? 2 : above ? 1 : below ? -1 : 0;
-}
-
-Order order_of(const PlacedFace& g, const PlacedFace& f, WorkCounters& work) {
-  const int g_over_f = side_of_plane(f, g, work);
-  if (g_over_f == 0) {
-    return !g.projected.own && g.projected.face < f.projected.face ? Order::before : Order::after;
-  }
-  if (g_over_f != 2) return g_over_f > 0 ? Order::before : Order::after;
-  const int f_over_g = side_of_plane(g, f, work);
-  if (f_over_g != 2) return f_over_g > 0 ? Order::after : Order::before;
-  return Order::crossing;
-}
-
-Heights heights_of(const ConvexPolygon& polygon, const HalfSpace& half_space) {
-  Heights heights{};
-  for (int i = 0; i < polygon.count; ++i) heights[static_cast<std::size_t>(i)] = half_space(polygon[i]);
   return heights;
 }
 
-bool meets(ConvexPolygon polygon, const ConvexSet& set) {
-  for (const HalfSpace& half_space : set) {
-    keep_where_not_negative(polygon, heights_of(polygon, half_space));
-    if (polygon.empty()) return false;
+/// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both sides.
+int side_of_plane(const std::array<double, 3>& heights) {
+  const bool above = std::max({heights[0], heights[1], heights[2]}) > 0;
+  const bool below = std::min({heights[0], heights[1], heights[2]}) < 0;
+  return above && below ? 2 : above ? 1 : below ? -1 : 0;
+}
+
+/// How g lies to f; `f_over_g` is filled where they cross.
+Order order_of(const PlacedFace& g, const PlacedFace& f, std::array<double, 3>& f_over_g, WorkCounters& work) {
+  const int side_of_g = side_of_plane(heights_over(f, g, work));
+  if (side_of_g == 0) {
+    return !g.projected.own && g.projected.face < f.projected.face ? Order::before : Order::after;
   }
-  return true;
+  if (side_of_g != 2) return side_of_g > 0 ? Order::before : Order::after;
+  f_over_g = heights_over(g, f, work);
+  const int side_of_f = side_of_plane(f_over_g);
+  if (side_of_f != 2) return side_of_f > 0 ? Order::after : Order::before;
+  return Order::crossing;
+}
+
+Heights heights_of(const ConvexPolygon& polygon, const HalfPlane& half_plane) {
+  Heights heights{};
+  for (int i = 0; i < polygon.count; ++i) heights[static_cast<std::size_t>(i)] = half_plane(polygon[i]);
+  return heights;
+}
+
+/// What a convex polygon and a convex set have in common.
+ConvexPolygon common(ConvexPolygon polygon, const ConvexSet& set) {
+  for (const HalfPlane& half_plane : set) {
+    keep_where_not_negative(polygon, heights_of(polygon, half_plane));
+    if (polygon.empty()) break;
+  }
+  return polygon;
 }
 
 /// Appends a part, in two where it has too many vertices for the cuts to come.
 void append(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
-  if (part.empty()) return;
   if (part.count <= ConvexPolygon::kMost) {
     parts.push_back(part);
     return;
@@ -110,25 +112,32 @@ void append(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
   parts.push_back(second);
 }
 
-/// Convex polygons without a convex set: what lies outside its first half space, then of the rest what lies outside the
+/// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
 /// second, and so on.
-void subtract(const ConvexSet& set, std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining) {
+void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<ConvexPolygon>& parts,
+              std::vector<ConvexPolygon>& remaining) {
   remaining.clear();
   for (const ConvexPolygon& part : parts) {
-    if (!meets(part, set)) {
+    const ConvexPolygon overlap = common(part, set);
+    if (overlap.empty()) {
       remaining.push_back(part);
       continue;
     }
+    const std::size_t before = remaining.size();
     ConvexPolygon rest = part;
-    for (const HalfSpace& half_space : set) {
-      Heights heights = heights_of(rest, half_space);
+    for (const HalfPlane& half_plane : set) {
+      Heights heights = heights_of(rest, half_plane);
       if (*std::min_element(heights.begin(), heights.begin() + rest.count) >= 0) continue;
       ConvexPolygon outside = rest;
       keep_where_not_negative(rest, heights);
       for (double& height : heights) height = -height;
       keep_where_not_negative(outside, heights);
-      append(outside, remaining);
+      if (certain(outside, uncertainty)) append(outside, remaining);
       if (rest.empty()) break;
+    }
+    if (remaining.size() > before + 1 && !certain(overlap, uncertainty)) {
+      remaining.resize(before);
+      remaining.push_back(part);
     }
   }
   std::swap(parts, remaining);
@@ -136,20 +145,21 @@ void subtract(const ConvexSet& set, std::vector<ConvexPolygon>& parts, std::vect
 
 }  // namespace
 
-void subtract_hidden(const MasterPrism& prism, const PlacedFace& f, const PlacedFace& g,
+void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const PlacedFace& g,
                      std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, WorkCounters& work) {
-  const Order order = order_of(g, f, work);
+  std::array<double, 3> f_over_g;
+  const Order order = order_of(g, f, f_over_g, work);
   if (order == Order::after) return;
   ConvexSet hidden;
   for (std::size_t k = 0; k < 3; ++k) hidden.add(inside_of_side(g.projected, k));
   const auto& corners = g.projected.corners;
-  // Points of the plane of g at a depth >= 0 have their feet above it.
-  if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) < 0) {
-    hidden.add(height_over(prism, g, 1, true));
-  }
+  const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
+  if (std::min({depths[0], depths[1], depths[2]}) < 0) hidden.add(through(g.projected, depths));
   // Points of f beyond g lie below it.
-  if (order == Order::crossing) hidden.add(height_over(prism, g, -1, false));
-  subtract(hidden, parts, remaining);
+  if (order == Order::crossing) {
+    hidden.add(through(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
+  }
+  subtract(hidden, uncertainty, parts, remaining);
 }
 
 }  // namespace pcm::fast

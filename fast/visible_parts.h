@@ -18,9 +18,15 @@ struct PlacedFace {
 /// met at a depth >= 0 and not farther than f (PCM section 6). Where the two planes are one, the face of smaller index
 /// is before the other one of the slave, and none of the master is before any of the slave. Which of two faces lies
 /// before the other is decided exactly where the plane of one has the other on one side, as it has wherever faces
-/// share a vertex and wherever they do not intersect; the part taken is exact but for roundings. `remaining` is
-/// scratch.
-void subtract_hidden(const MasterPrism& prism, const PlacedFace& f, const PlacedFace& g,
+/// share a vertex and wherever they do not intersect; the part taken is exact but for roundings.
+///
+/// Parts that are not certain to have area are dropped, and a part of which g hides nothing certain is not split: it
+/// loses that strip where one part remains, and stays whole where more would. Both change only strips along the borders
+/// of f and g, as wide as these are uncertain. So the parts, which do not overlap, have areas, and are cells between
+/// the sides of those faces that certainly hide some of f: with n of them at most of the order of n^2, and of n where
+/// each meets few of the parts the others leave. Without that, slivers of rounding size along one line (faces that the
+/// lines run in, several at one border) would cut each other to pieces without end. `remaining` is scratch.
+void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const PlacedFace& g,
                      std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, WorkCounters& work);
 
 }  // namespace pcm::fast

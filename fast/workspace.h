@@ -9,6 +9,7 @@
 #include "fast/candidates.h"
 #include "fast/contact.h"
 #include "fast/engine.h"
+#include "fast/line_trace.h"
 #include "fast/placement.h"
 #include "fast/projected_face.h"
 #include "fast/stamped_array.h"
@@ -71,6 +72,11 @@ struct SideState {
   std::vector<double> clipped_area;             ///< of each intersected face
   std::vector<Eigen::Vector3d> clip_origin_Me;  ///< a point of each intersected face's patch
 
+  // Where bounds are wanted, of masters only: what all positions of F's vertices within their rounding boxes agree on.
+  StampedArray<bool> surely_crossed;   ///< by face: in a crossing pair in all of them
+  StampedArray<bool> undecided;        ///< by face: active in some, not in others
+  std::vector<Index> undecided_faces;  ///< all that are `undecided`
+
   const Surface::Data& surface() const { return posed.surface(); }
 };
 
@@ -107,6 +113,9 @@ struct Workspace::Data {
   std::vector<Index> nodes;                         ///< stack of the traversals of one tree
   std::vector<std::pair<double, Index>> ray_nodes;  ///< the same, with the distance at which a ray enters each
   std::vector<Index> stack;                         ///< of the floods over a mesh
+  std::vector<std::pair<Index, Index>>
+      candidates;        ///< face pairs (E, F) whose boxes may touch; where bounds are wanted
+  LineTrace line_trace;  ///< of the line at hand, where bounds are wanted
   std::vector<CrossingNode> crossings;
   CrossingIndex crossing_index;
   std::vector<Polygon> polygons;
@@ -124,6 +133,7 @@ struct Workspace::Data {
   Contact contact;
 
   SideState& side(Side s) { return sides[static_cast<std::size_t>(s)]; }
+  const SideState& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
 };
 
 }  // namespace pcm::fast

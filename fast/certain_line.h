@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fast/element_error.h"
+#include "fast/penetration.h"
+
+namespace pcm::fast {
+
+/// What the penetration line of a master face finds in the exact problem (PCM section 1).
+struct CertainLine {
+  enum class Finding : std::uint8_t {
+    no_element,  ///< surely none
+    element,     ///< surely one, with the slave face that the engine found
+    unknown,     ///< one or none, no deeper than `greatest_depth`
+  };
+  Finding finding = Finding::unknown;
+  double greatest_depth = 0;  ///< m
+};
+
+/// How far from the computed line the exact problem's line and faces may be, m, wherever any surface reaches: what the
+/// search has to be traced with.
+double tube_radius(const Workspace::Data& workspace, const FaceError& error, const Eigen::Vector3d& rounding_Me);
+
+/// Decides what every choice of F's vertices within their rounding boxes leaves of the engine's decisions about a line
+/// (which slave face it meets first, in which direction, at q > 0, and that no other face of the master comes before).
+/// Floating point only, one-sided: `element` and `no_element` are certain, `unknown` may be too careful.
+/// `first_met` is the slave face that the engine met first, -1 where it met none. `rounding_Me` bounds the rounding of
+/// F's vertices. What the engine's search came upon, traced with the tube's radius, mostly saves the search; an empty
+/// trace will do. At most O(log n).
+CertainLine follow_certainly(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                             const FaceError& error, Index first_met, const LineTrace& trace,
+                             const Eigen::Vector3d& rounding_Me);
+
+}  // namespace pcm::fast

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/force_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fast/certain_activity.h"
+#include "fast/certain_line.h"
+#include "fast/element_error.h"
+#include "fast/force_error.h"
+#include "fast/vertex_rounding.h"
+
+namespace pcm::fast {
+
+namespace {
+
+/// What is no number came of an overflow and promises nothing.
+Eigen::Vector3d number_or_infinity(const Eigen::Vector3d& bound) {
+  return bound.unaryExpr([](double x) { return x >= 0 ? x : std::numeric_limits<double>::infinity(); });
+}
+
+bool is_active(const SideState& side, Index face) {
+  return side.is_intersected.contains(face) || std::binary_search(side.inner.begin(), side.inner.end(), face);
+}
+
+}  // namespace
+
+MasterBound::MasterBound(Workspace::Data& workspace, Side master, const ForceProblem& problem)
+    : workspace_(workspace),
+      problem_(problem),
+      master_(master),
+      rounding_Me_(greatest_vertex_rounding(workspace.side(Side::F).surface(), problem.pose)) {
+  find_undecided_faces(workspace, master, rounding_Me_);
+}
+
+Eigen::Vector3d MasterBound::rounding_of(Side side, Index face) const {
+  if (side == Side::E) return Eigen::Vector3d::Zero();
+  return face_rounding(workspace_.side(side).surface(), problem_.pose, face);
+}
+
+LineTrace* MasterBound::begin_face(Index face, const FaceGeometry& geometry) {
+  face_ = FaceError(geometry, rounding_of(master_, face));
+  // The exact line, and the slave's faces, both within their own rounding.
+  workspace_.line_trace.radius = 2 * tube_radius(workspace_, face_, rounding_Me_);
+  return &workspace_.line_trace;
+}
+
+void MasterBound::add_element(const FaceGeometry& geometry, const Element& element, const MasterForce& total) {
+  using Finding = CertainLine::Finding;
+  ElementError error;
+  error.area = face_.area;
+  error.normal = face_.normal;
+  error.foot_Me = face_.barycentre_Me;
+  const Side slave = opposite(master_);
+  // Of both faces, one is F's.
+  const Eigen::Vector3d rounding_Me =
+      rounding_of(master_, element.master_face) + rounding_of(slave, element.slave_face);
+  error.penetration = depth_error(
+      geometry, face_, workspace_.side(slave).posed.face_Me(element.slave_face, workspace_.contact.work), rounding_Me);
+  const CertainLine line = follow_certainly(workspace_, master_, element.master_face, geometry, face_,
+                                            element.slave_face, workspace_.line_trace, rounding_Me_);
+  const bool decided = line.finding == Finding::element &&
+                       !workspace_.side(master_).undecided.contains(element.master_face) &&
+                       element.penetration > 2 * error.penetration;
+  if (decided) {
+    const ElementForceError bound = force_error(problem_, element, error);
+    sum_.force_Me += bound.force_Me;
+    sum_.torque_Me += bound.torque_Me;
+  } else {
+    const Eigen::Vector3d lever = element.position_Me - problem_.pose.r;
+    sum_.force_Me += element.force_Me.cwiseAbs();
+    sum_.torque_Me += Eigen::Vector3d::Constant(lever.lpNorm<1>() * element.force_Me.lpNorm<1>());
+    add_possible_element(element.area + error.area, line.greatest_depth, geometry, error.foot_Me);
+  }
+  sum_.force_Me += kUnitRoundoff * total.force_Me.cwiseAbs();
+  sum_.torque_Me += kUnitRoundoff * total.torque_Me.cwiseAbs();
+}
+
+void MasterBound::add_no_element(Index face, const FaceGeometry& geometry, Index first_met) {
+  const CertainLine line =
+      follow_certainly(workspace_, master_, face, geometry, face_, first_met, workspace_.line_trace, rounding_Me_);
+  if (line.finding == CertainLine::Finding::no_element) return;
+  add_possible_element(geometry.area + face_.area, line.greatest_depth, geometry, face_.barycentre_Me);
+}
+
+void MasterBound::add_inactive_faces() {
+  SideState& side = workspace_.side(master_);
+  for (const Index face : side.undecided_faces) {
+    if (is_active(side, face)) continue;
+    const FaceGeometry geometry(side.posed.face_Me(face, workspace_.contact.work));
+    begin_face(face, geometry)->clear();
+    add_no_element(face, geometry, -1);
+  }
+}
+
+void MasterBound::add_possible_element(double area, double depth, const FaceGeometry& geometry,
+                                       const Eigen::Vector3d& foot_error) {
+  const GreatestForce greatest = greatest_force(problem_, area, depth, geometry.barycentre_Me(), foot_error);
+  sum_.flipped = true;
+  sum_.force_Me += Eigen::Vector3d::Constant(greatest.force);
+  sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
+}
+
+void MasterBound::promise_nothing() {
+  const SideState& side = workspace_.side(master_);
+  if (side.intersected.empty() && side.inner.empty() && side.undecided_faces.empty()) return;
+  sum_.force_Me.setConstant(std::numeric_limits<double>::infinity());
+  sum_.torque_Me = sum_.force_Me;
+  sum_.flipped = true;
+}
+
+ForceBound MasterBound::result() const {
+  return {number_or_infinity(kBoundMargin * sum_.force_Me), number_or_infinity(kBoundMargin * sum_.torque_Me),
+          sum_.flipped};
+}
+
+ForceBound mean_bound(const MasterBound& on_E, const MasterBound& on_F, const Contact& contact) {
+  const ForceBound E = on_E.result(), F = on_F.result();
+  return {number_or_infinity(0.5 * (E.force_Me + F.force_Me) +
+                             kBoundMargin * kUnitRoundoff * (contact.force_Me.cwiseAbs() + E.force_Me + F.force_Me)),
+          number_or_infinity(0.5 * (E.torque_Me + F.torque_Me) +
+                             kBoundMargin * kUnitRoundoff * (contact.torque_Me.cwiseAbs() + E.torque_Me + F.torque_Me)),
+          E.flipped || F.flipped};
+}
+
+}  // namespace pcm::fast

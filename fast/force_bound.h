@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fast/contact_elements.h"
+#include "fast/element_error.h"
+#include "fast/geometry.h"
+#include "fast/penetration.h"
+
+namespace pcm::fast {
+
+/// Gathers a rigorous bound on the errors of one master's force and torque against the exact problem (PCM section 1),
+/// barycentric scheme, while its elements are being summed. Of the clipped scheme it promises nothing.
+///
+/// A face whose decisions (is it active, which slave face does its line meet first, is q > 0, does no other face of the
+/// master come before) are the same for all positions of F's vertices within their rounding adds the error of its
+/// element, a running error analysis: fast/element_error.h, fast/force_error.h. Any other face may carry an element in
+/// one problem and none, or another one, in the other: it adds what it has and what it might have at most, and
+/// `flipped` is set. The rounding of the sums comes on top.
+///
+/// All bounds are finite but where the element's own numbers come near the end of the range of doubles.
+class MasterBound {
+ public:
+  /// Needs the active areas of the pose and its candidate pairs.
+  MasterBound(Workspace::Data& workspace, Side master, const ForceProblem& problem);
+
+  /// To be called for each active face before its line is followed, and traced into what is returned.
+  LineTrace* begin_face(Index face, const FaceGeometry& geometry);
+  /// The face's element, as it was added to the sum; `total` is the sum after it.
+  void add_element(const FaceGeometry& geometry, const Element& element, const MasterForce& total);
+  /// Or that it has none; `first_met` as find_penetration has it.
+  void add_no_element(Index face, const FaceGeometry& geometry, Index first_met);
+  /// The faces that are not active in the rounded problem, but may be in the exact one.
+  void add_inactive_faces();
+
+  /// In place of all the above, for the clipped scheme, whose parts of faces have no such bound: infinite, and
+  /// flipped, where any face is active or may be.
+  void promise_nothing();
+
+  ForceBound result() const;
+
+ private:
+  Eigen::Vector3d rounding_of(Side side, Index face) const;
+  void add_possible_element(double area, double depth, const FaceGeometry& geometry, const Eigen::Vector3d& foot_error);
+
+  Workspace::Data& workspace_;
+  const ForceProblem& problem_;
+  Side master_;
+  Eigen::Vector3d rounding_Me_;  ///< of any vertex of F
+  FaceError face_;               ///< of the face begun
+  ForceBound sum_;
+};
+
+/// The bound of mode `both`, whose force and torque are in `contact`.
+ForceBound mean_bound(const MasterBound& on_E, const MasterBound& on_F, const Contact& contact);
+
+}  // namespace pcm::fast

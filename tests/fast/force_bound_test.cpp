@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/fast/engine_support.h"
+
+/// What the engine promises about its bounds that needs no oracle; tests/compare/force_bound_test.cpp holds them to the
+/// truth.
+namespace pcm::fast {
+namespace {
+
+using namespace test;
+
+Wanted with_bound() {
+  Wanted wanted;
+  wanted.bound = true;
+  return wanted;
+}
+
+ContactLaw dry_friction() {
+  ContactLaw law = stiffness(1000);
+  law.friction = 0.5;
+  return law;
+}
+
+TEST(ForceBound, ChangesNoBitOfTheAnswer) {
+  const Surface bubble(generate::bubble());
+  ContactLaw law = dry_friction();
+  law.damping = 100;
+  const Pairing pairing(bubble, bubble, law, Mode::both);
+  const Velocity velocity{{0.1, 0.2, -0.3}, {0.4, -0.5, 0.6}};
+  Workspace plain, bounded;
+  for (int i = 0; i < 20; ++i) {
+    const Pose pose = turned(0.3 * i, {0.05, 0.1, 0.12});
+    const Contact& a = evaluate(pairing, pose, velocity, {}, plain);
+    const Contact& b = evaluate(pairing, pose, velocity, with_bound(), bounded);
+    EXPECT_FALSE(a.bound.has_value());
+    ASSERT_TRUE(b.bound.has_value());
+    EXPECT_FALSE(b.bound->flipped);
+    EXPECT_EQ(a.force_Me, b.force_Me);
+    EXPECT_EQ(a.torque_Me, b.torque_Me);
+    EXPECT_EQ(a.too_deep, b.too_deep);
+    EXPECT_EQ(a.max_penetration, b.max_penetration);
+    EXPECT_EQ(a.volume, b.volume);
+    ASSERT_EQ(a.elements.size(), b.elements.size());
+    EXPECT_GT(a.elements.size(), 0u);
+    for (std::size_t k = 0; k < a.elements.size(); ++k) {
+      EXPECT_EQ(a.elements[k].slave_face, b.elements[k].slave_face);
+      EXPECT_EQ(a.elements[k].force_Me, b.elements[k].force_Me);
+    }
+  }
+}
+
+TEST(ForceBound, ImpliesTheForce) {
+  Wanted only_bound{false, false, false, false, true};
+  const TriangleMesh box = generate::box({2, 2, 2}), ball = generate::icosphere(1, 2);
+  const Contact contact = answer(box, ball, turned(0.4, {0, 0, 1.8}), stiffness(1), Mode::E, {}, only_bound);
+  const Contact usual = answer(box, ball, turned(0.4, {0, 0, 1.8}), stiffness(1));
+  EXPECT_EQ(contact.force_Me, usual.force_Me);
+  EXPECT_TRUE(contact.bound.has_value());
+}
+
+TEST(ForceBound, IsZeroWhereTheSurfacesAreApart) {
+  const TriangleMesh box = generate::box({2, 2, 2});
+  for (const Mode mode : {Mode::E, Mode::both}) {
+    const Contact contact = answer(box, box, turned(0.4, {5, 0, 0}), stiffness(1), mode, {}, with_bound());
+    EXPECT_EQ(contact.bound->force_Me, Eigen::Vector3d::Zero());
+    EXPECT_EQ(contact.bound->torque_Me, Eigen::Vector3d::Zero());
+    EXPECT_FALSE(contact.bound->flipped);
+  }
+}
+
+TEST(ForceBound, GrowsWithTheDistanceFromTheOrigin) {
+  const TriangleMesh E = generate::icosphere(1, 2), F = generate::icosphere(1, 2);
+  double previous = 0;
+  for (const double far : {1.0, 1e3, 1e6}) {
+    const Eigen::Vector3d at(far, 0, 0);
+    const Contact contact = answer(translated(E, at), F, turned(0.4, at + Eigen::Vector3d(0.3, 0.4, 1.7)), stiffness(1),
+                                   Mode::E, {}, with_bound());
+    EXPECT_FALSE(contact.bound->flipped);
+    EXPECT_GT(contact.bound->force_Me.norm(), 10 * previous);
+    previous = contact.bound->force_Me.norm();
+  }
+}
+
+TEST(ForceBound, OfDryFrictionWithoutSlipIsTheJump) {
+  const TriangleMesh box = generate::box({2, 2, 2}), ball = generate::icosphere(1, 2);
+  // The slip velocity is 0 in floating point, and in truth anything within its rounding.
+  const Velocity normal_to_the_plate{{0, 0, -1}, {0.5, 0.5, 0}};
+  Pose pose = turned(0.4, {0, 0, 1.8});
+  const Contact contact = answer(box, ball, pose, dry_friction(), Mode::E, normal_to_the_plate, with_bound());
+  const Contact at_rest = answer(box, ball, pose, dry_friction(), Mode::E, {}, with_bound());
+  const Contact elastic = answer(box, ball, pose, stiffness(1000), Mode::E, {}, with_bound());
+  ASSERT_EQ(contact.element_count, 2);
+  EXPECT_LE(at_rest.bound->force_Me.maxCoeff(), 2 * elastic.bound->force_Me.maxCoeff());
+
+  Velocity along_normal;
+  along_normal.v = {0, 0, -1};
+  const Contact stuck = answer(box, ball, pose, dry_friction(), Mode::E, along_normal, with_bound());
+  const double limit = 0.5 * stuck.force_Me.norm();
+  EXPECT_GE(stuck.bound->force_Me[0], limit);
+  EXPECT_LE(stuck.bound->force_Me[0], 2.1 * limit);
+  EXPECT_FALSE(stuck.bound->flipped);
+  EXPECT_LT(contact.bound->force_Me[0], 1e-9 * limit);
+}
+
+TEST(ForceBound, IsFiniteAndFlippedWhereFacesLieInOnePlane) {
+  const TriangleMesh box = generate::gridded_box(2, 2);
+  for (const Eigen::Vector3d& r : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(0, 0, 1)}) {
+    for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
+      const Contact contact = answer(box, box, shifted(r[0], r[1], r[2]), stiffness(1), mode, {}, with_bound());
+      EXPECT_TRUE(contact.bound->flipped);
+      EXPECT_TRUE(contact.bound->force_Me.allFinite());
+      EXPECT_TRUE(contact.bound->torque_Me.allFinite());
+    }
+  }
+}
+
+TEST(ForceBound, OfAnUndecidedElementCoversItsWholeForce) {
+  // One corner of the box reaches through the plate by less than the rounding of its vertices.
+  const TriangleMesh plate = generate::box({4, 4, 1}), box = generate::box({1, 1, 1});
+  bool flipped = false;
+  for (const double depth : {0.0, 0x1p-53, 0x1p-52, 0x1p-51}) {
+    const Contact contact = answer(plate, box, shifted(0, 0, 1 - depth), stiffness(1), Mode::both, {}, with_bound());
+    flipped = flipped || contact.bound->flipped;
+    if (contact.bound->flipped) {
+      EXPECT_GE(contact.bound->force_Me[2], std::abs(contact.force_Me[2]));
+    }
+    EXPECT_LT(contact.bound->force_Me[2], 1e-13);
+  }
+  EXPECT_TRUE(flipped);
+}
+
+}  // namespace
+}  // namespace pcm::fast

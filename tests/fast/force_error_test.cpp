@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/force_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+
+#include "fast/contact_force.h"
+
+/// The force law's error bounds against the law in long double at geometry moved within its errors: to the ends of
+/// them more often than not. Errors from none at all (roundings alone) to a tenth of the values (no term of higher
+/// order may be missing).
+namespace pcm::fast {
+namespace {
+
+using Real = long double;
+using RealVector = Eigen::Matrix<Real, 3, 1>;
+
+struct TrueForce {
+  RealVector force, torque;
+};
+
+/// PCM (12)-(22) as they are written there.
+TrueForce true_force(const ContactLaw& law, const Pose& pose, const Velocity& velocity, Side master, Real area,
+                     Real depth, const RealVector& n, const RealVector& foot) {
+  Real c_l = law.stiffness, share = 0.5L;
+  if (law.layers) {
+    const Real c_E = law.layers->c_E, c_F = law.layers->c_F;
+    c_l = std::isinf(c_F) ? c_E : c_E * c_F / (c_E + c_F);
+    share = std::isinf(c_F) ? (master == Side::E ? 1 : 0) : (master == Side::E ? c_F : c_E) / (c_E + c_F);
+  }
+  const Real u_k = std::min(depth, static_cast<Real>(law.max_penetration));
+  const RealVector lever = foot + share * u_k * n - pose.r.cast<Real>();
+  RealVector v_k = velocity.v.cast<Real>() + velocity.w.cast<Real>().cross(lever);
+  if (master == Side::F) v_k = -v_k;
+  const Real v_n = n.dot(v_k);
+  const RealVector slip = v_k - v_n * n;
+  const Real v_t = slip.norm();
+  const Real fade = u_k < law.transition_depth ? u_k / law.transition_depth : 1;
+  Real damping = law.damping * area * v_n * fade;
+  if (law.damping_mode == DampingMode::compression) damping = std::max(damping, Real(0));
+  Real F_n = c_l * area * u_k + damping;
+  if (law.damping_mode == DampingMode::no_tension) F_n = std::max(F_n, Real(0));
+  Real F_t = law.friction * std::max(F_n, Real(0));
+  if (v_t < law.slip_velocity) F_t *= v_t / law.slip_velocity * (2 - v_t / law.slip_velocity);
+  RealVector force = F_n * n;
+  if (v_t > 0) force += F_t * (slip / v_t);
+  if (master == Side::F) force = -force;
+  return {force, lever.cross(force)};
+}
+
+/// A law, and which motion makes the law's sharp places likely.
+struct Example {
+  const char* name;
+  ContactLaw law;
+  double speed;
+  double least_ratio;  ///< the bound is no looser than that
+};
+
+void PrintTo(const Example& example, std::ostream* out) {
+  *out << example.name;
+}
+
+ContactLaw made(double damping, double transition, double friction, double slip,
+                DampingMode mode = DampingMode::no_tension) {
+  ContactLaw law;
+  law.stiffness = 1e5;
+  law.damping = damping;
+  law.transition_depth = transition;
+  law.friction = friction;
+  law.slip_velocity = slip;
+  law.damping_mode = mode;
+  return law;
+}
+
+ContactLaw layered(ContactLaw law, double c_E, double c_F) {
+  law.layers = LayerStiffness{c_E, c_F};
+  return law;
+}
+
+ContactLaw clamped(ContactLaw law, double max_penetration) {
+  law.max_penetration = max_penetration;
+  return law;
+}
+
+class ForceErrorOf : public testing::TestWithParam<Example> {};
+
+TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
+  const Example& example = GetParam();
+  std::mt19937_64 random(91);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&] {
+    const double x = unit(random), y = unit(random), z = unit(random);
+    return Eigen::Vector3d(x, y, z);
+  };
+  const auto end = [&] { return random() % 3 == 0 ? unit(random) : (random() % 2 == 0 ? 1.0 : -1.0); };
+  double greatest = 0;
+  for (int trial = 0; trial < 40000; ++trial) {
+    Pose pose;
+    pose.r = vector();
+    const Velocity velocity{example.speed * std::exp2(-8 * std::abs(unit(random))) * vector(),
+                            example.speed * std::exp2(-8 * std::abs(unit(random))) * vector()};
+    const ForceProblem problem{
+        Scheme::barycentric, example.law, SeriesStiffness(example.law), pose, velocity, true, false, true};
+    const double scale = trial % 4 == 0 ? 0 : std::pow(10.0, -1 - 12 * std::abs(unit(random)));
+    Element element;
+    element.master = random() % 2 == 0 ? Side::E : Side::F;
+    element.area = 0.01 * (1.1 + unit(random));
+    const double depth = 0.01 * (1.01 + unit(random));
+    element.penetration = std::min(depth, example.law.max_penetration);
+    element.normal_Me = vector().normalized();
+    const Eigen::Vector3d foot = vector();
+    apply_force(problem, foot, element);
+
+    // One kind of error at a time, or all of them.
+    const auto which = random() % 5;
+    ElementError error;
+    if (which == 0 || which == 4) error.area = scale * element.area;
+    if (which == 1 || which == 4) error.penetration = scale * depth;
+    if (which == 2 || which == 4) error.normal = scale;
+    if (which == 3 || which == 4) error.foot_Me = scale * vector().cwiseAbs();
+    const Eigen::Vector3d turn = vector().normalized();
+    const RealVector n =
+        (element.normal_Me.cast<Real>().normalized() + Real(error.normal * 0.99) * turn.cast<Real>()).normalized();
+    error.normal = std::max(error.normal, static_cast<double>(1.0001L * (n - element.normal_Me.cast<Real>()).norm()));
+    const Eigen::Vector3d ends(end(), end(), end());
+    const RealVector true_foot = foot.cast<Real>() + error.foot_Me.cwiseProduct(ends).cast<Real>();
+    const TrueForce truth =
+        true_force(example.law, pose, velocity, element.master, Real(element.area) + Real(error.area) * Real(end()),
+                   Real(depth) + Real(error.penetration) * Real(end()), n, true_foot);
+
+    const ElementForceError bound = force_error(problem, element, error);
+    const Eigen::Vector3d torque = (element.position_Me - pose.r).cross(element.force_Me);
+    for (int k = 0; k < 3; ++k) {
+      const auto force_off = static_cast<double>(std::abs(truth.force[k] - Real(element.force_Me[k])));
+      const auto torque_off = static_cast<double>(std::abs(truth.torque[k] - Real(torque[k])));
+      ASSERT_LE(force_off, bound.force_Me[k]) << "trial " << trial << " errors " << which << " times " << scale;
+      ASSERT_LE(torque_off, bound.torque_Me[k]) << "trial " << trial << " errors " << which << " times " << scale;
+      greatest = std::max({greatest, force_off / bound.force_Me[k], torque_off / bound.torque_Me[k]});
+    }
+    const GreatestForce most =
+        greatest_force(problem, element.area + error.area, depth + error.penetration, foot, error.foot_Me);
+    ASSERT_LE(static_cast<double>(truth.force.norm()), most.force);
+    ASSERT_LE(static_cast<double>(truth.torque.norm()), most.torque);
+  }
+  std::printf("  %s: greatest error over its bound %.3f\n", example.name, greatest);
+  EXPECT_GE(greatest, example.least_ratio);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Laws, ForceErrorOf,
+    testing::Values(Example{"Elastic", made(0, 0, 0, 0), 0, 0.5},
+                    Example{"Layers", layered(made(0, 0, 0, 0), 3e5, 7e4), 0, 0.5},
+                    Example{"Clamped", clamped(made(0, 0, 0, 0), 0.01), 0, 0.5},
+                    Example{"Damping", made(1e5, 0, 0, 0), 1, 0.5},
+                    Example{"FadingDamping", made(1e6, 0.02, 0, 0), 1, 0.5},
+                    Example{"FullDamping", layered(made(1e5, 0.01, 0, 0, DampingMode::full), 1e5, HUGE_VAL), 1, 0.5},
+                    Example{"CompressionDamping", made(1e5, 0.01, 0, 0, DampingMode::compression), 1, 0.5},
+                    Example{"DryFriction", made(0, 0, 0.5, 0), 1e-3, 0.3},
+                    Example{"RegularisedFriction", made(0, 0, 10, 1), 1, 0.3},
+                    Example{"SteepFriction", made(0, 0, 10, 1e-3), 1e-3, 0.3},
+                    Example{"Everything", clamped(layered(made(1e5, 0.01, 0.5, 0.1), 3e5, 7e4), 0.015), 1, 0.3}),
+    [](const testing::TestParamInfo<Example>& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace pcm::fast
