@@ -11,7 +11,7 @@
 namespace pcm::compare {
 
 /// `pcm verify --error-budget`: prints the three kinds of error of the smooth bodies over resolutions, on `jobs`
-/// threads, and writes them into the folder as error_budget.md.
+/// threads, and writes the tables into the folder: error_budget.md, .csv and .json and a page a case.
 Exit verify_error_budget(Extent extent, int jobs, const std::optional<std::filesystem::path>& folder);
 
 }  // namespace pcm::compare
