@@ -243,7 +243,9 @@ void add_verify_command(CLI::App& program, Run& run) {
   command->footer(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
       "jobs. A summary is printed; the tables by pair and stratum are written to --out. The last line printed is the\n"
-      "verdict; the exit status is 1 with a disagreement or when interrupted.\n"
+      "verdict; the exit status is 1 with a disagreement or when interrupted. Known answers and error budget: 1 when "
+      "any\n"
+      "row is out of its bounds; the tables and a page for each case are written to --out.\n"
       "Examples:\n"
       "  pcm verify --poses 200000 --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
