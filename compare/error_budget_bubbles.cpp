@@ -64,7 +64,8 @@ BudgetCase bubble_on_bubble(Extent extent) {
   pair.problem =
       "the paper's bubbles, 0.40 m long (950 faces at the coarsest level), pressed by 0.02 m into each other from many "
       "sides";
-  pair.reference = "integral of the penetration over the smooth bubble, by quadrature over 1500 x 3000 points (to 1e-5)";
+  pair.reference =
+      "integral of the penetration over the smooth bubble, by quadrature over 1500 x 3000 points (to 1e-5)";
   pair.levels = budget_levels(extent);
   pair.in_words = [](std::size_t level) {
     return fmt::format("bubbles {}", 50 * finer(level) * (20 * finer(level) - 1));
