@@ -73,6 +73,13 @@ long double journal_in_bore_bore_master(long double r, long double R, long doubl
   return 2 * R * integral(pressure, 0, hollow_contact_angle(r, R, d));
 }
 
+long double sphere_on_sphere(long double r, long double R, long double a) {
+  const auto pressure = [=](long double t) {
+    return (r - a * std::cos(t) + std::sqrt(R * R - squared(a * std::sin(t)))) * std::cos(t) * std::sin(t);
+  };
+  return 2 * kPi * r * r * integral(pressure, 0, std::acos((a * a + r * r - R * R) / (2 * a * r)));
+}
+
 long double hertz_equal_at(long double r, long double equal_at, long double h) {
   return kPi * r * equal_at * equal_at * std::pow(h / equal_at, 1.5L);
 }

@@ -34,6 +34,10 @@ long double sphere_in_socket_socket_master(long double r, long double R, long do
 long double journal_in_bore_journal_master(long double r, long double R, long double d);
 long double journal_in_bore_bore_master(long double r, long double R, long double d);
 
+/// Sphere of radius r, the master, pressed into one of radius R, their centres a apart, sqrt(r^2 + R^2) < a < r + R:
+/// the same integral of u = r - a cos t + sqrt(R^2 - a^2 sin^2 t).
+long double sphere_on_sphere(long double r, long double R, long double a);
+
 /// Hertz (1882), sphere on half-space: (4/3) E* sqrt(r) h^1.5, with E* such that it equals the elastic foundation's
 /// force (sphere master) at the depth `equal_at`: equal_at = (4 E* / (3 pi K))^2 / r.
 long double hertz_equal_at(long double r, long double equal_at, long double h);

@@ -19,7 +19,7 @@ void write_tables(const std::filesystem::path& folder, const KnownAnswersReport&
   for (const KnownAnswerResult& result : report.problems)
     write_text_file(folder / (result.problem.id + ".md"), problem_markdown(result));
   write_text_file(folder / "identities.md", identities_markdown(report.identities));
-  write_text_file(folder / "known_answers.csv", known_answers_csv(report));
+  write_text_file(folder / "known_answers.csv", rows_csv(report.problems));
   write_text_file(folder / "identities.csv", identities_csv(report.identities));
   write_text_file(folder / "known_answers.json", known_answers_json(report).dump(1) + "\n");
 }

@@ -39,7 +39,7 @@ std::vector<Task> tasks_of(const KnownAnswer& problem) {
 
 LevelResult summarize(const Series& series, const std::vector<double>& values) {
   LevelResult result;
-  long double sum = 0;
+  long double sum = 0, squares = 0;
   result.least = std::numeric_limits<double>::infinity();
   result.greatest = -result.least;
   for (const double value : values) {
@@ -47,10 +47,12 @@ LevelResult summarize(const Series& series, const std::vector<double>& values) {
     const auto deviation = static_cast<double>((value - series.reference) / series.scale);
     result.least = std::min(result.least, deviation);
     result.greatest = std::max(result.greatest, deviation);
+    squares += static_cast<long double>(deviation) * deviation;
   }
   const long double mean = sum / static_cast<long double>(values.size());
   result.value = static_cast<double>(mean);
   result.deviation = static_cast<double>((mean - series.reference) / series.scale);
+  result.rms = static_cast<double>(std::sqrt(squares / static_cast<long double>(values.size())));
   return result;
 }
 

@@ -79,6 +79,7 @@ struct LevelResult {
   double deviation = 0;  ///< (mean - reference) / scale
   double least = 0;      ///< deviation of the orientations apart
   double greatest = 0;
+  double rms = 0;  ///< root of their mean square
 };
 
 /// What the levels of a series say together.

@@ -84,6 +84,7 @@ nlohmann::ordered_json json(const Series& series, const SeriesResult& result) {
                              {"deviation", found.deviation},
                              {"deviation_least", found.least},
                              {"deviation_greatest", found.greatest},
+                             {"deviation_rms", found.rms},
                              {"deviation_expected", json(level.deviation)}});
   }
   row["misses"] = result.misses;
@@ -156,18 +157,19 @@ std::string problem_markdown(const KnownAnswerResult& result) {
   }
   page +=
       "\n## Levels\n\n`edge`: root mean square edge length or cell, m; `across`: width of the contact in edges; "
-      "`least` and `greatest`: deviations of single orientations.\n\n"
-      "| quantity | mode | scheme | meshes | edge | faces | across | value | deviation | least | greatest | expected "
-      "|\n|---|---|---|---|--:|--:|--:|--:|--:|--:|--:|---|\n";
+      "`least`, `greatest` and `rms` (root mean square): deviations of single orientations.\n\n"
+      "| quantity | mode | scheme | meshes | edge | faces | across | value | deviation | least | greatest | rms | "
+      "expected |\n|---|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
   for (std::size_t s = 0; s < problem.series.size(); ++s) {
     const Series& series = problem.series[s];
     for (std::size_t l = 0; l < series.levels.size(); ++l) {
       const Resolution& level = series.levels[l];
       const LevelResult& found = result.series[s].levels[l];
-      page += fmt::format("| {} | {} | {} | {} | {:.4g} | {} | {} | {:.9g} | {:.3e} | {:.3e} | {:.3e} | {} |\n",
-                          series.quantity, name(series.mode), name(series.scheme), level.meshes, level.edge,
-                          level.faces, level.across > 0 ? fmt::format("{:.1f}", level.across) : "-", found.value,
-                          found.deviation, found.least, found.greatest, text(level.deviation));
+      page +=
+          fmt::format("| {} | {} | {} | {} | {:.4g} | {} | {} | {:.9g} | {:.3e} | {:.3e} | {:.3e} | {:.3e} | {} |\n",
+                      series.quantity, name(series.mode), name(series.scheme), level.meshes, level.edge, level.faces,
+                      level.across > 0 ? fmt::format("{:.1f}", level.across) : "-", found.value, found.deviation,
+                      found.least, found.greatest, found.rms, text(level.deviation));
     }
   }
   for (std::size_t s = 0; s < problem.series.size(); ++s)
@@ -190,13 +192,14 @@ std::string identities_markdown(const std::vector<IdentityResult>& identities) {
   return page;
 }
 
-std::string known_answers_csv(const KnownAnswersReport& report) {
+std::string rows_csv(const std::vector<KnownAnswerResult>& problems) {
   std::string table =
       "case,quantity,mode,scheme,reference,meshes,edge,faces,edges_across,value,deviation,deviation_least,"
-      "deviation_greatest,expected_least,expected_greatest,order,order_of_values,richardson,grid_convergence_index,"
+      "deviation_greatest,deviation_rms,expected_least,expected_greatest,order,order_of_values,richardson,grid_"
+      "convergence_index,"
       "met\n";
   const auto number = [](const std::optional<double>& x) { return x.has_value() ? fmt::format("{}", x.value()) : ""; };
-  for (const KnownAnswerResult& result : report.problems)
+  for (const KnownAnswerResult& result : problems)
     for (std::size_t s = 0; s < result.series.size(); ++s) {
       const Series& series = result.problem.series[s];
       const SeriesResult& row = result.series[s];
@@ -204,10 +207,11 @@ std::string known_answers_csv(const KnownAnswersReport& report) {
         const Resolution& level = series.levels[l];
         const LevelResult& found = row.levels[l];
         const bool finest = l + 1 == series.levels.size();
-        table += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", result.problem.id, quoted(series.quantity),
-                             name(series.mode), name(series.scheme), static_cast<double>(series.reference),
-                             quoted(level.meshes), level.edge, level.faces, level.across, found.value, found.deviation,
-                             found.least, found.greatest, level.deviation.least, level.deviation.greatest);
+        table +=
+            fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", result.problem.id, quoted(series.quantity),
+                        name(series.mode), name(series.scheme), static_cast<double>(series.reference),
+                        quoted(level.meshes), level.edge, level.faces, level.across, found.value, found.deviation,
+                        found.least, found.greatest, found.rms, level.deviation.least, level.deviation.greatest);
         const Convergence& c = row.convergence;
         table += finest ? fmt::format(",{},{},{},{}", number(c.order), number(c.order_of_values), number(c.richardson),
                                       number(c.grid_convergence_index))
@@ -226,15 +230,9 @@ std::string identities_csv(const std::vector<IdentityResult>& identities) {
   return table;
 }
 
-nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report) {
-  nlohmann::ordered_json whole;
-  whole["verdict"] = {{"met", report.met()},
-                      {"rows", report.rows()},
-                      {"missed_rows", report.missed_rows()},
-                      {"identities", report.identities.size()},
-                      {"missed_identities", report.missed_identities()}};
-  whole["cases"] = nlohmann::ordered_json::array();
-  for (const KnownAnswerResult& result : report.problems) {
+nlohmann::ordered_json cases_json(const std::vector<KnownAnswerResult>& problems) {
+  nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+  for (const KnownAnswerResult& result : problems) {
     nlohmann::ordered_json page;
     page["id"] = result.problem.id;
     page["title"] = result.problem.title;
@@ -243,8 +241,19 @@ nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report) {
     page["rows"] = nlohmann::ordered_json::array();
     for (std::size_t s = 0; s < result.series.size(); ++s)
       page["rows"].push_back(json(result.problem.series[s], result.series[s]));
-    whole["cases"].push_back(std::move(page));
+    cases.push_back(std::move(page));
   }
+  return cases;
+}
+
+nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report) {
+  nlohmann::ordered_json whole;
+  whole["verdict"] = {{"met", report.met()},
+                      {"rows", report.rows()},
+                      {"missed_rows", report.missed_rows()},
+                      {"identities", report.identities.size()},
+                      {"missed_identities", report.missed_identities()}};
+  whole["cases"] = cases_json(report.problems);
   whole["identities"] = nlohmann::ordered_json::array();
   for (const IdentityResult& i : report.identities)
     whole["identities"].push_back({{"name", i.name},

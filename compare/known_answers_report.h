@@ -35,8 +35,9 @@ std::string problem_markdown(const KnownAnswerResult& result);
 std::string identities_markdown(const std::vector<IdentityResult>& identities);
 
 /// All levels of all rows; all identities.
-std::string known_answers_csv(const KnownAnswersReport& report);
+std::string rows_csv(const std::vector<KnownAnswerResult>& problems);
 std::string identities_csv(const std::vector<IdentityResult>& identities);
+nlohmann::ordered_json cases_json(const std::vector<KnownAnswerResult>& problems);
 nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report);
 
 /// One screen: a line for each problem and each identity, then every miss.

@@ -9,19 +9,21 @@
 
 namespace pcm::generate {
 
-TriangleMesh bubble(double length) {
+TriangleMesh bubble(double length, Index finer) {
   require_length("length", length);
+  require_count("finer", finer, 1, 100);
   constexpr Index kSegments = 25;
   constexpr Index kBands = 20;
   static_assert(2 * kSegments * (kBands - 1) == 950);
   std::vector<ProfilePoint> profile;
-  for (Index j = 0; j <= kBands; ++j) {
-    const auto [cosine, sine] = cosine_sine_of_turn(j, std::int64_t{2} * kBands);
-    const double cosine_of_double = cosine_sine_of_turn(j, kBands).cosine;
+  const std::int64_t bands = std::int64_t{kBands} * finer;
+  for (std::int64_t j = 0; j <= bands; ++j) {
+    const auto [cosine, sine] = cosine_sine_of_turn(j, 2 * bands);
+    const double cosine_of_double = cosine_sine_of_turn(j, bands).cosine;
     const double distance = length / 2 * ((1 + cosine_of_double / 2) / 1.5);
     profile.push_back({distance * sine, 0.0 - distance * cosine});
   }
-  return surface_of_revolution("bubble", profile, kSegments);
+  return surface_of_revolution("bubble", profile, kSegments * finer);
 }
 
 TriangleMesh pyramid(double width, double depth) {

@@ -127,6 +127,14 @@ TEST(GenerateBubbles, BubbleHasNineHundredFiftyFacesAndAConcaveWaist) {
   }
 }
 
+TEST(GenerateBubbles, FinerBubblesKeepTheVerticesOfTheCoarseOne) {
+  const TriangleMesh coarse = generate::bubble(), fine = generate::bubble(0.40, 2);
+  test::expect_closed(fine, 3900);
+  for (Index ring = 1; ring < 20; ++ring)
+    for (Index k = 0; k < 25; ++k)
+      EXPECT_EQ(coarse.vertices[1 + 25 * (ring - 1) + k], fine.vertices[1 + 50 * (2 * ring - 1) + 2 * k]);
+}
+
 TEST(GenerateBubbles, PyramidIsAnOpenContainerOfFourTrianglesFacingUp) {
   const TriangleMesh mesh = generate::pyramid();
   test::expect_open(mesh, 4, 4);
@@ -158,6 +166,7 @@ TEST(Generate, RefusesBadParametersByName) {
     test::expect_refused([&] { generate::gridded_box(1, bad); }, "subdivisions");
     test::expect_refused([&] { generate::plate(1, 1, 0.1, 1, bad); }, "subdivisions_y");
     test::expect_refused([&] { generate::rectangle(1, 1, bad); }, "subdivisions_x");
+    test::expect_refused([&] { generate::bubble(1, bad); }, "finer");
     test::expect_refused([&] { generate::wedge(30, 1, 1, bad); }, "subdivisions");
     test::expect_refused([&] { generate::uv_sphere(1, bad, 4); }, "segments");
     test::expect_refused([&] { generate::uv_sphere(1, 4, bad); }, "bands");
