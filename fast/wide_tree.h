@@ -49,6 +49,7 @@ class WideTree {
   WideTree() = default;
   WideTree(const TriangleMesh& mesh, const BoxTree& tree);
 
+  Index nodes() const { return static_cast<Index>(nodes_.size()); }
   const WideNode& node(Index i) const { return nodes_[static_cast<std::size_t>(i)]; }
   const FaceGroup& group(Index i) const { return groups_[static_cast<std::size_t>(i)]; }
   const Eigen::Vector3d& origin() const { return origin_; }  ///< m
