@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "compare/advice.h"
 #include "compare/contact_json.h"
 #include "compare/law_options.h"
 #include "compare/poses_file.h"
@@ -28,6 +29,7 @@ struct ContactOptions {
   std::string scheme = "barycentric";
   std::optional<std::string> problem;
   bool bound = false;
+  bool advise = false;
   LawOptions law;
 };
 
@@ -60,6 +62,25 @@ void print_line(const Json& answer) {
   flush_output();
 }
 
+/// Calls `look` and then `use` for each state of the file, or for the identity at rest; what `look` throws gets the
+/// file's line.
+template <class Look, class Use>
+void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use& use) {
+  if (!poses) {
+    look(State{});
+    use();
+    return;
+  }
+  while (const std::optional<State> state = poses->next()) {
+    try {
+      look(*state);
+    } catch (const BadInput& error) {
+      throw BadInput(poses->place() + ": " + error.what());
+    }
+    use();
+  }
+}
+
 Exit contact(const ContactOptions& options) {
   const bool by_engine = options.engine == "fast";
   if (by_engine && options.problem)
@@ -75,25 +96,22 @@ Exit contact(const ContactOptions& options) {
   const std::string warning_E = require_fit_or_warn(mesh_E);
   TriangleMesh mesh_F = read_mesh(options.file_F);
   print_warnings(warning_E, require_fit_or_warn(mesh_F));
+  if (options.advise) {
+    Adviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
+    for_each_state(
+        poses, [&](const State& state) { adviser.add(state.pose); }, [] {});
+    std::cout << advice_text(adviser.advice());
+    return Exit::success;
+  }
   const Mode mode = mode_named(options.mode);
   const Scheme scheme = scheme_named(options.scheme);
   const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
   const Evaluate evaluate =
       by_engine ? evaluate_by_engine(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, options.bound)
                 : evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, problem);
-  if (!poses) {
-    print_line(evaluate(State{}));
-    return Exit::success;
-  }
-  while (const std::optional<State> state = poses->next()) {
-    Json answer;
-    try {
-      answer = evaluate(*state);
-    } catch (const BadInput& error) {
-      throw BadInput(poses->place() + ": " + error.what());
-    }
-    print_line(answer);
-  }
+  Json answer;
+  for_each_state(
+      poses, [&](const State& state) { answer = evaluate(state); }, [&] { print_line(answer); });
   return Exit::success;
 }
 
@@ -115,6 +133,11 @@ void add_contact_command(CLI::App& program, Run& run) {
       "A poses file holds one pose a line: 12 numbers, the rotation A by rows, then r (x_E = A x_F + r); or 18, with\n"
       "v and w of F relative to E; decimal or C hexadecimal floats; comments from # on. Without it: A = 1, r = 0, at "
       "rest.\n"
+      "--advise: elements, edges across the contact, error of the barycentric force against the clipped integral "
+      "(median\n"
+      "and greatest), greatest share of one face (what the force jumps by when that is lost), faces too deep, poses "
+      "whose\n"
+      "force is lost or clamped, and times, for E, F and both as masters.\n"
       "Example:\n"
       "  pcm mesh make box -o E.obj\n"
       "  pcm mesh make icosphere --radius=0.5 -o F.obj\n"
@@ -124,24 +147,34 @@ void add_contact_command(CLI::App& program, Run& run) {
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
   command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity, at rest)")
       ->type_name("FILE");
-  command->add_option("--engine", options->engine, "Who answers: fast (default) or reference, the exact oracle")
-      ->type_name("WHO")
-      ->check(CLI::IsMember({"fast", "reference"}));
-  command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")
-      ->type_name("MODE")
-      ->check(CLI::IsMember({"E", "F", "both"}));
+  CLI::Option* engine =
+      command->add_option("--engine", options->engine, "Who answers: fast (default) or reference, the exact oracle")
+          ->type_name("WHO")
+          ->check(CLI::IsMember({"fast", "reference"}));
+  CLI::Option* mode =
+      command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")
+          ->type_name("MODE")
+          ->check(CLI::IsMember({"E", "F", "both"}));
+  CLI::Option* scheme =
+      command
+          ->add_option(
+              "--scheme", options->scheme,
+              "How elements sample the penetration: barycentric (default), once a face, or clipped, its integral")
+          ->type_name("SCHEME")
+          ->check(CLI::IsMember({"barycentric", "clipped"}));
+  CLI::Option* problem =
+      command
+          ->add_option("--problem", options->problem,
+                       "With --engine reference: rounded (default; F's vertices rounded into E's marker) or exact")
+          ->type_name("PROBLEM")
+          ->check(CLI::IsMember({"rounded", "exact"}));
+  CLI::Option* bound =
+      command->add_flag("--bound", options->bound,
+                        "Also rigorous bounds on the rounding errors of force and torque (with --engine fast)");
   command
-      ->add_option("--scheme", options->scheme,
-                   "How elements sample the penetration: barycentric (default), once a face, or clipped, its integral")
-      ->type_name("SCHEME")
-      ->check(CLI::IsMember({"barycentric", "clipped"}));
-  command
-      ->add_option("--problem", options->problem,
-                   "With --engine reference: rounded (default; F's vertices rounded into E's marker) or exact")
-      ->type_name("PROBLEM")
-      ->check(CLI::IsMember({"rounded", "exact"}));
-  command->add_flag("--bound", options->bound,
-                    "Also rigorous bounds on the rounding errors of force and torque (with --engine fast)");
+      ->add_flag("--advise", options->advise,
+                 "Instead: which surface should be master at these poses and why, a table and a sentence")
+      ->excludes(engine, mode, scheme, problem, bound);
   add_law_options(*command, options->law);
   command->callback([options, &run] { run = [options] { return contact(*options); }; });
 }

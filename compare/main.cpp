@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "compare/command_contact.h"
+#include "compare/command_inspect.h"
 #include "compare/command_line.h"
 #include "compare/command_mesh.h"
 #include "compare/command_verify.h"
@@ -64,6 +65,7 @@ Exit run_program(int argc, char** argv) {
       "Example:\n  pcm contact E.obj F.obj\n'pcm COMMAND --help' describes a command.");
   Run run;
   add_contact_command(program, run);
+  add_inspect_command(program, run);
   add_mesh_command(program, run);
   add_verify_command(program, run);
 
