@@ -10,14 +10,12 @@
 #include <numbers>
 #include <string_view>
 
+#include "compare/names.h"
+
 namespace pcm::compare {
 namespace {
 
 constexpr std::array kMasters = {Mode::E, Mode::F, Mode::both};
-
-std::string_view name(Mode mode) {
-  return mode == Mode::E ? "E" : mode == Mode::F ? "F" : "both";
-}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
