@@ -62,7 +62,8 @@ std::string csv(const Table& table) {
     return value.is_string() ? quoted(value.get<std::string>()) : value.dump();
   };
   std::string text;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) text += fmt::format("{}{}", c == 0 ? "" : ",", table.columns[c].key);
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    text += fmt::format("{}{}", c == 0 ? "" : ",", table.columns[c].key);
   text += '\n';
   for (const std::vector<Cell>& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) text += fmt::format("{}{}", c == 0 ? "" : ",", field(row[c].value));
