@@ -3,6 +3,7 @@
 #include "fast/visible_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pcm::fast {
@@ -112,10 +113,14 @@ void append(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
   parts.push_back(second);
 }
 
+double area_of(const ConvexPolygon& polygon) {
+  return polygon.empty() ? 0 : 0.5 * std::abs(twice_area(polygon));
+}
+
 /// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
 /// second, and so on.
 void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<ConvexPolygon>& parts,
-              std::vector<ConvexPolygon>& remaining) {
+              std::vector<ConvexPolygon>& remaining, Neglect& neglect) {
   remaining.clear();
   for (const ConvexPolygon& part : parts) {
     const ConvexPolygon overlap = common(part, set);
@@ -124,6 +129,7 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
       continue;
     }
     const std::size_t before = remaining.size();
+    double dropped = 0;
     ConvexPolygon rest = part;
     for (const HalfPlane& half_plane : set) {
       Heights heights = heights_of(rest, half_plane);
@@ -132,13 +138,20 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
       keep_where_not_negative(rest, heights);
       for (double& height : heights) height = -height;
       keep_where_not_negative(outside, heights);
-      if (certain(outside, uncertainty)) append(outside, remaining);
+      if (certain(outside, uncertainty)) {
+        append(outside, remaining);
+      } else {
+        dropped += area_of(outside);
+      }
       if (rest.empty()) break;
     }
     if (remaining.size() > before + 1 && !certain(overlap, uncertainty)) {
       remaining.resize(before);
       remaining.push_back(part);
+      dropped = area_of(overlap);
     }
+    neglect.area += dropped;
+    neglect.parts += static_cast<int>(remaining.size() - before) + 1;
   }
   std::swap(parts, remaining);
 }
@@ -146,7 +159,8 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
 }  // namespace
 
 void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const PlacedFace& g,
-                     std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, WorkCounters& work) {
+                     std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, Neglect& neglect,
+                     WorkCounters& work) {
   std::array<double, 3> f_over_g;
   const Order order = order_of(g, f, f_over_g, work);
   if (order == Order::after) return;
@@ -159,7 +173,7 @@ void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const 
   if (order == Order::crossing) {
     hidden.add(through(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
   }
-  subtract(hidden, uncertainty, parts, remaining);
+  subtract(hidden, uncertainty, parts, remaining, neglect);
 }
 
 }  // namespace pcm::fast
