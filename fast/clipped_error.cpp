@@ -9,7 +9,6 @@
 #include "fast/vertex_rounding.h"
 
 namespace pcm::fast {
-
 namespace {
 
 constexpr double u = kUnitRoundoff;
@@ -17,26 +16,18 @@ constexpr double u = kUnitRoundoff;
 /// Shifts beyond this are no longer small (fast/prism_error.cpp).
 constexpr double kGreatestShift = 0x1p-6;
 
-/// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.
+/// How far off f's depth may be from g's plane, or g's from f's, by roundings
+/// where the line they meet in is cut.
 double noise_of_crossing(const Footprint& f, const Footprint& g, const PrismError& error) {
-  const auto distance = [&error](const Footprint& face) {
-    const auto& c = face.corners;
-    double sum = 0;
-    for (const PrismPoint& corner : c) {
-      sum += error.distance(std::abs(corner[kS]), std::abs(corner[kT]), std::abs(corner[kDepth]));
-    }
-    return sum;
-  };
-  const auto apart = [](const Footprint& a, const Footprint& b) {
-    double greatest = 0;
-    for (const PrismPoint& c : a.corners) {
-      const double plane =
-          b.depth.value + (b.depth.per_s * (c[kS] - b.depth.s_0) + b.depth.per_t * (c[kT] - b.depth.t_0));
-      greatest = std::max(greatest, std::abs(plane) + std::abs(c[kDepth]));
-    }
-    return greatest;
-  };
-  return g.crossing_noise * (distance(f) + distance(g)) + f.relative_noise * apart(f, g);
+  double farthest = 0, highest = 0;
+  for (const PrismPoint& c : f.corners) {
+    const PrismPoint from_g = c - g.corners[0];
+    farthest = std::max(farthest, error.distance(std::abs(from_g[kS]), std::abs(from_g[kT]), std::abs(from_g[kDepth])));
+    const double plane =
+        g.depth.value + (g.depth.per_s * (c[kS] - g.depth.s_0) + g.depth.per_t * (c[kT] - g.depth.t_0));
+    highest = std::max(highest, std::abs(plane - c[kDepth]));
+  }
+  return g.crossing_noise * farthest + f.relative_noise * highest;
 }
 
 }  // namespace
@@ -100,7 +91,7 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
     const Footprint& f = sight.footprint;
     if (!sight.may_carry) continue;
     if (f.facing == 0) {
-      sight.area_error = sliver_area(f, f.box);
+      sight.area_error = sliver_area(f, f.greatest, f.box);
       sight.volume_error = sight.area_error * f.greatest;
       continue;
     }
@@ -128,32 +119,41 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
       if (!(f.may_carry || g.may_carry)) continue;
       const BoxST box = f.footprint.box.common(g.footprint.box);
       if (box.empty()) continue;
-      if (f.footprint.facing != 0 && g.footprint.facing != 0 && certainly_apart(f.footprint, g.footprint)) continue;
+      double overlap = box.area();
+      if (f.footprint.facing != 0 && g.footprint.facing != 0) {
+        overlap = greatest_overlap(f.footprint, g.footprint, box);
+        if (overlap == 0) continue;
+      }
       for (Sight* const sight : {&f, &g}) {
         if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
       }
-      if (f.may_carry) charge(f, g, box);
-      if (g.may_carry) charge(g, f, box);
+      if (f.may_carry) charge(f, g, box, overlap);
+      if (g.may_carry) charge(g, f, box, overlap);
     }
   }
 }
 
-// Between faces of one sheet what they hide together goes on, so that only the sheet's outline counts; near a side they
-// have in common the depths of both differ by twice their errors at most.
-void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box) {
+// Between faces of one sheet what they hide together goes on, so that only the
+// sheet's outline counts; near a side they have in common the depths of both
+// differ by twice their errors at most.
+void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, double overlap) {
   const Footprint& f = sight.footprint;
   const Footprint& g = hider.footprint;
   if (f.facing == 0) return;  // Counted in full.
   const double greatest =
       std::clamp(f.depth.middle(box) + f.depth.reach(box) + f.depth_error, 0.0, std::max(f.greatest, 0.0));
+  sight.cut_shift.s = std::max(sight.cut_shift.s, g.roundings.s);
+  sight.cut_shift.t = std::max(sight.cut_shift.t, g.roundings.t);
   double area = 0;
   if (g.facing == 0) {
-    area = sliver_area(g, box);
+    area = sliver_area(g, greatest, box);
   } else {
     if (strips_along_sides(g, g.shift.s, g.shift.t, box).apart) return;
     const CertainOrder order = certain_order(g, f);
     if (order == CertainOrder::after) return;
-    const double g_error = 4 * hider.sheet_error;
+    const double beside_error = 4 * hider.sheet_error;  // Near sides beyond which the sheet goes on.
+    std::array<bool, 3> inner;
+    for (std::size_t k = 0; k < 3; ++k) inner[k] = !hider.outline[k];
     ZeroStrip one_depth;
     if (order == CertainOrder::unsure) {
       LinearDepth beyond;  // How much farther f is than g.
@@ -162,18 +162,22 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box) {
       beyond.t_0 = 0.5 * (box.low_t + box.high_t);
       beyond.per_s = f.depth.per_s - g.depth.per_s;
       beyond.per_t = f.depth.per_t - g.depth.per_t;
-      const double error = f.depth_error + g_error + noise_of_crossing(f, g, error_);
-      if (beyond.value + beyond.reach(box) < -error) return;  // g certainly lies after f.
-      one_depth = zero_strip(beyond, error, box);
+      const double error = f.depth_error + noise_of_crossing(f, g, error_);
+      if (beyond.value + beyond.reach(box) < -(error + beside_error)) return;  // g certainly lies after f.
+      one_depth = zero_strip(beyond, error + g.depth_error, box);
+      if (beyond.value - beyond.reach(box) <= error + beside_error) {
+        one_depth.area += zero_strip_at_sides(g, inner, beyond, error + beside_error, box);
+      }
     }
-    const ZeroStrip zero = zero_strip(g.depth, g_error, box);
+    ZeroStrip zero = zero_strip(g.depth, g.depth_error, box);
+    if (std::abs(g.depth.middle(box)) - g.depth.reach(box) <= beside_error) {
+      zero.area += zero_strip_at_sides(g, inner, g.depth, beside_error, box);
+    }
     const double outline =
-        strips_along_sides(g, std::max(f.shift.s, g.shift.s), std::max(f.shift.t, g.shift.t), box, hider.outline).area;
-    const double cuts =
-        strip_along_border(box, std::max(f.cut_shift.s, g.cut_shift.s), std::max(f.cut_shift.t, g.cut_shift.t));
-    area = std::min(outline + cuts + one_depth.area + zero.area, box.area());
-    flush_ = flush_ || ((one_depth.everywhere || zero.everywhere) && greatest > 4 * f.depth_error &&
-                        area > 4 * strip_along_border(box, g.shift.s, g.shift.t));
+        strips_along_sides(g, g.shift.s + sight.cut_shift.s, g.shift.t + sight.cut_shift.t, box, hider.outline).area;
+    area = std::min(outline + one_depth.area + zero.area, overlap);
+    flush_ = flush_ || ((one_depth.everywhere || zero.everywhere) && overlap == box.area() &&
+                        greatest > 4 * f.depth_error && area > 4 * strip_along_border(box, g.shift.s, g.shift.t));
   }
   sight.area_error += area;
   sight.volume_error += area * greatest;
@@ -203,11 +207,13 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   sight->has_element = true;
   const Footprint& f = sight->footprint;
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
-  // Roundings of the parts beyond the first: cuts and integrals, see kWeightRoundings.
-  const double cut = 64 * u * neglect.parts * (width_s + width_t);
+  // Roundings of the parts beyond the first: cuts and integrals, see
+  // kWeightRoundings.
+  const double cut = 2 * (neglect.width_s * sight->cut_shift.t + neglect.width_t * sight->cut_shift.s) +
+                     48 * neglect.parts * sight->cut_shift.s * sight->cut_shift.t;
   const double area_error =
       std::min(sight->area_error, f.box.area() + moments.area) + neglect.area + cut + 16 * u * moments.area;
-  const double depth_error = f.facing == 0 ? f.greatest : std::min(f.depth_error, f.greatest);
+  const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error, f.greatest);
   const double greatest = std::max(f.greatest, moments.greatest);
   const double volume_error = sight->volume_error + (neglect.area + cut) * greatest +
                               (moments.area + area_error) * (depth_error + 16 * u * greatest);
@@ -219,7 +225,8 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
     error.penetration =
         std::min(greatest, (volume_error + mean * area_error) / (moments.area - area_error) + 8 * u * mean);
   }
-  // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
+  // s - s_foot is no greater than f's width, so the foot is off by that times
+  // the error of the volume over the volume.
   double share = 1;
   if (2 * volume_error < moments.depth) share = std::min(1.0, volume_error / (moments.depth - volume_error));
   const double noise = 64 * u * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth);
@@ -240,7 +247,7 @@ SightError::Beside SightError::beside() const {
   for (const Sight& sight : scratch_->sights) {
     if (!sight.may_carry || sight.has_element) continue;
     const Footprint& f = sight.footprint;
-    const double depth_error = f.facing == 0 ? f.greatest : std::min(f.depth_error, f.greatest);
+    const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error, f.greatest);
     sum.area += sight.area_error;
     sum.volume += std::min(sight.volume_error + sight.area_error * depth_error, sight.area_error * f.greatest);
     sum.depth = std::max(sum.depth, f.greatest);

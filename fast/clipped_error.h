@@ -58,7 +58,8 @@ class SightError {
   bool flush() const { return flush_; }
 
  private:
-  void charge(Sight& f, const Sight& g, const BoxST& box);
+  /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
+  void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
   void find_outline(Sight& sight, const Surface::Data& surface);
   const Footprint* find(bool own, Index face) const;
   Sight* find(Index slave_face);

@@ -15,6 +15,14 @@ namespace pcm::fast {
 namespace {
 
 constexpr double u = kUnitRoundoff;
+/// The four cuts that shape what is seen put vertices where each is off by 5 u
+/// times the greatest |coordinate| at most; lines through corners are off by 12
+/// u of that. Integrals over a fan of five triangles over the master face,
+/// where no coordinate exceeds 1, are off by as much as a shift of its border
+/// by 24 u would make.
+constexpr double kCutRoundings = 20;
+constexpr double kFanRoundings = 24;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double greatest_of(const std::array<PrismPoint, 3>& corners, int coordinate) {
@@ -22,7 +30,12 @@ double greatest_of(const std::array<PrismPoint, 3>& corners, int coordinate) {
       {std::abs(corners[0][coordinate]), std::abs(corners[1][coordinate]), std::abs(corners[2][coordinate])});
 }
 
-/// Whether a neighbour of the master face, which shares corners with it, surely lies beside it.
+double least_of(const std::array<PrismPoint, 3>& corners, int coordinate) {
+  return std::min({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]});
+}
+
+/// Whether a neighbour of the master face, which shares corners with it, surely
+/// lies beside it.
 bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double s, double t) {
   const std::array<double, 3> margin{s + t, s, t};
   for (int weight = 0; weight < 3; ++weight) {
@@ -36,7 +49,8 @@ bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bo
   return false;
 }
 
-/// Whether all corners lie beyond one of the master's sides, by more than a shift of (s, t), or above its plane.
+/// Whether all corners lie beyond one of the master's sides, by more than a
+/// shift of (s, t), or above its plane.
 bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
   const auto all_below = [&corners](int coordinate, double level) {
     return corners[0][coordinate] < level && corners[1][coordinate] < level && corners[2][coordinate] < level;
@@ -45,8 +59,8 @@ bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& 
          all_below(kDepth, -shift.depth);
 }
 
-/// The part of a face that may come to lie over the master face, at a depth >= 0, when its points are shifted; all
-/// coordinates are larger by the shift.
+/// The part of a face that may come to lie over the master face, at a depth >=
+/// 0, when its points are shifted; all coordinates are larger by the shift.
 ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
   ConvexPolygon part;
   const PrismPoint enlarged(shift.s + shift.t, shift.s, shift.t, shift.depth);
@@ -58,28 +72,42 @@ ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const P
   return part;
 }
 
-/// Whether a side of a has b on its far side however both are shifted.
-bool side_certainly_separates(const Footprint& a, const Footprint& b, double shift_s, double shift_t) {
+/// Which of the sides of a has most certainly b on its far side: the linear function that is 0 along it, positive
+/// within a, and how far above 0 the vertices of b that do not lie on it may be when both faces are shifted.
+struct Separation {
+  LinearDepth side;
+  double above = kInfinity;  ///< less than 0 where they certainly are not
+  double margin = 0;         ///< that the shifts alone make
+};
+
+void separate(const Footprint& a, const Footprint& b, double shift_s, double shift_t, Separation& best) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     const PrismPoint& from = a.corners[k];
     const double side_s = a.corners[next][kS] - from[kS], side_t = a.corners[next][kT] - from[kT];
-    bool separates = true;
-    for (std::size_t j = 0; j < 3 && separates; ++j) {
+    double above = -kInfinity, greatest_margin = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
       if (a.own == b.own && (b.vertices[j] == a.vertices[k] || b.vertices[j] == a.vertices[next])) continue;
       const double to_s = b.corners[j][kS] - from[kS], to_t = b.corners[j][kT] - from[kT];
       // The shifts pay for the roundings as well.
       const double margin = 2 * shift_s * (std::abs(side_t) + std::abs(to_t) + 4 * shift_t) +
                             2 * shift_t * (std::abs(side_s) + std::abs(to_s));
-      separates = side_s * to_t - side_t * to_s < -margin;
+      above = std::max(above, side_s * to_t - side_t * to_s + margin);
+      greatest_margin = std::max(greatest_margin, margin);
     }
-    if (separates) return true;
+    if (above < 0) {
+      best.above = above;
+      return;
+    }
+    if (above <= 2 * greatest_margin && !(best.above <= 2 * best.margin)) {
+      best = {{0, from[kS], from[kT], -side_t, side_s}, above, greatest_margin};
+    }
   }
-  return false;
 }
 
-/// On which side of the plane of f the vertices of g certainly lie: 1 all above, -1 all below, 0 unsure. With lambda
-/// the barycentric coordinates of a vertex c of g in f, both as shifted, the plane of f passes there within sum
+/// On which side of the plane of f the vertices of g certainly lie: 1 all
+/// above, -1 all below, 0 unsure. With lambda the barycentric coordinates of a
+/// vertex c of g in f, both as shifted, the plane of f passes there within sum
 /// |lambda| (depth + gradient x shift of f's vertices) of the unshifted one.
 int certain_side(const Footprint& f, const Footprint& g) {
   const auto steepness = [&f](const PrismShift& shift) {
@@ -128,24 +156,38 @@ BoxST BoxST::common(const BoxST& other) const {
           std::min(high_t, other.high_t)};
 }
 
-// The two steps of PrismError move each corner by no more than corner_shift but for an affine map of the plane, which
-// leaves windings and sides as they are; and each point that is seen by no more than `shift`, its depth besides by
-// shift.depth. So a depth at a fixed (s, t) is off by shift.depth and the gradient times the shift. Windings: with both
-// edges shifted by up to twice corner_shift the product changes by at most 4 (s width_t + t width_s + 2 s t).
+// The two steps of PrismError move each corner by no more than corner_shift but
+// for an affine map of the plane, which leaves windings and sides as they are;
+// and each point that is seen by no more than `shift`, its depth besides by
+// shift.depth. So a depth at a fixed (s, t) is off by shift.depth and the
+// gradient times the shift. Windings: with both edges shifted by up to twice
+// corner_shift the product changes by at most 4 (s width_t + t width_s + 2 s
+// t).
 bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
                     const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared,
                     double twice_area_of_master, Footprint& f) {
   const double greatest_s = greatest_of(corners, kS), greatest_t = greatest_of(corners, kT);
   const double farthest_depth = greatest_of(corners, kDepth);
   const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
-  const PrismShift of_vertices = error.of_vertices(distance, own), of_tilt = error.of_tilt(farthest_depth);
+  const double least_depth =
+      std::min({std::abs(corners[0][kDepth]), std::abs(corners[1][kDepth]), std::abs(corners[2][kDepth])});
+  const PrismShift of_vertices = error.of_vertices(distance, least_depth, own), of_tilt = error.of_tilt(farthest_depth);
   f.vertex_shift = of_vertices;
-  f.cut_shift = error.of_cuts(distance);
+  f.cut_shift = f.roundings = {kCutRoundings * u * greatest_s + kFanRoundings * u,
+                               kCutRoundings * u * greatest_t + kFanRoundings * u, 0};
   f.corner_shift = {of_vertices.s + of_tilt.s, of_vertices.t + of_tilt.t, 0};
+  f.hinge_depth = 0;
   if (shared[0] || shared[1] || shared[2]) {
     const PrismShift frame = error.of_frame(farthest_depth);
     const double far = 1 + greatest_s + greatest_t;
-    if (surely_beside(corners, shared, of_vertices.s + far * frame.s, of_vertices.t + far * frame.t)) return false;
+    f.hinge_shift = {of_vertices.s + far * frame.s, of_vertices.t + far * frame.t,
+                     of_vertices.depth + far * frame.depth + far * distance * frame.s};
+    if (surely_beside(corners, shared, f.hinge_shift.s, f.hinge_shift.t)) return false;
+    f.hinge_depth = kInfinity;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, corners[k][kDepth]);
+    }
+    f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_shift.depth, 0.0) : 0;
   }
 
   const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
@@ -172,6 +214,9 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   if (f.box.empty()) return false;
   const PrismShift frame = error.of_frame(f.greatest);
   f.shift = {of_vertices.s + frame.s, of_vertices.t + frame.t, of_vertices.depth + frame.depth};
+  const bool cut = std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT)}) <= 0 ||
+                   least_of(corners, kDepth) <= 0;
+  if (!cut) f.cut_shift = {0, 0, 0};
 
   f.face = face;
   f.own = own;
@@ -191,7 +236,7 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
     f.facing = 0;
     f.sliver = 0.5 * std::abs(twice_area);
     f.depth = {0, 0, 0};
-    f.depth_error = kInfinity;
+    f.field_error = f.depth_error = kInfinity;
     f.relative_noise = f.crossing_noise = 0;
     return true;
   }
@@ -201,28 +246,46 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
              (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
   f.relative_noise = 16 * u * width_s * width_t * inverse;
-  f.depth_error = kBoundMargin * (f.shift.depth + std::abs(f.depth.per_s) * f.shift.s +
-                                  std::abs(f.depth.per_t) * f.shift.t + f.relative_noise * farthest_depth);
+  // A cut puts a vertex off the face's plane by 5 u of the corners' coordinates; two of them meet in one.
+  const double off_plane =
+      10 * u * (farthest_depth + std::abs(f.depth.per_s) * greatest_s + std::abs(f.depth.per_t) * greatest_t);
+  f.field_error = kBoundMargin * (f.shift.depth + std::abs(f.depth.per_s) * f.shift.s +
+                                  std::abs(f.depth.per_t) * f.shift.t + (cut ? off_plane : 0));
+  f.depth_error = f.field_error + off_plane + f.relative_noise * farthest_depth;
   f.greatest += f.depth_error;
-  const double longest = error.distance(width_s, width_t, std::abs(a[kDepth]) + std::abs(b[kDepth]));
-  f.crossing_noise = 32 * u * longest * longest * inverse / twice_area_of_master;
+  const auto length_of = [&error](const PrismPoint& edge) {
+    return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
+  };
+  f.crossing_noise = 16 * u * length_of(a) * length_of(b) * inverse / twice_area_of_master;
   return true;
 }
 
-bool certainly_apart(const Footprint& a, const Footprint& b) {
+double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box) {
   const double s = std::max(a.corner_shift.s, b.corner_shift.s), t = std::max(a.corner_shift.t, b.corner_shift.t);
-  return side_certainly_separates(a, b, s, t) || side_certainly_separates(b, a, s, t);
+  Separation separation;
+  separate(a, b, s, t, separation);
+  if (separation.above >= 0) separate(b, a, s, t, separation);
+  if (separation.above < 0) return 0;
+  if (!(separation.above <= 2 * separation.margin)) return box.area();
+  return std::min(box.area(), 2 * zero_strip(separation.side, 3 * separation.margin, box).area);
 }
 
 // Its computed area, and what its sides may pass over.
-double sliver_area(const Footprint& face, const BoxST& box) {
-  return std::min(face.sliver + strips_along_sides(face, face.shift.s, face.shift.t, box).area, box.area());
+double sliver_area(const Footprint& face, double depth, const BoxST& box) {
+  PrismShift shift = face.shift;
+  double area = face.sliver;
+  if (depth < 0.5 * face.hinge_depth) {
+    const double share = kBoundMargin * depth / face.hinge_depth;
+    area *= 2 * share;
+    shift = {std::min(shift.s, share * face.hinge_shift.s), std::min(shift.t, share * face.hinge_shift.t), 0};
+  }
+  return std::min(area + strips_along_sides(face, shift.s, shift.t, box).area, box.area());
 }
 
 SideStrips strips_along_sides(const Footprint& face, double s, double t, const BoxST& box,
                               const std::array<bool, 3>& sides) {
   const double middle_s = 0.5 * (box.low_s + box.high_s), middle_t = 0.5 * (box.low_t + box.high_t);
-  const double one_side = 2 * (box.width_s() * t + box.width_t() * s) + 12 * s * t;
+  const double one_side = box.width_s() * t + box.width_t() * s + 8 * s * t;
   SideStrips strips;
   for (std::size_t k = 0; k < 3; ++k) {
     const PrismPoint& a = face.corners[k];
@@ -237,16 +300,33 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const B
   return strips;
 }
 
+// Of a side's extent only that share counts along which the function changes by twice the error.
+double zero_strip_at_sides(const Footprint& face, const std::array<bool, 3>& sides, const LinearDepth& function,
+                           double error, const BoxST& box) {
+  const double s = face.shift.s, t = face.shift.t;
+  double area = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!sides[k]) continue;
+    const PrismPoint side = face.corners[(k + 1) % 3] - face.corners[k];
+    const double rise = std::abs(function.per_s * side[kS] + function.per_t * side[kT]);
+    const double share = rise > 0 ? 2 * error / rise : kInfinity;
+    const double width_s = std::min(box.width_s(), share * std::abs(side[kS]) + 2 * s);
+    const double width_t = std::min(box.width_t(), share * std::abs(side[kT]) + 2 * t);
+    area += 2 * (width_s * t + width_t * s) + 8 * s * t;
+  }
+  return std::min(area, box.area());
+}
+
 double strip_along_border(const BoxST& box, double s, double t) {
-  return std::min(box.area(), 4 * (box.width_s() * t + box.width_t() * s) + 48 * s * t);
+  return std::min(box.area(), 2 * (box.width_s() * t + box.width_t() * s) + 48 * s * t);
 }
 
 ZeroStrip zero_strip(const LinearDepth& function, double error, const BoxST& box) {
   const double middle = std::abs(function.middle(box)), reach = function.reach(box);
   if (middle - reach > error) return {};
   if (middle + reach <= error) return {box.area(), true};
-  const double across_s = std::min(box.width_s(), 2 * error / std::abs(function.per_s));
-  const double across_t = std::min(box.width_t(), 2 * error / std::abs(function.per_t));
+  const double across_s = std::min(box.width_s(), error / std::abs(function.per_s));
+  const double across_t = std::min(box.width_t(), error / std::abs(function.per_t));
   return {std::min(across_s * box.width_t(), across_t * box.width_s()), false};
 }
 

@@ -10,26 +10,26 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 
-/// Roundings of a vertex's s and t, times |gradient| |x - p0|: 4 of its own (a difference, a scalar product of three
-/// terms), and twice 5 where cuts put a new vertex in its place.
-constexpr double kVertexRoundings = 14;
+/// Roundings of a vertex's s and t, times |gradient| |x - p0|: a difference, a scalar product of three terms.
+constexpr double kVertexRoundings = 5;
 
-/// The four cuts that shape what is seen shift the border by 5 each at most, the integrals over a fan of five triangles
-/// are off by as much as a shift of 24 would make.
-constexpr double kCutRoundings = 48;
-
-/// Terms of second order in the shifts, which are less than 2^-6 wherever they are used.
+/// Terms of second order in the shifts, which are less than 2^-6 wherever they
+/// are used.
 constexpr double kSecondOrder = 1.125;
 
 }  // namespace
 
-// Frame. Let x' = sum lambda_k p'_k - d' n' be a point of the exact problem. With g the computed gradient of weight w,
-// j a corner where w = 0, and p_k the corners of the rounded problem,
-//     M_w(x') - lambda_w = sum lambda_k (g . (p_k - p_j) - delta_kw) + g . sum lambda_k (p'_k - p_k) - d' g . n'.
-// g = (n x side) / |N| with 8 roundings at most, so g . (p_k - p_j) is off by 8 u |g| L, L the longest edge, and for
-// the corner opposite the side by the relative error of N besides, 4 u q, where |N| q is N with every term taken
-// absolutely; and 12 u for n, |N| and their quotient. |g . n'| <= |g| (|n' - n| + 12 u).
-// Depth: with the computed N, N . (p_k - p_0) is off 0 by 4 u q |N| L; and d' (1 - n . n') <= d' (|n' - n|^2 + 8 u).
+// Frame. Let x' = sum lambda_k p'_k - d' n' be a point of the exact problem.
+// With g the computed gradient of weight w, j a corner where w = 0, and p_k the
+// corners of the rounded problem,
+//     M_w(x') - lambda_w = sum lambda_k (g . (p_k - p_j) - delta_kw) + g . sum
+//     lambda_k (p'_k - p_k) - d' g . n'.
+// g = (n x side) / |N| with 8 roundings at most, so g . (p_k - p_j) is off by 8
+// u |g| L, L the longest edge, and for the corner opposite the side by the
+// relative error of N besides, 4 u q, where |N| q is N with every term taken
+// absolutely; and 12 u for n, |N| and their quotient. |g . n'| <= |g| (|n' - n|
+// + 12 u). Depth: with the computed N, N . (p_k - p_0) is off 0 by 4 u q |N| L;
+// and d' (1 - n . n') <= d' (|n' - n|^2 + 8 u).
 PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& rounding_Me)
     : length_s_(prism.edge_s_Me().norm()), length_t_(prism.edge_t_Me().norm()), own_moves_(master == Side::F) {
   const Eigen::Vector3d a = prism.edge_s_Me().cwiseAbs(), b = prism.edge_t_Me().cwiseAbs();
@@ -41,9 +41,11 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   gradient_t_ = kSecondOrder * g_t.norm();
   moved_ = {kSecondOrder * g_s.dot(rounding_Me), kSecondOrder * g_t.dot(rounding_Me),
             kSecondOrder * prism.face().n_Me.cwiseAbs().dot(rounding_Me)};
-  // A product N . (x - p0) has 4 roundings; where it is taken exactly it may differ by the 4 u q of N. Three more for
-  // the quotient by |N| and for depths where a face is cut.
-  relative_depth_noise_ = (16 + 4 * q) * u;
+  // A product N . (x - p0) has 4 roundings, its quotient by |N| three more. Where its sign is not sure, it is taken
+  // exactly and may differ by the 4 u q of N; not where it is more than 9 u q.
+  depth_noise_ = 8 * u;
+  exact_depth_noise_ = 4 * q * u;
+  exact_depth_ = 16 * q * u;
   frame_ = {(8 * q + 12) * u + 8 * u * gradient_s_ * longest, (8 * q + 12) * u + 8 * u * gradient_t_ * longest,
             8 * u * q * longest};
   if (own_moves_) {
@@ -56,16 +58,13 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   tilt_depth_ = face.normal * face.normal + 8 * u;
 }
 
-PrismShift PrismError::of_vertices(double distance, bool own) const {
+PrismShift PrismError::of_vertices(double distance, double least_depth, bool own) const {
   // Of both surfaces one is F's.
   const double moves = own == own_moves_ ? 1 : 0;
   const double noise = kVertexRoundings * u * distance;
+  const double depth_noise = depth_noise_ + (least_depth < exact_depth_ * distance ? exact_depth_noise_ : 0);
   return {moves * moved_.s + noise * gradient_s_, moves * moved_.t + noise * gradient_t_,
-          moves * moved_.depth + relative_depth_noise_ * distance};
-}
-
-PrismShift PrismError::of_cuts(double distance) const {
-  return {kCutRoundings * u * distance * gradient_s_, kCutRoundings * u * distance * gradient_t_, 0};
+          moves * moved_.depth + depth_noise * distance};
 }
 
 PrismShift PrismError::of_frame(double depth) const {
