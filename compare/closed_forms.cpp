@@ -80,6 +80,17 @@ long double sphere_on_sphere(long double r, long double R, long double a) {
   return 2 * kPi * r * r * integral(pressure, 0, std::acos((a * a + r * r - R * R) / (2 * a * r)));
 }
 
+WedgeForce wedge_on_plane_wedge_master(long double degrees, long double h) {
+  const long double p = degrees * kPi / 180;
+  const long double z = h * h / 2 * (1 / std::sin(p) + 1 / std::cos(p));
+  return {z * std::tan(p - kPi / 4), z};
+}
+
+WedgeForce wedge_on_plane_plane_master(long double degrees, long double h) {
+  const long double p = degrees * kPi / 180;
+  return {0, h * h / 2 * (std::tan(p) + 1 / std::tan(p))};
+}
+
 long double hertz_equal_at(long double r, long double equal_at, long double h) {
   return kPi * r * equal_at * equal_at * std::pow(h / equal_at, 1.5L);
 }

@@ -38,6 +38,17 @@ long double journal_in_bore_bore_master(long double r, long double R, long doubl
 /// the same integral of u = r - a cos t + sqrt(R^2 - a^2 sin^2 t).
 long double sphere_on_sphere(long double r, long double R, long double a);
 
+/// Wedge of two perpendicular faces, pressed into a plane by h edge first, per width; one face is tilted by p degrees
+/// from the plane, x is the inward horizontal of that face, z the plane's normal.
+/// Wedge master: z = (h^2 / 2) (1 / sin p + 1 / cos p), x = z tan(p - 45 deg); plane master: z = (h^2 / 2) (tan p +
+/// cot p), x = 0.
+struct WedgeForce {
+  long double x = 0;
+  long double z = 0;
+};
+WedgeForce wedge_on_plane_wedge_master(long double degrees, long double h);
+WedgeForce wedge_on_plane_plane_master(long double degrees, long double h);
+
 /// Hertz (1882), sphere on half-space: (4/3) E* sqrt(r) h^1.5, with E* such that it equals the elastic foundation's
 /// force (sphere master) at the depth `equal_at`: equal_at = (4 E* / (3 pi K))^2 / r.
 long double hertz_equal_at(long double r, long double equal_at, long double h);

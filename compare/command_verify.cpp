@@ -15,6 +15,7 @@
 #include <system_error>
 #include <thread>
 
+#include "compare/command_verify_audits.h"
 #include "compare/command_verify_error_budget.h"
 #include "compare/command_verify_known_answers.h"
 #include "compare/law_options.h"
@@ -43,6 +44,7 @@ struct VerifyOptions {
   std::optional<std::string> case_file;
   bool known_answers = false;
   bool error_budget = false;
+  bool audits = false;
   bool quick = false;
 };
 
@@ -222,6 +224,12 @@ Exit error_budget(const VerifyOptions& options) {
   return verify_error_budget(options.quick ? Extent::quick : Extent::full, number_of_jobs(options), folder);
 }
 
+Exit audits(const VerifyOptions& options) {
+  std::optional<fs::path> folder;
+  if (options.out) folder = prepare_folder(*options.out);
+  return verify_audits(options.quick ? Extent::quick : Extent::full, number_of_jobs(options), folder);
+}
+
 Exit replay(const std::string& file) {
   const Case posed = read_case(file);
   const Scene scene(posed.E, posed.F, posed.law, posed.mode, posed.scheme);
@@ -243,7 +251,8 @@ void add_verify_command(CLI::App& program, Run& run) {
   command->footer(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
       "jobs. A summary is printed; the tables by pair and stratum are written to --out. The last line printed is the\n"
-      "verdict; the exit status is 1 with a disagreement or when interrupted. Known answers and error budget: 1 when "
+      "verdict; the exit status is 1 with a disagreement or when interrupted. Known answers, error budget and audits: "
+      "1 when "
       "any\n"
       "row is out of its bounds; the tables and a page for each case are written to --out.\n"
       "Examples:\n"
@@ -251,6 +260,7 @@ void add_verify_command(CLI::App& program, Run& run) {
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
       "  pcm verify --known-answers --out answers\n"
       "  pcm verify --error-budget --out budget\n"
+      "  pcm verify --audits --out audits\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17.json");
   command->add_option("--poses", options->poses, "How many poses in all")->type_name("N")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of the random poses, a whole number")
@@ -285,17 +295,25 @@ void add_verify_command(CLI::App& program, Run& run) {
                            ->add_flag("--known-answers", options->known_answers,
                                       "Instead: forces known in closed form over resolutions, and identities (minutes)")
                            ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--case");
+  CLI::Option* budget =
+      command
+          ->add_flag("--error-budget", options->error_budget,
+                     "Instead: rounding, discretisation and geometry error of smooth bodies over resolutions (minutes)")
+          ->excludes(known)
+          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--case");
   command
-      ->add_flag("--error-budget", options->error_budget,
-                 "Instead: rounding, discretisation and geometry error of smooth bodies over resolutions (minutes)")
-      ->excludes(known)
+      ->add_flag("--audits", options->audits,
+                 "Instead: work left over, tangential force and jumps of the elastic force over closed loops of poses")
+      ->excludes(known, budget)
       ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--case");
-  command->add_flag("--quick", options->quick, "Known answers or error budget on coarser meshes only");
+  command->add_flag("--quick", options->quick,
+                    "Known answers or error budget on coarser meshes only, audits in coarser steps");
   command->callback([options, &run] {
     run = [options] {
       if (options->case_file) return replay(*options->case_file);
-      if (options->quick && !options->known_answers && !options->error_budget)
-        throw BadInput("--quick goes with --known-answers or --error-budget");
+      if (options->quick && !options->known_answers && !options->error_budget && !options->audits)
+        throw BadInput("--quick goes with --known-answers, --error-budget or --audits");
+      if (options->audits) return audits(*options);
       if (options->error_budget) return error_budget(*options);
       return options->known_answers ? known_answers(*options) : verify(*options);
     };

@@ -109,7 +109,7 @@ void expect(Series& row, const Expectation& expected) {
 }  // namespace
 
 KnownAnswer budget_problem(const BudgetCase& pair, Extent extent) {
-  const int orientations = extent == Extent::full ? kOrientations : 5;
+  const int orientations = budget_orientations(extent);
   const int orientations_of_oracle = extent == Extent::full ? 4 : 2;
   const auto stage = std::make_shared<const Stage>(pair, orientations);
 

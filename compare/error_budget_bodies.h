@@ -64,6 +64,11 @@ inline std::size_t budget_levels(Extent extent) {
   return extent == Extent::full ? 4 : 3;
 }
 
+/// Over which the means are taken.
+inline int budget_orientations(Extent extent) {
+  return extent == Extent::full ? kOrientations : 5;
+}
+
 /// Pairs of spheres and planes, of cylinders, and the paper's bubbles; one file each.
 std::vector<BudgetCase> budget_of_spheres(Extent extent);
 std::vector<BudgetCase> budget_of_cylinders(Extent extent);

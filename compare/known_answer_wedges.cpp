@@ -19,20 +19,13 @@ constexpr double kDepth = 0.5;  ///< half the wedge's height, so that a row of a
 constexpr double kReach = 6;    ///< of the plate
 
 /// Force on the wedge at the depth h, x along the inward horizontal of the face tilted by p.
-struct WedgeForce {
-  long double x = 0;
-  long double z = 0;
-};
-
-WedgeForce wedge_force(Mode mode, long double degrees, long double h) {
-  const long double p = degrees * closed_forms::kPi / 180;
-  const long double half = static_cast<long double>(kStiffness) * kWidth * h * h / 2;
-  const long double z = half * (1 / std::sin(p) + 1 / std::cos(p));
-  const WedgeForce wedge{z * std::tan(p - closed_forms::kPi / 4), z};
-  const WedgeForce plane{0, half * (std::tan(p) + 1 / std::tan(p))};
-  if (mode == Mode::E) return wedge;
-  if (mode == Mode::F) return plane;
-  return {(wedge.x + plane.x) / 2, (wedge.z + plane.z) / 2};
+closed_forms::WedgeForce wedge_force(Mode mode, long double degrees, long double h) {
+  constexpr long double kScale = static_cast<long double>(kStiffness) * kWidth;
+  const closed_forms::WedgeForce wedge = closed_forms::wedge_on_plane_wedge_master(degrees, h);
+  const closed_forms::WedgeForce plane = closed_forms::wedge_on_plane_plane_master(degrees, h);
+  if (mode == Mode::E) return {kScale * wedge.x, kScale * wedge.z};
+  if (mode == Mode::F) return {kScale * plane.x, kScale * plane.z};
+  return {kScale * (wedge.x + plane.x) / 2, kScale * (wedge.z + plane.z) / 2};
 }
 
 /// E the wedge, F the plate, level by level and orientation by orientation of the wedge's frame.
@@ -89,7 +82,7 @@ KnownAnswer wedge_on_plane(Extent extent) {
     for (const Mode mode : kModes)
       for (const Scheme scheme : kSchemes) {
         const Meshes meshes = meshes_for(degrees, mode, scheme, orientations);
-        const WedgeForce expected = wedge_force(mode, degrees, kDepth);
+        const closed_forms::WedgeForce expected = wedge_force(mode, degrees, kDepth);
         for (const bool vertical : {true, false}) {
           Series& series = problem.series.emplace_back();
           series.quantity = fmt::format("{}, p = {} deg", vertical ? "F_z" : "F_x / F_z", degrees);
@@ -146,7 +139,7 @@ KnownAnswer loop_of_the_wedge(Extent extent) {
     for (const Mode mode : kModes)
       for (const Scheme scheme : kSchemes) {
         const Meshes meshes = meshes_for(degrees, mode, scheme, orientations);
-        const WedgeForce expected = wedge_force(mode, degrees, kDepth);
+        const closed_forms::WedgeForce expected = wedge_force(mode, degrees, kDepth);
         Series& series = problem.series.emplace_back();
         series.quantity = fmt::format("work, p = {} deg, in F_z s", degrees);
         series.mode = mode;

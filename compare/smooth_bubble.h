@@ -19,4 +19,17 @@ double smooth_bubble_volume(double length);
 /// of the contact. An oracle of its own: it knows no mesh.
 Eigen::Vector3d smooth_bubble_force(double length, const Placement& placement, int cells = 1500);
 
+/// How the meshes of a bubble stand for the smooth one.
+struct BubbleMesh {
+  Index finer = 1;            ///< as in generate::bubble
+  bool equal_volume = false;  ///< made larger until it encloses the smooth one's volume
+};
+
+/// What both bubbles being such meshes takes from that force, to leading order in the edge length. Their rectangles of
+/// sides a along a meridian and b across, cut in two, lie (k_a a^2 + k_b b^2) / 12 inside the surface of curvatures
+/// k_a, k_b on the mean; what is made larger lies outside by its part of x . n. E's share counts as it is, F's divided
+/// by the cosine between the surfaces.
+Eigen::Vector3d force_lost_to_meshes(double length, const Placement& placement, const BubbleMesh& mesh,
+                                     int cells = 500);
+
 }  // namespace pcm::compare

@@ -10,19 +10,25 @@ namespace pcm::fast {
 
 namespace {
 
-using FaceSigns = std::array<int, 3>;
+/// Which corners of a face lie above a plane, bit by bit; a corner not above is below.
+using Corners = unsigned;
 
 /// The corner that lies on its own side of the other plane, -1 where all three lie on one side.
-int lone_corner(const FaceSigns& signs) {
-  if (signs[0] == signs[1]) return signs[1] == signs[2] ? -1 : 2;
-  return signs[0] == signs[2] ? 1 : 0;
+int lone_corner(Corners above) {
+  constexpr std::array<std::int8_t, 8> kLone{-1, 0, 1, 2, 2, 1, 0, -1};
+  return kLone[above];
 }
 
-FaceSigns signs_against(const std::array<RankedPoint, 3>& points, const std::array<RankedPoint, 3>& plane,
-                        WorkCounters& work) {
-  return {orientation(plane[0], plane[1], plane[2], points[0], work),
-          orientation(plane[0], plane[1], plane[2], points[1], work),
-          orientation(plane[0], plane[1], plane[2], points[2], work)};
+bool has(Corners corners, std::size_t corner) {
+  return (corners >> corner & 1U) != 0;
+}
+
+Corners above(const std::array<RankedPoint, 3>& plane, const std::array<RankedPoint, 3>& points, double sure,
+              WorkCounters& work) {
+  const OrientedPlane oriented(plane[0], plane[1], plane[2], sure);
+  Corners corners = 0;
+  for (std::size_t k = 0; k < 3; ++k) corners |= static_cast<Corners>(oriented.above(points[k], work)) << k;
+  return corners;
 }
 
 /// Where one crossing of a pair of faces lies, seen from the pair.
@@ -34,7 +40,7 @@ struct Passage {
 /// How two faces cross: the two crossings that bound their segment.
 struct PairCrossing {
   Passage start, end;
-  FaceSigns signs_E, signs_F;  ///< vertices of e above f (+1) or below (-1), and of f above or below e
+  Corners above_F, above_E;  ///< corners of e above f, and of f above e
 };
 
 /// Decides whether the faces e and f cross. The planes meet in a line; on it lie the two points where edges of e at its
@@ -42,21 +48,22 @@ struct PairCrossing {
 /// s_ij = orientation(a, a_i, p, p_j) order those points along the line, and an edge of e passes through f where its
 /// point lies between the two of f: where its two signs differ. Likewise for the edges of f. So two of the four do, or
 /// none. At most 10 signs.
-bool cross(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f, PairCrossing& result,
+bool cross(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f, double sure, PairCrossing& result,
            WorkCounters& work) {
-  result.signs_E = signs_against(e, f, work);
-  const int lone_E = lone_corner(result.signs_E);
+  result.above_F = above(f, e, sure, work);
+  const int lone_E = lone_corner(result.above_F);
   if (lone_E < 0) return false;
-  result.signs_F = signs_against(f, e, work);
-  const int lone_F = lone_corner(result.signs_F);
+  result.above_E = above(e, f, sure, work);
+  const int lone_F = lone_corner(result.above_E);
   if (lone_F < 0) return false;
 
   const auto corner = [](int k) { return static_cast<std::size_t>(k % 3); };
   const RankedPoint& a = e[corner(lone_E)];
   const RankedPoint& p = f[corner(lone_F)];
-  int s[2][2];
+  bool s[2][2];
   for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) s[i][j] = orientation(a, e[corner(lone_E + 1 + i)], p, f[corner(lone_F + 1 + j)], work);
+    const OrientedPlane through_p(a, e[corner(lone_E + 1 + i)], p, sure);
+    for (int j = 0; j < 2; ++j) s[i][j] = through_p.above(f[corner(lone_F + 1 + j)], work);
   }
   int found = 0;
   const auto record = [&](Side side, int from, bool from_above) {
@@ -68,9 +75,9 @@ bool cross(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>
   for (int i = 0; i < 2; ++i) {
     // The edges at the lone corner: from it to the next corner, and from the one before to it.
     const int from_E = i == 0 ? lone_E : (lone_E + 2) % 3;
-    if (s[i][0] != s[i][1]) record(Side::E, from_E, result.signs_E[corner(from_E)] > 0);
+    if (s[i][0] != s[i][1]) record(Side::E, from_E, has(result.above_F, corner(from_E)));
     const int from_F = i == 0 ? lone_F : (lone_F + 2) % 3;
-    if (s[0][i] != s[1][i]) record(Side::F, from_F, result.signs_F[corner(from_F)] > 0);
+    if (s[0][i] != s[1][i]) record(Side::F, from_F, has(result.above_E, corner(from_F)));
   }
   assert(found == 0 || found == 2);
   return found != 0;
@@ -81,14 +88,14 @@ Index enter_crossing(Workspace::Data& workspace, const PairCrossing& pair, const
   const bool of_E = passage.edge_side == Side::E;
   const Surface::Data& surface = workspace.side(passage.edge_side).surface();
   const Index edge_face = of_E ? face_E : face_F;
-  const FaceSigns& signs = of_E ? pair.signs_E : pair.signs_F;
+  const Corners above = of_E ? pair.above_F : pair.above_E;
   const auto corner = static_cast<std::size_t>(passage.corner);
   CrossingNode node;
   node.edge_side = passage.edge_side;
   node.edge = surface.edges_of(edge_face)[corner];
   node.face = of_E ? face_F : face_E;
   const bool forwards = surface.edge(node.edge)[0] == surface.face(edge_face)[corner];
-  node.from_above = (signs[corner] > 0) == forwards;
+  node.from_above = has(above, corner) == forwards;
   const auto fresh = static_cast<Index>(workspace.crossings.size());
   const Index found = workspace.crossing_index.find_or_insert(node.key(), fresh);
   if (found == fresh) workspace.crossings.push_back(node);
@@ -142,13 +149,14 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_ca
     side.intersected.clear();
     side.is_intersected.start(side.surface().mesh.faces.size());
   }
+  const double sure = sure_determinant(workspace.placement.span);
   bool found = false;
   for_each_candidate(
-      side_E.surface(), side_F.surface(), workspace.placement, workspace.node_pairs, work,
+      side_E.surface(), side_F.surface(), workspace.placement, workspace.wide_tests, workspace.node_pairs, work,
       [&](Index face_E, Index face_F) {
         if (keep_candidates) workspace.candidates.emplace_back(face_E, face_F);
         PairCrossing pair;
-        if (!cross(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work), pair, work)) {
+        if (!cross(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work), sure, pair, work)) {
           return true;
         }
         ++work.crossing_pairs;

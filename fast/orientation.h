@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -41,14 +42,21 @@ inline int filtered_orientation(const double* a, const double* b, const double* 
   const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
   const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
   const double bxcy = bx * cy, bycx = by * cx;
-  const double cxdy = cx * dy, cydx = cy * dx;
-  const double dxby = dx * by, dybx = dy * bx;
-  const double determinant = (bxcy - bycx) * dz + (cxdy - cydx) * bz + (dxby - dybx) * cz;
-  const double magnitude = (std::abs(bxcy) + std::abs(bycx) + kFilterUnderflow) * std::abs(dz) +
-                           (std::abs(cxdy) + std::abs(cydx) + kFilterUnderflow) * std::abs(bz) +
-                           (std::abs(dxby) + std::abs(dybx) + kFilterUnderflow) * std::abs(cz) + kFilterUnderflow;
+  const double bycz = by * cz, bzcy = bz * cy;
+  const double bzcx = bz * cx, bxcz = bx * cz;
+  const double determinant = (bycz - bzcy) * dx + (bzcx - bxcz) * dy + (bxcy - bycx) * dz;
+  const double magnitude = (std::abs(bycz) + std::abs(bzcy) + kFilterUnderflow) * std::abs(dx) +
+                           (std::abs(bzcx) + std::abs(bxcz) + kFilterUnderflow) * std::abs(dy) +
+                           (std::abs(bxcy) + std::abs(bycx) + kFilterUnderflow) * std::abs(dz) + kFilterUnderflow;
   const double bound = kFilterRelative * magnitude;
   return (determinant > bound) - (determinant < -bound);
+}
+
+/// The same bound for all points no two of which are farther apart than `span` along any axis: each of the six terms is
+/// at most span^3.
+inline double sure_determinant(double span) {
+  const double product = span * span + kFilterUnderflow;
+  return kFilterRelative * (1 + 0x1p-40) * (6 * product * span + kFilterUnderflow);
 }
 
 /// The exact sign of ((b - a) x (c - a)) . (d - a), 0 where the four points lie in one plane. About a microsecond.
@@ -70,5 +78,33 @@ inline int orientation(const RankedPoint& a, const RankedPoint& b, const RankedP
   const int sign = filtered_orientation(a.x_Me, b.x_Me, c.x_Me, d.x_Me);
   return sign != 0 ? sign : unfiltered_orientation(a, b, c, d, work);
 }
+
+/// `orientation` of several points against one plane (a, b, c). What only depends on the plane is computed once, and
+/// one bound for all points, `sure_determinant`, decides most signs.
+class OrientedPlane {
+ public:
+  OrientedPlane(const RankedPoint& a, const RankedPoint& b, const RankedPoint& c, double sure)
+      : a_(a), b_(b), c_(c), sure_(sure) {
+    const double bx = b.x_Me[0] - a.x_Me[0], by = b.x_Me[1] - a.x_Me[1], bz = b.x_Me[2] - a.x_Me[2];
+    const double cx = c.x_Me[0] - a.x_Me[0], cy = c.x_Me[1] - a.x_Me[1], cz = c.x_Me[2] - a.x_Me[2];
+    N_ = {by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx};
+  }
+
+  /// Whether orientation(a, b, c, d) is +1.
+  bool above(const RankedPoint& d, WorkCounters& work) const {
+    const double determinant =
+        N_[0] * (d.x_Me[0] - a_.x_Me[0]) + N_[1] * (d.x_Me[1] - a_.x_Me[1]) + N_[2] * (d.x_Me[2] - a_.x_Me[2]);
+    if (!(std::abs(determinant) > sure_)) return orientation(a_, b_, c_, d, work) > 0;
+    ++work.predicates;
+    return determinant > 0;
+  }
+
+ private:
+  const RankedPoint& a_;
+  const RankedPoint& b_;
+  const RankedPoint& c_;
+  double sure_;
+  std::array<double, 3> N_;
+};
 
 }  // namespace pcm::fast

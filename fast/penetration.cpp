@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "fast/depth.h"
+#include "fast/line_search.h"
 #include "fast/penetration_predicates.h"
 #include "fast/ray.h"
 #include "fast/thickness.h"
@@ -17,128 +19,145 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The ray in the frame of a surface's tree. No point of the surfaces is farther from its origin than 8 times the
-/// reach.
-TreeRay in_tree_of(Side side, const Ray& ray, const Placement& placement, double radius) {
-  return {placement.to_frame_of(side, ray.origin), placement.direction_in_frame_of(side, ray.direction),
-          placement.slack(side) + 8 * placement.reach * ray.direction_error + radius};
+/// How far the line's points and a surface's may be from the computed ones, m. No point of the surfaces is farther from
+/// the line's origin than 8 times the reach.
+double line_slack(Side side, const Ray& ray, const Placement& placement) {
+  return placement.slack(side) + 8 * placement.reach * ray.direction_error;
 }
 
-/// An upper bound of the distance at which the line meets f, given that it does: no farther than f's farthest vertex,
+/// The line in the coordinates of a surface's tree.
+WideRay in_tree_of(Side side, const WideTree& tree, const Ray& ray, const Placement& placement, double radius) {
+  return {tree, placement.to_frame_of(side, ray.origin), placement.direction_in_frame_of(side, ray.direction),
+          line_slack(side, ray, placement) + radius};
+}
+
+/// Where the line meets the plane of a face: bounds of the distance, m.
+struct Distance {
+  double least = -kInfinity;
+  double greatest = kInfinity;
+
+  bool surely_before(const Distance& other) const { return greatest < other.least; }
+};
+
+/// Bounds of the distance at which the line meets f, given that it does: no nearer and no farther than f's vertices,
 /// and near the quotient (11) where the angle is fair.
-double greatest_distance(const Ray& ray, const FacePoints& f, double slack) {
-  if (!(ray.direction_error < 1)) return kInfinity;
+Distance distance_to(const Ray& ray, const FacePoints& f, double slack) {
+  if (!(ray.direction_error < 1)) return {};
   const Eigen::Vector3d d0 = f[0] - ray.origin;
   const Eigen::Vector3d first_edge = f[1] - f[0], second_edge = f[2] - f[0];
   const double along0 = ray.direction.dot(d0);
-  double greatest = std::max({along0, along0 + ray.direction.dot(first_edge), along0 + ray.direction.dot(second_edge)});
+  const double along1 = along0 + ray.direction.dot(first_edge), along2 = along0 + ray.direction.dot(second_edge);
+  double least = std::min({along0, along1, along2}), greatest = std::max({along0, along1, along2});
   const Eigen::Vector3d N = first_edge.cross(second_edge);
   // 1-norms: |a x b| <= |a| |b|. Roundings: 32 u covers the 12 of each quantity.
   const double size = first_edge.lpNorm<1>() * second_edge.lpNorm<1>();
   const double height_error = (slack + 32 * 0x1p-53 * d0.lpNorm<1>()) * size;
-  const double slope = std::abs(ray.direction.dot(N));
+  const double slope = ray.direction.dot(N);
   const double slope_error = (3 * ray.direction_error + 32 * 0x1p-53) * size;
-  if (slope > 2 * slope_error && slope > kLeastProduct) {
-    greatest = std::min(greatest, (std::abs(d0.dot(N)) + height_error) / (slope - slope_error));
+  if (std::abs(slope) > 2 * slope_error && std::abs(slope) > kLeastProduct) {
+    const double height = slope > 0 ? d0.dot(N) : -d0.dot(N);
+    const double steepest = std::abs(slope) + slope_error, least_steep = std::abs(slope) - slope_error;
+    const auto quotient = [&](double numerator, double small, double great) {
+      return numerator / (numerator > 0 ? small : great);
+    };
+    greatest = std::min(greatest, quotient(height + height_error, least_steep, steepest));
+    least = std::max(least, quotient(height - height_error, steepest, least_steep));
   }
-  // Where anything overflowed, nothing is known.
-  return std::isfinite(greatest) ? std::max(greatest, 0.0) + slack : kInfinity;
+  // Where anything overflowed, nothing is known. The last roundings are far below the slack.
+  return {std::isfinite(least) ? least - slack : -kInfinity, std::isfinite(greatest) ? greatest + slack : kInfinity};
 }
 
-/// The line meets f at q >= 0 (before the shift).
-bool meets(const PenetrationLine& line, const FacePoints& f, int& face_direction, WorkCounters& work) {
-  face_direction = facing(line, f, work);
-  return face_direction != 0 && passes_through(line, f, work) && distance_sign(line, f, work) >= 0;
-}
+/// The penetration line as exact predicates take it, made when one is first needed.
+class ExactLine {
+ public:
+  explicit ExactLine(const FacePoints& points) : points_(points) {}
+  const PenetrationLine& operator*() {
+    if (!line_) line_.emplace(points_[0], points_[1], points_[2]);
+    return *line_;
+  }
 
-struct FirstFace {
-  Index face = -1;
-  int direction = 0;  ///< -1 where the line leaves the slave there, +1 where it enters
-  FacePoints points_Me;
-  double no_farther_than = kInfinity;
+ private:
+  const FacePoints& points_;
+  std::optional<PenetrationLine> line_;
 };
 
-/// The first face of a surface that the line meets, by exact distance, then shift, then face index.
-template <bool kTraced>
-FirstFace first_face_met(Workspace::Data& workspace, Side slave, const PenetrationLine& line, const Ray& ray,
-                         LineTrace* trace) {
-  PosedSurface& posed = workspace.side(slave).posed;
-  const BoxTree& tree = posed.surface().tree;
-  WorkCounters& work = workspace.contact.work;
-  const TreeRay tree_ray = in_tree_of(slave, ray, workspace.placement, kTraced ? trace->radius : 0);
-  auto& open = workspace.ray_nodes;
-  open.clear();
-  FirstFace first;
-  if constexpr (kTraced) trace->slave_reach = kInfinity;
-  const auto visit = [&](Index node) {
-    ++work.box_tests;
-    const double entry = tree_ray.entry(tree.node(node).box);
-    if (entry <= first.no_farther_than && entry < kInfinity) {
-      open.emplace_back(entry, node);
-    } else if constexpr (kTraced) {
-      trace->slave_reach = std::min(trace->slave_reach, entry);
-    }
-  };
-  visit(0);
-  while (!open.empty()) {
-    const auto [entry, index] = open.back();
-    open.pop_back();
-    if (entry > first.no_farther_than) {
-      if constexpr (kTraced) trace->slave_reach = std::min(trace->slave_reach, entry);
-      continue;
-    }
-    const BoxNode& node = tree.node(index);
-    if (!node.leaf()) {
-      const std::size_t before = open.size();
-      visit(node.child);
-      visit(node.child + 1);
-      // The nearer child is looked into first.
-      if (open.size() == before + 2 && open[before].first < open[before + 1].first) {
-        std::swap(open[before], open[before + 1]);
-      }
-      continue;
-    }
-    if constexpr (kTraced) trace->slave_faces.push_back(node.face);
-    const FacePoints points = posed.face_Me(node.face, work);
-    int direction = 0;
-    if (!meets(line, points, direction, work)) continue;
-    if (first.face >= 0) {
-      const int order = compare_distance(line, points, first.points_Me, work);
-      if (order > 0 || (order == 0 && node.face > first.face)) continue;
-    }
-    first = {node.face, direction, points, greatest_distance(ray, points, tree_ray.slack)};
+/// A face that the line meets.
+struct FaceMet {
+  Index face = -1;
+  int direction = 0;  ///< -1 where the line leaves the face's body there, +1 where it enters
+  FacePoints points_Me;
+  Distance distance;
+};
+
+/// Whether the line meets the face at q >= 0 (before the shift); fills `met`.
+bool meets(ExactLine& line, const Ray& ray, const FacePoints& points, Passage passage, double slack, FaceMet& met,
+           WorkCounters& work) {
+  if (passage == Passage::unknown) {
+    met.direction = facing(*line, points, work);
+    if (met.direction == 0 || !passes_through(*line, points, work)) return false;
+  } else {
+    met.direction = passage == Passage::leaving ? -1 : 1;
   }
+  met.distance = distance_to(ray, points, slack);
+  if (met.distance.greatest < 0) return false;
+  return met.distance.least > 0 || distance_sign(*line, points, work) >= 0;
+}
+
+/// The order of two faces met: by distance, then shift; 0 where both are tied.
+int compare(ExactLine& line, const FaceMet& f, const FaceMet& g, WorkCounters& work) {
+  if (f.distance.surely_before(g.distance)) return -1;
+  if (g.distance.surely_before(f.distance)) return 1;
+  return compare_distance(*line, f.points_Me, g.points_Me, work);
+}
+
+/// The first face of a surface that the line meets, by exact distance, then shift, then face index.
+FaceMet first_face_met(Workspace::Data& workspace, Side slave, ExactLine& line, const Ray& ray, LineTrace* trace) {
+  PosedSurface& posed = workspace.side(slave).posed;
+  const WideTree& tree = posed.surface().wide_tree;
+  WorkCounters& work = workspace.contact.work;
+  const double slack = line_slack(slave, ray, workspace.placement);
+  const WideRay wide_ray = in_tree_of(slave, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
+  FaceMet first;
+  const auto visit = [&](Index face, Passage passage) {
+    if (trace != nullptr) trace->slave_faces.push_back(face);
+    FaceMet met;
+    met.face = face;
+    met.points_Me = posed.face_Me(face, work);
+    if (!meets(line, ray, met.points_Me, passage, slack, met, work)) return;
+    if (first.face >= 0) {
+      const int order = compare(line, met, first, work);
+      if (order > 0 || (order == 0 && face > first.face)) return;
+    }
+    first = met;
+  };
+  const double reach =
+      search_along(tree, wide_ray, first.distance.greatest, workspace.wide_tests, workspace.line_nodes, work, visit);
+  if (trace != nullptr) trace->slave_reach = reach;
   return first;
 }
 
 /// Whether the line meets another face of the master strictly before `limit`.
-template <bool kTraced>
-bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, const PenetrationLine& line,
-                          const Ray& ray, const FirstFace& limit, LineTrace* trace) {
+bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, ExactLine& line, const Ray& ray,
+                          const FaceMet& limit, LineTrace* trace) {
   PosedSurface& posed = workspace.side(master).posed;
-  const BoxTree& tree = posed.surface().tree;
+  const WideTree& tree = posed.surface().wide_tree;
   WorkCounters& work = workspace.contact.work;
-  const TreeRay tree_ray = in_tree_of(master, ray, workspace.placement, kTraced ? trace->radius : 0);
-  std::vector<Index>& open = workspace.nodes;
-  open.assign(1, 0);
-  while (!open.empty()) {
-    const BoxNode& node = tree.node(open.back());
-    open.pop_back();
-    ++work.box_tests;
-    const double entry = tree_ray.entry(node.box);
-    if (!(entry <= limit.no_farther_than && entry < kInfinity)) continue;
-    if (!node.leaf()) {
-      open.push_back(node.child);
-      open.push_back(node.child + 1);
-      continue;
-    }
-    if (node.face == face) continue;
-    if constexpr (kTraced) trace->own_faces.push_back(node.face);
-    const FacePoints points = posed.face_Me(node.face, work);
-    int direction = 0;
-    if (meets(line, points, direction, work) && compare_distance(line, points, limit.points_Me, work) < 0) return true;
-  }
-  return false;
+  const double slack = line_slack(master, ray, workspace.placement);
+  const WideRay wide_ray = in_tree_of(master, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
+  bool leaves = false;
+  double no_farther_than = limit.distance.greatest;
+  search_along(
+      tree, wide_ray, no_farther_than, workspace.wide_tests, workspace.line_nodes, work,
+      [&](Index own, Passage passage) {
+        if (own == face || leaves) return;
+        if (trace != nullptr) trace->own_faces.push_back(own);
+        FaceMet met;
+        met.points_Me = posed.face_Me(own, work);
+        if (!meets(line, ray, met.points_Me, passage, slack, met, work) || compare(line, met, limit, work) >= 0) return;
+        leaves = true;
+        no_farther_than = -1;  // The search is over.
+      });
+  return leaves;
 }
 
 /// Whether a face's vertices lie exactly on a line: N = 0 where the plane through them holds every point that differs
@@ -152,33 +171,6 @@ bool has_no_normal(const FacePoints& p) {
   return true;
 }
 
-template <bool kTraced>
-Penetration follow_line(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                        LineTrace* trace) {
-  WorkCounters& work = workspace.contact.work;
-  if constexpr (kTraced) {
-    trace->clear();
-  }
-  const Ray ray(geometry, geometry.barycentre_Me());
-  Penetration penetration;
-  if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
-  const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
-  const FirstFace first = first_face_met<kTraced>(workspace, opposite(master), line, ray, trace);
-  penetration.first_met = first.face;
-  if (first.face < 0 || first.direction > 0) return penetration;
-  if (!thicker_than(workspace, master, face, geometry, first.no_farther_than) &&
-      leaves_master_before<kTraced>(workspace, master, face, line, ray, first, trace)) {
-    penetration.outcome = Penetration::Outcome::too_deep;
-    return penetration;
-  }
-  if constexpr (kTraced) trace->own_reach = first.no_farther_than;
-  if (distance_sign(line, first.points_Me, work) == 0) return penetration;
-  penetration.outcome = Penetration::Outcome::element;
-  penetration.slave_face = first.face;
-  penetration.depth = DepthBelow(geometry, first.points_Me).value();
-  return penetration;
-}
-
 }  // namespace
 
 bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
@@ -190,8 +182,26 @@ bool thicker_than(const Workspace::Data& workspace, Side master, Index face, con
 
 Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
                              LineTrace* trace) {
-  return trace == nullptr ? follow_line<false>(workspace, master, face, geometry, nullptr)
-                          : follow_line<true>(workspace, master, face, geometry, trace);
+  WorkCounters& work = workspace.contact.work;
+  if (trace != nullptr) trace->clear();
+  const Ray ray(geometry, geometry.barycentre_Me());
+  Penetration penetration;
+  if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
+  ExactLine line(geometry.points_Me);
+  const FaceMet first = first_face_met(workspace, opposite(master), line, ray, trace);
+  penetration.first_met = first.face;
+  if (first.face < 0 || first.direction > 0) return penetration;
+  if (!thicker_than(workspace, master, face, geometry, first.distance.greatest) &&
+      leaves_master_before(workspace, master, face, line, ray, first, trace)) {
+    penetration.outcome = Penetration::Outcome::too_deep;
+    return penetration;
+  }
+  if (trace != nullptr) trace->own_reach = first.distance.greatest;
+  if (!(first.distance.least > 0) && distance_sign(*line, first.points_Me, work) == 0) return penetration;
+  penetration.outcome = Penetration::Outcome::element;
+  penetration.slave_face = first.face;
+  penetration.depth = DepthBelow(geometry, first.points_Me).value();
+  return penetration;
 }
 
 }  // namespace pcm::fast

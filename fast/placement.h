@@ -26,6 +26,7 @@ struct Placement {
   double reach = 0;            ///< M: no |coordinate| in Me of E, of F or of r exceeds it, m
   double slack_E = 0;          ///< error of points and boxes in Me, m
   double slack_F = 0;          ///< the same in Mf, where A^T stands for the inverse of A, m
+  double span = 0;  ///< no two vertices of either are farther apart along an axis of Me, if the hulls touch, m
 
   Placement() = default;
   Placement(const Surface::Data& surface_E, const Surface::Data& surface_F, const Pose& pose)
@@ -36,6 +37,7 @@ struct Placement {
     const double skew = (pose.A.transpose() * pose.A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     slack_E = kPlacementSlack * reach;
     slack_F = 4 * slack_E + 12 * skew * surface_F.reach.maxCoeff();
+    span = 2 * (1 + 0x1p-20) * (surface_E.tree.root().box.half.sum() + surface_F.tree.root().box.half.sum()) + slack_E;
   }
 
   double slack(Side side) const { return side == Side::E ? slack_E : slack_F; }

@@ -17,7 +17,10 @@ class StampedArray {
   /// Forgets all values and makes room for `size` of them.
   void start(std::size_t size) {
     if (entries_.size() < size) entries_.resize(size);
-    ++round_;
+    if (++round_ != 0) return;
+    // Once in 2^32 rounds the numbers start anew.
+    for (Entry& entry : entries_) entry.round = 0;
+    round_ = 1;
   }
 
   template <class Int>
@@ -42,11 +45,11 @@ class StampedArray {
 
  private:
   struct Entry {
-    std::uint64_t round = 0;
+    std::uint32_t round = 0;
     Value value{};
   };
   std::vector<Entry> entries_;
-  std::uint64_t round_ = 1;
+  std::uint32_t round_ = 1;
 };
 
 }  // namespace pcm::fast

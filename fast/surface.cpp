@@ -140,6 +140,7 @@ Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   });
   find_components(*this);
   tree = BoxTree(mesh);
+  wide_tree = WideTree(mesh, tree);
   thickness = lower_bounds_of_thickness(*this);
   thickness_everywhere = lower_bounds_of_thickness_everywhere(*this);
   clear_of_neighbours = faces_clear_of_neighbours(*this);

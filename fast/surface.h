@@ -7,6 +7,7 @@
 
 #include "fast/box_tree.h"
 #include "fast/engine.h"
+#include "fast/wide_tree.h"
 
 namespace pcm::fast {
 
@@ -45,6 +46,7 @@ struct Surface::Data {
   std::vector<Box> component_boxes;
   bool closed = true;  ///< no border edge at all (rule: a surface is open as a whole)
   BoxTree tree;
+  WideTree wide_tree;                               ///< the same boxes, eight at once
   Eigen::Vector3d reach = Eigen::Vector3d::Zero();  ///< greatest |coordinate| along each axis, m
   /// Lower bound of the distance from each face's barycentre along its inward normal to the next face of the same
   /// surface, m; see fast/thickness.h.

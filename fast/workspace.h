@@ -10,6 +10,7 @@
 #include "fast/contact.h"
 #include "fast/engine.h"
 #include "fast/footprint.h"
+#include "fast/line_search.h"
 #include "fast/line_trace.h"
 #include "fast/placement.h"
 #include "fast/projected_face.h"
@@ -110,10 +111,11 @@ struct FaceClip {
 struct Workspace::Data {
   std::array<SideState, 2> sides;
   Placement placement;
+  const WideTests& wide_tests = fastest_wide_tests();
   NodePairs node_pairs;
-  std::vector<Index> nodes;                         ///< stack of the traversals of one tree
-  std::vector<std::pair<double, Index>> ray_nodes;  ///< the same, with the distance at which a ray enters each
-  std::vector<Index> stack;                         ///< of the floods over a mesh
+  std::vector<Index> nodes;  ///< stack of the traversals of one tree
+  LineNodes line_nodes;      ///< of the searches along lines
+  std::vector<Index> stack;  ///< of the floods over a mesh
   std::vector<std::pair<Index, Index>>
       candidates;        ///< face pairs (E, F) whose boxes may touch; where bounds are wanted
   LineTrace line_trace;  ///< of the line at hand, where bounds are wanted

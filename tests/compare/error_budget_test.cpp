@@ -65,6 +65,18 @@ TEST(SmoothBubble, TwiceAsManyCellsChangeLittle) {
   EXPECT_LT((coarse - fine).norm(), 2e-5 * fine.norm());
 }
 
+/// Pole upon pole again: the poles' triangles have the sides a = (length / 2) pi / (20 finer) along the meridian and
+/// next to nothing across, so that each mesh takes a^2 / (12 rho) of the depth, over the contact's area pi rho depth.
+TEST(SmoothBubble, MeshesTakeTheirInsetFromAPolesContact) {
+  const double length = 3, depth = 1e-3, rho = 1.5 * 1.5 / (2 * 1.75);
+  const auto pi = static_cast<double>(closed_forms::kPi);
+  const double a = length / 2 * pi / (20 * 4), inset = a * a / (12 * rho);
+  const Placement placement{Eigen::Matrix3d::Identity(), {0, 0, 3 - depth}};
+  const double as_meshed = force_lost_to_meshes(length, placement, {4, false}, 3000).z();
+  EXPECT_NEAR(as_meshed / (2 * inset * pi * rho * depth), 1, 0.02);
+  EXPECT_LT(force_lost_to_meshes(length, placement, {4, true}, 3000).z(), as_meshed);
+}
+
 /// The coarsest level of the pair alone.
 BudgetCase coarsest(BudgetCase pair) {
   pair.levels = 1;

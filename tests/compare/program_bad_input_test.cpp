@@ -179,7 +179,7 @@ TEST_F(BadInput, OptionsOfVerify) {
   expect_bad_input({"verify", "--case", scratch_.path("missing.json")}, "missing.json");
   expect_bad_input({"verify", "--case", scratch_.path("")}, "folder");
   expect_bad_input({"verify", "--case", surface_}, "no case file");
-  expect_bad_input({"verify", "--quick"}, "--quick goes with --known-answers or --error-budget");
+  expect_bad_input({"verify", "--quick"}, "--quick goes with --known-answers, --error-budget or --audits");
   expect_bad_input({"verify", "--error-budget", "--known-answers"}, "--error-budget");
   expect_bad_input({"verify", "--error-budget", "--scheme", "clipped"}, "--error-budget");
   expect_bad_input({"verify", "--error-budget", "--quick", "--jobs", "0"}, "--jobs");

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "fast/placement.h"
+#include "fast/wide_tree.h"
+
+namespace pcm::fast {
+
+/// A pose between the coordinates of two wide trees, in single precision: x_E = rotation (scale x_F) + shift, with what
+/// keeps tests of boxes and planes conservative for all positions of F's vertices within their rounding.
+///
+/// Let v = 2^-24 and let G bound |x| + |y| + |z| of both bodies' points and |shift|, in E's coordinates: the sum of
+/// both radii, once the root boxes were found to touch. A point of F is a sum of four terms, two roundings in each
+/// product and three sums: off by 7 v G; less a centre of E: 10 v G; half widths and their sums lose less than 10 v G.
+/// Turned back into F's axes, whose rows' absolute sums are at most sqrt(3): 54 v G in all. So 64 v G covers boxes. A
+/// plane n . (x - p) = 0 whose normal is off by 8 v and x, p each by 9 v G errs by 100 v G at most: 128 v G.
+/// The roundings of double precision are those of Placement. They also tilt the plane of a face of F: by no more than
+/// their double over its least height, over a length of 2 G.
+struct WidePose {
+  std::array<std::array<float, 3>, 3> rotation{};
+  std::array<std::array<float, 3>, 3> rotation_absolute{};
+  std::array<float, 3> shift{};
+  float scale = 1;        ///< F's unit over E's
+  float slack_E = 0;      ///< of boxes along E's axes
+  float slack_F = 0;      ///< along F's
+  float plane_slack = 0;  ///< a point this far from a plane, or farther, surely is on that side
+
+  WidePose() = default;
+  WidePose(const WideTree& E, const WideTree& F, const Placement& placement);
+};
+
+/// A penetration line in the coordinates of a wide tree, in single precision. It stands for all lines whose points are
+/// within a given distance of its own, and for all surfaces whose points are that near to the tree's.
+///
+/// Let G bound |x| + |y| + |z| of the tree's points and of the line's origin, added up. Positions are off by 3 v G; a
+/// box is entered at the greatest of three quotients, off by less than 24 v G where it is not out of reach: boxes that
+/// grow by 64 v G are entered no later than the true ones. A face is passed at a distance, times an edge's length, off
+/// by 8 v G times that length and 8 v G more for the positions: 64 v G covers both, outside and inside.
+struct WideRay {
+  std::array<float, 3> origin{};
+  std::array<float, 3> direction{};
+  std::array<float, 3> inverse{};  ///< of the direction's components; those near 0 count as 2^-60
+  float slack = 0;
+
+  /// Origin and direction in the frame of the tree's surface, `distance` in m.
+  WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& ray_direction,
+          double distance);
+};
+
+/// Which of E's children may touch which of F's: bit 8 j + i is child i of E with child j of F.
+using LanePairs = std::uint64_t;
+
+/// Faces and a line, bit by bit.
+struct FacesMet {
+  std::uint32_t possible = 0;  ///< all others surely are missed
+  std::uint32_t leaving = 0;   ///< surely passed through, from inside: along their normal
+  std::uint32_t entering = 0;  ///< surely passed through, from outside
+};
+
+/// The tests, compiled for one set of instructions. Plain multiplications and additions only, never fused: all sets
+/// give the same bits. False only for what is apart in every position of F's vertices within their rounding.
+struct WideTests {
+  /// Boxes of two nodes' children.
+  LanePairs (*boxes)(const WideNode& E, const WideNode& F, const WidePose& pose);
+  /// The box of F itself against those of E's children (bits 0 to 7), and the reverse.
+  std::uint32_t (*children_of_E)(const WideNode& E, const WideNode& F, const WidePose& pose);
+  std::uint32_t (*children_of_F)(const WideNode& E, const WideNode& F, const WidePose& pose);
+  /// Faces of two bottom nodes: their boxes along E's axes, and whether one lies on one side of the other's plane.
+  LanePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
+                     const WidePose& pose);
+  /// Children whose boxes the ray may meet, and how far along it at least.
+  std::uint32_t (*boxes_met)(const WideNode& node, const WideRay& ray, Lanes& entry);
+  /// Faces that the line, taken as infinite both ways, passes through.
+  FacesMet (*faces_met)(const FaceGroup& faces, const WideRay& ray);
+};
+
+/// The fastest that this processor runs.
+const WideTests& fastest_wide_tests();
+
+/// Each set that this processor runs, for tests: the portable one first.
+std::array<const WideTests*, 2> all_wide_tests();
+
+}  // namespace pcm::fast
