@@ -10,14 +10,12 @@
 #include <numbers>
 #include <string_view>
 
+#include "compare/names.h"
+
 namespace pcm::compare {
 namespace {
 
 constexpr std::array kMasters = {Mode::E, Mode::F, Mode::both};
-
-std::string_view name(Mode mode) {
-  return mode == Mode::E ? "E" : mode == Mode::F ? "F" : "both";
-}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -175,8 +173,10 @@ Advice Adviser::advice() const {
   advice.in_contact = in_contact_;
   advice.model_gap = median(gaps_);
   for (std::size_t i = 0; i < 3; ++i) advice.masters[i] = summarize(kMasters[i], seen_[i]);
-  if (advice.in_contact == 0) {
-    advice.reason = "No pose has a force: there is nothing to choose by.";
+  if (gaps_.empty()) {
+    advice.reason = advice.in_contact == 0
+                        ? "No pose has a force: there is nothing to choose by."
+                        : "No pose has a force, whichever is master: the bodies are thinner than they penetrate.";
     return advice;
   }
   std::vector<const MasterSummary*> left{&advice.masters[0], &advice.masters[1], &advice.masters[2]};

@@ -45,7 +45,7 @@ struct Advice {
   std::int64_t in_contact = 0;           ///< with a force, or faces too deep to have one
   std::array<MasterSummary, 3> masters;  ///< E, F, both
   double model_gap = 0;  ///< median of |F_E - F_F| / mean |F| of the clipped integrals: what the choice itself means
-  std::optional<Mode> master;  ///< none where no pose is in contact
+  std::optional<Mode> master;  ///< none where no pose has a force
   std::string reason;          ///< one sentence
 };
 

@@ -8,15 +8,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "compare/names.h"
+
 namespace pcm::compare {
 namespace {
-
-std::string_view name(Mode mode) {
-  return mode == Mode::E ? "E" : mode == Mode::F ? "F" : "both";
-}
-std::string_view name(Scheme scheme) {
-  return scheme == Scheme::barycentric ? "barycentric" : "clipped";
-}
 
 /// A band over a unit; one number where both ends are alike to the digits shown.
 std::string text(const std::optional<Band>& band, double unit) {

@@ -48,8 +48,8 @@ struct ForceJump {
   std::vector<FaceJump> faces;                          ///< the greatest first
 
   double size() const { return force_Me.norm(); }
-  /// Share of the force there: at most 1 unless the faces' forces oppose each other.
-  double relative() const { return size() / force_there; }
+  /// Share of the force there: at most 2, where the force turns round. 0 where there is none on either side.
+  double relative() const { return force_there > 0 ? size() / force_there : 0; }
 };
 
 /// What the walk along a path yields beside the jumps, place by place.

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "compare/table.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -40,12 +42,6 @@ std::string text(const std::optional<Band>& band) {
 std::optional<double> richardson_deviation(const Series& series, const Convergence& c) {
   if (!c.richardson) return {};
   return static_cast<double>((*c.richardson - series.reference) / series.scale);
-}
-
-std::string quoted(const std::string& words) {
-  std::string escaped;
-  for (const char c : words) escaped += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return '"' + escaped + '"';
 }
 
 nlohmann::ordered_json json(const Band& band) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "compare/command_bench.h"
 #include "compare/command_contact.h"
 #include "compare/command_inspect.h"
 #include "compare/command_line.h"
@@ -64,6 +65,7 @@ Exit run_program(int argc, char** argv) {
       "Exit status: 0 if all is well, 1 for a negative verdict, 2 for bad input.\n"
       "Example:\n  pcm contact E.obj F.obj\n'pcm COMMAND --help' describes a command.");
   Run run;
+  add_bench_command(program, run);
   add_contact_command(program, run);
   add_inspect_command(program, run);
   add_mesh_command(program, run);

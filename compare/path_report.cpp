@@ -9,20 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "compare/names.h"
+
 namespace pcm::compare {
 namespace {
 
 constexpr std::size_t kRows = 20;
-
-std::string_view name(Side side) {
-  return side == Side::E ? "E" : "F";
-}
-std::string_view name(Mode mode) {
-  return mode == Mode::E ? "E" : mode == Mode::F ? "F" : "both";
-}
-std::string_view name(Scheme scheme) {
-  return scheme == Scheme::barycentric ? "barycentric" : "clipped";
-}
 
 /// The slave faces a load leaves through, in a few characters.
 std::string slave_text(const FaceLoad& load) {

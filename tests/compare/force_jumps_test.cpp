@@ -208,6 +208,10 @@ TEST(ForceJumps, FlushFlanksJumpInBothSchemes) {
   }
 }
 
+TEST(ForceJumps, LoadsThatJumpWithoutAForceBeforeOrAfterHaveNoShareInIt) {
+  EXPECT_EQ(ForceJump().relative(), 0);
+}
+
 TEST(ForceJumps, FlushInTheMidstOfATurnIsFound) {
   // F, 1 m wide, turns about y through the pose in which its wall lies in E's: before, the metre of E's wall below the
   // axis is inside F, after, the half metre above it.

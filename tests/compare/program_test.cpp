@@ -50,8 +50,9 @@ class Program : public testing::Test {
 constexpr const char* kOverlap = "1 0 0  0 1 0  0 0 1  0.125 0.25 0.875\n";
 
 TEST(ProgramHelp, EveryCommandShowsAnExample) {
-  for (const Words& command : {Words{}, Words{"contact"}, Words{"inspect"}, Words{"verify"}, Words{"mesh"},
-                               Words{"mesh", "check"}, Words{"mesh", "make"}, Words{"mesh", "convert"}}) {
+  for (const Words& command :
+       {Words{}, Words{"bench"}, Words{"bench", "peers"}, Words{"bench", "scaling"}, Words{"contact"}, Words{"inspect"},
+        Words{"verify"}, Words{"mesh"}, Words{"mesh", "check"}, Words{"mesh", "make"}, Words{"mesh", "convert"}}) {
     Words arguments = command;
     arguments.emplace_back("--help");
     const Outcome outcome = run_pcm(arguments);

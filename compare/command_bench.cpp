@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/command_bench.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include "compare/bench_peers.h"
+#include "compare/bench_scaling.h"
+#include "meshes/bad_input.h"
+#include "meshes/text_file.h"
+
+namespace pcm::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PeersOptions {
+  std::optional<std::string> poses;
+  std::vector<std::string> bodies;
+  std::optional<std::string> out;
+  bool quick = false;
+};
+
+struct ScalingOptions {
+  std::optional<std::string> out;
+  bool quick = false;
+};
+
+/// A folder, made if need be: before an hour is spent on what can't be kept there.
+std::optional<fs::path> output_folder(const std::optional<std::string>& out) {
+  if (!out) return {};
+  std::error_code error;
+  fs::create_directories(*out, error);
+  if (!fs::is_directory(*out, error)) throw BadInput("--out " + *out + ": no such folder, and it cannot be made");
+  return fs::path(*out);
+}
+
+void show_progress(const std::string& what) {
+  if (isatty(STDERR_FILENO) != 0) std::cerr << fmt::format("\r{:<60}\r", what) << std::flush;
+}
+
+nlohmann::ordered_json machine_json(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"compiler", machine.compiler},
+          {"flags", machine.flags},
+          {"core", machine.core}};
+}
+
+Exit bench_peers(const PeersOptions& options) {
+  const std::string default_poses = options.quick ? "3" : "200";
+  const auto poses =
+      static_cast<std::int64_t>(whole_number("--poses", options.poses.value_or(default_poses), 1, 1'000'000));
+  std::vector<BenchBody> bodies;
+  for (const std::string& name : options.bodies.empty() ? bench_body_names() : options.bodies)
+    bodies.push_back(bench_body(name));
+  const std::optional<fs::path> folder = output_folder(options.out);
+  const Machine machine = this_machine(stay_on_one_core());
+  const std::vector<PeersResult> results = run_peers(bodies, poses, show_progress);
+  show_progress("");
+  if (folder) {
+    const Table table = peers_table(results);
+    write_text_file(*folder / "peers.md", peers_markdown(results, machine));
+    write_text_file(*folder / "peers.csv", csv(table));
+    const nlohmann::ordered_json whole{
+        {"machine", machine_json(machine)}, {"poses", poses}, {"contestants", json(table)}};
+    write_text_file(*folder / "peers.json", whole.dump(1) + "\n");
+  }
+  std::cout << peers_screen(results, machine);
+  return Exit::success;
+}
+
+Exit bench_scaling(const ScalingOptions& options) {
+  const std::int64_t poses = options.quick ? 2 : 20;
+  const std::optional<fs::path> folder = output_folder(options.out);
+  const Machine machine = this_machine(stay_on_one_core());
+  const ScalingResult result = run_scaling(options.quick ? 4 : 8, poses, show_progress);
+  show_progress("");
+  if (folder) {
+    write_text_file(*folder / "scaling.md", scaling_markdown(result, machine));
+    write_text_file(*folder / "scaling.csv", csv(scaling_table(result)));
+    write_text_file(*folder / "setup.csv", csv(setup_table(result)));
+    const nlohmann::ordered_json whole{{"machine", machine_json(machine)},
+                                       {"poses", poses},
+                                       {"points", json(scaling_table(result))},
+                                       {"exponents", json(exponents_table(result))},
+                                       {"setup", json(setup_table(result))}};
+    write_text_file(*folder / "scaling.json", whole.dump(1) + "\n");
+  }
+  std::cout << scaling_screen(result, machine);
+  return Exit::success;
+}
+
+void add_peers(CLI::App& bench, Run& run) {
+  auto options = std::make_shared<PeersOptions>();
+  CLI::App* command = bench.add_subcommand("peers", "This engine against others on the same surfaces and poses");
+  command->footer(
+      "Peers are those of Debian that were there when the program was built; './run bench' installs them.\n"
+      "Example:\n  pcm bench peers --bodies bubbles --poses 50 --out bench");
+  command->add_option("--poses", options->poses, "Touching poses, and as many separated ones, a body (200)");
+  command
+      ->add_option("--bodies", options->bodies, fmt::format("Only these of: {}", fmt::join(bench_body_names(), ", ")))
+      ->delimiter(',');
+  command->add_option("--out", options->out, "Folder for tables: peers.md, .csv, .json");
+  command->add_flag("--quick", options->quick, "3 poses: to see it work");
+  command->callback([options, &run] { run = [options] { return bench_peers(*options); }; });
+}
+
+void add_scaling(CLI::App& bench, Run& run) {
+  auto options = std::make_shared<ScalingOptions>();
+  CLI::App* command = bench.add_subcommand("scaling", "Time and memory over mesh size and patch size");
+  command->footer(
+      "Two spheres of 320 to 1,310,720 faces each.\n"
+      "Example:\n  pcm bench scaling --out bench");
+  command->add_option("--out", options->out, "Folder for tables: scaling.md, .csv, .json, setup.csv");
+  command->add_flag("--quick", options->quick, "2 poses, up to 5120 faces: to see it work");
+  command->callback([options, &run] { run = [options] { return bench_scaling(*options); }; });
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program, Run& run) {
+  CLI::App* command = program.add_subcommand("bench", "How fast the engine is, beside others and over sizes");
+  command->require_subcommand(1);
+  command->footer("Example:\n  pcm bench peers --bodies bubbles\n'pcm bench WHAT --help' describes one.");
+  add_peers(*command, run);
+  add_scaling(*command, run);
+}
+
+}  // namespace pcm::compare

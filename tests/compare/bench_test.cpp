@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `pcm bench`: what is measured, and that nobody wins by missing some. Nothing here depends on how long anything takes.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "compare/bench_bodies.h"
+#include "compare/bench_timing.h"
+#include "compare/bench_triangle_overlap.h"
+#include "compare/table.h"
+#include "fast/engine.h"
+#include "meshes/text_file.h"
+#include "tests/compare/run_pcm.h"
+
+namespace pcm::compare {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+TEST(BenchTiming, QuantilesAreNearestRanks) {
+  const std::vector<double> values{5, 1, 4, 2, 3};
+  EXPECT_EQ(quantile(values, 0.5), 3);
+  EXPECT_EQ(quantile(values, 0.95), 5);
+  EXPECT_EQ(quantile(values, 0), 1);
+  EXPECT_EQ(quantile({}, 0.5), 0);
+}
+
+TEST(BenchTiming, ExponentOfAPowerIsFound) {
+  EXPECT_NEAR(fitted_exponent({1, 2, 4, 8}, {3, 3 * 1.5, 3 * 2.25, 3 * 3.375}), std::log2(1.5), 1e-14);
+}
+
+TEST(BenchTiming, EveryQueryIsPreparedAndOneAtLeastIsMeasured) {
+  int prepared = 0, asked = 0;
+  least_time([&] { ++prepared; }, [&] { ++asked; });
+  EXPECT_EQ(prepared, asked);
+  EXPECT_GE(asked, 2);
+  EXPECT_LE(asked, 6);
+}
+
+TEST(BenchTriangleOverlap, TellsCrossedFromParted) {
+  const Corners flat{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  EXPECT_TRUE(triangles_overlap(flat, Corners{{{1, 1, -1}, {1, 1, 1}, {1, 2, 1}}}));
+  EXPECT_TRUE(triangles_overlap(Corners{{{1, 1, -1}, {1, 1, 1}, {1, 2, 1}}}, flat));
+  EXPECT_TRUE(triangles_overlap(flat, Corners{{{-1, 1, 1}, {1, 1, 0}, {-1, 1, -1}}})) << "a corner in the plane";
+  EXPECT_FALSE(triangles_overlap(flat, Corners{{{1, 1, 1}, {2, 1, 1}, {1, 2, 2}}})) << "above";
+  EXPECT_FALSE(triangles_overlap(flat, Corners{{{5, 5, -1}, {5, 5, 1}, {6, 5, 1}}})) << "beside";
+}
+
+TEST(Table, IsTheSameInAllFormats) {
+  const Table table{{{"who", "who", false}, {"time us", "time_us"}},
+                    {{"a \"b\"", number_cell(12.345, 3)}, {"c", empty_cell()}}};
+  EXPECT_EQ(on_screen(table), "who    time us\na \"b\"     12.3\nc            -\n");
+  EXPECT_EQ(markdown(table), "| who | time us |\n|---|--:|\n| a \"b\" | 12.3 |\n| c | - |\n");
+  EXPECT_EQ(csv(table), "who,time_us\n\"a \"\"b\"\"\",12.345\n\"c\",\n");
+  EXPECT_EQ(json(table).dump(), R"([{"who":"a \"b\"","time_us":12.345},{"who":"c","time_us":null}])");
+}
+
+TEST(BenchPoses, TouchOrAreParted) {
+  for (const std::string& name : bench_body_names()) {
+    const BenchBody body = bench_body(name);
+    const fast::Surface surface(body.mesh);
+    const fast::Pairing pairing(surface, surface);
+    fast::Workspace workspace;
+    for (const Distance distance : {Distance::touching, Distance::separated}) {
+      const std::vector<Pose> poses = bench_poses(body.mesh, distance, 5);
+      EXPECT_EQ(poses.size(), 5U);
+      for (const Pose& pose : poses)
+        EXPECT_EQ(fast::evaluate(pairing, pose, {}, {}, workspace).touching, distance == Distance::touching) << name;
+    }
+  }
+}
+
+TEST(BenchPeers, EverybodyWhoCountsPairsFindsTheSameNumber) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path("tables");
+  const Outcome outcome = run_pcm({"bench", "peers", "--quick", "--bodies", "bubbles", "--out", folder});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("pcm barycentric"), std::string::npos) << outcome.out;
+
+  const Json all = Json::parse(read_text_file(folder + "/peers.json"));
+  EXPECT_EQ(all["poses"], 3);
+  EXPECT_FALSE(all["machine"]["processor"].get<std::string>().empty());
+  std::map<std::string, double> pairs;
+  int who = 0;
+  for (const Json& row : all["contestants"]) {
+    ++who;
+    if (row["median_us"].is_null()) {
+      EXPECT_NE(row["computes"].get<std::string>().find("not installed: lib"), std::string::npos) << row;
+      continue;
+    }
+    EXPECT_GT(row["median_us"], 0) << row;
+    EXPECT_GE(row["p95_us"], row["median_us"]) << row;
+    EXPECT_GT(row["ratio_to_all"], 0) << row;
+    if (row["computes"] == "touch only") continue;
+    if (row["finds"] != "pairs" && row["finds"] != "segments") continue;
+    const double found = row["found"];
+    EXPECT_EQ(pairs.emplace(row["poses"], found).first->second, found) << row;
+  }
+  EXPECT_GE(who, 12);
+  EXPECT_GT(pairs.at("touching"), 10);
+  EXPECT_EQ(pairs.at("separated"), 0);
+  EXPECT_NE(read_text_file(folder + "/peers.md").find("| pcm clipped | everything |"), std::string::npos);
+  EXPECT_EQ(lines_of(read_text_file(folder + "/peers.csv")).size(), static_cast<std::size_t>(who) + 1);
+}
+
+TEST(BenchScaling, WorkGrowsAsTheMeshesDo) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path("tables");
+  const Outcome outcome = run_pcm({"bench", "scaling", "--quick", "--out", folder});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json all = Json::parse(read_text_file(folder + "/scaling.json"));
+  ASSERT_EQ(all["setup"].size(), 3U);
+  EXPECT_EQ(all["setup"][2]["faces"], 5120);
+  ASSERT_GE(all["points"].size(), 9U);
+  // The same patch on finer meshes: twice the crossings, four times the elements, about.
+  for (std::size_t level : {0U, 1U}) {
+    const Json &coarse = all["points"][level], &fine = all["points"][level + 1];
+    EXPECT_EQ(coarse["series"], "mesh size, same patch");
+    EXPECT_GT(fine["crossings"], 1.5 * coarse["crossings"].get<double>());
+    EXPECT_GT(fine["elements"], 2.5 * coarse["elements"].get<double>());
+  }
+  EXPECT_EQ(all["exponents"].size(), 3U);
+  for (const char* name : {"scaling.md", "scaling.csv", "setup.csv"})
+    EXPECT_FALSE(read_text_file(folder + "/" + name).empty());
+}
+
+TEST(BenchBadInput, IsRefusedInOneLine) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("file", "");
+  const auto expect_bad_input = [](const std::vector<std::string>& arguments, const std::string& named) {
+    const Outcome outcome = run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
+  };
+  expect_bad_input({"bench"}, "pcm bench --help");
+  expect_bad_input({"bench", "sausage"}, "sausage");
+  expect_bad_input({"bench", "peers", "--poses", "0"}, "--poses");
+  expect_bad_input({"bench", "peers", "--poses", "many"}, "--poses");
+  expect_bad_input({"bench", "peers", "--bodies", "bubbles,sausage"}, "sausage");
+  expect_bad_input({"bench", "peers", "--quick", "--out", file}, file);
+  expect_bad_input({"bench", "scaling", "--quick", "--out", file}, file);
+  expect_bad_input({"bench", "scaling", "--quick", "more"}, "more");
+}
+
+}  // namespace
+}  // namespace pcm::compare
