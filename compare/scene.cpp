@@ -57,12 +57,13 @@ PoseOutcome Scene::hold(const Pose& pose, const Velocity& velocity, fast::Worksp
 
     who = "oracle, rounded problem";
     const StopWatch oracle_watch;
-    const reference::Answer true_rounded = oracle_.answer(reference::Problem::rounded, pose, velocity, everything);
+    reference::Inquiry inquiry(oracle_, pose, velocity, everything);
+    const reference::Answer true_rounded = inquiry.answer(reference::Problem::rounded);
     outcome.oracle_seconds = oracle_watch.seconds();
 
     who = "oracle, exact problem";
     const StopWatch exact_watch;
-    const reference::Answer true_exact = oracle_.answer(reference::Problem::exact, pose, velocity, everything);
+    const reference::Answer true_exact = inquiry.answer(reference::Problem::exact);
     outcome.oracle_exact_seconds = exact_watch.seconds();
 
     who = "comparison";

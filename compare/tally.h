@@ -64,7 +64,7 @@ struct PoseOutcome {
   double backward_error_ulps = 0;
   double engine_seconds = 0;
   double oracle_seconds = 0;        ///< on the rounded problem
-  double oracle_exact_seconds = 0;  ///< on the exact problem
+  double oracle_exact_seconds = 0;  ///< on the exact problem, after the rounded one, with which it shares work
 };
 
 struct Tally {

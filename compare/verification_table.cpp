@@ -176,7 +176,7 @@ nlohmann::ordered_json verification_json(const Verification& run) {
 std::string times_markdown(const Verification& run) {
   std::string text =
       "## Times\n\nMedian and p99 a pose; all answers asked for. These vary from run to run.\n\n"
-      "| pair | stratum | engine (us) | oracle, rounded (ms) | oracle, exact (ms) |\n|---|---|--:|--:|--:|\n";
+      "| pair | stratum | engine (us) | oracle, rounded (ms) | exact as well (ms) |\n|---|---|--:|--:|--:|\n";
   for (const Row& row : rows(run)) {
     const Tally& t = row.tally;
     text += fmt::format("| {} | {} | {:.0f} / {:.0f} | {:.2f} / {:.2f} | {:.2f} / {:.2f} |\n", row.pair, row.stratum,

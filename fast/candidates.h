@@ -22,13 +22,12 @@ using NodePairs = std::vector<std::pair<Index, Index>>;
 /// problem whose F has its vertices within their rounding; each once; their order means nothing.
 template <class Visit>
 void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& surface_F, const Placement& placement,
-                        NodePairs& open, WorkCounters& work, const Visit& visit) {
+                        const WideTests& test, NodePairs& open, WorkCounters& work, const Visit& visit) {
   ++work.box_tests;
   if (!boxes_may_touch(placement, surface_E.tree.root().box, surface_F.tree.root().box)) return;
   const WideTree& tree_E = surface_E.wide_tree;
   const WideTree& tree_F = surface_F.wide_tree;
   const WidePose pose(tree_E, tree_F, placement);
-  const WideTests& test = wide_tests();
   // Eight surface boxes are nearly three times narrower than the one around them.
   constexpr float kMuchWider = 2;
   open.assign(1, {0, 0});

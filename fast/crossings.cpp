@@ -152,7 +152,7 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_ca
   const double sure = sure_determinant(workspace.placement.span);
   bool found = false;
   for_each_candidate(
-      side_E.surface(), side_F.surface(), workspace.placement, workspace.node_pairs, work,
+      side_E.surface(), side_F.surface(), workspace.placement, workspace.wide_tests, workspace.node_pairs, work,
       [&](Index face_E, Index face_F) {
         if (keep_candidates) workspace.candidates.emplace_back(face_E, face_F);
         PairCrossing pair;

@@ -28,9 +28,8 @@ enum class Passage : std::uint8_t {
 /// metres along it, nearer boxes first; `visit` may lower the limit. Returns how far along the line every such face
 /// surely was visited, m.
 template <class Visit>
-double search_along(const WideTree& tree, const WideRay& ray, const double& limit, LineNodes& open, WorkCounters& work,
-                    const Visit& visit) {
-  const WideTests& test = wide_tests();
+double search_along(const WideTree& tree, const WideRay& ray, const double& limit, const WideTests& test,
+                    LineNodes& open, WorkCounters& work, const Visit& visit) {
   // Entries are never too great; a limit rounded to nearest may be too small by an ulp.
   const auto beyond = [&](float entry) { return entry * tree.unit() > limit * (1 + 0x1p-20); };
   double reach = std::numeric_limits<double>::infinity();

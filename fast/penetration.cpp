@@ -130,7 +130,8 @@ FaceMet first_face_met(Workspace::Data& workspace, Side slave, ExactLine& line, 
     }
     first = met;
   };
-  const double reach = search_along(tree, wide_ray, first.distance.greatest, workspace.line_nodes, work, visit);
+  const double reach =
+      search_along(tree, wide_ray, first.distance.greatest, workspace.wide_tests, workspace.line_nodes, work, visit);
   if (trace != nullptr) trace->slave_reach = reach;
   return first;
 }
@@ -145,15 +146,17 @@ bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, E
   const WideRay wide_ray = in_tree_of(master, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
   bool leaves = false;
   double no_farther_than = limit.distance.greatest;
-  search_along(tree, wide_ray, no_farther_than, workspace.line_nodes, work, [&](Index own, Passage passage) {
-    if (own == face || leaves) return;
-    if (trace != nullptr) trace->own_faces.push_back(own);
-    FaceMet met;
-    met.points_Me = posed.face_Me(own, work);
-    if (!meets(line, ray, met.points_Me, passage, slack, met, work) || compare(line, met, limit, work) >= 0) return;
-    leaves = true;
-    no_farther_than = -1;  // The search is over.
-  });
+  search_along(
+      tree, wide_ray, no_farther_than, workspace.wide_tests, workspace.line_nodes, work,
+      [&](Index own, Passage passage) {
+        if (own == face || leaves) return;
+        if (trace != nullptr) trace->own_faces.push_back(own);
+        FaceMet met;
+        met.points_Me = posed.face_Me(own, work);
+        if (!meets(line, ray, met.points_Me, passage, slack, met, work) || compare(line, met, limit, work) >= 0) return;
+        leaves = true;
+        no_farther_than = -1;  // The search is over.
+      });
   return leaves;
 }
 

@@ -57,9 +57,9 @@ std::array<const WideTests*, 2> all_wide_tests() {
   return sets;
 }
 
-const WideTests& wide_tests() {
-  static const WideTests& fastest = *(all_wide_tests()[1] != nullptr ? all_wide_tests()[1] : all_wide_tests()[0]);
-  return fastest;
+const WideTests& fastest_wide_tests() {
+  const auto [portable, wide] = all_wide_tests();
+  return wide != nullptr ? *wide : *portable;
 }
 
 }  // namespace pcm::fast

@@ -79,7 +79,7 @@ struct WideTests {
 };
 
 /// The fastest that this processor runs.
-const WideTests& wide_tests();
+const WideTests& fastest_wide_tests();
 
 /// Each set that this processor runs, for tests: the portable one first.
 std::array<const WideTests*, 2> all_wide_tests();

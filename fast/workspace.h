@@ -110,6 +110,7 @@ struct FaceClip {
 struct Workspace::Data {
   std::array<SideState, 2> sides;
   Placement placement;
+  const WideTests& wide_tests = fastest_wide_tests();
   NodePairs node_pairs;
   std::vector<Index> nodes;  ///< stack of the traversals of one tree
   LineNodes line_nodes;      ///< of the searches along lines

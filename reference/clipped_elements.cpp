@@ -16,11 +16,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-struct FaceTrees {
-  BoxTree E, F;
-  const BoxTree& of(Side side) const { return side == Side::E ? E : F; }
-};
-
 /// A column below part of the master face: x - q N for x in the box and 0 <= q <= depth.
 struct Column {
   Vec3<Interval> top;
@@ -66,8 +61,8 @@ Column column_below(SightPlane& plane, const ConvexPiece& piece, Face f, const V
 /// All of one master face's sight.
 class Envelope {
  public:
-  Envelope(SightPoints& points, Face master, const FaceTrees& trees)
-      : plane_(points, master), slave_(other(master.side)), trees_(trees), master_box_(box_of(points, master)) {}
+  Envelope(SightPoints& points, Face master, Proximity& near)
+      : plane_(points, master), slave_(other(master.side)), near_(near), master_box_(box_of(points, master)) {}
 
   /// Appends the master face's elements.
   void find_elements(std::vector<ClippedElement>& elements) {
@@ -75,7 +70,7 @@ class Envelope {
     const SeenFace& seen_e = plane_.see(e);
     if (seen_e.facing == 0) return;  // without area
     const ConvexPiece whole = whole_face(plane_, seen_e);
-    for (const Index f : faces_in({master_box_, kInfinity}, plane_.frame().N, trees_.of(slave_))) {
+    for (const Index f : faces_in({master_box_, kInfinity}, plane_.frame().N, near_.tree(slave_))) {
       const std::vector<ConvexPiece> part = part_that_sees({slave_, f}, whole);
       if (part.empty()) continue;
       elements.push_back({{e.side, e.index, f}, {}});
@@ -95,7 +90,7 @@ class Envelope {
     const Column column = column_below(plane_, below, f, master_box_);
     std::vector<ConvexPiece> part{std::move(below)};
     for (const Side side : {slave_, plane_.master().side})
-      for (const Index g : faces_in(column, plane_.frame().N, trees_.of(side))) {
+      for (const Index g : faces_in(column, plane_.frame().N, near_.tree(side))) {
         const Face other_face{side, g};
         if (other_face != f && other_face != plane_.master()) take_out_what_is_before(f, other_face, part);
         if (part.empty()) return part;
@@ -121,29 +116,47 @@ class Envelope {
 
   SightPlane plane_;
   Side slave_;
-  const FaceTrees& trees_;
+  Proximity& near_;
   Vec3<Interval> master_box_;
+};
+
+/// Elements by master, then master face.
+struct MasterFaceOrder {
+  static Face master_of(const Face& face) { return face; }
+  static Face master_of(const ClippedElement& element) { return {element.faces.master, element.faces.master_face}; }
+  template <class A, class B>
+  bool operator()(const A& a, const B& b) const {
+    return master_of(a) < master_of(b);
+  }
 };
 
 }  // namespace
 
-std::vector<ClippedElement> find_clipped_elements(const ExactPose& pose, Mode mode,
-                                                  const Combinatorics& combinatorics) {
+ClippedFindings find_clipped_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics,
+                                      const ClippedFindings& other) {
   const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
-  std::vector<ClippedElement> elements;
+  ClippedFindings found;
   SightPoints points(pose);
-  std::optional<FaceTrees> trees;
   for (const Side master : {Side::E, Side::F}) {
     if (mode == (master == Side::E ? Mode::F : Mode::E)) continue;
     const ActiveFaces& faces = master == Side::E ? combinatorics.E : combinatorics.F;
     std::vector<Index> active;
     std::merge(faces.intersected.begin(), faces.intersected.end(), faces.inner.begin(), faces.inner.end(),
                std::back_inserter(active));
-    if (active.empty()) continue;
-    if (!trees) trees = FaceTrees{BoxTree(combinatorics.boxes_E.faces), BoxTree(combinatorics.boxes_F.faces)};
-    for (const Index face : active) Envelope(points, {master, face}, *trees).find_elements(elements);
+    for (const Index index : active) {
+      const Face face{master, index};
+      points.robust = true;
+      if (std::binary_search(other.robust.begin(), other.robust.end(), face)) {
+        const auto [begin, end] =
+            std::equal_range(other.elements.begin(), other.elements.end(), face, MasterFaceOrder());
+        found.elements.insert(found.elements.end(), begin, end);
+      } else {
+        Envelope(points, face, *combinatorics.near).find_elements(found.elements);
+      }
+      if (points.robust) found.robust.push_back(face);
+    }
   }
-  return elements;
+  return found;
 }
 
 }  // namespace pcm::reference

@@ -30,9 +30,16 @@ struct ClippedElement {
   std::vector<PieceOutline> pieces;  ///< P_ef cut into convex pieces, without common area
 };
 
-/// By master (E first), then master face, then slave face. The cost of a master face grows with the slave's and its own
-/// faces below it, each looked up in a tree of boxes.
-std::vector<ClippedElement> find_clipped_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics);
+struct ClippedFindings {
+  std::vector<ClippedElement> elements;  ///< by master (E first), then master face, then slave face
+  std::vector<Face>
+      robust;  ///< master faces whose elements are the same in both problems, with or without any; in order
+};
+
+/// The cost of a master face grows with the slave's and its own faces below it, each looked up in a tree of boxes.
+/// `other`: what was found for the other problem of the same pose, to be used where it holds here too.
+ClippedFindings find_clipped_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics,
+                                      const ClippedFindings& other = {});
 
 /// Their values by exact moments of a linear field over convex pieces: alpha = area of P_ef in (s, t), q = (integral of
 /// d_f) / alpha, q_greatest = the greatest d_f at a corner, foot = (integral of x d_f) / (integral of d_f).

@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/combinatorics.h"
 
+#include <utility>
+
 namespace pcm::reference {
 
-Combinatorics find_combinatorics(const ExactPose& pose) {
+Combinatorics find_combinatorics(const ExactPose& pose, std::shared_ptr<Proximity> near) {
   const Orientation orientation(pose);
   Combinatorics found;
-  found.boxes_E = make_face_boxes(pose, Side::E);
-  found.boxes_F = make_face_boxes(pose, Side::F);
-  found.candidates = candidate_pairs(found.boxes_E, found.boxes_F);
-  found.crossings = find_crossings(orientation, found.candidates);
+  found.near = std::move(near);
+  found.crossings = find_crossings(orientation, found.near->candidates());
   found.polygons = chain_polygons(found.crossings);
-  found.columns_E = columns_above_vertices(pose, Side::E, found.boxes_F);
-  found.columns_F = columns_above_vertices(pose, Side::F, found.boxes_E);
-  found.E = find_active_faces(orientation, Side::E, found.crossings, found.columns_E);
-  found.F = find_active_faces(orientation, Side::F, found.crossings, found.columns_F);
+  found.E = find_active_faces(orientation, Side::E, found.crossings, found.near->columns(Side::E));
+  found.F = find_active_faces(orientation, Side::F, found.crossings, found.near->columns(Side::F));
   return found;
 }
 

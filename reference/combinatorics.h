@@ -2,30 +2,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "reference/active_areas.h"
-#include "reference/candidates.h"
 #include "reference/clipped_areas.h"
 #include "reference/crossings.h"
 #include "reference/polygons.h"
+#include "reference/proximity.h"
 
 namespace pcm::reference {
 
 /// All discrete facts of a contact but its elements: the first half of the pipeline, in its order.
 struct Combinatorics {
-  FaceBoxes boxes_E, boxes_F;
-  std::vector<IndexPair> candidates;
+  std::shared_ptr<Proximity> near;
   Crossings crossings;
   std::vector<Chain> polygons;
-  std::vector<IndexPair> columns_E, columns_F;
   ActiveFaces E, F;
 
   ClippedAreas clip(const ExactPose& pose) const {
-    return clip_active_areas(pose, candidates, crossings, E, F, columns_E, columns_F);
+    return clip_active_areas(pose, near->candidates(), crossings, E, F, near->columns(Side::E), near->columns(Side::F));
   }
 };
 
-Combinatorics find_combinatorics(const ExactPose& pose);
+/// `near`: of the same pose, in either problem.
+Combinatorics find_combinatorics(const ExactPose& pose, std::shared_ptr<Proximity> near);
+inline Combinatorics find_combinatorics(const ExactPose& pose) {
+  return find_combinatorics(pose, std::make_shared<Proximity>(pose));
+}
 
 }  // namespace pcm::reference

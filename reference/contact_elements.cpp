@@ -54,11 +54,6 @@ bool has_area(const ExactPose& pose, Side side, Index face) {
   return sign_of(normal.x) != 0 || sign_of(normal.y) != 0 || sign_of(normal.z) != 0;
 }
 
-struct FaceTrees {
-  BoxTree E, F;
-  const BoxTree& of(Side side) const { return side == Side::E ? E : F; }
-};
-
 struct Hit {
   Index face = kNone;
   Meeting meeting;
@@ -97,15 +92,15 @@ bool leaves_master_first(PenetrationLine& line, Side slave, const Hit& hit, cons
   return left;
 }
 
-void add_elements(const ExactPose& pose, Side master, const std::vector<Index>& active, const FaceTrees& trees,
+void add_elements(const ExactPose& pose, Side master, const std::vector<Index>& active, Proximity& near,
                   ElementPairs& elements) {
   const Side slave = other(master);
   for (const Index face : active) {
     if (!has_area(pose, master, face)) continue;
     PenetrationLine line(pose, master, face);
-    const Hit first = find_first_hit(line, slave, trees.of(slave));
+    const Hit first = find_first_hit(line, slave, near.tree(slave));
     if (first.face != kNone && first.meeting.facing < 0) {
-      if (leaves_master_first(line, slave, first, trees.of(master)))
+      if (leaves_master_first(line, slave, first, near.tree(master)))
         ++elements.too_deep;
       else if (first.meeting.ahead)
         elements.pairs.push_back({master, face, first.face});
@@ -118,17 +113,16 @@ void add_elements(const ExactPose& pose, Side master, const std::vector<Index>& 
 
 ElementPairs find_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics) {
   ElementPairs elements;
-  std::optional<FaceTrees> trees;
   for (const Side master : {Side::E, Side::F}) {
     if (mode == (master == Side::E ? Mode::F : Mode::E)) continue;
     const ActiveFaces& faces = master == Side::E ? combinatorics.E : combinatorics.F;
     std::vector<Index> active;
     std::merge(faces.intersected.begin(), faces.intersected.end(), faces.inner.begin(), faces.inner.end(),
                std::back_inserter(active));
-    elements.certified = elements.certified && activity_is_robust(pose, master, active, combinatorics.candidates);
+    elements.certified =
+        elements.certified && activity_is_robust(pose, master, active, combinatorics.near->candidates());
     if (active.empty()) continue;
-    if (!trees) trees = FaceTrees{BoxTree(combinatorics.boxes_E.faces), BoxTree(combinatorics.boxes_F.faces)};
-    add_elements(pose, master, active, *trees, elements);
+    add_elements(pose, master, active, *combinatorics.near, elements);
   }
   return elements;
 }

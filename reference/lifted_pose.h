@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <unordered_map>
 #include <utility>
 
@@ -17,6 +18,13 @@ class LiftedPose {
   /// The pose must outlive this.
   explicit LiftedPose(const ExactPose& pose, Field<T> field = {}) : pose_(pose), field_(field) {}
 
+  /// Points that enclose the vertices as both problems have them: what they decide holds in either.
+  static LiftedPose of_both_problems(const ExactPose& pose) requires std::same_as<T, Interval> {
+    LiftedPose lifted(pose);
+    lifted.both_problems_ = true;
+    return lifted;
+  }
+
   const ExactPose& pose() const { return pose_; }
 
   template <class Number>
@@ -29,7 +37,7 @@ class LiftedPose {
   const Vec3<T>& point(Vertex v) {
     auto& known = points_[v.side == Side::E ? 0 : 1];
     auto found = known.find(v.index);
-    if (found == known.end()) found = known.emplace(v.index, pose_.point<T>(v, field_)).first;
+    if (found == known.end()) found = known.emplace(v.index, lift(v)).first;
     return found->second;
   }
 
@@ -39,8 +47,15 @@ class LiftedPose {
   }
 
  private:
+  Vec3<T> lift(Vertex v) const {
+    if constexpr (std::same_as<T, Interval>)
+      if (both_problems_) return interval_point(pose_.rounding_box(v));
+    return pose_.point<T>(v, field_);
+  }
+
   const ExactPose& pose_;
   Field<T> field_;
+  bool both_problems_ = false;
   std::array<std::unordered_map<Index, Vec3<T>>, 2> points_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/oracle.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,10 +36,46 @@ Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mo
 
 Oracle::~Oracle() = default;
 
-Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity& velocity, const Wanted& wanted) const {
-  require_fit(pose_doubles, velocity);
-  const ExactPose pose(problem, data_->E, data_->F, pose_doubles);
-  const Combinatorics found = find_combinatorics(pose);
+Answer Oracle::answer(Problem problem, const Pose& pose, const Velocity& velocity, const Wanted& wanted) const {
+  return Inquiry(*this, pose, velocity, wanted).answer(problem);
+}
+
+/// What was found for one problem and holds in the other one too.
+struct Inquiry::Shared {
+  const Oracle::Data& oracle;
+  Pose pose;
+  Velocity velocity;
+  Wanted wanted;
+  std::shared_ptr<Proximity> near;
+  std::optional<ElementPairs> pairs;  ///< certified ones only
+  ClippedFindings clipped;
+
+  ElementPairs find_pairs(const ExactPose& exact_pose, const Combinatorics& found) {
+    if (pairs) return *pairs;
+    ElementPairs elements = find_elements(exact_pose, oracle.mode, found);
+    if (elements.certified) pairs = elements;
+    return elements;
+  }
+
+  const std::vector<ClippedElement>& find_clipped(const ExactPose& exact_pose, const Combinatorics& found) {
+    clipped = find_clipped_elements(exact_pose, oracle.mode, found, clipped);
+    return clipped.elements;
+  }
+};
+
+Inquiry::Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity, const Wanted& wanted)
+    : shared_(std::make_unique<Shared>(Shared{*oracle.data_, pose, velocity, wanted, {}, {}, {}})) {
+  require_fit(pose, velocity);
+}
+
+Inquiry::~Inquiry() = default;
+
+Answer Inquiry::answer(Problem problem) {
+  const Oracle::Data& oracle = shared_->oracle;
+  const Wanted& wanted = shared_->wanted;
+  const ExactPose pose(problem, oracle.E, oracle.F, shared_->pose);
+  if (!shared_->near) shared_->near = std::make_shared<Proximity>(pose);
+  const Combinatorics found = find_combinatorics(pose, shared_->near);
 
   Answer answer;
   answer.touching = !found.crossings.ids.empty();
@@ -53,16 +90,17 @@ Answer Oracle::answer(Problem problem, const Pose& pose_doubles, const Velocity&
     report_polygons(pose, CrossingPoints(pose, found.crossings.ids), found.polygons, patches, answer);
   }
   if (wanted.areas)
-    report_areas(pose, found.clip(pose), data_->E.closed && data_->F.closed && !answer.ambiguous, answer);
+    report_areas(pose, found.clip(pose), oracle.E.closed && oracle.F.closed && !answer.ambiguous, answer);
   if (wanted.force) {
-    const ElementPairs elements = find_elements(pose, data_->mode, found);
+    const ElementPairs elements = shared_->find_pairs(pose, found);
     answer.too_deep = elements.too_deep;  // by the barycentres' lines in either scheme
-    if (data_->scheme == Scheme::barycentric) {
+    if (oracle.scheme == Scheme::barycentric) {
       answer.certified = elements.certified;
-      report_force({pose, BarycentricElements(elements.pairs), data_->law, data_->mode, velocity}, wanted, answer);
+      report_force({pose, BarycentricElements(elements.pairs), oracle.law, oracle.mode, shared_->velocity}, wanted,
+                   answer);
     } else {
-      const std::vector<ClippedElement> clipped = find_clipped_elements(pose, data_->mode, found);
-      report_force({pose, ClippedElements(clipped), data_->law, data_->mode, velocity}, wanted, answer);
+      const ClippedElements clipped(shared_->find_clipped(pose, found));
+      report_force({pose, clipped, oracle.law, oracle.mode, shared_->velocity}, wanted, answer);
     }
   }
   return answer;

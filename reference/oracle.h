@@ -25,7 +25,25 @@ class Oracle {
   struct Data;
 
  private:
+  friend class Inquiry;
   std::unique_ptr<const Data> data_;
+};
+
+/// One state put to the oracle. Both problems share what does not depend on rounding, so asking for both costs less
+/// than twice. For one thread.
+class Inquiry {
+ public:
+  /// The oracle must outlive this. Throws as Oracle::answer.
+  Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity = {}, const Wanted& wanted = {});
+  ~Inquiry();
+  Inquiry(const Inquiry&) = delete;
+  Inquiry& operator=(const Inquiry&) = delete;
+
+  Answer answer(Problem problem);
+
+ private:
+  struct Shared;
+  std::unique_ptr<Shared> shared_;
 };
 
 }  // namespace pcm::reference

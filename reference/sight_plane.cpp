@@ -33,8 +33,12 @@ std::array<Vertex, 2> common_vertices(const ExactPose& pose, Face f, Face g) {
 }
 
 /// -1, 0 or 1: on which side of the face's plane the vertex lies, 1 where the normal points to.
-int side_of_plane(const ExactPose& pose, Face g, Index vertex) {
+int side_of_plane(SightPoints& points, Face g, Index vertex) {
+  const ExactPose& pose = points.enclosed.pose();
   const Triangle& t = pose.face(g.side, g.index);
+  const auto box = [&](Index v) { return pose.rounding_box({g.side, v}); };
+  if (const int robust = robust_orientation(box(t[0]), box(t[1]), box(t[2]), box(vertex)); robust != 0) return robust;
+  points.robust = points.robust && g.side == Side::E;
   return Orientation(pose).unperturbed({g.side, t[0]}, {g.side, t[1]}, {g.side, t[2]}, {g.side, vertex});
 }
 
@@ -53,7 +57,13 @@ Index SightPlane::find_line(const SightLine& name, const std::array<Vertex, 2>& 
   return found->second;
 }
 
+bool SightPlane::of_E_only(Index line) const {
+  const SightLine& name = lines_[line].name;
+  return master_.side == Side::E && name.side_a == Side::E && name.side_b == Side::E;
+}
+
 const Vec3<Exact>& SightPlane::exact_line(Index line) {
+  points_.robust = points_.robust && of_E_only(line);
   if (!exact_) exact_ = make_frame(points_.exact, master_);
   Line& l = lines_[line];
   if (!l.exact) l.exact = coefficients(points_.exact, *exact_, master_, l.name);
@@ -82,6 +92,7 @@ const SeenFace& SightPlane::see(Face g) {
   if (!added) return seen;
   seen.facing = certain_sign(depth(g).denominator);
   if (seen.facing == 0) {
+    points_.robust = points_.robust && master_.side == Side::E && g.side == Side::E;
     if (!exact_) exact_ = make_frame(points_.exact, master_);
     seen.facing = sign_of(depth_of(points_.exact, *exact_, g).denominator);
   }
@@ -100,7 +111,7 @@ std::optional<HalfPlane> SightPlane::deeper(Face f, Face g) {
     const Triangle& t = pose.face(f.side, f.index);
     int apex = 0;
     while (t[apex] == common[0].index || t[apex] == common[1].index) ++apex;
-    const int sign = -side_of_plane(pose, g, t[apex]) * facing_g;
+    const int sign = -side_of_plane(points_, g, t[apex]) * facing_g;
     if (sign == 0) return {};
     const HalfPlane inwards = see(f).sides[(apex + 1) % 3];
     return HalfPlane{inwards.line, sign * inwards.sign};

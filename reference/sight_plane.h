@@ -31,11 +31,13 @@ struct SeenFace {
   std::optional<HalfPlane> ahead;  ///< where its depth d_g >= 0; none where d_g = 0 throughout
 };
 
-/// The pose's points as enclosures and exactly, lifted once for all master faces.
+/// The pose's points as enclosures, for both problems at once, and exactly; lifted once for all master faces.
 struct SightPoints {
-  explicit SightPoints(const ExactPose& pose) : enclosed(pose), exact(pose) {}
+  explicit SightPoints(const ExactPose& pose) : enclosed(LiftedPose<Interval>::of_both_problems(pose)), exact(pose) {}
   LiftedPose<Interval> enclosed;
   LiftedPose<Exact> exact;
+  /// Enclosures and connectivity decided all that was asked, or numbers of E alone: so it holds in both problems.
+  bool robust = true;
 };
 
 /// The plane of one master face e with all lines asked for so far. A point of it is p0 + s (p1 - p0) + t (p2 - p0).
@@ -85,6 +87,7 @@ class SightPlane {
   HalfPlane side_of(Face g, int facing, int corner);
   const Vec3<Exact>& exact_line(Index line);
   bool vanishes(Index line);
+  bool of_E_only(Index line) const;
   Vec3<Interval> enclosed_line(HalfPlane h) const;
 
   SightPoints& points_;

@@ -99,7 +99,7 @@ class WideTestsOn : public testing::TestWithParam<Situation> {
 TEST_P(WideTestsOn, CandidatesHoldEveryCrossingPairOnce) {
   NodePairs open;
   std::set<FacePair> candidates;
-  for_each_candidate(E.data(), F.data(), placement, open, work, [&](Index e, Index f) {
+  for_each_candidate(E.data(), F.data(), placement, fastest_wide_tests(), open, work, [&](Index e, Index f) {
     EXPECT_TRUE(candidates.emplace(e, f).second) << e << ' ' << f;
     return true;
   });
@@ -132,7 +132,7 @@ TEST_P(WideTestsOn, LinesMeetWhatIsSureAndMissWhatIsNotPossible) {
       std::set<Index> visited;
       LineNodes open;
       const double limit = std::numeric_limits<double>::infinity();
-      search_along(tree, wide, limit, open, work, [&](Index f, Passage passage) {
+      search_along(tree, wide, limit, fastest_wide_tests(), open, work, [&](Index f, Passage passage) {
         EXPECT_TRUE(visited.insert(f).second);
         if (passage == Passage::unknown) return;
         ++surely;

@@ -83,8 +83,8 @@ std::vector<std::pair<Rational, Line>> lines_between(const Arrangement& arrangem
     if (segment.from <= from && segment.to >= to) lines.emplace_back(segment.line.at(s), segment.line);
   std::ranges::sort(lines, {}, &std::pair<Rational, Line>::first);
   // Lines do not intersect here, so what is equally high is the same line.
-  const auto repeated = std::ranges::unique(lines, {}, &std::pair<Rational, Line>::first);
-  lines.erase(repeated.begin(), repeated.end());
+  const auto same_height = [](const auto& a, const auto& b) { return a.first == b.first; };
+  lines.erase(std::unique(lines.begin(), lines.end(), same_height), lines.end());
   return lines;
 }
 
