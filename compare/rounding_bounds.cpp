@@ -231,7 +231,8 @@ AreaBounds RoundingBounds::area() const {
       // The point as stored is off its edge by two roundings, the oracle's by one.
       const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
       const double reach = (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
-      for (double& m : moved) m += stored * reach;
+      // The neighbours as stored are off as well, and move with it.
+      for (double& m : moved) m += stored * (reach + 4 * (stored + s[k]));
       // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
       moved[own] += stored * edge_length[k];
       if (has_q) {

@@ -222,6 +222,29 @@ TEST(Verdict, SliverInTheFoldOfASurfaceHasABoundThatIsNotNegative) {
   EXPECT_GE(bounds.volume, 0);
 }
 
+TEST(Verdict, PatchSmallerThanTheSpacingOfDoublesHasABound) {
+  // So far from the origin that all crossings are stored as one point.
+  const Eigen::Vector3d far(16430703938552922.0, 28533619582354000.0, -14813025922220390.0);
+  TriangleMesh E, F;
+  E.vertices = {{0, 0, 0},
+                {-24790, 49288, -19066},
+                {-44, -68, 32},
+                {-14684, 29284, -11332},
+                {-26504, 52704, -20388},
+                {-25720, 51296, -19850}};
+  for (Eigen::Vector3d& x : E.vertices) x += far;
+  E.faces = {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}};
+  F.vertices = {{-7364, 14608, -5650}, {102494, 72460, 37666}, {-16658, 72456, 37666}, {-10170, 72456, 38440}};
+  F.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const Scene scene(E, F, ContactLaw{}, Mode::E);
+  Pose pose;
+  pose.r = far;
+  fast::Workspace workspace;
+  const PoseOutcome outcome = scene.hold(pose, Velocity{}, workspace);
+  EXPECT_TRUE(outcome.touching);
+  EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
+}
+
 TEST(Verdict, StalePoseIsFlagged) {
   // The answer to the pose before is held against the truth of this one.
   const SurfacePair pair = small_pair();
