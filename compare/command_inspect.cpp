@@ -50,7 +50,7 @@ std::optional<Eigen::Vector3d> normal_from(const std::vector<std::string>& words
   if (words.empty()) return {};
   Eigen::Vector3d normal;
   for (int i = 0; i < 3; ++i) normal[i] = finite_number("--normal", words.at(static_cast<std::size_t>(i)));
-  if (!(normal.norm() > 0)) throw BadInput("--normal: the null vector has no direction");
+  if (!(normal.stableNorm() > 0)) throw BadInput("--normal: the null vector has no direction");
   return normal;
 }
 

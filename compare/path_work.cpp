@@ -47,7 +47,7 @@ PathWork path_work(const PosePath& path, const PathWalk& walk) {
 }
 
 TangentialForce tangential_force(const PathWalk& walk, const Eigen::Vector3d& normal_Me) {
-  const Eigen::Vector3d n = normal_Me.normalized();
+  const Eigen::Vector3d n = normal_Me.stableNormalized();
   TangentialForce found;
   for (const PathForcePoint& point : walk.points) {
     if (!point.step) continue;

@@ -60,11 +60,11 @@ const Eigen::Vector3d& RoundingBounds::corner(Side side, Index face, std::size_t
 RoundingBounds::Face RoundingBounds::face(Side side, Index index) const {
   const Eigen::Vector3d &p = corner(side, index, 0), &q = corner(side, index, 1), &s = corner(side, index, 2);
   Face face;
-  std::array<double, 3> sides = {(q - p).norm(), (s - q).norm(), (p - s).norm()};
+  std::array<double, 3> sides = {(q - p).stableNorm(), (s - q).stableNorm(), (p - s).stableNorm()};
   std::sort(sides.begin(), sides.end());
   const double N_error = 6 * u * sides[1] * sides[2];
   const Eigen::Vector3d N = (q - p).cross(s - p);
-  const double length = N.norm();
+  const double length = N.stableNorm();
   face.area = length / 2;
   face.area_error = N_error / 2 + 3 * u * face.area;
   face.normal_error = length > N_error ? std::min(2.0, 2 * N_error / length + 4 * u) : 2;
@@ -91,7 +91,7 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   // |dh| <= |dC| + D (|dn_f| + 4 u), D the distance from C to the point of f taken (a corner, at worst the farthest),
   // |dc| <= |dn_e| + |dn_f| + 4 u, |du| <= (|dh| + u_k |dc|) / (c - |dc|) and one rounding.
   double D = 0;
-  for (std::size_t k = 0; k < 3; ++k) D = std::max(D, (corner(other(e.master), e.slave_face, k) - C).norm());
+  for (std::size_t k = 0; k < 3; ++k) D = std::max(D, (corner(other(e.master), e.slave_face, k) - C).stableNorm());
   const double deepest = std::max(e.penetration, std::min(true_.max_penetration, 2 * D));
   const double cosine_error = master.normal_error + slave.normal_error + 4 * u;
   const double height_error = barycentre_error + D * (slave.normal_error + 5 * u);
@@ -110,14 +110,14 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   const Eigen::Vector3d arm = e.position_Me - question_.pose.r;
   const Velocity& velocity = question_.velocity;
   const Eigen::Vector3d v_k = velocity.v + velocity.w.cross(arm);
-  const double arm_error = bounds.position + 2 * u * arm.norm();
-  const double velocity_error = times(velocity.w.norm(), arm_error + 6 * u * arm.norm()) +
-                                2 * u * (velocity.v.norm() + velocity.w.norm() * arm.norm());
+  const double arm_error = bounds.position + 2 * u * arm.stableNorm();
+  const double velocity_error = times(velocity.w.stableNorm(), arm_error + 6 * u * arm.stableNorm()) +
+                                2 * u * (velocity.v.stableNorm() + velocity.w.stableNorm() * arm.stableNorm());
   const Eigen::Vector3d n = master.normal_Me;
   const double v_n = v_k.dot(n);
-  const double v_t = (v_k - v_n * n).norm();
-  const double normal_velocity_error = velocity_error + v_k.norm() * (master.normal_error + 4 * u);
-  const double tangential_velocity_error = velocity_error + 2 * v_k.norm() * (master.normal_error + 6 * u);
+  const double v_t = (v_k - v_n * n).stableNorm();
+  const double normal_velocity_error = velocity_error + v_k.stableNorm() * (master.normal_error + 4 * u);
+  const double tangential_velocity_error = velocity_error + 2 * v_k.stableNorm() * (master.normal_error + 6 * u);
 
   // Normal force: F_c = c_l A u_k (14); F_d = d_l A v_n fade (15), fade = min(1, u_k / u_d) is Lipschitz with 1 / u_d;
   // what damping may do to F_n (18) never magnifies an error.
@@ -139,12 +139,12 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   const double slip = std::max(law.slip_velocity, v_t);
   const double direction_error = slip > 0 ? std::min(2.0, 2 * tangential_velocity_error / slip + 8 * u) : 2;
   const double friction_error =
-      v_k.norm() > 0 ? times(law.friction, normal_force_error + normal_force * direction_error) : 0;
+      v_k.stableNorm() > 0 ? times(law.friction, normal_force_error + normal_force * direction_error) : 0;
 
   // F_k = F_n n_k + friction, M_k = (C_k - r) x F_k.
   const double magnitude = normal_force * (1 + law.friction);
   bounds.force = normal_force_error + normal_force * (master.normal_error + 3 * u) + friction_error + 3 * u * magnitude;
-  bounds.torque = times(arm.norm(), bounds.force) + times(arm_error + 4 * u * arm.norm(), magnitude);
+  bounds.torque = times(arm.stableNorm(), bounds.force) + times(arm_error + 4 * u * arm.stableNorm(), magnitude);
   bounds.area *= kHigherOrder;
   bounds.penetration *= kHigherOrder;
   bounds.position *= kHigherOrder;
@@ -162,8 +162,8 @@ ForceBounds RoundingBounds::force() const {
     bounds.force += bounds.elements.back().force;
     bounds.torque += bounds.elements.back().torque;
     bounds.penetration = std::max(bounds.penetration, bounds.elements.back().penetration);
-    force_size += e.force_Me.norm();
-    torque_size += (e.position_Me - question_.pose.r).norm() * e.force_Me.norm();
+    force_size += e.force_Me.stableNorm();
+    torque_size += (e.position_Me - question_.pose.r).stableNorm() * e.force_Me.stableNorm();
   }
   const double terms = kHigherOrder * u * static_cast<double>(true_.elements.size() + 2);
   bounds.force += terms * force_size;
@@ -186,9 +186,9 @@ double RoundingBounds::position_error(const reference::Crossing& crossing) const
   double D = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d& f = corner(other(crossing.edge_side), crossing.face, k);
-    D = std::max({D, (a - f).norm(), (b - f).norm()});
+    D = std::max({D, (a - f).stableNorm(), (b - f).stableNorm()});
   }
-  const double length = (b - a).norm();
+  const double length = (b - a).stableNorm();
   if (length == 0) return 0;
   const double sine = std::abs(crossed.normal_Me.dot(b - a)) / length - (crossed.normal_error + 4 * u);
   const double along = sine > 0 ? 2 * D * (crossed.normal_error + 4 * u) / sine : length;
@@ -214,8 +214,8 @@ AreaBounds RoundingBounds::area() const {
     for (const reference::Crossing& x : polygon.points) {
       s.push_back(position_error(x));
       const Eigen::Vector3d along = vertex(x.edge_side, x.edge[1]) - vertex(x.edge_side, x.edge[0]);
-      edge_length.push_back(along.norm());
-      d.push_back(along.norm() > 0 ? (along / along.norm()).eval() : along);
+      edge_length.push_back(along.stableNorm());
+      d.push_back(along.stableNorm() > 0 ? (along / along.stableNorm()).eval() : along);
       low = low.cwiseMin(x.position_Me);
       high = high.cwiseMax(x.position_Me);
     }
@@ -225,17 +225,19 @@ AreaBounds RoundingBounds::area() const {
       const bool has_p = polygon.closed || k > 0, has_q = polygon.closed || k + 1 < n;
       const Eigen::Vector3d p = has_p ? polygon.points[(k + n - 1) % n].position_Me : x.position_Me;
       const Eigen::Vector3d q = has_q ? polygon.points[(k + 1) % n].position_Me : x.position_Me;
-      moved[crossed] += s[k] * d[k].cross(q - p).norm() / 2;
-      moved[own] += s[k] * (d[k].cross(p - x.position_Me).norm() + d[k].cross(q - x.position_Me).norm()) / 2;
+      moved[crossed] += s[k] * d[k].cross(q - p).stableNorm() / 2;
+      moved[own] +=
+          s[k] * (d[k].cross(p - x.position_Me).stableNorm() + d[k].cross(q - x.position_Me).stableNorm()) / 2;
       // The point as stored is off its edge by two roundings, the oracle's by one.
       const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
-      const double reach = (q - p).norm() + (p - x.position_Me).norm() + (q - x.position_Me).norm();
-      for (double& m : moved) m += stored * reach;
+      const double reach = (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
+      // The neighbours as stored are off as well, and move with it.
+      for (double& m : moved) m += stored * (reach + 4 * (stored + s[k]));
       // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
       moved[own] += stored * edge_length[k];
       if (has_q) {
         const std::size_t next = (k + 1) % n;
-        for (double& m : moved) m += s[k] * s[next] * d[k].cross(d[next]).norm() / 2;
+        for (double& m : moved) m += s[k] * s[next] * d[k].cross(d[next]).stableNorm() / 2;
       }
       s[k] += kHigherOrder * stored;
       terms[crossed][x.face] += 2;
@@ -251,7 +253,7 @@ AreaBounds RoundingBounds::area() const {
         high = high.cwiseMax(corner(side, f, k));
       }
   }
-  const double patch = (high - low).cwiseMax(0).norm();
+  const double patch = (high - low).cwiseMax(0).stableNorm();
 
   // Each cross product of the sum has 4 roundings of |p - o| |q - o| <= L^2, the origin o taken in the face; projecting
   // on n_e costs the normal's error once more; face after face is then added up. The volume is the sum of
@@ -259,23 +261,24 @@ AreaBounds RoundingBounds::area() const {
   for (const Side side : {Side::E, Side::F}) {
     const auto i = static_cast<std::size_t>(side == Side::E ? 0 : 1);
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
-    double area_error = moved[i], normal_error = 0, volume_error = patch * moved[i];
+    double area_error = moved[i], normal_error = 0, volume_error = patch * moved[i], size = 0;
     const auto add = [&](Index f, double sum_terms) {
       const Face e = face(side, f);
-      const double clipped = sum_terms > 0 ? std::min(e.area, active.area) : e.area;
       const double value_error = e.area_error + 4 * u * sum_terms * e.longest * e.longest;
-      // A clipped sliver's normal may be wrong altogether; its area is then no larger than its error.
-      const double turned = std::min(clipped * e.normal_error, 2 * e.area_error + 6 * u * e.longest * e.longest);
+      // A sliver's normal may be wrong altogether; its area is then no larger than its error. The total area bounds
+      // no face's clipped one: where the other surface folds over, areas count negative.
+      const double turned = std::min(e.area * e.normal_error, 2 * e.area_error + 6 * u * e.longest * e.longest);
+      size += e.area;
       area_error += value_error;
       normal_error += turned;
-      volume_error += (patch + e.longest) * (value_error + turned + 6 * u * clipped);
+      volume_error += (patch + e.longest) * (value_error + turned + 6 * u * e.area);
     };
     for (const Index f : active.inner) add(f, 0);
     for (const Index f : active.intersected) {
       const auto found = terms[i].find(f);
       add(f, 3 + (found == terms[i].end() ? 0 : found->second));
     }
-    const double summing = u * static_cast<double>(active.inner.size() + active.intersected.size() + 1) * active.area;
+    const double summing = u * static_cast<double>(active.inner.size() + active.intersected.size() + 1) * size;
     (side == Side::E ? bounds.area_E : bounds.area_F) = kHigherOrder * (area_error + summing);
     (side == Side::E ? bounds.vector_area_E : bounds.vector_area_F) =
         kHigherOrder * (area_error + normal_error + 2 * summing);

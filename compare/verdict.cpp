@@ -30,7 +30,7 @@ class Findings {
   }
   void check_vector(Kind kind, std::string_view what, const Eigen::Vector3d& subj, const Eigen::Vector3d& truth,
                     double bound) {
-    const double distance = (subj - truth).norm();
+    const double distance = (subj - truth).stableNorm();
     if (!(distance <= bound) && subj != truth)
       add(kind, "{}: engine ({}, {}, {}), oracle ({}, {}, {}), apart {:.2g}, bound {:.2g}", what, subj.x(), subj.y(),
           subj.z(), truth.x(), truth.y(), truth.z(), distance, bound);
@@ -264,18 +264,20 @@ RelativeErrors relative_errors(const Question& question, const fast::Contact& su
   if (unique(truth.E) && unique(truth.F) && truth.E.area > 0 && truth.F.area > 0) {
     errors.area = std::max(in_units(std::abs(subj.E.area - truth.E.area), truth.E.area),
                            in_units(std::abs(subj.F.area - truth.F.area), truth.F.area));
-    errors.vector_area = std::max(in_units((subj.E.vector_area_Me - truth.E.vector_area_Me).norm(), truth.E.area),
-                                  in_units((subj.F.vector_area_Me - truth.F.vector_area_Me).norm(), truth.F.area));
+    errors.vector_area =
+        std::max(in_units((subj.E.vector_area_Me - truth.E.vector_area_Me).stableNorm(), truth.E.area),
+                 in_units((subj.F.vector_area_Me - truth.F.vector_area_Me).stableNorm(), truth.F.area));
   }
   if (truth.volume && subj.has_volume) errors.volume = in_units(std::abs(subj.volume - *truth.volume), area * p);
   if (pose_is_flipped || truth.elements.empty()) return errors;
   errors.penetration = in_units(std::abs(subj.max_penetration - truth.max_penetration), truth.max_penetration);
-  if (truth.force_scale > 0) errors.force = in_units((subj.force_Me - truth.force_Me).norm(), truth.force_scale);
-  if (truth.torque_scale > 0) errors.torque = in_units((subj.torque_Me - truth.torque_Me).norm(), truth.torque_scale);
+  if (truth.force_scale > 0) errors.force = in_units((subj.force_Me - truth.force_Me).stableNorm(), truth.force_scale);
+  if (truth.torque_scale > 0)
+    errors.torque = in_units((subj.torque_Me - truth.torque_Me).stableNorm(), truth.torque_scale);
   if (subj.bound && subj.bound->force_Me.allFinite() && truth.force_scale > 0)
-    errors.force_bound = in_units(subj.bound->force_Me.norm(), truth.force_scale);
+    errors.force_bound = in_units(subj.bound->force_Me.stableNorm(), truth.force_scale);
   if (subj.bound && subj.bound->torque_Me.allFinite() && truth.torque_scale > 0)
-    errors.torque_bound = in_units(subj.bound->torque_Me.norm(), truth.torque_scale);
+    errors.torque_bound = in_units(subj.bound->torque_Me.stableNorm(), truth.torque_scale);
   return errors;
 }
 

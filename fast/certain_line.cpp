@@ -16,13 +16,6 @@ namespace {
 constexpr double u = kUnitRoundoff;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// No two points of the surfaces are farther apart, given that their hulls touch, as they do where a face is active or
-/// undecided, m. The sum of a box's three widths is more than its diagonal, by enough for a matrix off a rotation.
-double span(const Workspace::Data& workspace) {
-  const auto half = [&](Side side) { return workspace.side(side).surface().tree.root().box.half.sum(); };
-  return 2.1 * (half(Side::E) + half(Side::F)) + workspace.placement.slack_E + workspace.placement.slack_F;
-}
-
 /// The computed line, X(s) = origin + s direction, with the tube around it in which the exact problem's line X'(s) runs
 /// and its slave's faces may stir.
 struct Tube {
@@ -135,6 +128,12 @@ void for_each_face_near(Workspace::Data& workspace, Side side, const Tube& tube,
 }
 
 }  // namespace
+
+// The sum of a box's three widths is more than its diagonal, by enough for a matrix off a rotation.
+double span(const Workspace::Data& workspace) {
+  const auto half = [&](Side side) { return workspace.side(side).surface().tree.root().box.half.sum(); };
+  return 2.1 * (half(Side::E) + half(Side::F)) + workspace.placement.slack_E + workspace.placement.slack_F;
+}
 
 double tube_radius(const Workspace::Data& workspace, const FaceError& error, const Eigen::Vector3d& rounding_Me) {
   return kBoundMargin * (error.barycentre_Me.sum() + rounding_Me.sum() + span(workspace) * error.normal);

@@ -18,6 +18,10 @@ struct CertainLine {
   double greatest_depth = 0;  ///< m
 };
 
+/// No two points of the surfaces are farther apart, given that their hulls touch, as they do where a face is active or
+/// undecided, m.
+double span(const Workspace::Data& workspace);
+
 /// How far from the computed line the exact problem's line and faces may be, m, wherever any surface reaches: what the
 /// search has to be traced with.
 double tube_radius(const Workspace::Data& workspace, const FaceError& error, const Eigen::Vector3d& rounding_Me);

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "fast/clipped_error.h"
+#include "fast/force_bound.h"
 #include "fast/penetration.h"
 #include "fast/thickness.h"
 #include "fast/visible_parts.h"
@@ -16,12 +19,27 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// What gathers the bound on the errors of one master face's elements.
+struct FaceBound {
+  PrismError prism_error;
+  SightError sight;
+  double slack;  ///< how far from the computed prism the exact problem's may be, m
+
+  FaceBound(Workspace::Data& workspace, const MasterPrism& prism, const MasterBound& bound, bool continuous)
+      : prism_error(prism, bound.face_error(), bound.master(), bound.rounding_Me()),
+        sight(workspace.sight, prism, prism_error, continuous),
+        slack(bound.slack()) {}
+  FaceBound(const FaceBound&) = delete;
+  FaceBound& operator=(const FaceBound&) = delete;
+};
+
 /// Lists the faces of a side that may meet the prism at a depth from 0 to `deepest`, ascending.
-void list_candidates(Workspace::Data& workspace, Side side, const MasterPrism& prism, double deepest) {
+void list_candidates(Workspace::Data& workspace, Side side, const MasterPrism& prism, double deepest,
+                     const FaceBound* bound) {
   const Placement& placement = workspace.placement;
   const BoxTree& tree = workspace.side(side).surface().tree;
   // A box's point is off by the slack along each of three axes.
-  const double slack = 4 * placement.slack(side);
+  const double slack = 4 * placement.slack(side) + (bound != nullptr ? bound->slack : 0);
   const TreePrism tree_prism =
       side == Side::E ? TreePrism(prism, slack) : TreePrism(prism, slack, placement.A, placement.r_Me);
   std::vector<Index>& candidates = workspace.projection.candidates;
@@ -61,15 +79,16 @@ struct View {
   bool own_at_barycentre = false;    ///< it may meet another face of the master
 };
 
-void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& prism, View& view) {
+void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& prism, FaceBound* bound, View& view) {
   WorkCounters& work = workspace.contact.work;
   PosedSurface& posed = workspace.side(slave).posed;
-  list_candidates(workspace, slave, prism, kInfinity);
+  list_candidates(workspace, slave, prism, kInfinity, bound);
   for (const Index face : workspace.projection.candidates) {
     const Triangle& vertices = posed.surface().face(face);
     const std::array<PrismPoint, 3> corners{prism.see(posed.vertex_Me(vertices[0], work), work),
                                             prism.see(posed.vertex_Me(vertices[1], work), work),
                                             prism.see(posed.vertex_Me(vertices[2], work), work)};
+    if (bound != nullptr) bound->sight.see(face, false, vertices, corners, {});
     const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
     if (deepest < 0) continue;
     ProjectedFace projected;
@@ -91,21 +110,28 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
   }
 }
 
-void project_own(Workspace::Data& workspace, Side master, Index master_face, const MasterPrism& prism, View& view) {
+/// `only_bound`: the elements are known to need none of them.
+void project_own(Workspace::Data& workspace, Side master, Index master_face, const MasterPrism& prism, bool only_bound,
+                 FaceBound* bound, View& view) {
   WorkCounters& work = workspace.contact.work;
   PosedSurface& posed = workspace.side(master).posed;
   const Triangle& master_vertices = posed.surface().face(master_face);
-  list_candidates(workspace, master, prism, view.deepest);
+  const double deepest = bound != nullptr ? std::max(view.deepest, bound->sight.greatest_depth()) : view.deepest;
+  list_candidates(workspace, master, prism, deepest, bound);
   for (const Index face : workspace.projection.candidates) {
     if (face == master_face) continue;
     const Triangle& vertices = posed.surface().face(face);
     std::array<PrismPoint, 3> corners;
+    std::array<bool, 3> is_shared;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto shared = std::find(master_vertices.begin(), master_vertices.end(), vertices[k]);
+      is_shared[k] = shared != master_vertices.end();
       corners[k] = shared != master_vertices.end()
                        ? MasterPrism::corner(static_cast<int>(shared - master_vertices.begin()))
                        : prism.see(posed.vertex_Me(vertices[k], work), work);
     }
+    if (bound != nullptr) bound->sight.see(face, true, vertices, corners, is_shared);
+    if (only_bound) continue;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(corners);
     ProjectedFace projected;
     if (!project_face(vertices, corners, projected)) continue;
@@ -127,7 +153,7 @@ PlacedFace placed(Workspace::Data& workspace, Side side, const ProjectedFace& fa
 /// Integrals over the part of the master face that sees the slave face at `index` of the projected ones first.
 /// `overlap` is the first overlap that may concern it and moves on past them.
 Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const Uncertainty& uncertainty,
-                                std::size_t index, std::vector<Overlap>::const_iterator& overlap) {
+                                std::size_t index, std::vector<Overlap>::const_iterator& overlap, Neglect& neglect) {
   ProjectionScratch& scratch = workspace.projection;
   const ProjectedFace& f = scratch.faces[index];
   Moments moments;
@@ -141,7 +167,7 @@ Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const U
     if (scratch.parts.empty()) continue;
     const ProjectedFace& g = scratch.faces[overlap->second];
     const PlacedFace placed_g = placed(workspace, g.own ? master : opposite(master), g);
-    subtract_hidden(uncertainty, placed_f, placed_g, scratch.parts, scratch.remaining, workspace.contact.work);
+    subtract_hidden(uncertainty, placed_f, placed_g, scratch.parts, scratch.remaining, neglect, workspace.contact.work);
   }
   for (const ConvexPolygon& part : scratch.parts) moments.add(part);
   return moments;
@@ -154,52 +180,105 @@ Eigen::Vector3d foot_Me(const MasterPrism& prism, const Moments& moments) {
   return prism.p0_Me() + (s * prism.edge_s_Me() + t * prism.edge_t_Me());
 }
 
+/// Whether no other face of the master lies before what may be seen, as the thickness computed beforehand says.
+bool thick_enough(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                  double deepest) {
+  const Surface::Data& surface = workspace.side(master).surface();
+  return deepest < surface.thickness_everywhere[static_cast<std::size_t>(face)] &&
+         thickness_holds(surface, workspace.placement.slack(master), geometry);
+}
+
+/// Enters the elements of one master face into the answer `contact` and the total. `bound`, where given, hears of them.
 void add_elements_of(Workspace::Data& workspace, Side master, Index face, const ForceProblem& problem,
-                     MasterForce& total) {
-  Contact& contact = workspace.contact;
+                     MasterBound* master_bound, Contact& contact, MasterForce& total) {
   ProjectionScratch& scratch = workspace.projection;
-  const FaceGeometry geometry(workspace.side(master).posed.face_Me(face, contact.work));
-  if (!(geometry.area > 0)) return;
+  const FaceGeometry geometry(workspace.side(master).posed.face_Me(face, workspace.contact.work));
+  if (master_bound != nullptr) master_bound->begin_clipped_face(face, geometry);
+  if (!(geometry.area > 0)) {
+    if (master_bound != nullptr) master_bound->end_clipped_face(geometry, nullptr);
+    return;
+  }
   const MasterPrism prism(geometry);
+  std::optional<FaceBound> face_bound;
+  if (master_bound != nullptr && master_bound->face_error().normal_known) {
+    // Without velocities and clamping, forces are linear in the integrals.
+    const bool continuous =
+        problem.law.damping == 0 && problem.law.friction == 0 && std::isinf(problem.law.max_penetration);
+    face_bound.emplace(workspace, prism, *master_bound, continuous);
+  }
+  FaceBound* const bound = face_bound ? &*face_bound : nullptr;
   scratch.faces.clear();
   View view{prism.uncertainty(workspace.placement.reach)};
-  project_slave(workspace, opposite(master), prism, view);
-  if (view.deepest < 0) return;
-  const Surface::Data& surface = workspace.side(master).surface();
-  const bool thick = view.deepest < surface.thickness_everywhere[static_cast<std::size_t>(face)] &&
-                     thickness_holds(surface, workspace.placement.slack(master), geometry);
-  if (!thick) {
-    project_own(workspace, master, face, prism, view);
-    if (view.slave_at_barycentre && view.own_at_barycentre &&
-        find_penetration(workspace, master, face, geometry).outcome == Penetration::Outcome::too_deep) {
-      ++contact.too_deep;
-    }
+  project_slave(workspace, opposite(master), prism, bound, view);
+  const bool thick = view.deepest < 0 || thick_enough(workspace, master, face, geometry, view.deepest);
+  const bool bound_needs_own = bound != nullptr && bound->sight.greatest_depth() >= 0 &&
+                               !(workspace.side(master).surface().clear_of_neighbours[static_cast<std::size_t>(face)] &&
+                                 thick_enough(workspace, master, face, geometry, bound->sight.greatest_depth()));
+  if (!thick || bound_needs_own) project_own(workspace, master, face, prism, thick, bound, view);
+  if (!thick && view.slave_at_barycentre && view.own_at_barycentre &&
+      find_penetration(workspace, master, face, geometry).outcome == Penetration::Outcome::too_deep) {
+    ++contact.too_deep;
+  }
+  if (bound != nullptr) {
+    bound->sight.compare(workspace.side(opposite(master)).surface(), workspace.side(master).surface());
   }
   find_overlaps(scratch.faces, scratch.order, scratch.overlaps);
   auto overlap = scratch.overlaps.cbegin();
   for (std::size_t i = 0; i < scratch.faces.size() && !scratch.faces[i].own; ++i) {
-    if (!scratch.faces[i].carries) continue;
-    const Moments moments = moments_of_visible_part(workspace, master, view.uncertainty, i, overlap);
+    const Index slave_face = scratch.faces[i].face;
+    if (!scratch.faces[i].carries) {
+      if (bound != nullptr && scratch.faces[i].leaves) {
+        bound->sight.leave_out(slave_face, 0.5 * std::abs(twice_area(scratch.faces[i].seen)));
+      }
+      continue;
+    }
+    Neglect neglect;
+    const Moments moments = moments_of_visible_part(workspace, master, view.uncertainty, i, overlap, neglect);
     const double area = moments.area * (2 * geometry.area);
     const double mean = std::min(moments.depth / moments.area, moments.greatest);
-    if (!(area > 0 && mean > 0)) continue;
+    if (!(area > 0 && mean > 0)) {
+      if (bound != nullptr) bound->sight.leave_out(slave_face, std::abs(moments.area) + neglect.area);
+      continue;
+    }
     Element element;
     element.master = master;
     element.master_face = face;
-    element.slave_face = scratch.faces[i].face;
+    element.slave_face = slave_face;
     element.area = area;
     element.penetration = mean;
     element.normal_Me = -geometry.n_Me;
     add_element(contact, problem, moments.greatest, foot_Me(prism, moments), element, total);
+    if (master_bound == nullptr) continue;
+    if (bound != nullptr) {
+      const ElementError error = bound->sight.of_element(slave_face, moments, neglect, master_bound->face_error());
+      master_bound->add_clipped_element(element, &error, total);
+    } else {
+      master_bound->add_clipped_element(element, nullptr, total);
+    }
+  }
+  if (master_bound != nullptr) {
+    master_bound->end_clipped_face(geometry, bound != nullptr ? &bound->sight : nullptr);
   }
 }
 
 }  // namespace
 
-MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
+MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
+                                 MasterBound* bound) {
+  SideState& side = workspace.side(master);
   MasterForce total;
-  for_each_active_face(workspace.side(master),
-                       [&](Index face) { add_elements_of(workspace, master, face, problem, total); });
+  for_each_active_face(
+      side, [&](Index face) { add_elements_of(workspace, master, face, problem, bound, workspace.contact, total); });
+  if (bound == nullptr) return total;
+  // Faces that are not active, but may be in the exact problem: what they would add.
+  ForceProblem unheard = problem;
+  unheard.keep_elements = false;
+  for (const Index face : side.undecided_faces) {
+    if (is_active(side, face)) continue;
+    Contact none;
+    MasterForce nothing;
+    add_elements_of(workspace, master, face, unheard, bound, none, nothing);
+  }
   return total;
 }
 

@@ -18,6 +18,8 @@ namespace pcm::fast {
 /// whose area or penetration underflows to 0 make no element. Error: that of a master and slave moved by a few ulps of
 /// the greatest coordinate S, so relative to the sum of |F_k| a few ulps times S over the mean penetration, short of
 /// flush poses. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets overlap.
-MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem);
+/// `bound`, where given, gathers what the errors may be.
+MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
+                                 MasterBound* bound = nullptr);
 
 }  // namespace pcm::fast

@@ -69,12 +69,15 @@ struct Statistics {
 };
 
 /// Rigorous bounds on |computed - true|, component by component, the truth being the exact problem's force and torque
-/// in the same scheme (PCM section 1): the rounding of F's vertices is included. Infinite where nothing can be
-/// promised.
+/// in the same scheme (PCM section 1): the rounding of F's vertices is included. Infinite only where numbers leave the
+/// range of doubles.
 struct ForceBound {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< N m
-  bool flipped = false;  ///< the exact problem may have other elements than the rounded one
+  /// A discrete decision may be another one in the exact problem, and the force with it by a finite amount. Barycentric
+  /// scheme: it may have other elements. Clipped scheme: a master face with elements may not be active or the reverse,
+  /// a face is seen nearly flush, or a master face's normal is not known.
+  bool flipped = false;
 };
 
 /// How much work an evaluation did, and how much it was spared.

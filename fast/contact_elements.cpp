@@ -58,8 +58,7 @@ void add_element(Contact& contact, const ForceProblem& problem, double greatest_
 
 MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem, MasterBound* bound) {
   if (problem.scheme == Scheme::barycentric) return sum_barycentric_elements(workspace, master, problem, bound);
-  if (bound != nullptr) bound->promise_nothing();
-  return sum_clipped_elements(workspace, master, problem);
+  return sum_clipped_elements(workspace, master, problem, bound);
 }
 
 }  // namespace pcm::fast

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "fast/law.h"
 #include "fast/workspace.h"
 
@@ -27,6 +29,12 @@ struct MasterForce {
 
 class MasterBound;
 
+/// Whether a face is active: intersected or inner.
+inline bool is_active(const SideState& side, Index face) {
+  return side.is_intersected.contains(static_cast<std::size_t>(face)) ||
+         std::binary_search(side.inner.begin(), side.inner.end(), face);
+}
+
 /// Calls `visit(face)` for the active faces of a side, intersected and inner, in face-index order.
 template <class Visit>
 void for_each_active_face(const SideState& side, const Visit& visit) {
@@ -46,7 +54,7 @@ void add_element(Contact& contact, const ForceProblem& problem, double greatest_
 /// Forms the contact elements of a master (PCM section 6), in face-index order; counts them and the faces that are too
 /// deep, and sums their forces (21)-(24). Barycentric scheme: one element for each active face whose penetration line
 /// leaves the slave at u > 0. Clipped scheme: see fast/clipped_elements.h. Needs that side's active area. `bound`,
-/// where given, gathers what the errors of the elements may be (barycentric scheme only).
+/// where given, gathers what the errors of the elements may be.
 MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
                          MasterBound* bound = nullptr);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "fast/geometry.h"
 #include "fast/penetration_predicates.h"
@@ -12,8 +13,10 @@ namespace pcm::fast {
 /// How far what an element's force is made of may be from the exact problem's values (PCM section 1): the roundings of
 /// the evaluation and those of F's vertices together. Either scheme fills it; fast/force_error.h makes bounds of it.
 struct ElementError {
-  double area = 0;                                    ///< of A_k, m^2
-  double penetration = 0;                             ///< of u_k before clamping, m
+  double area = 0;         ///< of A_k, m^2
+  double penetration = 0;  ///< of u_k before clamping, m
+  /// Of A_k u_k before clamping, m^3, where that is known better than A_k and u_k say.
+  double volume = std::numeric_limits<double>::infinity();
   double normal = 0;                                  ///< length of the difference of n_k
   Eigen::Vector3d foot_Me = Eigen::Vector3d::Zero();  ///< of the point C_k is measured from, component by component, m
 };

@@ -21,10 +21,6 @@ Eigen::Vector3d number_or_infinity(const Eigen::Vector3d& bound) {
   return bound.unaryExpr([](double x) { return x >= 0 ? x : std::numeric_limits<double>::infinity(); });
 }
 
-bool is_active(const SideState& side, Index face) {
-  return side.is_intersected.contains(face) || std::binary_search(side.inner.begin(), side.inner.end(), face);
-}
-
 }  // namespace
 
 MasterBound::MasterBound(Workspace::Data& workspace, Side master, const ForceProblem& problem)
@@ -69,9 +65,7 @@ void MasterBound::add_element(const FaceGeometry& geometry, const Element& eleme
     sum_.force_Me += bound.force_Me;
     sum_.torque_Me += bound.torque_Me;
   } else {
-    const Eigen::Vector3d lever = element.position_Me - problem_.pose.r;
-    sum_.force_Me += element.force_Me.cwiseAbs();
-    sum_.torque_Me += Eigen::Vector3d::Constant(lever.lpNorm<1>() * element.force_Me.lpNorm<1>());
+    add_whole_force(element);
     add_possible_element(element.area + error.area, line.greatest_depth, geometry, error.foot_Me);
   }
   sum_.force_Me += kUnitRoundoff * total.force_Me.cwiseAbs();
@@ -95,6 +89,13 @@ void MasterBound::add_inactive_faces() {
   }
 }
 
+void MasterBound::add_whole_force(const Element& element) {
+  const Eigen::Vector3d lever = element.position_Me - problem_.pose.r;
+  sum_.flipped = true;
+  sum_.force_Me += element.force_Me.cwiseAbs();
+  sum_.torque_Me += Eigen::Vector3d::Constant(kBoundMargin * lever.lpNorm<1>() * element.force_Me.lpNorm<1>());
+}
+
 void MasterBound::add_possible_element(double area, double depth, const FaceGeometry& geometry,
                                        const Eigen::Vector3d& foot_error) {
   const GreatestForce greatest = greatest_force(problem_, area, depth, geometry.barycentre_Me(), foot_error);
@@ -103,12 +104,43 @@ void MasterBound::add_possible_element(double area, double depth, const FaceGeom
   sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
 }
 
-void MasterBound::promise_nothing() {
-  const SideState& side = workspace_.side(master_);
-  if (side.intersected.empty() && side.inner.empty() && side.undecided_faces.empty()) return;
-  sum_.force_Me.setConstant(std::numeric_limits<double>::infinity());
-  sum_.torque_Me = sum_.force_Me;
-  sum_.flipped = true;
+void MasterBound::begin_clipped_face(Index face, const FaceGeometry& geometry) {
+  face_ = FaceError(geometry, rounding_of(master_, face));
+  undecided_ = workspace_.side(master_).undecided.contains(face);
+}
+
+double MasterBound::slack() const {
+  return tube_radius(workspace_, face_, rounding_Me_);
+}
+
+void MasterBound::add_clipped_element(const Element& element, const ElementError* error, const MasterForce& total) {
+  if (error != nullptr) {
+    const ElementForceError bound = force_error(problem_, element, *error);
+    sum_.force_Me += bound.force_Me;
+    sum_.torque_Me += bound.torque_Me;
+  }
+  if (error == nullptr || undecided_) add_whole_force(element);
+  sum_.force_Me += kUnitRoundoff * total.force_Me.cwiseAbs();
+  sum_.torque_Me += kUnitRoundoff * total.torque_Me.cwiseAbs();
+}
+
+void MasterBound::end_clipped_face(const FaceGeometry& geometry, const SightError* sight) {
+  const double twice_area = 2 * (geometry.area + face_.area);
+  const auto& p = geometry.points_Me;
+  const Eigen::Vector3d anywhere = (p[1] - p[0]).cwiseAbs() + (p[2] - p[0]).cwiseAbs();
+  if (sight == nullptr || !sight->known()) {
+    add_possible_element(0.5 * twice_area, span(workspace_), geometry, face_.barycentre_Me + anywhere);
+    return;
+  }
+  sum_.flipped = sum_.flipped || sight->flush();
+  const SightError::Beside beside = sight->beside();
+  if (!(beside.area > 0)) return;
+  // An element's force grows with its volume, and with its area where it is damped.
+  const Eigen::Vector3d foot_error = face_.barycentre_Me + anywhere + Eigen::Vector3d::Constant(beside.depth);
+  const GreatestForce greatest = greatest_force(problem_, twice_area * beside.area, beside.volume / beside.area,
+                                                geometry.barycentre_Me(), foot_error);
+  sum_.force_Me += Eigen::Vector3d::Constant(greatest.force);
+  sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
 }
 
 ForceBound MasterBound::result() const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fast/clipped_error.h"
 #include "fast/contact_elements.h"
 #include "fast/element_error.h"
 #include "fast/geometry.h"
@@ -10,13 +11,18 @@
 namespace pcm::fast {
 
 /// Gathers a rigorous bound on the errors of one master's force and torque against the exact problem (PCM section 1),
-/// barycentric scheme, while its elements are being summed. Of the clipped scheme it promises nothing.
+/// while its elements are being summed.
 ///
-/// A face whose decisions (is it active, which slave face does its line meet first, is q > 0, does no other face of the
-/// master come before) are the same for all positions of F's vertices within their rounding adds the error of its
-/// element, a running error analysis: fast/element_error.h, fast/force_error.h. Any other face may carry an element in
-/// one problem and none, or another one, in the other: it adds what it has and what it might have at most, and
-/// `flipped` is set. The rounding of the sums comes on top.
+/// Barycentric scheme: a face whose decisions (is it active, which slave face does its line meet first, is q > 0, does
+/// no other face of the master come before) are the same for all positions of F's vertices within their rounding adds
+/// the error of its element, a running error analysis: fast/element_error.h, fast/force_error.h. Any other face may
+/// carry an element in one problem and none, or another one, in the other: it adds what it has and what it might have
+/// at most, and `flipped` is set. The rounding of the sums comes on top.
+///
+/// Clipped scheme: the integrals of an element are off by what fast/clipped_error.h says, its force by what
+/// fast/force_error.h makes of that, and the same for what the exact problem may have beside the computed elements. A
+/// face of the master that is active in one problem only adds all it has and might have; `flipped` is set where that
+/// is an element, where a face is seen flush, or where the master face's own normal is not known.
 ///
 /// All bounds are finite but where the element's own numbers come near the end of the range of doubles.
 class MasterBound {
@@ -33,14 +39,24 @@ class MasterBound {
   /// The faces that are not active in the rounded problem, but may be in the exact one.
   void add_inactive_faces();
 
-  /// In place of all the above, for the clipped scheme, whose parts of faces have no such bound: infinite, and
-  /// flipped, where any face is active or may be.
-  void promise_nothing();
+  /// The clipped scheme's: before a face's elements, active or undecided.
+  void begin_clipped_face(Index face, const FaceGeometry& geometry);
+  /// An element as it was added to the sum, `total`; none of an undecided face that is not active. `error`: none where
+  /// nothing is known.
+  void add_clipped_element(const Element& element, const ElementError* error, const MasterForce& total);
+  /// What else the face may carry. `sight`: none where nothing is known.
+  void end_clipped_face(const FaceGeometry& geometry, const SightError* sight);
+
+  Side master() const { return master_; }
+  const Eigen::Vector3d& rounding_Me() const { return rounding_Me_; }  ///< of any vertex of F
+  const FaceError& face_error() const { return face_; }                ///< of the face begun
+  double slack() const;  ///< how far off the face's lines may be wherever any surface reaches, m
 
   ForceBound result() const;
 
  private:
   Eigen::Vector3d rounding_of(Side side, Index face) const;
+  void add_whole_force(const Element& element);
   void add_possible_element(double area, double depth, const FaceGeometry& geometry, const Eigen::Vector3d& foot_error);
 
   Workspace::Data& workspace_;
@@ -48,6 +64,7 @@ class MasterBound {
   Side master_;
   Eigen::Vector3d rounding_Me_;  ///< of any vertex of F
   FaceError face_;               ///< of the face begun
+  bool undecided_ = false;       ///< whether it is active
   ForceBound sum_;
 };
 

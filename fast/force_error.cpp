@@ -52,29 +52,38 @@ VelocityErrors velocity_errors(const ForceProblem& problem, const Element& eleme
   return errors;
 }
 
-/// F_n (14), (15), (18) with its error.
-Uncertain normal_force(const ForceProblem& problem, const Element& element, double area_error, double depth_error,
+/// F_n (14), (15), (18) with its error. With V = A u: clamped, A u is min(V, A u_max), and faded, A is min(A, V / u_d);
+/// neither is off by more than the greater of its arguments' errors.
+Uncertain normal_force(const ForceProblem& problem, const Element& element, const ElementError& error,
                        double v_n_error) {
   const ContactLaw& law = problem.law;
-  const Uncertain area{element.area, area_error}, depth{element.penetration, depth_error};
+  const Uncertain area{element.area, error.area}, depth{element.penetration, error.penetration};
   const double c_l = problem.stiffness.c_l;
+  double volume_error = error.volume;
+  if (depth.greatest() >= law.max_penetration) {
+    volume_error = std::max(volume_error, law.max_penetration * area.error);
+  }
   const double elastic = c_l * area.size * depth.size;
-  const double elastic_error = c_l * area.size * depth.error + c_l * area.error * depth.greatest() +
-                               (kStiffnessRoundings + 2) * u * c_l * area.greatest() * depth.greatest();
+  const double greatest_volume =
+      std::min(area.greatest() * depth.greatest(), area.size * depth.size * kBoundMargin + volume_error);
+  const double elastic_error = c_l * std::min(volume_error, area.size * depth.error + area.error * depth.greatest()) +
+                               (kStiffnessRoundings + 2) * u * c_l * greatest_volume;
   double damping = 0, damping_error = 0;
   if (law.damping > 0) {
     // Damping stays as it is where it cannot be felt: (18) and the mode `compression` are maxima, which never widen an
     // error.
     const Uncertain v_n{std::abs(element.normal_velocity), v_n_error};
-    Uncertain fade{1, 0};
+    Uncertain faded = area;
     if (law.transition_depth > 0 && depth.size - 2 * depth.error < law.transition_depth) {
-      fade = {std::min(1.0, depth.size / law.transition_depth), std::min(1.0, depth.error / law.transition_depth)};
+      const Uncertain fade{std::min(1.0, depth.size / law.transition_depth),
+                           std::min(1.0, depth.error / law.transition_depth)};
+      faded.size = area.size * fade.size;
+      faded.error = std::min(area.error * std::min(1.0, fade.greatest()) + area.size * fade.error,
+                             std::max(area.error, volume_error / law.transition_depth));
     }
-    const double greatest_fade = std::min(1.0, fade.greatest());
-    damping = law.damping * area.size * v_n.size * fade.size;
-    damping_error = law.damping * (area.error * v_n.greatest() * greatest_fade + area.size * v_n.error * greatest_fade +
-                                   area.size * v_n.size * fade.error) +
-                    5 * u * law.damping * area.greatest() * v_n.greatest() * greatest_fade;
+    damping = law.damping * faded.size * v_n.size;
+    damping_error = law.damping * (faded.error * v_n.greatest() + faded.size * v_n.error) +
+                    5 * u * law.damping * faded.greatest() * v_n.greatest();
   }
   return {std::abs(element.normal_force), elastic_error + damping_error + u * (elastic + damping)};
 }
@@ -118,7 +127,7 @@ ElementForceError force_error(const ForceProblem& problem, const Element& elemen
 
   VelocityErrors velocity;
   if (problem.with_velocities) velocity = velocity_errors(problem, element, error.normal, lever, lever_error);
-  const Uncertain F_n = normal_force(problem, element, error.area, depth_error, velocity.v_n);
+  const Uncertain F_n = normal_force(problem, element, error, velocity.v_n);
 
   // (21), (22).
   double tangential_error = 0;

@@ -10,7 +10,8 @@
 namespace pcm::fast {
 
 /// The greatest |coordinate| a surface may have, and the least that it must reach, m: between them a volume, the
-/// product of three lengths, keeps its digits, and so does every product of two or three that is not a decision.
+/// product of three lengths, keeps its digits, and so does every product of two or three that is not a decision, down
+/// to details of some 2^-340 m. Smaller ones may lose depths and areas to underflow, never a decision.
 inline constexpr double kGreatestReach = 0x1p300;
 inline constexpr double kLeastReach = 0x1p-300;
 

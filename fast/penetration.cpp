@@ -49,9 +49,9 @@ Distance distance_to(const Ray& ray, const FacePoints& f, double slack) {
   const double along1 = along0 + ray.direction.dot(first_edge), along2 = along0 + ray.direction.dot(second_edge);
   double least = std::min({along0, along1, along2}), greatest = std::max({along0, along1, along2});
   const Eigen::Vector3d N = first_edge.cross(second_edge);
-  // 1-norms: |a x b| <= |a| |b|. Roundings: 32 u covers the 12 of each quantity.
+  // 1-norms: |a x b| <= |a| |b|. Roundings: 32 u covers the 12 of each quantity, 2^-1070 what underflow takes.
   const double size = first_edge.lpNorm<1>() * second_edge.lpNorm<1>();
-  const double height_error = (slack + 32 * 0x1p-53 * d0.lpNorm<1>()) * size;
+  const double height_error = (slack + 32 * 0x1p-53 * d0.lpNorm<1>()) * size + 0x1p-1070;
   const double slope = ray.direction.dot(N);
   const double slope_error = (3 * ray.direction_error + 32 * 0x1p-53) * size;
   if (std::abs(slope) > 2 * slope_error && std::abs(slope) > kLeastProduct) {

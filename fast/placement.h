@@ -37,7 +37,8 @@ struct Placement {
     const double skew = (pose.A.transpose() * pose.A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     slack_E = kPlacementSlack * reach;
     slack_F = 4 * slack_E + 12 * skew * surface_F.reach.maxCoeff();
-    span = 2 * (1 + 0x1p-20) * (surface_E.tree.root().box.half.sum() + surface_F.tree.root().box.half.sum()) + slack_E;
+    span =
+        2 * (1 + 0x1p-20) * (surface_E.tree.root().box.half.sum() + surface_F.tree.root().box.half.sum()) + 2 * slack_E;
   }
 
   double slack(Side side) const { return side == Side::E ? slack_E : slack_F; }

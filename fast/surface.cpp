@@ -143,6 +143,7 @@ Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   wide_tree = WideTree(mesh, tree);
   thickness = lower_bounds_of_thickness(*this);
   thickness_everywhere = lower_bounds_of_thickness_everywhere(*this);
+  clear_of_neighbours = faces_clear_of_neighbours(*this);
 }
 
 Surface::Surface(TriangleMesh mesh) : data_(std::make_shared<const Data>(std::move(mesh))) {}

@@ -52,6 +52,7 @@ struct Surface::Data {
   /// surface, m; see fast/thickness.h.
   std::vector<double> thickness;
   std::vector<double> thickness_everywhere;  ///< the same over all points of each face
+  std::vector<bool> clear_of_neighbours;     ///< by face; see fast/thickness.h
 
   const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }
   const Eigen::Vector3d& vertex(Index v) const { return mesh.vertices[static_cast<std::size_t>(v)]; }

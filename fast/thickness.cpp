@@ -82,6 +82,23 @@ double least_depth_of_neighbour(const Triangle& vertices, const std::array<Prism
   return at_border && moments.area < 0x1p-50 ? kInfinity : least;
 }
 
+/// Whether a neighbour of a face lies beside one of its sides but for the vertices on it.
+bool lies_beside(const MasterPrism& prism, const Triangle& master, const Surface::Data& surface, Index neighbour,
+                 double tolerance, WorkCounters& work) {
+  bool beside[3] = {true, true, true};  // By weight; 0 on the side whose inward gradient it has.
+  for (const Index vertex : surface.face(neighbour)) {
+    const auto shared = std::find(master.begin(), master.end(), vertex);
+    const bool is_shared = shared != master.end();
+    const PrismPoint x = is_shared ? MasterPrism::corner(static_cast<int>(shared - master.begin()))
+                                   : prism.see(surface.vertex(vertex), work);
+    for (int weight = 0; weight < 3; ++weight) {
+      const double margin = tolerance * length(prism.inward_Me(static_cast<std::size_t>((weight + 1) % 3)));
+      beside[weight] = beside[weight] && (is_shared ? x[weight] == 0 : x[weight] < -margin);
+    }
+  }
+  return beside[0] || beside[1] || beside[2];
+}
+
 }  // namespace
 
 std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface) {
@@ -150,6 +167,26 @@ std::vector<double> lower_bounds_of_thickness_everywhere(const Surface::Data& su
     bounds[static_cast<std::size_t>(face)] = std::max(nearest, 0.0);
   }
   return bounds;
+}
+
+std::vector<bool> faces_clear_of_neighbours(const Surface::Data& surface) {
+  const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
+  std::vector<bool> clear(surface.mesh.faces.size(), false);
+  WorkCounters work;
+  for (Index face = 0; face < static_cast<Index>(clear.size()); ++face) {
+    const Triangle& master = surface.face(face);
+    const FaceGeometry geometry(points_of(surface, face));
+    if (!thickness_holds(surface, 0, geometry)) continue;
+    const MasterPrism prism(geometry);
+    bool all = true;
+    for (const Index vertex : master) {
+      for (const Index neighbour : surface.vertex_faces[vertex]) {
+        if (neighbour != face && all) all = lies_beside(prism, master, surface, neighbour, tolerance, work);
+      }
+    }
+    clear[static_cast<std::size_t>(face)] = all;
+  }
+  return clear;
 }
 
 }  // namespace pcm::fast

@@ -25,6 +25,10 @@ std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface);
 /// folds back beneath the face. Holds under the same tolerance. O(n log n).
 std::vector<double> lower_bounds_of_thickness_everywhere(const Surface::Data& surface);
 
+/// The faces beneath which no face that shares a vertex with them reaches, each such neighbour lying beside one of
+/// their sides by more than the tolerance. So a face that stands upright on another is none of these. O(n).
+std::vector<bool> faces_clear_of_neighbours(const Surface::Data& surface);
+
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for
 /// `slack`, which turns its normal by at most twice that over its edges' heights.
 inline bool thickness_holds(const Surface::Data& surface, double slack, const FaceGeometry& face) {

@@ -3,6 +3,7 @@
 #include "fast/visible_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pcm::fast {
@@ -12,7 +13,8 @@ namespace {
 /// Where a face lies along the lines, compared with another one.
 enum class Order : std::uint8_t { before, after, crossing };
 
-/// A linear function c + c_s (s - s_0) + c_t (t - t_0); a half plane is where it is not negative.
+/// A linear function c + c_s (s - s_0) + c_t (t - t_0); a half plane is where
+/// it is not negative.
 struct HalfPlane {
   double c, c_s, s_0, c_t, t_0;
 
@@ -29,8 +31,9 @@ struct ConvexSet {
   const HalfPlane* end() const { return half_planes.data() + count; }
 };
 
-/// The inner side of side k of a counterclockwise face. The line runs from the vertex of smaller index to the other,
-/// so that both faces at the edge have the same one.
+/// The inner side of side k of a counterclockwise face. The line runs from the
+/// vertex of smaller index to the other, so that both faces at the edge have
+/// the same one.
 HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
   const std::size_t next = (k + 1) % 3;
   const bool ascending = face.vertices[k] < face.vertices[next];
@@ -40,8 +43,9 @@ HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
   return {0, -sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT]};
 }
 
-/// The linear function with the given values at the corners of a face, times twice its area in (s, t): as sure of its
-/// sign as they are, however small they are.
+/// The linear function with the given values at the corners of a face, times
+/// twice its area in (s, t): as sure of its sign as they are, however small
+/// they are.
 HalfPlane through(const ProjectedFace& face, const std::array<double, 3>& values) {
   const PrismPoint a = face.corners[1] - face.corners[0], b = face.corners[2] - face.corners[0];
   const double a_rise = values[1] - values[0], b_rise = values[2] - values[0];
@@ -49,8 +53,9 @@ HalfPlane through(const ProjectedFace& face, const std::array<double, 3>& values
           b_rise * a[kS] - a_rise * b[kS], face.corners[0][kT]};
 }
 
-/// Heights of the vertices of g over the plane of f, times twice the area of f. Above is where the lines come from: the
-/// vertices of f run counterclockwise as the master sees them.
+/// Heights of the vertices of g over the plane of f, times twice the area of f.
+/// Above is where the lines come from: the vertices of f run counterclockwise
+/// as the master sees them.
 std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, WorkCounters& work) {
   std::array<double, 3> heights;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -62,7 +67,8 @@ std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, Wor
   return heights;
 }
 
-/// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both sides.
+/// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both
+/// sides.
 int side_of_plane(const std::array<double, 3>& heights) {
   const bool above = std::max({heights[0], heights[1], heights[2]}) > 0;
   const bool below = std::min({heights[0], heights[1], heights[2]}) < 0;
@@ -112,10 +118,28 @@ void append(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
   parts.push_back(second);
 }
 
-/// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
-/// second, and so on.
+double area_of(const ConvexPolygon& polygon) {
+  return polygon.empty() ? 0 : 0.5 * std::abs(twice_area(polygon));
+}
+
+/// Counts a part that is cut, and the parts it becomes, none of which is wider.
+void add_widths(const ConvexPolygon& part, int parts, Neglect& neglect) {
+  double low_s = part[0][kS], high_s = low_s, low_t = part[0][kT], high_t = low_t;
+  for (int i = 1; i < part.count; ++i) {
+    low_s = std::min(low_s, part[i][kS]);
+    high_s = std::max(high_s, part[i][kS]);
+    low_t = std::min(low_t, part[i][kT]);
+    high_t = std::max(high_t, part[i][kT]);
+  }
+  neglect.parts += parts;
+  neglect.width_s += parts * (high_s - low_s);
+  neglect.width_t += parts * (high_t - low_t);
+}
+
+/// Convex polygons without a convex set: what lies outside its first half
+/// plane, then of the rest what lies outside the second, and so on.
 void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<ConvexPolygon>& parts,
-              std::vector<ConvexPolygon>& remaining) {
+              std::vector<ConvexPolygon>& remaining, Neglect& neglect) {
   remaining.clear();
   for (const ConvexPolygon& part : parts) {
     const ConvexPolygon overlap = common(part, set);
@@ -124,6 +148,7 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
       continue;
     }
     const std::size_t before = remaining.size();
+    double dropped = 0;
     ConvexPolygon rest = part;
     for (const HalfPlane& half_plane : set) {
       Heights heights = heights_of(rest, half_plane);
@@ -132,13 +157,20 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
       keep_where_not_negative(rest, heights);
       for (double& height : heights) height = -height;
       keep_where_not_negative(outside, heights);
-      if (certain(outside, uncertainty)) append(outside, remaining);
+      if (certain(outside, uncertainty)) {
+        append(outside, remaining);
+      } else {
+        dropped += area_of(outside);
+      }
       if (rest.empty()) break;
     }
     if (remaining.size() > before + 1 && !certain(overlap, uncertainty)) {
       remaining.resize(before);
       remaining.push_back(part);
+      dropped = area_of(overlap);
     }
+    neglect.area += dropped;
+    add_widths(part, 1 + static_cast<int>(remaining.size() - before), neglect);
   }
   std::swap(parts, remaining);
 }
@@ -146,7 +178,8 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
 }  // namespace
 
 void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const PlacedFace& g,
-                     std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, WorkCounters& work) {
+                     std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, Neglect& neglect,
+                     WorkCounters& work) {
   std::array<double, 3> f_over_g;
   const Order order = order_of(g, f, f_over_g, work);
   if (order == Order::after) return;
@@ -159,7 +192,7 @@ void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const 
   if (order == Order::crossing) {
     hidden.add(through(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
   }
-  subtract(hidden, uncertainty, parts, remaining);
+  subtract(hidden, uncertainty, parts, remaining, neglect);
 }
 
 }  // namespace pcm::fast

@@ -13,13 +13,14 @@ namespace pcm::fast {
 /// A pose between the coordinates of two wide trees, in single precision: x_E = rotation (scale x_F) + shift, with what
 /// keeps tests of boxes and planes conservative for all positions of F's vertices within their rounding.
 ///
-/// Let v = 2^-24 and let G bound |x| + |y| + |z| of both bodies' points and |shift|, in E's coordinates: the sum of
-/// both radii, once the root boxes were found to touch. A point of F is a sum of four terms, two roundings in each
-/// product and three sums: off by 7 v G; less a centre of E: 10 v G; half widths and their sums lose less than 10 v G.
-/// Turned back into F's axes, whose rows' absolute sums are at most sqrt(3): 54 v G in all. So 64 v G covers boxes. A
-/// plane n . (x - p) = 0 whose normal is off by 8 v and x, p each by 9 v G errs by 100 v G at most: 128 v G.
-/// The roundings of double precision are those of Placement. They also tilt the plane of a face of F: by no more than
-/// their double over its least height, over a length of 2 G.
+/// Let v = 2^-24 and let G be the sum of both radii in E's coordinates. Along an axis of E no point of F is farther
+/// than G from F's origin, and that no farther than G from E's, once the root boxes were found to touch. A point of F
+/// is a sum of four terms, three roundings in each product and three sums: off by 8 v G; less a centre of E: 11 v G;
+/// half widths and their sums lose less than 8 v G. Turned back into F's axes, the columns of A, whose absolute sums
+/// are at most sqrt(3): 34 v G in all. So 64 v G covers boxes. A plane n . (x - p) = 0 whose normal is off by 8 v (A
+/// off a rotation included) and x, p by 8 v G and v G, where no |x - p| exceeds 3.5 G, errs by 100 v G at most: 128 v
+/// G. The roundings of double precision are those of Placement. They also tilt the plane of a face of F: by no more
+/// than their double over its least height, over a length of 2 G.
 struct WidePose {
   std::array<std::array<float, 3>, 3> rotation{};
   std::array<std::array<float, 3>, 3> rotation_absolute{};

@@ -66,9 +66,9 @@ void put_face(FaceGroup& group, std::size_t lane, const std::array<Eigen::Vector
   }
   const Eigen::Vector3d N = (p[1] - p[0]).cross(p[2] - p[0]);
   const double longest = std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
-  const bool flat = N.norm() >= WideTree::kLeastHeight * longest;
+  const bool known = N.norm() > WideTree::kLeastHeight * longest;
   for (std::size_t k = 0; k < 3; ++k) {
-    group.normal[k].value[lane] = flat ? static_cast<float>(N[static_cast<Eigen::Index>(k)] / N.norm()) : 0.0F;
+    group.normal[k].value[lane] = known ? static_cast<float>(N[static_cast<Eigen::Index>(k)] / N.norm()) : 0.0F;
   }
 }
 

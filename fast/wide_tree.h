@@ -57,8 +57,8 @@ class WideTree {
   /// No |x| + |y| + |z| of a vertex exceeds it, in this tree's coordinates.
   double radius() const { return radius_; }
 
-  /// A face's plane counts where its least height is at least this, in this tree's coordinates: then it is known to
-  /// single precision.
+  /// A face's plane counts where its least height is greater than this, in this tree's coordinates: then it is known
+  /// to single precision.
   static constexpr double kLeastHeight = 0x1p-14;
 
  private:

@@ -9,6 +9,7 @@
 #include "fast/candidates.h"
 #include "fast/contact.h"
 #include "fast/engine.h"
+#include "fast/footprint.h"
 #include "fast/line_search.h"
 #include "fast/line_trace.h"
 #include "fast/placement.h"
@@ -132,6 +133,7 @@ struct Workspace::Data {
   StampedArray<Index> set_of_face;
   std::vector<FaceClip> clips;
   ProjectionScratch projection;
+  SightScratch sight;  ///< where bounds are wanted
   Contact contact;
 
   SideState& side(Side s) { return sides[static_cast<std::size_t>(s)]; }

@@ -3,10 +3,12 @@
 // The comparison itself is tested: right answers pass, answers altered on purpose are flagged, runs repeat and resume.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <utility>
 
 #include "compare/case_file.h"
 #include "compare/sha256.h"
@@ -169,6 +171,78 @@ TEST(Verdict, AreaOffByOneInABillionIsFlagged) {
         return subj.E.area > 0;
       },
       kDeep);
+}
+
+TEST(Verdict, FarFromUnitScaleRightAnswersPassAndAlteredOnesAreFlagged) {
+  // Squares of forces and areas leave the range of doubles here.
+  const SurfacePair pair = small_pair();
+  for (const int exponent : {-200, 200}) {
+    const double s = std::ldexp(1, exponent);
+    TriangleMesh E = pair.E, F = pair.F;
+    for (TriangleMesh* mesh : {&E, &F}) {
+      for (Eigen::Vector3d& x : mesh->vertices) x *= s;
+    }
+    const Scene scene(E, F, ContactLaw{}, Mode::both);
+    Pose pose;
+    pose.A = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    pose.r = s * Eigen::Vector3d(0.3, 0.5, 0.2);
+    fast::Workspace workspace;
+    fast::Contact subj = fast::evaluate(scene.engine(), pose, Velocity{}, Wanted{}, workspace);
+    const Question question = scene.question(pose, Velocity{});
+    const reference::Answer truth = scene.oracle().answer(reference::Problem::rounded, pose);
+    EXPECT_EQ(disagreements(question, subj, truth).size(), 0U);
+    subj.force_Me *= 1 + 1e-9;
+    subj.torque_Me *= 1 + 1e-9;
+    subj.E.vector_area_Me *= 1 + 1e-9;
+    EXPECT_EQ(disagreements(question, subj, truth).size(), 3U);
+    EXPECT_GT(*relative_errors(question, subj, truth, false).force, 0);
+  }
+}
+
+TEST(Verdict, SliverInTheFoldOfASurfaceHasABoundThatIsNotNegative) {
+  // The section of F is a figure of eight, whose smaller loop turns backwards: areas in it count negative.
+  TriangleMesh F;
+  for (const double z : {-1.0, 1.0}) {
+    for (const auto& [x, y] :
+         {std::pair{4.0, -4.0}, std::pair{4.0, 4.0}, std::pair{-1.0, -1.0}, std::pair{-1.0, 1.0}}) {
+      F.vertices.emplace_back(x, y, z);
+    }
+  }
+  F.faces = {{0, 3, 2}, {0, 2, 1}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+             {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  const double thin = 0x1p-52;
+  const TriangleMesh E = generate::box(Eigen::Vector3d(-0.9, -0.1, -2), Eigen::Vector3d(-0.9 + thin, 0.1, 2));
+  const Scene scene(E, F, ContactLaw{}, Mode::E);
+  const Question question = scene.question(Pose{}, Velocity{});
+  const reference::Answer truth = scene.oracle().answer(reference::Problem::rounded, Pose{});
+  ASSERT_LT(truth.E.area, 0);
+  const AreaBounds bounds = RoundingBounds(question, truth).area();
+  EXPECT_GE(bounds.area_E, 0);
+  EXPECT_GE(bounds.vector_area_E, 0);
+  EXPECT_GE(bounds.volume, 0);
+}
+
+TEST(Verdict, PatchSmallerThanTheSpacingOfDoublesHasABound) {
+  // So far from the origin that all crossings are stored as one point.
+  const Eigen::Vector3d far(16430703938552922.0, 28533619582354000.0, -14813025922220390.0);
+  TriangleMesh E, F;
+  E.vertices = {{0, 0, 0},
+                {-24790, 49288, -19066},
+                {-44, -68, 32},
+                {-14684, 29284, -11332},
+                {-26504, 52704, -20388},
+                {-25720, 51296, -19850}};
+  for (Eigen::Vector3d& x : E.vertices) x += far;
+  E.faces = {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}};
+  F.vertices = {{-7364, 14608, -5650}, {102494, 72460, 37666}, {-16658, 72456, 37666}, {-10170, 72456, 38440}};
+  F.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const Scene scene(E, F, ContactLaw{}, Mode::E);
+  Pose pose;
+  pose.r = far;
+  fast::Workspace workspace;
+  const PoseOutcome outcome = scene.hold(pose, Velocity{}, workspace);
+  EXPECT_TRUE(outcome.touching);
+  EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
 }
 
 TEST(Verdict, StalePoseIsFlagged) {

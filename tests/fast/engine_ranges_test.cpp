@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fast/law.h"
 #include "meshes/bad_input.h"
@@ -72,6 +73,27 @@ TEST(EngineRanges, AllLengthsTimes2ToThe290ScaleAreasAndVolume) {
     EXPECT_EQ(contact.F.area, plain.F.area * s * s);
     EXPECT_EQ(contact.volume, plain.volume * s * s * s);
   }
+}
+
+TEST(EngineRanges, UnderflowOfATinyFacesHeightsChangesNoDecision) {
+  // A line leaves a frustum through its cap, so small that its distance, a quotient of products of three lengths,
+  // underflows. The plate is half as thick, so the master is left first.
+  const auto frustum = [](double foot, double cap, double low, double high) {
+    TriangleMesh mesh;
+    for (const auto& [s, z] : {std::pair{foot, low}, std::pair{cap, high}}) {
+      for (const Vector3d& x : {Vector3d(-s, -s, z), Vector3d(2 * s, -s, z), Vector3d(-s, 2 * s, z)}) {
+        mesh.vertices.push_back(x);
+      }
+    }
+    mesh.faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+    return mesh;
+  };
+  const double s = 0x1p-290;
+  const TriangleMesh plate = frustum(s, s, 0, 0.5 * s);
+  const Contact contact = answer(plate, frustum(1.5 * s, 0x1p-155 * s, -s, s));
+  EXPECT_EQ(contact.element_count, 0);
+  EXPECT_EQ(contact.too_deep, answer(plate, frustum(1.5 * s, 0x1p-10 * s, -s, s)).too_deep);
+  EXPECT_EQ(contact.too_deep, 2);
 }
 
 TEST(EngineRanges, EveryLawScalesBitForBitWithAllLengthsTiesIncluded) {

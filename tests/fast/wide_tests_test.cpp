@@ -212,5 +212,17 @@ TEST(WideTree, HoldsEveryFaceOnceInBoxesAroundIt) {
   }
 }
 
+TEST(WideTree, FaceThatItsCoordinatesCollapseHasNoPlane) {
+  // The needle's tip is a triangle too small for differences from the hull's centre.
+  TriangleMesh mesh;
+  mesh.vertices = {{0x1p-80, 0, 0}, {0, 0x1p-80, 0}, {0, 0, 0x1p-80}, {3, 1, 1}};
+  mesh.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const Surface surface(mesh);
+  const FaceGroup& group = surface.data().wide_tree.group(0);
+  for (const Lanes& component : group.normal) {
+    for (const float value : component.value) EXPECT_EQ(value, 0);
+  }
+}
+
 }  // namespace
 }  // namespace pcm::fast

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fast/footprint.h"
+#include "fast/prism_error.h"
+#include "fast/surface.h"
+#include "fast/visible_parts.h"
+
+namespace pcm::fast {
+
+/// How far the integrals over the parts of one master face, as computed, may be from the exact problem's (PCM sections
+/// 1 and 6, clipped scheme).
+///
+/// Both problems, and what is computed, see the same face first at every point (s, t) of the master but those near a
+/// line where that is decided. So the part that belongs to a face f has an area off by no more than the strips
+///
+///   - along the border of f, and of every face g that may lie before f over it, as wide as it may be shifted;
+///   - where f's own depth is 0, or g's: within the errors of that depth;
+///   - where f and g may lie at one depth: within both errors.
+///
+/// A strip costs its area times the greatest depth of f, except where f's own depth is near 0; and elsewhere f's depth
+/// is off by no more than its error. Where nothing is sure over all that f and g have in common, g lies nearly flush
+/// with f or with the master: all of it counts. Roundings of cuts and integrals count as shifts
+/// (fast/prism_error.cpp). What the engine knowingly leaves out is added (Neglect).
+class SightError {
+ public:
+  /// `continuous`: forces are sums of integrals of the depth, whatever elements these are parted into; only lines where
+  /// the depth itself jumps count for them.
+  SightError(SightScratch& scratch, const MasterPrism& prism, const PrismError& error, bool continuous)
+      : scratch_(&scratch), prism_(prism), error_(error), continuous_(continuous) {
+    scratch.sights.clear();
+  }
+
+  /// Any face that the master's prism may meet, ascending, the slave's first. `shared`: corners that are the master's.
+  void see(Index face, bool own, const Triangle& vertices, const std::array<PrismPoint, 3>& corners,
+           const std::array<bool, 3>& shared);
+  /// No part is seen deeper in either problem; less than 0 where no face may carry anything, m.
+  double greatest_depth() const { return greatest_depth_; }
+  /// To be called once all faces are entered.
+  void compare(const Surface::Data& slave, const Surface::Data& master);
+
+  /// Errors of the element made of the part that sees a slave face. Faces come in ascending order.
+  ElementError of_element(Index slave_face, const Moments& moments, const Neglect& neglect, const FaceError& face);
+  /// A part of this area that sees the slave face was computed and made no element.
+  void leave_out(Index slave_face, double area);
+
+  /// What the exact problem may have beside the computed elements.
+  struct Beside {
+    double area = 0;    ///< in (s, t)
+    double volume = 0;  ///< integral of the depth, m
+    double depth = 0;   ///< no deeper, m
+  };
+  Beside beside() const;
+
+  bool known() const { return known_; }  ///< otherwise there is no such bound: a face of no known normal
+  /// Whether a face is seen flush: elements with a force of any size may be others.
+  bool flush() const { return flush_; }
+
+ private:
+  /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
+  void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
+  void find_outline(Sight& sight, const Surface::Data& surface);
+  const Footprint* find(bool own, Index face) const;
+  Sight* find(Index slave_face);
+
+  SightScratch* scratch_;
+  const MasterPrism& prism_;
+  const PrismError& error_;
+  bool continuous_;
+  std::size_t next_ = 0;
+  double greatest_depth_ = -1;
+  bool known_ = true;
+  bool flush_ = false;
+};
+
+}  // namespace pcm::fast

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/footprint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fast/prism_error.h"
+#include "fast/vertex_rounding.h"
+
+namespace pcm::fast {
+
+namespace {
+
+constexpr double u = kUnitRoundoff;
+/// The four cuts that shape what is seen put vertices where each is off by 5 u
+/// times the greatest |coordinate| at most; lines through corners are off by 12
+/// u of that. Integrals over a fan of five triangles over the master face,
+/// where no coordinate exceeds 1, are off by as much as a shift of its border
+/// by 24 u would make.
+constexpr double kCutRoundings = 20;
+constexpr double kFanRoundings = 24;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double greatest_of(const std::array<PrismPoint, 3>& corners, int coordinate) {
+  return std::max(
+      {std::abs(corners[0][coordinate]), std::abs(corners[1][coordinate]), std::abs(corners[2][coordinate])});
+}
+
+double least_of(const std::array<PrismPoint, 3>& corners, int coordinate) {
+  return std::min({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]});
+}
+
+/// Whether a neighbour of the master face, which shares corners with it, surely
+/// lies beside it.
+bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double s, double t) {
+  const std::array<double, 3> margin{s + t, s, t};
+  for (int weight = 0; weight < 3; ++weight) {
+    bool beside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double w = corners[k][weight];
+      beside = beside && (shared[k] ? w == 0 : w < -margin[static_cast<std::size_t>(weight)]);
+    }
+    if (beside) return true;
+  }
+  return false;
+}
+
+/// Whether all corners lie beyond one of the master's sides, by more than a
+/// shift of (s, t), or above its plane.
+bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
+  const auto all_below = [&corners](int coordinate, double level) {
+    return corners[0][coordinate] < level && corners[1][coordinate] < level && corners[2][coordinate] < level;
+  };
+  return all_below(0, -(shift.s + shift.t)) || all_below(kS, -shift.s) || all_below(kT, -shift.t) ||
+         all_below(kDepth, -shift.depth);
+}
+
+/// The part of a face that may come to lie over the master face, at a depth >=
+/// 0, when its points are shifted; all coordinates are larger by the shift.
+ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
+  ConvexPolygon part;
+  const PrismPoint enlarged(shift.s + shift.t, shift.s, shift.t, shift.depth);
+  for (const PrismPoint& corner : corners) part.add(corner + enlarged);
+  for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
+    keep_where_not_negative(part, coordinate);
+    if (part.count == 0) break;
+  }
+  return part;
+}
+
+/// Which of the sides of a has most certainly b on its far side: the linear function that is 0 along it, positive
+/// within a, and how far above 0 the vertices of b that do not lie on it may be when both faces are shifted.
+struct Separation {
+  LinearDepth side;
+  double above = kInfinity;  ///< less than 0 where they certainly are not
+  double margin = 0;         ///< that the shifts alone make
+};
+
+void separate(const Footprint& a, const Footprint& b, double shift_s, double shift_t, Separation& best) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const PrismPoint& from = a.corners[k];
+    const double side_s = a.corners[next][kS] - from[kS], side_t = a.corners[next][kT] - from[kT];
+    double above = -kInfinity, greatest_margin = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (a.own == b.own && (b.vertices[j] == a.vertices[k] || b.vertices[j] == a.vertices[next])) continue;
+      const double to_s = b.corners[j][kS] - from[kS], to_t = b.corners[j][kT] - from[kT];
+      // The shifts pay for the roundings as well.
+      const double margin = 2 * shift_s * (std::abs(side_t) + std::abs(to_t) + 4 * shift_t) +
+                            2 * shift_t * (std::abs(side_s) + std::abs(to_s));
+      above = std::max(above, side_s * to_t - side_t * to_s + margin);
+      greatest_margin = std::max(greatest_margin, margin);
+    }
+    if (above < 0) {
+      best.above = above;
+      return;
+    }
+    if (above <= 2 * greatest_margin && !(best.above <= 2 * best.margin)) {
+      best = {{0, from[kS], from[kT], -side_t, side_s}, above, greatest_margin};
+    }
+  }
+}
+
+/// On which side of the plane of f the vertices of g certainly lie: 1 all
+/// above, -1 all below, 0 unsure. With lambda the barycentric coordinates of a
+/// vertex c of g in f, both as shifted, the plane of f passes there within sum
+/// |lambda| (depth + gradient x shift of f's vertices) of the unshifted one.
+int certain_side(const Footprint& f, const Footprint& g) {
+  const auto steepness = [&f](const PrismShift& shift) {
+    return shift.depth + std::abs(f.depth.per_s) * shift.s + std::abs(f.depth.per_t) * shift.t;
+  };
+  const double of_plane = steepness(f.vertex_shift), of_vertex = steepness(g.vertex_shift);
+  const double twice_area = cross_st(f.corners[0], f.corners[1], f.corners[2]);
+  int above = 0, below = 0, shared = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (f.own == g.own && std::find(f.vertices.begin(), f.vertices.end(), g.vertices[j]) != f.vertices.end()) {
+      ++shared;
+      continue;
+    }
+    const PrismPoint& c = g.corners[j];
+    double lambda = 0, widths = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PrismPoint& a = f.corners[k];
+      lambda += std::abs(cross_st(a, f.corners[(k + 1) % 3], c));
+      widths += (f.corner_shift.s + g.corner_shift.s) * (std::abs(c[kT] - a[kT]) + g.corner_shift.t) +
+                (f.corner_shift.t + g.corner_shift.t) * std::abs(c[kS] - a[kS]);
+    }
+    // Shifting leaves the face at least half its area (find_footprint).
+    lambda = 2 * (lambda + 8 * widths) / twice_area;
+    const double plane =
+        f.depth.value + (f.depth.per_s * (c[kS] - f.depth.s_0) + f.depth.per_t * (c[kT] - f.depth.t_0));
+    const double error =
+        2 * (of_plane * lambda + of_vertex) + f.relative_noise * (std::abs(plane) + std::abs(c[kDepth]));
+    above += plane - c[kDepth] > error ? 1 : 0;
+    below += plane - c[kDepth] < -error ? 1 : 0;
+  }
+  if (shared == 3) return 0;
+  return above + shared == 3 ? 1 : below + shared == 3 ? -1 : 0;
+}
+
+}  // namespace
+
+CertainOrder certain_order(const Footprint& g, const Footprint& f) {
+  const int g_over_f = certain_side(f, g);
+  const int f_over_g = g_over_f == 0 ? certain_side(g, f) : 0;
+  if (g_over_f > 0 || f_over_g < 0) return CertainOrder::before;
+  return g_over_f < 0 || f_over_g > 0 ? CertainOrder::after : CertainOrder::unsure;
+}
+
+BoxST BoxST::common(const BoxST& other) const {
+  return {std::max(low_s, other.low_s), std::min(high_s, other.high_s), std::max(low_t, other.low_t),
+          std::min(high_t, other.high_t)};
+}
+
+// The two steps of PrismError move each corner by no more than corner_shift but
+// for an affine map of the plane, which leaves windings and sides as they are;
+// and each point that is seen by no more than `shift`, its depth besides by
+// shift.depth. So a depth at a fixed (s, t) is off by shift.depth and the
+// gradient times the shift. Windings: with both edges shifted by up to twice
+// corner_shift the product changes by at most 4 (s width_t + t width_s + 2 s
+// t).
+bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
+                    const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared,
+                    double twice_area_of_master, Footprint& f) {
+  const double greatest_s = greatest_of(corners, kS), greatest_t = greatest_of(corners, kT);
+  const double farthest_depth = greatest_of(corners, kDepth);
+  const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
+  const double least_depth =
+      std::min({std::abs(corners[0][kDepth]), std::abs(corners[1][kDepth]), std::abs(corners[2][kDepth])});
+  const PrismShift of_vertices = error.of_vertices(distance, least_depth, own), of_tilt = error.of_tilt(farthest_depth);
+  f.vertex_shift = of_vertices;
+  f.cut_shift = f.roundings = {kCutRoundings * u * greatest_s + kFanRoundings * u,
+                               kCutRoundings * u * greatest_t + kFanRoundings * u, 0};
+  f.corner_shift = {of_vertices.s + of_tilt.s, of_vertices.t + of_tilt.t, 0};
+  f.hinge_depth = 0;
+  if (shared[0] || shared[1] || shared[2]) {
+    const PrismShift frame = error.of_frame(farthest_depth);
+    const double far = 1 + greatest_s + greatest_t;
+    f.hinge_shift = {of_vertices.s + far * frame.s, of_vertices.t + far * frame.t,
+                     of_vertices.depth + far * frame.depth + far * distance * frame.s};
+    if (surely_beside(corners, shared, f.hinge_shift.s, f.hinge_shift.t)) return false;
+    f.hinge_depth = kInfinity;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, corners[k][kDepth]);
+    }
+    f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_shift.depth, 0.0) : 0;
+  }
+
+  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
+  const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
+  const PrismShift widest{of_vertices.s + widest_frame.s, of_vertices.t + widest_frame.t,
+                          of_vertices.depth + widest_frame.depth};
+  if (surely_outside(corners, widest)) return false;
+  const ConvexPolygon part = part_over_master(corners, widest);
+  if (part.count == 0) return false;
+  f.box = {kInfinity, -kInfinity, kInfinity, -kInfinity};
+  f.greatest = 0;
+  for (int i = 0; i < part.count; ++i) {
+    f.box.low_s = std::min(f.box.low_s, part[i][kS]);
+    f.box.high_s = std::max(f.box.high_s, part[i][kS]);
+    f.box.low_t = std::min(f.box.low_t, part[i][kT]);
+    f.box.high_t = std::max(f.box.high_t, part[i][kT]);
+    f.greatest = std::max(f.greatest, part[i][kDepth]);
+  }
+  // Both ways about what was enlarged.
+  f.box.low_s = std::max(f.box.low_s - 2 * widest.s, 0.0);
+  f.box.low_t = std::max(f.box.low_t - 2 * widest.t, 0.0);
+  f.box.high_s = std::min(f.box.high_s, 1.0);
+  f.box.high_t = std::min(f.box.high_t, 1.0);
+  if (f.box.empty()) return false;
+  const PrismShift frame = error.of_frame(f.greatest);
+  f.shift = {of_vertices.s + frame.s, of_vertices.t + frame.t, of_vertices.depth + frame.depth};
+  const bool cut = std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT)}) <= 0 ||
+                   least_of(corners, kDepth) <= 0;
+  if (!cut) f.cut_shift = {0, 0, 0};
+
+  f.face = face;
+  f.own = own;
+  f.vertices = vertices;
+  f.corners = corners;
+  const double twice_area = cross_st(corners[0], corners[1], corners[2]);
+  if (twice_area < 0) {
+    std::swap(f.vertices[1], f.vertices[2]);
+    std::swap(f.corners[1], f.corners[2]);
+  }
+  const PrismPoint a = f.corners[1] - f.corners[0], b = f.corners[2] - f.corners[0];
+  const double width_s = std::abs(a[kS]) + std::abs(b[kS]), width_t = std::abs(a[kT]) + std::abs(b[kT]);
+  const double turn =
+      4 * (f.corner_shift.s * width_t + f.corner_shift.t * width_s + 2 * f.corner_shift.s * f.corner_shift.t);
+  f.greatest += f.shift.depth;
+  if (!(std::abs(twice_area) > 2 * turn)) {
+    f.facing = 0;
+    f.sliver = 0.5 * std::abs(twice_area);
+    f.depth = {0, 0, 0};
+    f.field_error = f.depth_error = kInfinity;
+    f.relative_noise = f.crossing_noise = 0;
+    return true;
+  }
+  f.facing = twice_area < 0 ? -1 : 1;
+  f.sliver = 0;
+  const double inverse = 1 / std::abs(twice_area);
+  f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
+             (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
+  f.relative_noise = 16 * u * width_s * width_t * inverse;
+  // A cut puts a vertex off the face's plane by 5 u of the corners' coordinates; two of them meet in one.
+  const double off_plane =
+      10 * u * (farthest_depth + std::abs(f.depth.per_s) * greatest_s + std::abs(f.depth.per_t) * greatest_t);
+  f.field_error = kBoundMargin * (f.shift.depth + std::abs(f.depth.per_s) * f.shift.s +
+                                  std::abs(f.depth.per_t) * f.shift.t + (cut ? off_plane : 0));
+  f.depth_error = f.field_error + off_plane + f.relative_noise * farthest_depth;
+  f.greatest += f.depth_error;
+  const auto length_of = [&error](const PrismPoint& edge) {
+    return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
+  };
+  f.crossing_noise = 16 * u * length_of(a) * length_of(b) * inverse / twice_area_of_master;
+  return true;
+}
+
+double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box) {
+  const double s = std::max(a.corner_shift.s, b.corner_shift.s), t = std::max(a.corner_shift.t, b.corner_shift.t);
+  Separation separation;
+  separate(a, b, s, t, separation);
+  if (separation.above >= 0) separate(b, a, s, t, separation);
+  if (separation.above < 0) return 0;
+  if (!(separation.above <= 2 * separation.margin)) return box.area();
+  return std::min(box.area(), 2 * zero_strip(separation.side, 3 * separation.margin, box).area);
+}
+
+// Its computed area, and what its sides may pass over.
+double sliver_area(const Footprint& face, double depth, const BoxST& box) {
+  PrismShift shift = face.shift;
+  double area = face.sliver;
+  if (depth < 0.5 * face.hinge_depth) {
+    const double share = kBoundMargin * depth / face.hinge_depth;
+    area *= 2 * share;
+    shift = {std::min(shift.s, share * face.hinge_shift.s), std::min(shift.t, share * face.hinge_shift.t), 0};
+  }
+  return std::min(area + strips_along_sides(face, shift.s, shift.t, box).area, box.area());
+}
+
+SideStrips strips_along_sides(const Footprint& face, double s, double t, const BoxST& box,
+                              const std::array<bool, 3>& sides) {
+  const double middle_s = 0.5 * (box.low_s + box.high_s), middle_t = 0.5 * (box.low_t + box.high_t);
+  const double one_side = box.width_s() * t + box.width_t() * s + 8 * s * t;
+  SideStrips strips;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PrismPoint& a = face.corners[k];
+    const PrismPoint& b = face.corners[(k + 1) % 3];
+    const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
+    const double inward = side_s * (middle_t - a[kT]) - side_t * (middle_s - a[kS]);
+    const double reach = std::abs(side_s) * (0.5 * box.width_t() + t) + std::abs(side_t) * (0.5 * box.width_s() + s);
+    if (inward < -reach) strips.apart = true;
+    if (sides[k] && std::abs(inward) <= reach) strips.area += one_side;
+  }
+  strips.area = std::min(strips.area, strip_along_border(box, s, t));
+  return strips;
+}
+
+// Of a side's extent only that share counts along which the function changes by twice the error.
+double zero_strip_at_sides(const Footprint& face, const std::array<bool, 3>& sides, const LinearDepth& function,
+                           double error, const BoxST& box) {
+  const double s = face.shift.s, t = face.shift.t;
+  double area = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!sides[k]) continue;
+    const PrismPoint side = face.corners[(k + 1) % 3] - face.corners[k];
+    const double rise = std::abs(function.per_s * side[kS] + function.per_t * side[kT]);
+    const double share = rise > 0 ? 2 * error / rise : kInfinity;
+    const double width_s = std::min(box.width_s(), share * std::abs(side[kS]) + 2 * s);
+    const double width_t = std::min(box.width_t(), share * std::abs(side[kT]) + 2 * t);
+    area += 2 * (width_s * t + width_t * s) + 8 * s * t;
+  }
+  return std::min(area, box.area());
+}
+
+double strip_along_border(const BoxST& box, double s, double t) {
+  return std::min(box.area(), 2 * (box.width_s() * t + box.width_t() * s) + 48 * s * t);
+}
+
+ZeroStrip zero_strip(const LinearDepth& function, double error, const BoxST& box) {
+  const double middle = std::abs(function.middle(box)), reach = function.reach(box);
+  if (middle - reach > error) return {};
+  if (middle + reach <= error) return {box.area(), true};
+  const double across_s = std::min(box.width_s(), error / std::abs(function.per_s));
+  const double across_t = std::min(box.width_t(), error / std::abs(function.per_t));
+  return {std::min(across_s * box.width_t(), across_t * box.width_s()), false};
+}
+
+}  // namespace pcm::fast
