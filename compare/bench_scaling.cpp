@@ -130,8 +130,8 @@ ScalingResult run_scaling(Index finest, std::int64_t poses, const std::function<
   // The patch over which all depths are compared lies on the finest mesh but two.
   const Index patch_level = std::max(kCoarsest, finest - 2);
   ScalingSeries geometry{"mesh size, same patch",
-                         fmt::format("spheres overlap by {:g} % of the diameter: the border of the patch has as many "
-                                     "crossings as the square root of the faces, its inside as many elements as faces",
+                         fmt::format("spheres overlap by {:g} % of the diameter: crossings grow as the square root of "
+                                     "the faces, elements as the faces",
                                      100 * kDepth),
                          "faces",
                          {}};
