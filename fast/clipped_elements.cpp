@@ -107,6 +107,7 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
       for (int i = 0; i < projected.seen.count; ++i) view.deepest = std::max(view.deepest, projected.seen[i][kDepth]);
     }
     workspace.projection.faces.push_back(projected);
+    if (bound != nullptr) bound->sight.is_projected(projected.own, face, workspace.projection.faces.size() - 1);
   }
 }
 
@@ -139,6 +140,7 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
     projected.own = true;
     projected.carries = false;
     workspace.projection.faces.push_back(projected);
+    if (bound != nullptr) bound->sight.is_projected(projected.own, face, workspace.projection.faces.size() - 1);
   }
 }
 
@@ -220,9 +222,10 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
     ++contact.too_deep;
   }
   if (bound != nullptr) {
-    bound->sight.compare(workspace.side(opposite(master)).surface(), workspace.side(master).surface());
+    bound->sight.compare(workspace.side(opposite(master)).surface(), workspace.side(master).surface(), scratch);
+  } else {
+    find_overlaps(scratch.faces, scratch.order, scratch.overlaps);
   }
-  find_overlaps(scratch.faces, scratch.order, scratch.overlaps);
   auto overlap = scratch.overlaps.cbegin();
   for (std::size_t i = 0; i < scratch.faces.size() && !scratch.faces[i].own; ++i) {
     const Index slave_face = scratch.faces[i].face;

@@ -16,8 +16,7 @@ constexpr double u = kUnitRoundoff;
 /// Shifts beyond this are no longer small (fast/prism_error.cpp).
 constexpr double kGreatestShift = 0x1p-6;
 
-/// How far off f's depth may be from g's plane, or g's from f's, by roundings
-/// where the line they meet in is cut.
+/// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.
 double noise_of_crossing(const Footprint& f, const Footprint& g, const PrismError& error) {
   double farthest = 0, highest = 0;
   for (const PrismPoint& c : f.corners) {
@@ -81,7 +80,16 @@ void SightError::find_outline(Sight& sight, const Surface::Data& surface) {
   }
 }
 
-void SightError::compare(const Surface::Data& slave, const Surface::Data& master) {
+void SightError::is_projected(bool own, Index face, std::size_t place) {
+  std::vector<Sight>& sights = scratch_->sights;
+  if (!sights.empty() && sights.back().footprint.face == face && sights.back().footprint.own == own) {
+    sights.back().projected = static_cast<std::ptrdiff_t>(place);
+  } else {
+    all_entered_ = false;
+  }
+}
+
+void SightError::compare(const Surface::Data& slave, const Surface::Data& master, ProjectionScratch& projected) {
   std::vector<Sight>& sights = scratch_->sights;
   std::vector<std::size_t>& order = scratch_->order;
   order.clear();
@@ -111,6 +119,7 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
   std::sort(order.begin(), order.end(), [&sights](std::size_t a, std::size_t b) {
     return sights[a].footprint.box.low_s < sights[b].footprint.box.low_s;
   });
+  projected.overlaps.clear();
   for (std::size_t i = 0; i < order.size(); ++i) {
     Sight& f = sights[order[i]];
     for (std::size_t j = i + 1; j < order.size(); ++j) {
@@ -124,6 +133,10 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
         overlap = greatest_overlap(f.footprint, g.footprint, box);
         if (overlap == 0) continue;
       }
+      if (f.projected >= 0 && g.projected >= 0) {
+        add_overlaps(projected.faces, static_cast<std::size_t>(f.projected), static_cast<std::size_t>(g.projected),
+                     projected.overlaps);
+      }
       for (Sight* const sight : {&f, &g}) {
         if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
       }
@@ -131,11 +144,15 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
       if (g.may_carry) charge(g, f, box, overlap);
     }
   }
+  if (all_entered_) {
+    std::sort(projected.overlaps.begin(), projected.overlaps.end());
+  } else {
+    find_overlaps(projected.faces, projected.order, projected.overlaps);
+  }
 }
 
-// Between faces of one sheet what they hide together goes on, so that only the
-// sheet's outline counts; near a side they have in common the depths of both
-// differ by twice their errors at most.
+// Between faces of one sheet what they hide together goes on, so that only the sheet's outline counts; near a side they
+// have in common the depths of both differ by twice their errors at most.
 void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, double overlap) {
   const Footprint& f = sight.footprint;
   const Footprint& g = hider.footprint;
@@ -207,10 +224,9 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   sight->has_element = true;
   const Footprint& f = sight->footprint;
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
-  // Roundings of the parts beyond the first: cuts and integrals, see
-  // kWeightRoundings.
-  const double cut = 2 * (neglect.width_s * sight->cut_shift.t + neglect.width_t * sight->cut_shift.s) +
-                     48 * neglect.parts * sight->cut_shift.s * sight->cut_shift.t;
+  // Roundings of the parts beyond the first, cuts and integrals.
+  const double cut_s = sight->cut_shift.s + 24 * u * width_s, cut_t = sight->cut_shift.t + 24 * u * width_t;
+  const double cut = 2 * (neglect.width_s * cut_t + neglect.width_t * cut_s) + 48 * neglect.parts * cut_s * cut_t;
   const double area_error =
       std::min(sight->area_error, f.box.area() + moments.area) + neglect.area + cut + 16 * u * moments.area;
   const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error, f.greatest);
@@ -225,8 +241,7 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
     error.penetration =
         std::min(greatest, (volume_error + mean * area_error) / (moments.area - area_error) + 8 * u * mean);
   }
-  // s - s_foot is no greater than f's width, so the foot is off by that times
-  // the error of the volume over the volume.
+  // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
   double share = 1;
   if (2 * volume_error < moments.depth) share = std::min(1.0, volume_error / (moments.depth - volume_error));
   const double noise = 64 * u * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth);

@@ -38,7 +38,11 @@ class SightError {
   /// No part is seen deeper in either problem; less than 0 where no face may carry anything, m.
   double greatest_depth() const { return greatest_depth_; }
   /// To be called once all faces are entered.
-  void compare(const Surface::Data& slave, const Surface::Data& master);
+  /// `projected`: of all faces entered those that the engine sees. Finds their overlaps on the way, as find_overlaps
+  /// does.
+  void compare(const Surface::Data& slave, const Surface::Data& master, ProjectionScratch& projected);
+  /// The face just entered is the engine's own projected one at this place.
+  void is_projected(bool own, Index face, std::size_t place);
 
   /// Errors of the element made of the part that sees a slave face. Faces come in ascending order.
   ElementError of_element(Index slave_face, const Moments& moments, const Neglect& neglect, const FaceError& face);
@@ -70,6 +74,7 @@ class SightError {
   bool continuous_;
   std::size_t next_ = 0;
   double greatest_depth_ = -1;
+  bool all_entered_ = true;  ///< that the engine sees
   bool known_ = true;
   bool flush_ = false;
 };

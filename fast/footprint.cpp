@@ -15,12 +15,10 @@ namespace pcm::fast {
 namespace {
 
 constexpr double u = kUnitRoundoff;
-/// The four cuts that shape what is seen put vertices where each is off by 5 u
-/// times the greatest |coordinate| at most; lines through corners are off by 12
-/// u of that. Integrals over a fan of five triangles over the master face,
-/// where no coordinate exceeds 1, are off by as much as a shift of its border
-/// by 24 u would make.
-constexpr double kCutRoundings = 20;
+/// The four cuts that shape what is seen put each new vertex off by 1.5 u times the length of what is cut and u times
+/// itself, so 4 u times the corners' greatest |coordinate|; lines through corners are off by 12 u times that. Integrals
+/// over a fan of five triangles are off by as much as a shift of its border by 24 u times its width would make.
+constexpr double kCutRoundings = 16;
 constexpr double kFanRoundings = 24;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -34,8 +32,7 @@ double least_of(const std::array<PrismPoint, 3>& corners, int coordinate) {
   return std::min({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]});
 }
 
-/// Whether a neighbour of the master face, which shares corners with it, surely
-/// lies beside it.
+/// Whether a neighbour of the master face, which shares corners with it, surely lies beside it.
 bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double s, double t) {
   const std::array<double, 3> margin{s + t, s, t};
   for (int weight = 0; weight < 3; ++weight) {
@@ -49,8 +46,7 @@ bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bo
   return false;
 }
 
-/// Whether all corners lie beyond one of the master's sides, by more than a
-/// shift of (s, t), or above its plane.
+/// Whether all corners lie beyond one of the master's sides, by more than a shift of (s, t), or above its plane.
 bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
   const auto all_below = [&corners](int coordinate, double level) {
     return corners[0][coordinate] < level && corners[1][coordinate] < level && corners[2][coordinate] < level;
@@ -59,25 +55,25 @@ bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& 
          all_below(kDepth, -shift.depth);
 }
 
-/// The part of a face that may come to lie over the master face, at a depth >=
-/// 0, when its points are shifted; all coordinates are larger by the shift.
+/// The part of a face that may come to lie over the master face, at a depth >= 0, when its points are shifted; all
+/// coordinates are larger by the shift.
 ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
   ConvexPolygon part;
   const PrismPoint enlarged(shift.s + shift.t, shift.s, shift.t, shift.depth);
   for (const PrismPoint& corner : corners) part.add(corner + enlarged);
   for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
+    if (least_of(corners, coordinate) >= 0) continue;
     keep_where_not_negative(part, coordinate);
     if (part.count == 0) break;
   }
   return part;
 }
 
-/// Which of the sides of a has most certainly b on its far side: the linear function that is 0 along it, positive
-/// within a, and how far above 0 the vertices of b that do not lie on it may be when both faces are shifted.
+/// Whether a side of a has b on its far side when both faces are shifted: certainly, or but for what the shifts make.
 struct Separation {
-  LinearDepth side;
-  double above = kInfinity;  ///< less than 0 where they certainly are not
-  double margin = 0;         ///< that the shifts alone make
+  enum class Kind : std::uint8_t { none, near, certain } found = Kind::none;
+  LinearDepth side;   ///< the linear function that is 0 along the side
+  double margin = 0;  ///< how far the shifts may move it
 };
 
 void separate(const Footprint& a, const Footprint& b, double shift_s, double shift_t, Separation& best) {
@@ -85,29 +81,29 @@ void separate(const Footprint& a, const Footprint& b, double shift_s, double shi
     const std::size_t next = (k + 1) % 3;
     const PrismPoint& from = a.corners[k];
     const double side_s = a.corners[next][kS] - from[kS], side_t = a.corners[next][kT] - from[kT];
-    double above = -kInfinity, greatest_margin = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
+    double certainty = kInfinity, greatest_margin = 0;
+    for (std::size_t j = 0; j < 3 && certainty > -1; ++j) {
       if (a.own == b.own && (b.vertices[j] == a.vertices[k] || b.vertices[j] == a.vertices[next])) continue;
       const double to_s = b.corners[j][kS] - from[kS], to_t = b.corners[j][kT] - from[kT];
       // The shifts pay for the roundings as well.
       const double margin = 2 * shift_s * (std::abs(side_t) + std::abs(to_t) + 4 * shift_t) +
                             2 * shift_t * (std::abs(side_s) + std::abs(to_s));
-      above = std::max(above, side_s * to_t - side_t * to_s + margin);
+      const double below = side_t * to_s - side_s * to_t;
       greatest_margin = std::max(greatest_margin, margin);
+      certainty = std::min(certainty, below > margin ? 1.0 : below >= -margin ? 0.0 : -1.0);
     }
-    if (above < 0) {
-      best.above = above;
+    if (certainty > 0) {
+      best.found = Separation::Kind::certain;
       return;
     }
-    if (above <= 2 * greatest_margin && !(best.above <= 2 * best.margin)) {
-      best = {{0, from[kS], from[kT], -side_t, side_s}, above, greatest_margin};
+    if (certainty == 0 && best.found == Separation::Kind::none) {
+      best = {Separation::Kind::near, {0, from[kS], from[kT], -side_t, side_s}, greatest_margin};
     }
   }
 }
 
-/// On which side of the plane of f the vertices of g certainly lie: 1 all
-/// above, -1 all below, 0 unsure. With lambda the barycentric coordinates of a
-/// vertex c of g in f, both as shifted, the plane of f passes there within sum
+/// On which side of the plane of f the vertices of g certainly lie: 1 all above, -1 all below, 0 unsure. With lambda
+/// the barycentric coordinates of a vertex c of g in f, both as shifted, the plane of f passes there within sum
 /// |lambda| (depth + gradient x shift of f's vertices) of the unshifted one.
 int certain_side(const Footprint& f, const Footprint& g) {
   const auto steepness = [&f](const PrismShift& shift) {
@@ -156,13 +152,10 @@ BoxST BoxST::common(const BoxST& other) const {
           std::min(high_t, other.high_t)};
 }
 
-// The two steps of PrismError move each corner by no more than corner_shift but
-// for an affine map of the plane, which leaves windings and sides as they are;
-// and each point that is seen by no more than `shift`, its depth besides by
-// shift.depth. So a depth at a fixed (s, t) is off by shift.depth and the
-// gradient times the shift. Windings: with both edges shifted by up to twice
-// corner_shift the product changes by at most 4 (s width_t + t width_s + 2 s
-// t).
+// The two steps of PrismError move each corner by no more than corner_shift but for an affine map of the plane, which
+// leaves windings and sides as they are; and each point that is seen by no more than `shift`, its depth besides by
+// shift.depth. So a depth at a fixed (s, t) is off by shift.depth and the gradient times the shift. Windings: with both
+// edges shifted by up to twice corner_shift the product changes by at most 4 (s width_t + t width_s + 2 s t).
 bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
                     const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared,
                     double twice_area_of_master, Footprint& f) {
@@ -173,8 +166,7 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
       std::min({std::abs(corners[0][kDepth]), std::abs(corners[1][kDepth]), std::abs(corners[2][kDepth])});
   const PrismShift of_vertices = error.of_vertices(distance, least_depth, own), of_tilt = error.of_tilt(farthest_depth);
   f.vertex_shift = of_vertices;
-  f.cut_shift = f.roundings = {kCutRoundings * u * greatest_s + kFanRoundings * u,
-                               kCutRoundings * u * greatest_t + kFanRoundings * u, 0};
+  f.roundings = {kCutRoundings * u * (1 + greatest_s), kCutRoundings * u * (1 + greatest_t), 0};
   f.corner_shift = {of_vertices.s + of_tilt.s, of_vertices.t + of_tilt.t, 0};
   f.hinge_depth = 0;
   if (shared[0] || shared[1] || shared[2]) {
@@ -216,7 +208,11 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   f.shift = {of_vertices.s + frame.s, of_vertices.t + frame.t, of_vertices.depth + frame.depth};
   const bool cut = std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT)}) <= 0 ||
                    least_of(corners, kDepth) <= 0;
-  if (!cut) f.cut_shift = {0, 0, 0};
+  f.cut_shift = {kFanRoundings * u * f.box.width_s(), kFanRoundings * u * f.box.width_t(), 0};
+  if (cut) {
+    f.cut_shift.s += f.roundings.s;
+    f.cut_shift.t += f.roundings.t;
+  }
 
   f.face = face;
   f.own = own;
@@ -264,9 +260,9 @@ double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box
   const double s = std::max(a.corner_shift.s, b.corner_shift.s), t = std::max(a.corner_shift.t, b.corner_shift.t);
   Separation separation;
   separate(a, b, s, t, separation);
-  if (separation.above >= 0) separate(b, a, s, t, separation);
-  if (separation.above < 0) return 0;
-  if (!(separation.above <= 2 * separation.margin)) return box.area();
+  if (separation.found != Separation::Kind::certain) separate(b, a, s, t, separation);
+  if (separation.found == Separation::Kind::certain) return 0;
+  if (separation.found == Separation::Kind::none) return box.area();
   return std::min(box.area(), 2 * zero_strip(separation.side, 3 * separation.margin, box).area);
 }
 

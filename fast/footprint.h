@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -46,58 +47,47 @@ struct LinearDepth {
   }
 };
 
-/// Where a face may be seen over the master face, in the rounded problem and in
-/// the exact one (PCM section 1), and how far its border and its depth there
-/// may be off. A point (s, t) of the master that does not lie within `shift` of
-/// the projected border is covered by the face in both problems or in neither;
-/// where it is, both depths are within `depth_error` of `depth`.
+/// Where a face may be seen over the master face, in the rounded problem and in the exact one (PCM section 1), and how
+/// far its border and its depth there may be off. A point (s, t) of the master that does not lie within `shift` of the
+/// projected border is covered by the face in both problems or in neither; where it is, both depths are within
+/// `depth_error` of `depth`.
 struct Footprint {
   Index face;
   bool own;    ///< of the master
-  int facing;  ///< -1: the lines leave the face's body there; +1: they enter; 0:
-               ///< not sure
+  int facing;  ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
   std::array<Index, 3> vertices;
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
-  BoxST box;                          ///< holds all of it that is over the master face at a depth >= 0,
-                                      ///< in both problems
-  PrismShift shift;                   ///< of its points over the master face
-  PrismShift cut_shift;               ///< of its border, by roundings of the cuts that shape
-                                      ///< it alone
-  PrismShift roundings;               ///< of cuts through its corners
-  PrismShift vertex_shift;            ///< of its vertices
-  PrismShift corner_shift;            ///< of its corners, in s and t, but for an affine
-                                      ///< map of the plane
-  LinearDepth depth;                  ///< its plane, where facing is sure
-  double field_error;                 ///< of the depth at its points, m
-  double depth_error;                 ///< of the plane as it is computed here, m
-  double greatest;                    ///< it is seen nowhere deeper, m
-  /// Of a face that stands on corners of the master: the height of its other
-  /// corners beneath, m, and how far these may be shifted; 0 otherwise. At a
-  /// depth d it is shifted by no more than d over that height times as much.
+  BoxST box;                ///< holds all of it that is over the master face at a depth >= 0, in both problems
+  PrismShift shift;         ///< of its points over the master face
+  PrismShift cut_shift;     ///< of its border, by roundings of the cuts that shape it alone
+  PrismShift roundings;     ///< of cuts through its corners
+  PrismShift vertex_shift;  ///< of its vertices
+  PrismShift corner_shift;  ///< of its corners, in s and t, but for an affine map of the plane
+  LinearDepth depth;        ///< its plane, where facing is sure
+  double field_error;       ///< of the depth at its points, m
+  double depth_error;       ///< of the plane as it is computed here, m
+  double greatest;          ///< it is seen nowhere deeper, m
+  /// Of a face that stands on corners of the master: the height of its other corners beneath, m, and how far these may
+  /// be shifted; 0 otherwise. At a depth d it is shifted by no more than d over that height times as much.
   double hinge_depth;
   PrismShift hinge_shift;
   double sliver;          ///< where facing is not sure: its area as computed
-  double relative_noise;  ///< of a linear function that is given by its values
-                          ///< at the corners
-  double crossing_noise;  ///< how far off the line may be, m over m, where this
-                          ///< plane meets a face that far away
+  double relative_noise;  ///< of a linear function that is given by its values at the corners
+  double crossing_noise;  ///< how far off the line may be, m over m, where this plane meets a face that far away
 
   Footprint() {}
 };
 
-/// A footprint together with what is found out about the element it may carry
-/// (fast/clipped_error.h).
+/// A footprint together with what is found out about the element it may carry (fast/clipped_error.h).
 struct Sight {
   Footprint footprint;
+  std::ptrdiff_t projected = -1;  ///< its place among the engine's own projected faces, where it is one of them
   bool may_carry = false;
   bool has_element = false;
   bool knows_outline = false;
-  std::array<bool, 3> outline{};  ///< sides beyond which the surface does not go
-                                  ///< on as it does here
-  double sheet_error = 0;         ///< greatest depth_error of the face and of those
-                                  ///< beyond its other sides, m
-  PrismShift cut_shift;           ///< greatest of the roundings of cuts by faces that may
-                                  ///< lie before it
+  std::array<bool, 3> outline{};  ///< sides beyond which the surface does not go on as it does here
+  double sheet_error = 0;         ///< greatest depth_error of the face and of those beyond its other sides, m
+  PrismShift cut_shift;           ///< greatest of the roundings of cuts by faces that may lie before it
   double area_error = 0;          ///< of the part of the master that sees it, in (s, t)
   double volume_error = 0;        ///< of the integral of its depth over that part, m
 };
@@ -108,8 +98,7 @@ struct SightScratch {
   std::vector<std::size_t> order;
 };
 
-/// False where the face is certainly not seen, in neither problem. `shared`:
-/// which corners are the master face's own.
+/// False where the face is certainly not seen, in neither problem. `shared`: which corners are the master face's own.
 bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
                     const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double twice_area,
                     Footprint& footprint);
@@ -119,13 +108,11 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
 /// has.
 double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box);
 
-/// The area within the box that a face whose facing is not sure has in either
-/// problem, down to the depth.
+/// The area within the box that a face whose facing is not sure has in either problem, down to the depth.
 double sliver_area(const Footprint& face, double depth, const BoxST& box);
 
-/// The area within the box that the sides of a face, shifted by up to (s, t)
-/// either way, may pass over; and whether one of them certainly has all of the
-/// box on its far side.
+/// The area within the box that the sides of a face, shifted by up to (s, t) either way, may pass over; and whether one
+/// of them certainly has all of the box on its far side.
 struct SideStrips {
   double area = 0;
   bool apart = false;
@@ -133,16 +120,13 @@ struct SideStrips {
 SideStrips strips_along_sides(const Footprint& face, double s, double t, const BoxST& box,
                               const std::array<bool, 3>& sides = {true, true, true});
 
-/// What is certain, in both problems, of the order in which the lines meet two
-/// faces wherever they meet both.
+/// What is certain, in both problems, of the order in which the lines meet two faces wherever they meet both.
 enum class CertainOrder : std::uint8_t { before, after, unsure };
-/// Of g against f. Decided as the engine decides it, by the sides of a face's
-/// plane that the other's vertices lie on; those that both share lie on both
-/// planes.
+/// Of g against f. Decided as the engine decides it, by the sides of a face's plane that the other's vertices lie on;
+/// those that both share lie on both planes.
 CertainOrder certain_order(const Footprint& g, const Footprint& f);
 
-/// The area within the box that the border of a convex polygon, shifted by up
-/// to (s, t) either way, may pass over.
+/// The area within the box that the border of a convex polygon, shifted by up to (s, t) either way, may pass over.
 double strip_along_border(const BoxST& box, double s, double t);
 
 /// The area within the box between the places where a linear function is 0 and where another one is that is nowhere

@@ -13,23 +13,19 @@ constexpr double u = kUnitRoundoff;
 /// Roundings of a vertex's s and t, times |gradient| |x - p0|: a difference, a scalar product of three terms.
 constexpr double kVertexRoundings = 5;
 
-/// Terms of second order in the shifts, which are less than 2^-6 wherever they
-/// are used.
+/// Terms of second order in the shifts, which are less than 2^-6 wherever they are used.
 constexpr double kSecondOrder = 1.125;
 
 }  // namespace
 
-// Frame. Let x' = sum lambda_k p'_k - d' n' be a point of the exact problem.
-// With g the computed gradient of weight w, j a corner where w = 0, and p_k the
-// corners of the rounded problem,
+// Frame. Let x' = sum lambda_k p'_k - d' n' be a point of the exact problem. With g the computed gradient of weight w,
+// j a corner where w = 0, and p_k the corners of the rounded problem,
 //     M_w(x') - lambda_w = sum lambda_k (g . (p_k - p_j) - delta_kw) + g . sum
 //     lambda_k (p'_k - p_k) - d' g . n'.
-// g = (n x side) / |N| with 8 roundings at most, so g . (p_k - p_j) is off by 8
-// u |g| L, L the longest edge, and for the corner opposite the side by the
-// relative error of N besides, 4 u q, where |N| q is N with every term taken
-// absolutely; and 12 u for n, |N| and their quotient. |g . n'| <= |g| (|n' - n|
-// + 12 u). Depth: with the computed N, N . (p_k - p_0) is off 0 by 4 u q |N| L;
-// and d' (1 - n . n') <= d' (|n' - n|^2 + 8 u).
+// g = (n x side) / |N| with 8 roundings at most, so g . (p_k - p_j) is off by 8 u |g| L, L the longest edge, and for
+// the corner opposite the side by the relative error of N besides, 4 u q, where |N| q is N with every term taken
+// absolutely; and 12 u for n, |N| and their quotient. |g . n'| <= |g| (|n' - n| + 12 u). Depth: with the computed N, N
+// . (p_k - p_0) is off 0 by 4 u q |N| L; and d' (1 - n . n') <= d' (|n' - n|^2 + 8 u).
 PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& rounding_Me)
     : length_s_(prism.edge_s_Me().norm()), length_t_(prism.edge_t_Me().norm()), own_moves_(master == Side::F) {
   const Eigen::Vector3d a = prism.edge_s_Me().cwiseAbs(), b = prism.edge_t_Me().cwiseAbs();

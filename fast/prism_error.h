@@ -10,9 +10,8 @@
 
 namespace pcm::fast {
 
-/// How far the coordinates a MasterPrism gives may be from the exact problem's
-/// (PCM section 1), in two steps. M stands for the affine map with the prism's
-/// computed gradients, free of roundings, M' for the exact problem's own map.
+/// How far the coordinates a MasterPrism gives may be from the exact problem's (PCM section 1), in two steps. M stands
+/// for the affine map with the prism's computed gradients, free of roundings, M' for the exact problem's own map.
 ///
 ///   1. Vertices: what the prism makes of a computed vertex x is off M(x') by
 ///   the vertex's rounding and those of two
@@ -25,25 +24,21 @@ namespace pcm::fast {
 ///      master, and the direction of its lines, off by an angle, times the
 ///      depth.
 ///
-/// The weights that the prism gives a face's own corners are exact in both
-/// problems.
+/// The weights that the prism gives a face's own corners are exact in both problems.
 class PrismError {
  public:
-  /// `rounding_Me`: how far each coordinate of F's vertices may be off; the
-  /// master may be E's or F's.
+  /// `rounding_Me`: how far each coordinate of F's vertices may be off; the master may be E's or F's.
   PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& rounding_Me);
 
   /// |x - p0| is no greater where no |coordinate| of x is, m.
   double distance(double s, double t, double depth) const { return length_s_ * s + length_t_ * t + depth; }
-  /// The first step, for vertices no farther from p0 than `distance`, of the
-  /// slave or of the master's own faces.
+  /// The first step, for vertices no farther from p0 than `distance`, of the slave or of the master's own faces.
   /// `least_depth`: the least |depth| of any of them.
   PrismShift of_vertices(double distance, double least_depth, bool own) const;
   /// The second, for points over the master face no deeper than `depth`.
   PrismShift of_frame(double depth) const;
-  /// The second step's part that turns depth into s and t, for points as far as
-  /// `depth` from the master's plane, wherever they are: the rest maps lines in
-  /// (s, t) to lines, and says nothing new of sides and windings.
+  /// The second step's part that turns depth into s and t, for points as far as `depth` from the master's plane,
+  /// wherever they are: the rest maps lines in (s, t) to lines, and says nothing new of sides and windings.
   PrismShift of_tilt(double depth) const { return {tilt_s_ * depth, tilt_t_ * depth, 0}; }
 
  private:

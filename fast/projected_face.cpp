@@ -58,6 +58,17 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
   return true;
 }
 
+void add_overlaps(const std::vector<ProjectedFace>& faces, std::size_t i, std::size_t j,
+                  std::vector<Overlap>& overlaps) {
+  const ProjectedFace& f = faces[i];
+  const ProjectedFace& g = faces[j];
+  if (!(f.carries || g.carries) || !(f.low_s < g.high_s && g.low_s < f.high_s)) return;
+  if (!(f.low_t < g.high_t && g.low_t < f.high_t)) return;
+  if (side_separates(f, g) || side_separates(g, f)) return;
+  if (f.carries) overlaps.emplace_back(i, j);
+  if (g.carries) overlaps.emplace_back(j, i);
+}
+
 void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<std::size_t>& order,
                    std::vector<Overlap>& overlaps) {
   overlaps.clear();
@@ -69,12 +80,8 @@ void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<std::siz
   for (std::size_t i = 0; i < order.size(); ++i) {
     const ProjectedFace& f = faces[order[i]];
     for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const ProjectedFace& g = faces[order[j]];
-      if (!(g.low_s < f.high_s)) break;
-      if (!(g.low_t < f.high_t && f.low_t < g.high_t) || !(f.carries || g.carries)) continue;
-      if (side_separates(f, g) || side_separates(g, f)) continue;
-      if (f.carries) overlaps.emplace_back(order[i], order[j]);
-      if (g.carries) overlaps.emplace_back(order[j], order[i]);
+      if (!(faces[order[j]].low_s < f.high_s)) break;
+      add_overlaps(faces, order[i], order[j], overlaps);
     }
   }
   std::sort(overlaps.begin(), overlaps.end());

@@ -82,21 +82,50 @@ double least_depth_of_neighbour(const Triangle& vertices, const std::array<Prism
   return at_border && moments.area < 0x1p-50 ? kInfinity : least;
 }
 
-/// Whether a neighbour of a face lies beside one of its sides but for the vertices on it.
-bool lies_beside(const MasterPrism& prism, const Triangle& master, const Surface::Data& surface, Index neighbour,
-                 double tolerance, WorkCounters& work) {
-  bool beside[3] = {true, true, true};  // By weight; 0 on the side whose inward gradient it has.
-  for (const Index vertex : surface.face(neighbour)) {
-    const auto shared = std::find(master.begin(), master.end(), vertex);
-    const bool is_shared = shared != master.end();
-    const PrismPoint x = is_shared ? MasterPrism::corner(static_cast<int>(shared - master.begin()))
-                                   : prism.see(surface.vertex(vertex), work);
-    for (int weight = 0; weight < 3; ++weight) {
-      const double margin = tolerance * length(prism.inward_Me(static_cast<std::size_t>((weight + 1) % 3)));
-      beside[weight] = beside[weight] && (is_shared ? x[weight] == 0 : x[weight] < -margin);
-    }
+/// Whether all faces at a corner of the master face, whose prism it is, surely face its way, and go round that corner
+/// no more than once. Then they lie side by side as the master sees them.
+bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index corner, double tolerance) {
+  const double off_s = tolerance * length(prism.inward_Me(2)), off_t = tolerance * length(prism.inward_Me(0));
+  WorkCounters work;
+  double angle = 0;
+  for (const Index face : surface.vertex_faces[corner]) {
+    const Triangle& t = surface.face(face);
+    const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), corner) - t.begin());
+    const PrismPoint from = prism.see(surface.vertex(t[k]), work);
+    const PrismPoint a = prism.see(surface.vertex(t[(k + 1) % 3]), work) - from;
+    const PrismPoint b = prism.see(surface.vertex(t[(k + 2) % 3]), work) - from;
+    const double winding = a[kS] * b[kT] - a[kT] * b[kS];
+    const double turn =
+        4 * (off_s * (std::abs(a[kT]) + std::abs(b[kT]) + 2 * off_t) + off_t * (std::abs(a[kS]) + std::abs(b[kS])));
+    if (!(winding > turn)) return false;
+    angle += std::atan2(winding, a[kS] * b[kS] + a[kT] * b[kT]);
   }
-  return beside[0] || beside[1] || beside[2];
+  return angle < 7;  // 2 pi, and not 4 pi.
+}
+
+/// Whether all other faces at a corner of the master face lie beside it: on the far side of one of its sides each, but
+/// for the vertices on that side.
+bool all_lie_beside(const MasterPrism& prism, const Surface::Data& surface, Index master_face, Index corner,
+                    double tolerance) {
+  const Triangle& master = surface.face(master_face);
+  WorkCounters work;
+  for (const Index face : surface.vertex_faces[corner]) {
+    if (face == master_face) continue;
+    std::array<bool, 3> beside{true, true, true};  // By weight; each is 0 on a side.
+    for (const Index vertex : surface.face(face)) {
+      const auto shared = std::find(master.begin(), master.end(), vertex);
+      const bool is_shared = shared != master.end();
+      const PrismPoint x = is_shared ? MasterPrism::corner(static_cast<int>(shared - master.begin()))
+                                     : prism.see(surface.vertex(vertex), work);
+      for (std::size_t weight = 0; weight < 3; ++weight) {
+        const double margin = tolerance * length(prism.inward_Me((weight + 1) % 3));
+        const double w = x[static_cast<Index>(weight)];
+        beside[weight] = beside[weight] && (is_shared ? w == 0 : w < -margin);
+      }
+    }
+    if (!(beside[0] || beside[1] || beside[2])) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -172,19 +201,15 @@ std::vector<double> lower_bounds_of_thickness_everywhere(const Surface::Data& su
 std::vector<bool> faces_clear_of_neighbours(const Surface::Data& surface) {
   const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
   std::vector<bool> clear(surface.mesh.faces.size(), false);
-  WorkCounters work;
   for (Index face = 0; face < static_cast<Index>(clear.size()); ++face) {
-    const Triangle& master = surface.face(face);
     const FaceGeometry geometry(points_of(surface, face));
     if (!thickness_holds(surface, 0, geometry)) continue;
     const MasterPrism prism(geometry);
-    bool all = true;
-    for (const Index vertex : master) {
-      for (const Index neighbour : surface.vertex_faces[vertex]) {
-        if (neighbour != face && all) all = lies_beside(prism, master, surface, neighbour, tolerance, work);
-      }
-    }
-    clear[static_cast<std::size_t>(face)] = all;
+    const Triangle& corners = surface.face(face);
+    clear[static_cast<std::size_t>(face)] = std::all_of(corners.begin(), corners.end(), [&](Index corner) {
+      return is_spread_out(prism, surface, corner, tolerance) ||
+             all_lie_beside(prism, surface, face, corner, tolerance);
+    });
   }
   return clear;
 }

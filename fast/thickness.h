@@ -25,8 +25,9 @@ std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface);
 /// folds back beneath the face. Holds under the same tolerance. O(n log n).
 std::vector<double> lower_bounds_of_thickness_everywhere(const Surface::Data& surface);
 
-/// The faces beneath which no face that shares a vertex with them reaches, each such neighbour lying beside one of
-/// their sides by more than the tolerance. So a face that stands upright on another is none of these. O(n).
+/// The faces beneath which no face that shares a vertex with them reaches, by more than the tolerance: at each of their
+/// corners either all faces look their way, or each lies beside one of their sides. Not where a face stands upright.
+/// O(n).
 std::vector<bool> faces_clear_of_neighbours(const Surface::Data& surface);
 
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for

@@ -13,8 +13,7 @@ namespace {
 /// Where a face lies along the lines, compared with another one.
 enum class Order : std::uint8_t { before, after, crossing };
 
-/// A linear function c + c_s (s - s_0) + c_t (t - t_0); a half plane is where
-/// it is not negative.
+/// A linear function c + c_s (s - s_0) + c_t (t - t_0); a half plane is where it is not negative.
 struct HalfPlane {
   double c, c_s, s_0, c_t, t_0;
 
@@ -31,9 +30,8 @@ struct ConvexSet {
   const HalfPlane* end() const { return half_planes.data() + count; }
 };
 
-/// The inner side of side k of a counterclockwise face. The line runs from the
-/// vertex of smaller index to the other, so that both faces at the edge have
-/// the same one.
+/// The inner side of side k of a counterclockwise face. The line runs from the vertex of smaller index to the other, so
+/// that both faces at the edge have the same one.
 HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
   const std::size_t next = (k + 1) % 3;
   const bool ascending = face.vertices[k] < face.vertices[next];
@@ -43,9 +41,8 @@ HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
   return {0, -sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT]};
 }
 
-/// The linear function with the given values at the corners of a face, times
-/// twice its area in (s, t): as sure of its sign as they are, however small
-/// they are.
+/// The linear function with the given values at the corners of a face, times twice its area in (s, t): as sure of its
+/// sign as they are, however small they are.
 HalfPlane through(const ProjectedFace& face, const std::array<double, 3>& values) {
   const PrismPoint a = face.corners[1] - face.corners[0], b = face.corners[2] - face.corners[0];
   const double a_rise = values[1] - values[0], b_rise = values[2] - values[0];
@@ -53,9 +50,8 @@ HalfPlane through(const ProjectedFace& face, const std::array<double, 3>& values
           b_rise * a[kS] - a_rise * b[kS], face.corners[0][kT]};
 }
 
-/// Heights of the vertices of g over the plane of f, times twice the area of f.
-/// Above is where the lines come from: the vertices of f run counterclockwise
-/// as the master sees them.
+/// Heights of the vertices of g over the plane of f, times twice the area of f. Above is where the lines come from: the
+/// vertices of f run counterclockwise as the master sees them.
 std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, WorkCounters& work) {
   std::array<double, 3> heights;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -67,8 +63,7 @@ std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, Wor
   return heights;
 }
 
-/// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both
-/// sides.
+/// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both sides.
 int side_of_plane(const std::array<double, 3>& heights) {
   const bool above = std::max({heights[0], heights[1], heights[2]}) > 0;
   const bool below = std::min({heights[0], heights[1], heights[2]}) < 0;
@@ -136,8 +131,8 @@ void add_widths(const ConvexPolygon& part, int parts, Neglect& neglect) {
   neglect.width_t += parts * (high_t - low_t);
 }
 
-/// Convex polygons without a convex set: what lies outside its first half
-/// plane, then of the rest what lies outside the second, and so on.
+/// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
+/// second, and so on.
 void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<ConvexPolygon>& parts,
               std::vector<ConvexPolygon>& remaining, Neglect& neglect) {
   remaining.clear();

@@ -25,11 +25,11 @@ ContactLaw dry_friction() {
   return law;
 }
 
-TEST(ForceBound, ChangesNoBitOfTheAnswer) {
+void expect_no_bit_changed(Scheme scheme) {
   const Surface bubble(generate::bubble());
   ContactLaw law = dry_friction();
   law.damping = 100;
-  const Pairing pairing(bubble, bubble, law, Mode::both);
+  const Pairing pairing(bubble, bubble, law, Mode::both, scheme);
   const Velocity velocity{{0.1, 0.2, -0.3}, {0.4, -0.5, 0.6}};
   Workspace plain, bounded;
   for (int i = 0; i < 20; ++i) {
@@ -50,6 +50,30 @@ TEST(ForceBound, ChangesNoBitOfTheAnswer) {
       EXPECT_EQ(a.elements[k].slave_face, b.elements[k].slave_face);
       EXPECT_EQ(a.elements[k].force_Me, b.elements[k].force_Me);
     }
+  }
+}
+
+TEST(ForceBound, ChangesNoBitOfTheAnswer) {
+  expect_no_bit_changed(Scheme::barycentric);
+}
+
+TEST(ForceBound, ChangesNoBitOfTheAnswerInTheClippedScheme) {
+  expect_no_bit_changed(Scheme::clipped);
+}
+
+TEST(ForceBound, OfTheClippedSchemeIsFiniteAndFlippedOnlyWhereFacesLieFlush) {
+  const TriangleMesh box = generate::box({2, 2, 2}), ball = generate::icosphere(1, 2);
+  for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
+    const Contact apart_from_flush =
+        answer(box, ball, turned(0.4, {0, 0, 1.8}), stiffness(1), mode, {}, with_bound(), Scheme::clipped);
+    EXPECT_FALSE(apart_from_flush.bound->flipped);
+    EXPECT_LT(apart_from_flush.bound->force_Me.norm(), 1e-9 * apart_from_flush.force_Me.norm());
+    // The same normal in one plane: the force jumps when the pose passes through.
+    const Contact flush =
+        answer(box, box, shifted(0.5, 0.25, 0), stiffness(1), mode, {}, with_bound(), Scheme::clipped);
+    EXPECT_TRUE(flush.bound->flipped);
+    EXPECT_TRUE(flush.bound->force_Me.allFinite());
+    EXPECT_TRUE(flush.bound->torque_Me.allFinite());
   }
 }
 

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+/// What is certain of faces whose corners may be shifted, and the areas that their sides may pass over, against faces
+/// that are shifted: by much more than roundings do, so that areas and points can be compared in plain doubles.
+namespace pcm::fast {
+namespace {
+
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : random_(seed) {}
+  double unit() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
+  /// An end of the interval more often than not.
+  double end() { return random_() % 3 == 0 ? unit() : (random_() % 2 == 0 ? 1.0 : -1.0); }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+PrismPoint point(double s, double t, double depth) {
+  return {1 - s - t, s, t, depth};
+}
+
+LinearDepth plane_of(const std::array<PrismPoint, 3>& corners) {
+  const PrismPoint a = corners[1] - corners[0], b = corners[2] - corners[0];
+  const double twice_area = a[kS] * b[kT] - a[kT] * b[kS];
+  return {corners[0][kDepth], corners[0][kS], corners[0][kT], (a[kDepth] * b[kT] - b[kDepth] * a[kT]) / twice_area,
+          (b[kDepth] * a[kS] - a[kDepth] * b[kS]) / twice_area};
+}
+
+double at(const LinearDepth& plane, double s, double t) {
+  return plane.value + plane.per_s * (s - plane.s_0) + plane.per_t * (t - plane.t_0);
+}
+
+/// A face about the middle of the master, counterclockwise.
+Footprint draw_face(Draw& draw, double shift, Index first_vertex) {
+  Footprint f;
+  do {
+    for (PrismPoint& corner : f.corners)
+      corner = point(0.4 + 0.4 * draw.unit(), 0.4 + 0.4 * draw.unit(), 1 + draw.unit());
+  } while (cross_st(f.corners[0], f.corners[1], f.corners[2]) < 0.02);
+  f.own = false;
+  f.face = first_vertex;
+  f.facing = -1;
+  f.vertices = {first_vertex, first_vertex + 1, first_vertex + 2};
+  f.shift = f.vertex_shift = f.corner_shift = {shift, shift, shift};
+  f.depth = plane_of(f.corners);
+  f.relative_noise = f.crossing_noise = 0;
+  f.box = {1, 0, 1, 0};
+  for (const PrismPoint& c : f.corners) {
+    f.box = {std::min(f.box.low_s, c[kS]), std::max(f.box.high_s, c[kS]), std::min(f.box.low_t, c[kT]),
+             std::max(f.box.high_t, c[kT])};
+  }
+  f.box = {f.box.low_s - shift, f.box.high_s + shift, f.box.low_t - shift, f.box.high_t + shift};
+  return f;
+}
+
+/// Has all its vertices shifted, the same ones alike.
+std::array<PrismPoint, 3> shifted(const Footprint& f, double shift, Draw& draw) {
+  std::array<PrismPoint, 3> corners = f.corners;
+  for (PrismPoint& c : corners) c += point(shift * draw.end(), shift * draw.end(), shift * draw.end()) - point(0, 0, 0);
+  return corners;
+}
+
+bool covers(const std::array<PrismPoint, 3>& f, const PrismPoint& x) {
+  return cross_st(f[0], f[1], x) > 0 && cross_st(f[1], f[2], x) > 0 && cross_st(f[2], f[0], x) > 0;
+}
+
+double triangle_area(const std::array<PrismPoint, 3>& f) {
+  return 0.5 * cross_st(f[0], f[1], f[2]);
+}
+
+double common_area(const std::array<PrismPoint, 3>& f, const std::array<PrismPoint, 3>& g) {
+  ConvexPolygon part;
+  for (const PrismPoint& corner : f) part.add(corner);
+  for (std::size_t k = 0; k < 3 && !part.empty(); ++k) {
+    Heights heights{};
+    for (int i = 0; i < part.count; ++i) heights[static_cast<std::size_t>(i)] = cross_st(g[k], g[(k + 1) % 3], part[i]);
+    keep_where_not_negative(part, heights);
+  }
+  return part.empty() ? 0 : 0.5 * twice_area(part);
+}
+
+constexpr double kShift = 1e-3;
+
+TEST(Footprint, SidesPassOverNoMoreThanTheirStrips) {
+  Draw draw(1);
+  double greatest = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Footprint f = draw_face(draw, kShift, 0);
+    const std::array<PrismPoint, 3> moved = shifted(f, kShift, draw);
+    const double passed = triangle_area(f.corners) + triangle_area(moved) - 2 * common_area(f.corners, moved);
+    const double bound = strips_along_sides(f, kShift, kShift, f.box).area;
+    ASSERT_LE(passed, bound);
+    greatest = std::max(greatest, passed / bound);
+    ASSERT_LE(strips_along_sides(f, kShift, kShift, f.box).area, strip_along_border(f.box, kShift, kShift));
+  }
+  std::printf("  greatest area over its bound %.3f\n", greatest);
+  EXPECT_GE(greatest, 0.5);
+}
+
+TEST(Footprint, ZeroStripHoldsWhatAnErrorOfTheFunctionDecides) {
+  Draw draw(2);
+  double greatest = 0;
+  const BoxST box{0, 1, 0, 1};
+  const std::array<PrismPoint, 3> lower{point(0, 0, 0), point(1, 0, 0), point(1, 1, 0)};
+  const std::array<PrismPoint, 3> upper{point(0, 0, 0), point(1, 1, 0), point(0, 1, 0)};
+  const auto positive = [](const std::array<PrismPoint, 3>& triangle, const LinearDepth& function) {
+    ConvexPolygon part;
+    for (const PrismPoint& corner : triangle) part.add(corner);
+    Heights heights{};
+    for (int i = 0; i < 3; ++i) heights[static_cast<std::size_t>(i)] = at(function, part[i][kS], part[i][kT]);
+    keep_where_not_negative(part, heights);
+    return part.empty() ? 0 : 0.5 * twice_area(part);
+  };
+  for (int trial = 0; trial < 20000; ++trial) {
+    LinearDepth function{0.5 * draw.unit(), 0.5, 0.5, draw.unit(), draw.unit()};
+    const double error = std::exp2(-10 + 8 * draw.unit());
+    LinearDepth moved = function;
+    // The same error everywhere: the zeros stay parallel, and the area between them is a difference.
+    moved.value += error;
+    const double between =
+        positive(lower, moved) + positive(upper, moved) - positive(lower, function) - positive(upper, function);
+    const ZeroStrip strip = zero_strip(function, error, box);
+    ASSERT_LE(between, strip.area + 1e-12);
+    if (strip.area > 1e-6) greatest = std::max(greatest, between / strip.area);
+    const double least = std::abs(function.middle(box)) - function.reach(box);
+    EXPECT_EQ(strip.area > 0, least <= error);
+    EXPECT_EQ(strip.everywhere, std::abs(function.middle(box)) + function.reach(box) <= error);
+  }
+  EXPECT_GE(greatest, 0.9);
+}
+
+TEST(Footprint, FacesThatAreCertainlyApartStayApart) {
+  Draw draw(3);
+  int apart = 0, near = 0;
+  for (int trial = 0; trial < 40000; ++trial) {
+    const Footprint f = draw_face(draw, kShift, 0);
+    Footprint g = draw_face(draw, kShift, 3);
+    // Just beside one side of f, a vertex at a time; or anywhere.
+    if (trial % 2 == 0) {
+      const PrismPoint& a = f.corners[0];
+      const PrismPoint& b = f.corners[1];
+      const double offset = 4 * kShift * (1 + draw.unit());
+      const PrismPoint outward = point(b[kT] - a[kT], a[kS] - b[kS], 0) - point(0, 0, 0);
+      g.corners[0] = a + (0.3 + 0.3 * draw.unit()) * (b - a) + offset / std::hypot(outward[kS], outward[kT]) * outward;
+      g.corners[2] = g.corners[0] + 0.3 * (b - a) + 0.2 * outward;
+      g.corners[1] = g.corners[0] - 0.2 * (b - a) + 0.3 * outward;
+      if (cross_st(g.corners[0], g.corners[1], g.corners[2]) < 0) std::swap(g.corners[1], g.corners[2]);
+    }
+    const BoxST box{0, 1, 0, 1};
+    const double overlap = greatest_overlap(f, g, box);
+    apart += overlap == 0 ? 1 : 0;
+    near += overlap > 0 && overlap < box.area() ? 1 : 0;
+    const double common = common_area(shifted(f, kShift, draw), shifted(g, kShift, draw));
+    ASSERT_LE(common, overlap) << trial;
+  }
+  EXPECT_GE(apart, 1000);
+  EXPECT_GE(near, 100);
+}
+
+TEST(Footprint, FacesAtOneSideStayApartHoweverItMoves) {
+  Draw draw(4);
+  for (int trial = 0; trial < 10000; ++trial) {
+    const Footprint f = draw_face(draw, kShift, 0);
+    Footprint g = f;
+    // Vertices 0 and 1 of f, the third beyond their side.
+    const PrismPoint& a = f.corners[0];
+    const PrismPoint& b = f.corners[1];
+    const PrismPoint outward = point(b[kT] - a[kT], a[kS] - b[kS], 0) - point(0, 0, 0);
+    g.vertices = {1, 0, 7};
+    g.corners = {b, a, a + 0.5 * (1 + draw.unit()) * (b - a) + (0.3 + 0.2 * draw.unit()) * outward};
+    EXPECT_EQ(greatest_overlap(f, g, {0, 1, 0, 1}), 0);
+  }
+}
+
+TEST(Footprint, CertainOrderIsKeptWherePlanesMove) {
+  Draw draw(5);
+  int before = 0, after = 0, unsure = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Footprint f = draw_face(draw, kShift, 0);
+    Footprint g = draw_face(draw, kShift, 3);
+    const double gap = 0.3 * draw.unit();
+    for (PrismPoint& c : g.corners) c[kDepth] = at(f.depth, c[kS], c[kT]) - gap + 0.01 * draw.unit();
+    g.depth = plane_of(g.corners);
+    const CertainOrder order = certain_order(g, f);
+    before += order == CertainOrder::before ? 1 : 0;
+    after += order == CertainOrder::after ? 1 : 0;
+    unsure += order == CertainOrder::unsure ? 1 : 0;
+    for (int move = 0; move < 20; ++move) {
+      const std::array<PrismPoint, 3> moved_f = shifted(f, kShift, draw), moved_g = shifted(g, kShift, draw);
+      const LinearDepth plane_f = plane_of(moved_f), plane_g = plane_of(moved_g);
+      const PrismPoint x = point(0.4 + 0.4 * draw.unit(), 0.4 + 0.4 * draw.unit(), 0);
+      if (!covers(moved_f, x) || !covers(moved_g, x)) continue;
+      const double beyond = at(plane_f, x[kS], x[kT]) - at(plane_g, x[kS], x[kT]);
+      if (order == CertainOrder::before) {
+        ASSERT_GE(beyond, 0);
+      } else if (order == CertainOrder::after) {
+        ASSERT_LE(beyond, 0);
+      }
+    }
+  }
+  EXPECT_GE(before, 1000);
+  EXPECT_GE(after, 1000);
+  EXPECT_GE(unsure, 1000);
+}
+
+}  // namespace
+}  // namespace pcm::fast

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/prism_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "tests/fast/exact_numbers.h"
+
+/// A master face's coordinates of a point against rational numbers, in regimes that each make another term of their
+/// error the greatest: without it, the error is out of bounds there.
+namespace pcm::fast {
+namespace {
+
+struct Regime {
+  const char* name;
+  double width;               ///< of the master face: the least is a needle
+  double depth;               ///< of the points beneath it
+  double stir_E, stir_F;      ///< rounding of the vertices of master and point
+  double least_weight_ratio;  ///< the bounds are no looser than that
+  double least_depth_ratio;
+};
+
+void PrintTo(const Regime& regime, std::ostream* out) {
+  *out << regime.name;
+}
+
+RationalVector stirred(const Eigen::Vector3d& x, double stir, Doubles& random) {
+  RationalVector result = rational(x);
+  for (mpq_class& c : result) c += mpq_class(random.integer(0, 1) == 0 ? stir : -stir);
+  return result;
+}
+
+struct ExactPoint {
+  double s_error, t_error, depth_error;
+};
+
+/// How far the computed coordinates of x are from those of the true point over the true face.
+ExactPoint error_of(const PrismPoint& seen, const std::array<RationalVector, 3>& p, const RationalVector& x) {
+  const RationalVector a = minus(p[1], p[0]), b = minus(p[2], p[0]), d = minus(x, p[0]), N = cross(a, b);
+  const mpq_class square = dot(N, N);
+  const mpq_class s = dot(cross(d, b), N) / square, t = dot(cross(a, d), N) / square;
+  const mpf_class depth = -mpf_class(dot(d, N), 400) / sqrt(mpf_class(square, 400));
+  return {std::abs(mpq_class(s - seen[kS]).get_d()), std::abs(mpq_class(t - seen[kT]).get_d()),
+          std::abs(mpf_class(depth - seen[kDepth]).get_d())};
+}
+
+class PrismErrorOf : public testing::TestWithParam<Regime> {};
+
+TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
+  const Regime& regime = GetParam();
+  const Side master = regime.stir_E > 0 ? Side::F : Side::E;  // The one that moves is F's.
+  Doubles random(84);
+  WorkCounters work;
+  double weight_ratio = 0, depth_ratio = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Eigen::Matrix3d Q =
+        Eigen::Quaterniond(random.unit(), random.unit(), random.unit(), 1).normalized().toRotationMatrix();
+    const Eigen::Vector3d about = Doubles::point([&] { return random.unit(); });
+    std::array<Eigen::Vector3d, 3> p;
+    const double phase = 3 * random.unit();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double angle = phase + 2.1 * static_cast<double>(k);
+      p[k] = about + Q * Eigen::Vector3d(std::cos(angle), regime.width * std::sin(angle), 0);
+    }
+    const FaceGeometry geometry(p);
+    const MasterPrism prism(geometry);
+    double s = 0.5 * (1 + random.unit()), t = 0.5 * (1 + random.unit());
+    if (s + t > 1) {
+      s = 1 - s;
+      t = 1 - t;
+    }
+    const Eigen::Vector3d x = p[0] + s * (p[1] - p[0]) + t * (p[2] - p[0]) - regime.depth * geometry.n_Me;
+    const PrismPoint seen = prism.see(x, work);
+
+    const Eigen::Vector3d rounding = Eigen::Vector3d::Constant(std::max(regime.stir_E, regime.stir_F));
+    const FaceError face(geometry, Eigen::Vector3d::Constant(regime.stir_E));
+    const PrismError error(prism, face, master, rounding);
+    const double distance = error.distance(std::abs(seen[kS]), std::abs(seen[kT]), std::abs(seen[kDepth]));
+    const PrismShift vertices = error.of_vertices(distance, std::abs(seen[kDepth]), false);
+    const PrismShift frame = error.of_frame(regime.depth);
+    const ExactPoint off = error_of(seen,
+                                    {stirred(p[0], regime.stir_E, random), stirred(p[1], regime.stir_E, random),
+                                     stirred(p[2], regime.stir_E, random)},
+                                    stirred(x, regime.stir_F, random));
+    ASSERT_LE(off.s_error, vertices.s + frame.s);
+    ASSERT_LE(off.t_error, vertices.t + frame.t);
+    ASSERT_LE(off.depth_error, vertices.depth + frame.depth);
+    weight_ratio = std::max({weight_ratio, off.s_error / (vertices.s + frame.s), off.t_error / (vertices.t + frame.t)});
+    depth_ratio = std::max(depth_ratio, off.depth_error / (vertices.depth + frame.depth));
+  }
+  std::printf("  %s: greatest error over its bound: weights %.3f depth %.3f\n", regime.name, weight_ratio, depth_ratio);
+  EXPECT_GE(weight_ratio, regime.least_weight_ratio);
+  EXPECT_GE(depth_ratio, regime.least_depth_ratio);
+}
+
+INSTANTIATE_TEST_SUITE_P(Regimes, PrismErrorOf,
+                         testing::Values(Regime{"Roundings", 1, 0.1, 0, 0, 0.02, 0.02},
+                                         Regime{"RoundingsOfANeedle", 1e-5, 0.1, 0, 0, 0.02, 0.02},
+                                         Regime{"RoundingsDeepBeneathANeedle", 1e-5, 10, 0, 0, 0.01, 0.01},
+                                         Regime{"MovedSlave", 1, 0.1, 0, 1e-9, 0.5, 0.5},
+                                         Regime{"MovedMaster", 1, 1e-3, 1e-9, 0, 0.3, 0.3},
+                                         Regime{"TurnedMaster", 1e-2, 10, 1e-9, 0, 0.1, 0.0}),
+                         [](const testing::TestParamInfo<Regime>& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace pcm::fast
