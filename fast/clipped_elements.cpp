@@ -276,6 +276,7 @@ MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const 
   // Faces that are not active, but may be in the exact problem: what they would add.
   ForceProblem unheard = problem;
   unheard.keep_elements = false;
+  unheard.statistics = nullptr;
   for (const Index face : side.undecided_faces) {
     if (is_active(side, face)) continue;
     Contact none;

@@ -54,6 +54,7 @@ void add_element(Contact& contact, const ForceProblem& problem, double greatest_
   total.force_Me += element.force_Me;
   total.torque_Me += (element.position_Me - problem.pose.r).cross(element.force_Me);
   if (problem.keep_elements) contact.elements.push_back(element);
+  if (problem.statistics != nullptr) problem.statistics->add(element);
 }
 
 MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem, MasterBound* bound) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fast/law.h"
+#include "fast/statistics_sum.h"
 #include "fast/workspace.h"
 
 namespace pcm::fast {
@@ -16,9 +17,10 @@ struct ForceProblem {
   SeriesStiffness stiffness;
   const Pose& pose;
   const Velocity& velocity;
-  bool with_velocities;  ///< some result depends on them
-  bool keep_elements;    ///< in the answer, with their statistics
-  bool with_bound;       ///< fill Contact::bound
+  bool with_velocities = false;         ///< some result depends on them
+  bool keep_elements = false;           ///< in the answer
+  bool with_bound = false;              ///< fill Contact::bound
+  StatisticsSum* statistics = nullptr;  ///< gathers the elements, where given
 };
 
 /// Force and torque of the elements of one master, resolved in Me.

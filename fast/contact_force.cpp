@@ -35,29 +35,6 @@ void apply_force(const ForceProblem& problem, const Eigen::Vector3d& foot_Me, El
   element.force_Me = master_E ? on_master : Eigen::Vector3d(-on_master);
 }
 
-Statistics summarize(const std::vector<Element>& elements) {
-  Statistics statistics;
-  double volume = 0, force = 0;
-  Eigen::Vector3d moment_Me = Eigen::Vector3d::Zero();
-  for (const Element& element : elements) {
-    statistics.patch_area += element.area;
-    volume += element.area * element.penetration;
-    force += element.normal_force;
-    moment_Me += element.normal_force * element.position_Me;
-    if (element.area > 0) {
-      statistics.max_pressure = std::max(statistics.max_pressure, element.normal_force / element.area);
-    }
-    statistics.max_normal_velocity = std::max(statistics.max_normal_velocity, std::abs(element.normal_velocity));
-    statistics.max_tangential_velocity = std::max(statistics.max_tangential_velocity, element.tangential_velocity);
-  }
-  if (statistics.patch_area > 0) {
-    statistics.mean_penetration = volume / statistics.patch_area;
-    statistics.mean_pressure = force / statistics.patch_area;
-  }
-  if (force > 0) statistics.centre_of_pressure_Me = moment_Me / force;
-  return statistics;
-}
-
 void compute_force(Workspace::Data& workspace, Mode mode, const ForceProblem& problem) {
   Contact& contact = workspace.contact;
   std::optional<MasterBound> bounds[2];
@@ -79,7 +56,20 @@ void compute_force(Workspace::Data& workspace, Mode mode, const ForceProblem& pr
     contact.torque_Me = total.torque_Me;
     if (problem.with_bound) contact.bound = bounds[static_cast<std::size_t>(master)]->result();
   }
-  if (problem.keep_elements) contact.statistics = summarize(contact.elements);
+  if (problem.statistics != nullptr) contact.statistics = problem.statistics->result();
+}
+
+void form_elements_of_slave(Workspace::Data& workspace, Mode mode, const ForceProblem& problem) {
+  if (mode == Mode::both) return;
+  ForceProblem unheard = problem;
+  unheard.with_bound = false;
+  unheard.statistics = nullptr;
+  sum_elements(workspace, mode == Mode::E ? Side::F : Side::E, unheard);
+  Contact& contact = workspace.contact;
+  contact.elements.clear();
+  contact.element_count = contact.too_deep = 0;
+  contact.max_penetration = 0;
+  contact.penetration_exceeded = false;
 }
 
 }  // namespace pcm::fast

@@ -11,11 +11,11 @@ namespace pcm::fast {
 /// the problem needs none.
 void apply_force(const ForceProblem& problem, const Eigen::Vector3d& foot_Me, Element& element);
 
-/// Summary over elements, in their order; all zero where there is none.
-Statistics summarize(const std::vector<Element>& elements);
-
 /// Force and torque of the pairing (23), (24): of the master's elements, in mode `both` the mean of both masters'.
 /// Fills the answer's force, torque, elements, counts and statistics.
 void compute_force(Workspace::Data& workspace, Mode mode, const ForceProblem& problem);
+
+/// Forms the elements that modes E and F do without, and forgets them: what a one-sided mode saves.
+void form_elements_of_slave(Workspace::Data& workspace, Mode mode, const ForceProblem& problem);
 
 }  // namespace pcm::fast

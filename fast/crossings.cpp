@@ -138,7 +138,7 @@ Index CrossingIndex::find_or_insert(std::uint64_t key, Index fresh) {
   return fresh;
 }
 
-bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_candidates) {
+bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_candidates, bool filtered) {
   SideState& side_E = workspace.side(Side::E);
   SideState& side_F = workspace.side(Side::F);
   WorkCounters& work = workspace.contact.work;
@@ -149,7 +149,7 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_ca
     side.intersected.clear();
     side.is_intersected.start(side.surface().mesh.faces.size());
   }
-  const double sure = sure_determinant(workspace.placement.span);
+  const double sure = filtered ? sure_determinant(workspace.placement.span) : kNeverSure;
   bool found = false;
   for_each_candidate(
       side_E.surface(), side_F.surface(), workspace.placement, workspace.wide_tests, workspace.node_pairs, work,

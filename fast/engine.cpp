@@ -17,6 +17,14 @@ namespace pcm::fast {
 
 namespace {
 
+bool wants_force(const Wanted& wanted) {
+  return wanted.force || wanted.elements || wanted.bound || wanted.statistics;
+}
+
+bool wants_only_touch(const Wanted& wanted) {
+  return !wanted.polygons && !wanted.areas && !wants_force(wanted);
+}
+
 /// Empties the answer and keeps its memory.
 void clear(Contact& contact) {
   Contact empty;
@@ -57,6 +65,42 @@ void report_active_area(const SideState& side, ActiveArea& area) {
   area.inner.assign(side.inner.begin(), side.inner.end());
 }
 
+/// Takes out of a whole answer what was not asked for.
+void keep_only(const Wanted& wanted, Contact& contact) {
+  const bool force = wants_force(wanted);
+  if (!wanted.polygons) {
+    contact.crossings.clear();
+    contact.polygons.clear();
+    contact.patches = 0;
+  }
+  if (!wanted.areas) {
+    for (ActiveArea* area : {&contact.E, &contact.F}) {
+      area->area = 0;
+      area->vector_area_Me.setZero();
+    }
+    contact.undefined_areas = 0;
+    contact.has_volume = false;
+    contact.volume = 0;
+  }
+  if (!wanted.elements) contact.elements.clear();
+  if (!wanted.elements && !wanted.statistics) contact.statistics = {};
+  if (!wanted.bound) contact.bound.reset();
+  if (!force) {
+    contact.element_count = contact.too_deep = 0;
+    contact.max_penetration = 0;
+    contact.penetration_exceeded = false;
+    contact.force_Me.setZero();
+    contact.torque_Me.setZero();
+  }
+  if (wants_only_touch(wanted)) {
+    contact.nested = contact.ambiguous = false;
+    for (ActiveArea* area : {&contact.E, &contact.F}) {
+      area->intersected.clear();
+      area->inner.clear();
+    }
+  }
+}
+
 }  // namespace
 
 Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode, Scheme scheme)
@@ -79,7 +123,16 @@ Workspace::Data& Workspace::data() {
 }
 
 const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                        Workspace& workspace) {
+                        Workspace& workspace, const Savings& savings) {
+  if (!savings.only_wanted) {
+    Savings others = savings;
+    others.only_wanted = true;
+    Wanted all;
+    all.bound = wanted.bound;  // a promise of its own, and all of its cost
+    evaluate(pairing, pose, velocity, all, workspace, others);
+    keep_only(wanted, workspace.data().contact);
+    return workspace.data().contact;
+  }
   require_valid(pose, velocity);
   Workspace::Data& data = workspace.data();
   Contact& contact = data.contact;
@@ -89,10 +142,11 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   data.placement = Placement(surface_E, surface_F, pose);
   data.side(Side::E).posed.place_E(surface_E);
   data.side(Side::F).posed.place_F(surface_F, pose, surface_E.mesh.vertices.size());
+  if (!savings.lazy_vertices) data.side(Side::F).posed.transform_all(contact.work);
 
-  const bool force = wanted.force || wanted.elements || wanted.bound;
-  const bool only_touch = !wanted.polygons && !wanted.areas && !force;
-  contact.touching = find_crossings(data, only_touch, wanted.bound);
+  const bool force = wants_force(wanted);
+  const bool only_touch = wants_only_touch(wanted);
+  contact.touching = find_crossings(data, only_touch && savings.first_crossing, wanted.bound, savings.filters);
   if (only_touch) return contact;
 
   const bool polygons = wanted.polygons || wanted.areas;
@@ -113,10 +167,15 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   if (wanted.areas) measure_clipped_areas(data);
   if (force) {
     const ContactLaw& law = pairing.law();
-    const bool with_velocities = law.damping != 0 || law.friction != 0 || wanted.elements;
-    compute_force(
-        data, pairing.mode(),
-        {pairing.scheme(), law, SeriesStiffness(law), pose, velocity, with_velocities, wanted.elements, wanted.bound});
+    ForceProblem problem{pairing.scheme(), law, SeriesStiffness(law), pose, velocity};
+    problem.keep_elements = wanted.elements;
+    problem.with_bound = wanted.bound;
+    StatisticsSum statistics;
+    if (wanted.elements || wanted.statistics) problem.statistics = &statistics;
+    problem.with_velocities =
+        law.damping != 0 || law.friction != 0 || problem.statistics != nullptr || !savings.velocities;
+    if (!savings.one_sided) form_elements_of_slave(data, pairing.mode(), problem);
+    compute_force(data, pairing.mode(), problem);
     if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite()) {
       throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
     }

@@ -6,6 +6,7 @@
 
 #include "fast/contact.h"
 #include "fast/inputs.h"
+#include "fast/savings.h"
 #include "meshes/triangle_mesh.h"
 
 /// The engine: three tasks, three interfaces (PCM section 1). Define a Pairing of two Surfaces, `evaluate` it for as
@@ -71,7 +72,8 @@ class Workspace {
 /// Evaluates the pairing for one state; the answer lives in `workspace` until its next use.
 /// Throws BadInput where the pose is no rotation, anything is not finite or the force would not be; the workspace stays
 /// usable.
+/// `savings` other than all change what it costs, nothing else.
 const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                        Workspace& workspace);
+                        Workspace& workspace, const Savings& savings = {});
 
 }  // namespace pcm::fast

@@ -62,11 +62,12 @@ struct ContactLaw {
 
 /// What the caller wants; nothing else is computed.
 struct Wanted {
-  bool polygons = true;  ///< intersection polygons with the positions of their points, and patches
-  bool areas = true;     ///< clipped active areas and the intersection volume
-  bool force = true;     ///< contact elements, force and torque
-  bool elements = true;  ///< keep every contact element in the result, with its statistics
-  bool bound = false;    ///< rigorous bounds on the rounding errors of force and torque; implies force
+  bool polygons = true;     ///< intersection polygons with the positions of their points, and patches
+  bool areas = true;        ///< clipped active areas and the intersection volume
+  bool force = true;        ///< contact elements, force and torque
+  bool elements = true;     ///< keep every contact element in the result, with its statistics
+  bool bound = false;       ///< rigorous bounds on the rounding errors of force and torque; implies force
+  bool statistics = false;  ///< the summary over the elements; implies force, implied by elements
 };
 
 }  // namespace pcm

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "fast/contact.h"
 
@@ -59,6 +60,9 @@ inline double sure_determinant(double span) {
   return kFilterRelative * (1 + 0x1p-40) * (6 * product * span + kFilterUnderflow);
 }
 
+/// In place of `sure_determinant`: every sign is found by exact arithmetic.
+inline constexpr double kNeverSure = std::numeric_limits<double>::quiet_NaN();
+
 /// The exact sign of ((b - a) x (c - a)) . (d - a), 0 where the four points lie in one plane. About a microsecond.
 int exact_orientation(const double* a, const double* b, const double* c, const double* d);
 
@@ -94,12 +98,18 @@ class OrientedPlane {
   bool above(const RankedPoint& d, WorkCounters& work) const {
     const double determinant =
         N_[0] * (d.x_Me[0] - a_.x_Me[0]) + N_[1] * (d.x_Me[1] - a_.x_Me[1]) + N_[2] * (d.x_Me[2] - a_.x_Me[2]);
-    if (!(std::abs(determinant) > sure_)) return orientation(a_, b_, c_, d, work) > 0;
+    if (!(std::abs(determinant) > sure_)) return not_sure(d, work) > 0;
     ++work.predicates;
     return determinant > 0;
   }
 
  private:
+  int not_sure(const RankedPoint& d, WorkCounters& work) const {
+    if (!std::isnan(sure_)) return orientation(a_, b_, c_, d, work);
+    ++work.predicates;
+    return unfiltered_orientation(a_, b_, c_, d, work);
+  }
+
   const RankedPoint& a_;
   const RankedPoint& b_;
   const RankedPoint& c_;

@@ -14,20 +14,23 @@ namespace pcm::fast {
 /// A product of two lengths above this, m^2, carries no underflow that counts beside its roundings.
 inline constexpr double kLeastProduct = 0x1p-900;
 
+/// How far each component of a face's computed unit normal may be off; infinite where floating point can't tell the
+/// normal. Each component of N is a difference of two products of differences: off by at most 4 u times the product of
+/// the two edges' lengths; the division by |N| adds a few u. 16 u covers both, short of underflow.
+inline double normal_error(const FaceGeometry& face) {
+  const double edges = length(face.points_Me[1] - face.points_Me[0]) * length(face.points_Me[2] - face.points_Me[0]);
+  const double error = 16 * 0x1p-53 * edges / (2 * face.area);
+  return error < 0.125 && face.area > kLeastProduct ? error : std::numeric_limits<double>::infinity();
+}
+
 /// A penetration line in floating point, with a bound of its error: what a tree needs to pass by most boxes.
 struct Ray {
   Eigen::Vector3d origin;
   Eigen::Vector3d direction;  ///< unit, -n of the master face
-  double direction_error;     ///< of each component; infinite where floating point can't tell the direction
+  double direction_error;     ///< of each component; see normal_error
 
-  /// Each component of N is a difference of two products of differences: off by at most 4 u times the product of the
-  /// two edges' lengths; the division by |N| adds a few u. 16 u covers both, short of underflow.
   Ray(const FaceGeometry& face, const Eigen::Vector3d& barycentre)
-      : origin(barycentre), direction(-face.n_Me), direction_error(std::numeric_limits<double>::infinity()) {
-    const double edges = length(face.points_Me[1] - face.points_Me[0]) * length(face.points_Me[2] - face.points_Me[0]);
-    const double error = 16 * 0x1p-53 * edges / (2 * face.area);
-    if (error < 0.125 && face.area > kLeastProduct) direction_error = error;
-  }
+      : origin(barycentre), direction(-face.n_Me), direction_error(normal_error(face)) {}
 };
 
 /// A ray in the frame of a tree; boxes grow by `slack` before they are tested.

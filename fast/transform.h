@@ -42,6 +42,11 @@ class PosedSurface {
     first_rank_ = static_cast<std::int64_t>(vertices_of_E);
   }
 
+  /// F's vertices all at once, where they are not to be spared.
+  void transform_all(WorkCounters& work) {
+    for (std::size_t v = 0; v < surface_->mesh.vertices.size(); ++v) vertex_Me(static_cast<Index>(v), work);
+  }
+
   const Surface::Data& surface() const { return *surface_; }
 
   const Eigen::Vector3d& vertex_Me(Index v, WorkCounters& work) {

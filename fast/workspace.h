@@ -14,6 +14,7 @@
 #include "fast/line_trace.h"
 #include "fast/placement.h"
 #include "fast/projected_face.h"
+#include "fast/separation.h"
 #include "fast/stamped_array.h"
 #include "fast/transform.h"
 
@@ -135,6 +136,8 @@ struct Workspace::Data {
   ProjectionScratch projection;
   SightScratch sight;  ///< where bounds are wanted
   Contact contact;
+  Contact apart;  ///< what a scene says of pairings it need not look at
+  BoxPairs gaps;  ///< of searches for a distance
 
   SideState& side(Side s) { return sides[static_cast<std::size_t>(s)]; }
   const SideState& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }

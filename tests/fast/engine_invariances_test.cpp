@@ -16,7 +16,7 @@ using namespace test;
 using Eigen::Vector3d;
 
 /// A pose with everything in play: damping, friction, both masters.
-struct Scene {
+struct Encounter {
   TriangleMesh E = generate::bubble();
   TriangleMesh F = generate::icosphere(0.15, 2);
   Pose pose = turned(0.9, {0.02, 0.11, 0.13});
@@ -25,7 +25,7 @@ struct Scene {
   Mode mode = Mode::both;
   Scheme scheme;
 
-  explicit Scene(Scheme wanted_scheme) : scheme(wanted_scheme) {
+  explicit Encounter(Scheme wanted_scheme) : scheme(wanted_scheme) {
     law.stiffness = 5.9e5;
     law.damping = 1000;
     law.transition_depth = 0.01;
@@ -55,13 +55,13 @@ void expect_bits(const Contact& a, const Contact& b, double length, double area,
 class EngineInvariance : public testing::TestWithParam<Scheme> {};
 
 TEST_P(EngineInvariance, AllLengthsTimesAPowerOfTwoScaleEveryBit) {
-  const Scene scene(GetParam());
+  const Encounter scene(GetParam());
   const Contact plain = scene.answer();
   ASSERT_TRUE(plain.touching);
   ASSERT_GT(plain.element_count, 10);
   for (const int k : {-100, -40, -1, 3, 40, 100}) {
     const double s = std::ldexp(1.0, k);
-    Scene large = scene;
+    Encounter large = scene;
     large.E = scaled(scene.E, s);
     large.F = scaled(scene.F, s);
     large.pose.r *= s;
@@ -73,12 +73,12 @@ TEST_P(EngineInvariance, AllLengthsTimesAPowerOfTwoScaleEveryBit) {
 }
 
 TEST_P(EngineInvariance, TwoAxesNegatedInBothFramesNegateTheResultsBitForBit) {
-  const Scene scene(GetParam());
+  const Encounter scene(GetParam());
   const Contact plain = scene.answer();
   for (int kept = 0; kept < 3; ++kept) {
     Vector3d signs(-1, -1, -1);
     signs[kept] = 1;
-    Scene negated = scene;
+    Encounter negated = scene;
     for (TriangleMesh* mesh : {&negated.E, &negated.F}) {
       for (Vector3d& x : mesh->vertices) x = x.cwiseProduct(signs);
     }
@@ -98,7 +98,7 @@ TEST_P(EngineInvariance, TwoAxesNegatedInBothFramesNegateTheResultsBitForBit) {
 }
 
 TEST_P(EngineInvariance, ModeBothIsTheMeanOfBothMasters) {
-  Scene scene(GetParam());
+  Encounter scene(GetParam());
   const Contact both = scene.answer();
   scene.mode = Mode::E;
   const Contact by_E = scene.answer();
@@ -110,10 +110,10 @@ TEST_P(EngineInvariance, ModeBothIsTheMeanOfBothMasters) {
 }
 
 TEST_P(EngineInvariance, ExchangedBodiesGiveTheOppositeForce) {
-  Scene scene(GetParam());
+  Encounter scene(GetParam());
   scene.mode = Mode::E;
   const Contact direct = scene.answer();
-  Scene exchanged = scene;
+  Encounter exchanged = scene;
   std::swap(exchanged.E, exchanged.F);
   exchanged.mode = Mode::F;
   exchanged.pose.A = scene.pose.A.transpose();
@@ -133,9 +133,9 @@ TEST_P(EngineInvariance, PermutedFacesAndVerticesGiveTheSameAnswerToRounding) {
   const unsigned seed = 5;
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
-  const Scene scene(GetParam());
+  const Encounter scene(GetParam());
   const Contact plain = scene.answer();
-  Scene permuted = scene;
+  Encounter permuted = scene;
   for (TriangleMesh* mesh : {&permuted.E, &permuted.F}) {
     std::vector<Index> place(mesh->vertices.size());
     std::iota(place.begin(), place.end(), 0);
@@ -160,7 +160,7 @@ TEST_P(EngineInvariance, PermutedFacesAndVerticesGiveTheSameAnswerToRounding) {
 }
 
 TEST_P(EngineInvariance, WhatIsNotWantedChangesNoBitOfTheRest) {
-  const Scene scene(GetParam());
+  const Encounter scene(GetParam());
   const Contact all = scene.answer();
   const Pairing pairing(Surface(scene.E), Surface(scene.F), scene.law, scene.mode, scene.scheme);
   Workspace workspace;
@@ -179,7 +179,7 @@ TEST_P(EngineInvariance, WhatIsNotWantedChangesNoBitOfTheRest) {
 }
 
 TEST_P(EngineInvariance, AWorkspaceUsedForOtherPairingsGivesTheSameBits) {
-  const Scene scene(GetParam());
+  const Encounter scene(GetParam());
   const Contact fresh = scene.answer();
   Workspace workspace;
   const Pairing other(Surface(generate::icosphere(1, 3)), Surface(generate::pyramid()));

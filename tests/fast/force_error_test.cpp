@@ -105,8 +105,8 @@ TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
     pose.r = vector();
     const Velocity velocity{example.speed * std::exp2(-8 * std::abs(unit(random))) * vector(),
                             example.speed * std::exp2(-8 * std::abs(unit(random))) * vector()};
-    const ForceProblem problem{
-        Scheme::barycentric, example.law, SeriesStiffness(example.law), pose, velocity, true, false, true};
+    ForceProblem problem{Scheme::barycentric, example.law, SeriesStiffness(example.law), pose, velocity};
+    problem.with_velocities = problem.with_bound = true;
     const double scale = trial % 4 == 0 ? 0 : std::pow(10.0, -1 - 12 * std::abs(unit(random)));
     Element element;
     element.master = random() % 2 == 0 ? Side::E : Side::F;

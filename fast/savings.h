@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace pcm::fast {
+
+/// What is left out because it was not asked for or can't matter. No saving changes a bit of any answer; each can be
+/// switched off, to measure what it is worth and to show just that. WorkCounters and SceneCounters count the work that
+/// is left.
+struct Savings {
+  /// Scene: pairings whose bodies' boxes are apart are not looked at.
+  bool broad_phase = true;
+  /// Scene: nor are those that were apart by more than they can have moved since.
+  bool certificates = true;
+  /// Where only touch is asked for, the first crossing is the answer.
+  bool first_crossing = true;
+  /// F's vertices are transformed when first needed. Off: all of them in each evaluation.
+  bool lazy_vertices = true;
+  /// Modes E and F: no elements on the slave. Off: they are formed and thrown away.
+  bool one_sided = true;
+  /// Velocities at elements only where the law or the caller's elements need them.
+  bool velocities = true;
+  /// Only what `Wanted` asks for. Off: all of it is computed, and what was not asked for thrown away.
+  bool only_wanted = true;
+  /// Crossings: exact arithmetic only where the floating-point filter can't tell.
+  bool filters = true;
+
+  /// Everything switched off.
+  static constexpr Savings none() { return {false, false, false, false, false, false, false, false}; }
+};
+
+}  // namespace pcm::fast
