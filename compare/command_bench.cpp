@@ -14,6 +14,7 @@
 
 #include "compare/bench_peers.h"
 #include "compare/bench_scaling.h"
+#include "compare/bench_skip.h"
 #include "meshes/bad_input.h"
 #include "meshes/text_file.h"
 
@@ -30,6 +31,12 @@ struct PeersOptions {
 };
 
 struct ScalingOptions {
+  std::optional<std::string> out;
+  bool quick = false;
+};
+
+struct SkipOptions {
+  std::optional<std::string> steps;
   std::optional<std::string> out;
   bool quick = false;
 };
@@ -98,6 +105,34 @@ Exit bench_scaling(const ScalingOptions& options) {
   return Exit::success;
 }
 
+Exit bench_skip(const SkipOptions& options) {
+  const auto steps = static_cast<std::int64_t>(
+      whole_number("--steps", options.steps.value_or(options.quick ? "3" : "100"), 1, 100'000));
+  const std::optional<fs::path> folder = output_folder(options.out);
+  const Machine machine = this_machine(stay_on_one_core());
+  const SkipResult result =
+      options.quick ? run_skip(8, steps, 2, show_progress) : run_skip(50, steps, 40, show_progress);
+  show_progress("");
+  if (folder) {
+    write_text_file(*folder / "skip.md", skip_markdown(result, machine));
+    write_text_file(*folder / "skip_scene.csv", csv(scenes_table(result)));
+    write_text_file(*folder / "skip.csv", csv(savings_table(result)));
+    const nlohmann::ordered_json whole{{"machine", machine_json(machine)},
+                                       {"bubbles", result.bubbles},
+                                       {"pairings", result.pairings},
+                                       {"steps", result.steps},
+                                       {"certificate_ns", result.certificate_ns},
+                                       {"boxes_ns", result.boxes_ns},
+                                       {"answers_compared", result.answers_compared},
+                                       {"answers_different", result.answers_different},
+                                       {"scene", json(scenes_table(result))},
+                                       {"savings", json(savings_table(result))}};
+    write_text_file(*folder / "skip.json", whole.dump(1) + "\n");
+  }
+  std::cout << skip_screen(result, machine);
+  return result.answers_different == 0 ? Exit::success : Exit::negative;
+}
+
 void add_peers(CLI::App& bench, Run& run) {
   auto options = std::make_shared<PeersOptions>();
   CLI::App* command = bench.add_subcommand("peers", "This engine against others on the same surfaces and poses");
@@ -124,14 +159,29 @@ void add_scaling(CLI::App& bench, Run& run) {
   command->callback([options, &run] { run = [options] { return bench_scaling(*options); }; });
 }
 
+void add_skip(CLI::App& bench, Run& run) {
+  auto options = std::make_shared<SkipOptions>();
+  CLI::App* command = bench.add_subcommand("skip", "What each thing saves that is skipped, and that no bit changes");
+  command->footer(
+      "Fifty bubbles jostle in a container on a prescribed motion, with every saving on, each off, all off.\n"
+      "The exit status is 1 where an answer differs in a bit.\n"
+      "Example:\n  pcm bench skip --out bench");
+  command->add_option("--steps", options->steps, "Steps of a millisecond (100)");
+  command->add_option("--out", options->out, "Folder for tables: skip.md, .csv, .json, skip_scene.csv");
+  command->add_flag("--quick", options->quick, "8 bubbles, 3 steps: to see it work");
+  command->callback([options, &run] { run = [options] { return bench_skip(*options); }; });
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& program, Run& run) {
-  CLI::App* command = program.add_subcommand("bench", "How fast the engine is, beside others and over sizes");
+  CLI::App* command =
+      program.add_subcommand("bench", "How fast the engine is, beside others, over sizes, and by what it skips");
   command->require_subcommand(1);
   command->footer("Example:\n  pcm bench peers --bodies bubbles\n'pcm bench WHAT --help' describes one.");
   add_peers(*command, run);
   add_scaling(*command, run);
+  add_skip(*command, run);
 }
 
 }  // namespace pcm::compare

@@ -45,7 +45,8 @@ Json work_json(const fast::WorkCounters& work) {
   return {{"box_tests", work.box_tests},           {"candidate_pairs", work.candidate_pairs},
           {"crossing_pairs", work.crossing_pairs}, {"vertices_transformed", work.vertices_transformed},
           {"predicates", work.predicates},         {"exact_predicates", work.exact_predicates},
-          {"tie_breaks", work.tie_breaks}};
+          {"tie_breaks", work.tie_breaks},         {"elements", work.elements},
+          {"velocities", work.velocities}};
 }
 
 Json statistics_json(const fast::Statistics& statistics) {

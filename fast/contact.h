@@ -89,6 +89,8 @@ struct WorkCounters {
   std::int64_t predicates = 0;            ///< signs asked for
   std::int64_t exact_predicates = 0;      ///< signs the floating-point filter could not decide
   std::int64_t tie_breaks = 0;            ///< exact zeros decided by the tie rule
+  std::int64_t elements = 0;              ///< formed
+  std::int64_t velocities = 0;            ///< elements whose velocities were computed
 };
 
 /// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation.

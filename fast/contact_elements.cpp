@@ -47,6 +47,8 @@ MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, co
 void add_element(Contact& contact, const ForceProblem& problem, double greatest_penetration,
                  const Eigen::Vector3d& foot_Me, Element& element, MasterForce& total) {
   ++contact.element_count;
+  ++contact.work.elements;
+  contact.work.velocities += problem.with_velocities;
   contact.max_penetration = std::max(contact.max_penetration, greatest_penetration);
   if (greatest_penetration > problem.law.max_penetration) contact.penetration_exceeded = true;
   element.penetration = std::min(element.penetration, problem.law.max_penetration);

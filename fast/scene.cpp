@@ -57,12 +57,37 @@ struct Body {
 
 enum class Outcome : std::uint8_t { not_asked, apart_by_boxes, apart_by_certificate, evaluated };
 
+/// When to look for a certificate. A search costs more than to find out that nothing touches, so where certificates
+/// don't last, for a step or because there is hardly a gap, more and more evaluations go by before the next one.
+class Patience {
+ public:
+  bool may_search() {
+    if (waiting_ == 0) return true;
+    --waiting_;
+    return false;
+  }
+  void found_valid() { ++uses_; }
+  /// Before a search.
+  void judge_last() {
+    constexpr int kWorthIt = 8, kLongest = 64;
+    wait_ = uses_ >= kWorthIt ? 0 : std::min(2 * wait_ + 1, kLongest);
+    waiting_ = wait_;
+    uses_ = 0;
+  }
+
+ private:
+  int uses_ = kAtFirst;  ///< of the last certificate
+  int wait_ = 0, waiting_ = 0;
+  static constexpr int kAtFirst = 8;
+};
+
 struct ScenePairing {
   Index body_E, body_F;
   Pairing pairing;
   Wanted wanted;
   BoundingBall ball_F;
   SeparationCertificate certificate;
+  Patience patience;
   // Since the last move, written by the one thread that has the pairing.
   Outcome outcome = Outcome::not_asked;
   bool sought = false;
@@ -79,6 +104,8 @@ void add(WorkCounters& sum, const WorkCounters& work) {
   sum.predicates += work.predicates;
   sum.exact_predicates += work.exact_predicates;
   sum.tie_breaks += work.tie_breaks;
+  sum.elements += work.elements;
+  sum.velocities += work.velocities;
 }
 
 [[noreturn]] void refuse(std::size_t body, const std::string& why) {
@@ -144,14 +171,17 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
   const Pose pose = relative_pose(pairing);
   if (savings.certificates && may_skip && pairing.certificate.holds(pose, pairing.ball_F)) {
     pairing.outcome = Outcome::apart_by_certificate;
+    pairing.patience.found_valid();
     return nullptr;
   }
   pairing.outcome = Outcome::evaluated;
   const Contact& contact =
       fast::evaluate(pairing.pairing, pose, relative_velocity(pairing), pairing.wanted, workspace, savings);
   pairing.work = contact.work;
-  if (savings.certificates && may_skip && !contact.touching && !contact.nested && !contact.ambiguous) {
+  const bool apart = !contact.touching && !contact.nested && !contact.ambiguous;
+  if (savings.certificates && may_skip && apart && pairing.patience.may_search()) {
     pairing.sought = true;
+    pairing.patience.judge_last();
     const Surface::Data& E = pairing.pairing.surface_E().data();
     const Surface::Data& F = pairing.pairing.surface_F().data();
     const double gap = distance_lower_bound(E, F, workspace.data().placement, workspace.data().gaps, pairing.work);
@@ -186,6 +216,7 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
                        Pairing(data_->body(body_E).surface, F, std::move(law), mode, scheme),
                        wanted,
                        BoundingBall(F.data()),
+                       {},
                        {},
                        Outcome::not_asked,
                        false,

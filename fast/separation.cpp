@@ -15,7 +15,7 @@ namespace pcm::fast {
 namespace {
 
 /// Pairs of boxes that are split before the search settles for what it has.
-constexpr int kMostSplits = 128;
+constexpr int kMostSplits = 512;
 
 /// Boxes farther apart than this many times their half widths are not split further: the true distance is at most
 /// 1 + 2 sqrt(3) / kFarApart times their gap.
@@ -37,37 +37,33 @@ double gap_between(const Placement& placement, const Box& box_E, const Box& box_
   return kShorter * std::max(gaps_Me.cwiseMax(0).norm(), gaps_Mf.cwiseMax(0).norm());
 }
 
-/// How far three points lie above the plane of a face at least, or below it, m; 0 where it runs between them. `slack`:
-/// how far the points may be off.
-double gap_to_plane(const FaceGeometry& face, const std::array<Eigen::Vector3d, 3>& points, double slack) {
-  const double tilt = normal_error(face);
-  double least = std::numeric_limits<double>::infinity(), greatest = -least, reach = 0;
-  for (const Eigen::Vector3d& x : points) {
-    const Eigen::Vector3d d = x - face.points_Me[0];
-    const double height = face.n_Me.dot(d);
-    least = std::min(least, height);
-    greatest = std::max(greatest, height);
-    reach = std::max(reach, d.cwiseAbs().sum());
-  }
-  const double gap = std::max(least, -greatest) - tilt * reach - slack;
+/// A box in Me, its axes those of either frame: half axes as columns.
+struct BoxInMe {
+  Eigen::Vector3d centre, half;
+  const Eigen::Matrix3d* axes;  ///< nullptr where they are those of Me
+};
+
+/// How far a box lies above the plane of a face at least, or below it, m; 0 where the plane runs through it. `slack`:
+/// how far positions may be off.
+double gap_to_plane(const FaceGeometry& face, const BoxInMe& box, double slack) {
+  const Eigen::Vector3d n_box = box.axes != nullptr ? Eigen::Vector3d(box.axes->transpose() * face.n_Me) : face.n_Me;
+  const Eigen::Vector3d d = box.centre - face.points_Me[0];
+  const double tilt = normal_error(face) * (d.cwiseAbs().sum() + 2 * box.half.sum());
+  const double gap = std::abs(face.n_Me.dot(d)) - n_box.cwiseAbs().dot(box.half) - tilt - slack;
   // Written so that a normal that is not known gives 0.
   return gap > 0 ? kShorter * gap : 0;
 }
 
-/// A lower bound of the distance between two faces: one plane or the other keeps them apart.
-double gap_between_faces(const Surface::Data& surface_E, const Surface::Data& surface_F, const Placement& placement,
-                         Index face_E, Index face_F) {
-  std::array<Eigen::Vector3d, 3> e, f;
-  for (std::size_t k = 0; k < 3; ++k) {
-    e[k] = surface_E.vertex(surface_E.face(face_E)[k]);
-    f[k] = placement.from_frame_of(Side::F, surface_F.vertex(surface_F.face(face_F)[k]));
-  }
-  return std::max(gap_to_plane(FaceGeometry(e), f, 2 * placement.slack_E),
-                  gap_to_plane(FaceGeometry(f), e, 2 * placement.slack_E));
+std::array<Eigen::Vector3d, 3> face_in_Me(const Surface::Data& surface, const Placement& placement, Side side,
+                                          Index face) {
+  std::array<Eigen::Vector3d, 3> points;
+  for (std::size_t k = 0; k < 3; ++k) points[k] = placement.from_frame_of(side, surface.vertex(surface.face(face)[k]));
+  return points;
 }
 
-double size_of(const Box& box) {
-  return box.half.maxCoeff();
+/// By how much splitting a node may still raise a gap, in half widths; faces are told apart by their planes.
+double size_of(const BoxNode& node) {
+  return node.leaf() ? 0 : node.box.half.maxCoeff();
 }
 
 /// A norm that bounds |r| and |A x| for x in the ball.
@@ -90,7 +86,20 @@ double distance_lower_bound(const Surface::Data& surface_E, const Surface::Data&
   const auto farther = [](const BoxPair& a, const BoxPair& b) { return a.gap > b.gap; };
   const auto enter = [&](Index i, Index j) {
     ++work.box_tests;
-    open.push_back({i, j, gap_between(placement, tree_E.node(i).box, tree_F.node(j).box), false});
+    const BoxNode& E = tree_E.node(i);
+    const BoxNode& F = tree_F.node(j);
+    double gap = gap_between(placement, E.box, F.box);
+    // A large face next to a small body is told apart by its plane, not by its box.
+    const double slack = 4 * placement.slack_E;
+    if (E.leaf()) {
+      const BoxInMe box{placement.from_frame_of(Side::F, F.box.centre), F.box.half, &placement.A};
+      gap = std::max(gap, gap_to_plane(FaceGeometry(face_in_Me(surface_E, placement, Side::E, E.face)), box, slack));
+    }
+    if (F.leaf()) {
+      const BoxInMe box{E.box.centre, E.box.half, nullptr};
+      gap = std::max(gap, gap_to_plane(FaceGeometry(face_in_Me(surface_F, placement, Side::F, F.face)), box, slack));
+    }
+    open.push_back({i, j, gap});
     std::push_heap(open.begin(), open.end(), farther);
   };
   open.clear();
@@ -102,13 +111,10 @@ double distance_lower_bound(const Surface::Data& surface_E, const Surface::Data&
     open.pop_back();
     const BoxNode& E = tree_E.node(nearest.node_E);
     const BoxNode& F = tree_F.node(nearest.node_F);
-    const double size_E = size_of(E.box), size_F = size_of(F.box);
-    if (nearest.final || splits == kMostSplits || nearest.gap > kFarApart * (size_E + size_F)) return nearest.gap;
-    if (E.leaf() && F.leaf()) {
-      const double gap = gap_between_faces(surface_E, surface_F, placement, E.face, F.face);
-      open.push_back({nearest.node_E, nearest.node_F, std::max(nearest.gap, gap), true});
-      std::push_heap(open.begin(), open.end(), farther);
-    } else if (F.leaf() || (!E.leaf() && size_E > size_F)) {
+    const double size_E = size_of(E), size_F = size_of(F);
+    if ((E.leaf() && F.leaf()) || splits == kMostSplits || nearest.gap > kFarApart * (size_E + size_F))
+      return nearest.gap;
+    if (size_E > size_F) {
       enter(E.child, nearest.node_F);
       enter(E.child + 1, nearest.node_F);
     } else {
