@@ -148,6 +148,12 @@ std::string difference(const fast::Contact& a, const fast::Contact& b, const Sim
   return compare.first();
 }
 
+void expect_within_bounds(Findings& findings, const std::string& what, const fast::Contact& a, const fast::Contact& b) {
+  findings.close(what + ", force", (a.force_Me - b.force_Me).norm(), (a.bound->force_Me + b.bound->force_Me).norm());
+  findings.close(what + ", torque", (a.torque_Me - b.torque_Me).norm(),
+                 (a.bound->torque_Me + b.bound->torque_Me).norm());
+}
+
 RoundingScale rounding_scale(const Posed& posed, const fast::Contact& contact) {
   double size = posed.pose.r.cwiseAbs().maxCoeff();
   for (const Eigen::Vector3d& x : posed.E.vertices) size = std::max(size, x.cwiseAbs().maxCoeff());

@@ -69,6 +69,10 @@ struct Similarity {
 /// area stays, so areas go with length^2, forces with length^3 and torques with length^4.
 std::string difference(const fast::Contact& a, const fast::Contact& b, const Similarity& similarity = {});
 
+/// Records whether two answers to one exact problem, whatever their rounded ones, differ by no more than their own
+/// bounds together. Both must have been asked for theirs.
+void expect_within_bounds(Findings& findings, const std::string& what, const fast::Contact& a, const fast::Contact& b);
+
 /// Sizes that rounding errors are measured by (DESIGN section 3): forces relative to the sum of |F_k|, torques to the
 /// sum of |C_k - r| |F_k|, both times S / p, the greatest coordinate over the thickness of the intersection.
 struct RoundingScale {
