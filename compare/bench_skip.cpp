@@ -6,7 +6,7 @@
 
 #include <array>
 #include <bit>
-#include <chrono>
+#include <cmath>
 
 #include "compare/bench_bodies.h"
 #include "compare/moving_bubbles.h"
@@ -19,7 +19,6 @@ namespace {
 
 using fast::Savings;
 using fast::SceneCounters;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kSeed = 50;
 constexpr double kStep = 1e-3;  // s
@@ -72,10 +71,10 @@ void run_scenes(std::int64_t steps, SkipResult& result, const std::function<void
     progress(fmt::format("bubbles, step {} of {}", step, steps));
     const std::vector<fast::BodyState> states = bubbles.states(static_cast<double>(step) * kStep);
     for (std::size_t s = 0; s < all.size(); ++s) {
-      const Clock::time_point before = Clock::now();
-      scenes[s].move(states);
-      scenes[s].evaluate_all();
-      const double us = std::chrono::duration<double, std::micro>(Clock::now() - before).count();
+      const double us = time_us([&] {
+        scenes[s].move(states);
+        scenes[s].evaluate_all();
+      });
       if (step == 0) continue;
       times[s].push_back(us);
       const SceneCounters counters = scenes[s].counters();

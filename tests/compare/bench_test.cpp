@@ -133,6 +133,29 @@ TEST(BenchScaling, WorkGrowsAsTheMeshesDo) {
     EXPECT_FALSE(read_text_file(folder + "/" + name).empty());
 }
 
+TEST(BenchSkip, NothingSkippedChangesNoBitAndEachSavingSparesWork) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path("tables");
+  const Outcome outcome = run_pcm({"bench", "skip", "--quick", "--out", folder});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json all = Json::parse(read_text_file(folder + "/skip.json"));
+  EXPECT_EQ(all["bubbles"], 8);
+  EXPECT_EQ(all["pairings"], 36);
+  // Four steps, seven settings beside the first.
+  EXPECT_EQ(all["answers_compared"], 36 * 4 * 7);
+  EXPECT_EQ(all["answers_different"], 0);
+  ASSERT_EQ(all["scene"].size(), 8U);
+  EXPECT_EQ(all["scene"][7]["evaluated"], 36);
+  EXPECT_LT(all["scene"][0]["evaluated"], 36);
+  ASSERT_EQ(all["savings"].size(), 8U);
+  for (const Json& saving : all["savings"]) {
+    const double on = saving["work_on"], off = saving["work_off"];
+    EXPECT_LE(on, 0.5 * off) << saving;
+  }
+  for (const char* name : {"skip.md", "skip.csv", "skip_scene.csv"})
+    EXPECT_FALSE(read_text_file(folder + "/" + name).empty());
+}
+
 TEST(BenchBadInput, IsRefusedInOneLine) {
   const ScratchFolder scratch;
   const std::string file = scratch.write("file", "");
@@ -151,6 +174,8 @@ TEST(BenchBadInput, IsRefusedInOneLine) {
   expect_bad_input({"bench", "peers", "--quick", "--out", file}, file);
   expect_bad_input({"bench", "scaling", "--quick", "--out", file}, file);
   expect_bad_input({"bench", "scaling", "--quick", "more"}, "more");
+  expect_bad_input({"bench", "skip", "--steps", "0"}, "--steps");
+  expect_bad_input({"bench", "skip", "--quick", "--out", file}, file);
 }
 
 }  // namespace
