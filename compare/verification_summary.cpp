@@ -72,7 +72,7 @@ std::string verification_summary(const Verification& run) {
 
   text +=
       "\nRounding error of the engine against the exact problem: 99.9th percentile and maximum, in units of S/p\n"
-      "(S: greatest coordinate, p: mean thickness of the intersection; force and torque without flipped poses)\n";
+      "(S: greatest coordinate, p: mean thickness of the contact; force and torque without flipped poses)\n";
   text += fmt::format("{:<16}", "stratum");
   for (std::size_t k = 0; k < kFirstBound; ++k) text += fmt::format("{:>16}", kErrorNames[k]);
   text += "\n";

@@ -245,6 +245,36 @@ TEST(Verdict, PatchSmallerThanTheSpacingOfDoublesHasABound) {
   EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
 }
 
+TEST(Verdict, ThicknessOfClosedSurfacesIsVolumeOverMeanArea) {
+  reference::Answer truth;
+  truth.volume = 6;
+  truth.E.area = 1;
+  truth.F.area = 3;
+  EXPECT_EQ(mean_thickness(truth), 3);
+  truth.E.area = truth.F.area = 0;
+  EXPECT_EQ(mean_thickness(truth), 0);
+}
+
+TEST(Verdict, ThicknessOfAnOpenPairIsItsPatchsDepthOrWidthWhicheverIsLess) {
+  // A square patch of width w below which u is d: twice the volume w w d over the surface 2 w w + 4 w d.
+  const auto thickness = [](double w, double d) {
+    reference::Answer truth;
+    reference::Polygon& outline = truth.polygons.emplace_back();
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, std::pair{w, 0.0}, std::pair{w, w}, std::pair{0.0, w}})
+      outline.points.emplace_back().position_Me = {x, y, 0};
+    for (const double part : {0.25, 0.75}) {
+      reference::Element& element = truth.elements.emplace_back();
+      element.area = part * w * w;
+      element.penetration = d;
+    }
+    return mean_thickness(truth);
+  };
+  EXPECT_DOUBLE_EQ(thickness(1, 1), 1.0 / 3);
+  EXPECT_NEAR(thickness(1, 0x1p-20), 0x1p-20, 0x1p-38);  // flat: its depth
+  EXPECT_NEAR(thickness(0x1p-20, 1), 0x1p-21, 0x1p-39);  // a needle: half its width
+  EXPECT_EQ(mean_thickness(reference::Answer{}), 0);     // no element
+}
+
 TEST(Verdict, StalePoseIsFlagged) {
   // The answer to the pose before is held against the truth of this one.
   const SurfacePair pair = small_pair();
