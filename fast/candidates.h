@@ -37,7 +37,7 @@ void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& sur
     const WideNode& E = tree_E.node(i);
     const WideNode& F = tree_F.node(j);
     if (E.bottom() && F.bottom()) {
-      work.box_tests += E.count * F.count;
+      work.box_tests += std::int64_t{E.count} * F.count;
       for (LanePairs pairs = test.faces(E, tree_E.group(E.group), F, tree_F.group(F.group), pose); pairs != 0;
            pairs &= pairs - 1) {
         const int bit = std::countr_zero(pairs);
@@ -58,7 +58,7 @@ void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& sur
         open.emplace_back(i, F.child[static_cast<std::size_t>(std::countr_zero(lanes))]);
       }
     } else {
-      work.box_tests += E.count * F.count;
+      work.box_tests += std::int64_t{E.count} * F.count;
       for (LanePairs pairs = test.boxes(E, F, pose); pairs != 0; pairs &= pairs - 1) {
         const int bit = std::countr_zero(pairs);
         open.emplace_back(E.child[static_cast<std::size_t>(bit % 8)], F.child[static_cast<std::size_t>(bit / 8)]);
