@@ -192,7 +192,8 @@ std::vector<Clearance> clearances(const Surface::Data& surface) {
     if (!(turn < kGreatestTurn)) continue;
     const Eigen::Vector3d n = N.normalized();
     const auto least_depth_of = [&](const Eigen::Vector3d& down, std::size_t cone, double enough) {
-      return least_depth_in({p, down, kTangent[cone], moved, turn}, surface, face, enough, kFar * reach, open);
+      return least_depth_in({p, down, kTangent[cone], moved + turn * longest, turn}, surface, face, enough,
+                            kFar * reach, open);
     };
     Clearance& clearance = result[static_cast<std::size_t>(face)];
     // What is clear of the wide cone is clear of the narrow one; where that is far, the difference hardly counts.
