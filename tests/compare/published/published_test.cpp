@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "compare/pairs.h"
-#include "compare/published/algorithm_2023.h"
-#include "compare/strata.h"
 #include "compare/subject.h"
 #include "meshes/bad_input.h"
 #include "meshes/generate_boxes.h"
@@ -113,7 +114,7 @@ void expect_agreement(Trio& trio, const Pose& pose) {
 TEST(PublishedAlgorithms, CubeInCubeIsTheEnginesAnswer) {
   for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
     Trio trio(generate::gridded_box(1, 4), generate::gridded_box(1, 3), mode);
-    expect_agreement(trio, turned_at({0.4, 0.3, 0.9}));
+    expect_agreement(trio, turned_at({0.6, 0.5, 0.9}));
   }
 }
 
@@ -126,8 +127,6 @@ TEST(PublishedAlgorithms, SphereOnPlateIsTheEnginesAnswer) {
 
 TEST(PublishedAlgorithms, BubblesThatTouchInSeveralPlacesAreTheEnginesAnswer) {
   Trio trio(generate::bubble(), generate::bubble(), Mode::both);
-  const FeaturePair pair(generate::bubble(), generate::bubble());
-  (void)pair;
   expect_agreement(trio, turned_at({0.13, 0.02, 0.1}));
 }
 
@@ -139,7 +138,9 @@ TEST(PublishedAlgorithms, AnEdgeThatPassesInAndOutHasBothEndsOutside) {
                .toRotationMatrix();
   const fast::Contact engine = trio.ask(Engine::fast, pose);
   const fast::Contact paper = trio.ask(Engine::published_2003, pose);
-  ASSERT_TRUE(engine.touching);
+  std::set<std::pair<Side, std::array<Index, 2>>> edges;
+  for (const fast::Crossing& crossing : engine.crossings) edges.insert({crossing.edge_side, crossing.edge});
+  ASSERT_LT(edges.size(), engine.crossings.size());  // some edge is crossed more than once
   EXPECT_EQ(paper.E.inner, engine.E.inner);
   EXPECT_EQ(paper.F.inner, engine.F.inner);
   expect_same_polygons(paper, engine);
@@ -181,6 +182,77 @@ TEST(PublishedAlgorithms, RefuseWhatTheyDoNotKnow) {
     EXPECT_THROW(subject->evaluate(mirror, {}, {}, workspace), BadInput);
   }
   EXPECT_THROW(engine_named("published"), BadInput);
+}
+
+// Where they are wrong, and the engine right. All numbers below are exact in doubles.
+
+double force_z(Trio& trio, Engine engine, const Pose& pose) {
+  return trio.ask(engine, pose).force_Me.z();
+}
+
+Index open_polygons(const fast::Contact& contact) {
+  return static_cast<Index>(std::count_if(contact.polygons.begin(), contact.polygons.end(),
+                                          [](const fast::Polygon& polygon) { return !polygon.closed; }));
+}
+
+TEST(PublishedAlgorithms, PaperLosesElementsWhoseLineMeetsAnEdgeOfTheSlave) {
+  // Cubes of edge 6 sunk into one another by 1/4. Barycentres lie over the diagonals of the other cube's side, and (10)
+  // counts the inside of a face only.
+  Trio trio(generate::gridded_box(6, 1), generate::gridded_box(6, 1), Mode::E);
+  const Pose pose = at({1, -1, 5.75});
+  const double right = trio.truth(pose).force_Me.z();
+  EXPECT_EQ(force_z(trio, Engine::fast, pose), right);
+  EXPECT_EQ(force_z(trio, Engine::published_2023, pose), right);
+  EXPECT_EQ(force_z(trio, Engine::published_2003, pose), right / 2);
+}
+
+TEST(PublishedAlgorithms, PapersPolygonsFallApartWhereEdgesMeetEdges) {
+  // Grids upon grids: the engine has one closed polygon. What does not chain no longer bounds the flood.
+  Trio trio(generate::gridded_box(2, 4), generate::gridded_box(2, 4), Mode::E);
+  const Pose pose = at({0.5, 0.5, 1.75});
+  const reference::Answer truth = trio.truth(pose);
+  const fast::Contact engine = trio.ask(Engine::fast, pose);
+  const fast::Contact paper = trio.ask(Engine::published_2003, pose);
+  EXPECT_EQ(truth.polygons.size(), 1u);
+  EXPECT_EQ(engine.polygons.size(), 1u);
+  EXPECT_EQ(open_polygons(engine), 0);
+  EXPECT_GT(paper.polygons.size(), 1u);
+  EXPECT_GT(open_polygons(paper), 0);
+  EXPECT_EQ(engine.E.inner, truth.E.inner);
+  EXPECT_EQ(paper.E.intersected.size() + paper.E.inner.size(), 192u) << "the flood reaches every face";
+}
+
+TEST(PublishedAlgorithms, PapersFloodRunsRoundTheBorderOfAnOpenSurface) {
+  // A sphere that hangs over both borders of a strip: all of it counts as inside, and its far side presses as well. The
+  // engine flags the answer and takes the intersected faces only.
+  Trio trio(generate::icosphere(1, 2), generate::rectangle(1, 4, 1, 4), Mode::E);
+  const Pose pose = at({0.03, 0.02, -0.8});
+  const fast::Contact engine = trio.ask(Engine::fast, pose);
+  const fast::Contact paper = trio.ask(Engine::published_2003, pose);
+  EXPECT_TRUE(engine.ambiguous);
+  EXPECT_EQ(engine.E.inner.size(), 0u);
+  EXPECT_EQ(paper.E.intersected.size() + paper.E.inner.size(), 320u);
+  EXPECT_GT(paper.force_Me.z(), 1.5 * engine.force_Me.z());
+}
+
+TEST(PublishedAlgorithms, VariantLosesWhatLiesDeeperThanItsLinesAreLong) {
+  Trio trio(generate::gridded_box(1, 4), generate::gridded_box(1, 3), Mode::E);
+  const Pose pose = turned_at({0.4, 0.3, 0.9});
+  const reference::Answer truth = trio.truth(pose);
+  EXPECT_GT(truth.max_penetration, 0.5);
+  EXPECT_EQ(trio.ask(Engine::fast, pose).elements.size(), truth.elements.size());
+  EXPECT_EQ(trio.ask(Engine::published_2003, pose).elements.size(), truth.elements.size());
+  EXPECT_LT(trio.ask(Engine::published_2023, pose).elements.size(), truth.elements.size());
+}
+
+TEST(PublishedAlgorithms, NeitherSeesThatTheMasterIsThinnerThanThePenetration) {
+  // A plate that has passed wholly into a box: its line leaves the plate before it reaches the box's side.
+  Trio trio(generate::plate(1, 1, 0.0625, 4, 4), generate::gridded_box(2, 4), Mode::E);
+  const Pose pose = at({0.1, 0.2, -0.9});
+  EXPECT_EQ(force_z(trio, Engine::fast, pose), 0);
+  EXPECT_EQ(trio.truth(pose).force_Me.z(), 0);
+  EXPECT_EQ(force_z(trio, Engine::published_2003, pose), 0) << "nothing collides";
+  EXPECT_GT(force_z(trio, Engine::published_2023, pose), 0);
 }
 
 }  // namespace
