@@ -117,6 +117,17 @@ TEST_F(Program, BoxesThatOverlapByAnEighthHaveTheVolumeAndAreasWorkedOutByHand) 
   }
 }
 
+TEST_F(Program, PublishedAlgorithmsAnswerWithoutAreas) {
+  const Json fast = contact("0.6 -0.8 0  0.8 0.6 0  0 0 1  0.1 0.2 0.9\n").front();
+  for (const std::string engine : {"published-2003", "published-2023"}) {
+    const Json answer = contact("0.6 -0.8 0  0.8 0.6 0  0 0 1  0.1 0.2 0.9\n", {"--engine", engine}).front();
+    EXPECT_EQ(answer["elements"], fast["elements"]);
+    EXPECT_NEAR(answer["force"][2].get<double>(), fast["force"][2].get<double>(), 1e-9 * 1e6);
+    EXPECT_TRUE(answer["E"]["area"].is_null());
+    EXPECT_TRUE(answer["volume"].is_null());
+  }
+}
+
 TEST_F(Program, EngineAndOracleAgree) {
   const std::string poses = std::string(kOverlap) +
                             "0.6 -0.8 0  0.8 0.6 0  0 0 1  0.1 0.2 0.9  0.5 -0.25 -1  0.1 0.2 0.3\n"
