@@ -31,7 +31,7 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   const Eigen::Vector3d a = prism.edge_s_Me().cwiseAbs(), b = prism.edge_t_Me().cwiseAbs();
   const double N_terms = a[1] * b[2] + a[2] * b[1] + a[2] * b[0] + a[0] * b[2] + a[0] * b[1] + a[1] * b[0];
   const double q = N_terms / (2 * prism.face().area);
-  const double longest = length_s_ + length_t_;
+  longest_ = length_s_ + length_t_;
   const Eigen::Vector3d g_s = prism.inward_Me(2).cwiseAbs(), g_t = prism.inward_Me(0).cwiseAbs();
   gradient_s_ = kSecondOrder * g_s.norm();
   gradient_t_ = kSecondOrder * g_t.norm();
@@ -42,8 +42,8 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   depth_noise_ = 8 * u;
   exact_depth_noise_ = 4 * q * u;
   exact_depth_ = 16 * q * u;
-  frame_ = {(8 * q + 12) * u + 8 * u * gradient_s_ * longest, (8 * q + 12) * u + 8 * u * gradient_t_ * longest,
-            8 * u * q * longest};
+  frame_ = {(8 * q + 12) * u + 8 * u * gradient_s_ * longest_, (8 * q + 12) * u + 8 * u * gradient_t_ * longest_,
+            8 * u * q * longest_};
   if (own_moves_) {
     frame_.s += moved_.s;
     frame_.t += moved_.t;
@@ -57,7 +57,8 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
 PrismShift PrismError::of_vertices(double distance, double least_depth, bool own) const {
   // Of both surfaces one is F's.
   const double moves = own == own_moves_ ? 1 : 0;
-  const double noise = kVertexRoundings * u * distance;
+  // A weight is measured from another corner than p0, where it is 0.
+  const double noise = kVertexRoundings * u * (distance + longest_);
   const double depth_noise = depth_noise_ + (least_depth < exact_depth_ * distance ? exact_depth_noise_ : 0);
   return {moves * moved_.s + noise * gradient_s_, moves * moved_.t + noise * gradient_t_,
           moves * moved_.depth + depth_noise * distance};

@@ -42,9 +42,9 @@ class PrismError {
   PrismShift of_tilt(double depth) const { return {tilt_s_ * depth, tilt_t_ * depth, 0}; }
 
  private:
-  double length_s_, length_t_;  ///< of p1 - p0 and p2 - p0, m
-  double gradient_s_,
-      gradient_t_;                       ///< length of the gradients of s and t, 1 / m
+  double length_s_, length_t_;           ///< of p1 - p0 and p2 - p0, m
+  double longest_;                       ///< no side is longer, m
+  double gradient_s_, gradient_t_;       ///< length of the gradients of s and t, 1 / m
   PrismShift moved_;                     ///< by a vertex of F that is off by its rounding
   bool own_moves_;                       ///< the master is F's
   double depth_noise_;                   ///< roundings of a depth over the distance

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poses at which one term of the clipped scheme's error analysis is nearly all of the error: without it, the bound is
+// broken. A narrow master face looks at sheets of the slave far beneath it, so that an error of where something begins
+// or ends costs far more than an error of depth.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "compare/random.h"
+#include "fast/engine.h"
+#include "reference/oracle.h"
+
+namespace pcm::compare {
+namespace {
+
+constexpr double kNarrow = 0x1p-10;  ///< width of the master face, m
+
+/// An open surface of single triangles.
+class Triangles {
+ public:
+  void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const auto first = static_cast<Index>(mesh_.vertices.size());
+    for (const Eigen::Vector3d& x : {a, b, c}) mesh_.vertices.push_back(x);
+    mesh_.faces.push_back({first, first + 1, first + 2});
+  }
+  const TriangleMesh& mesh() const { return mesh_; }
+
+ private:
+  TriangleMesh mesh_;
+};
+
+/// What lies beneath the master face, which is about the origin in the plane z = 0; faces that look down carry.
+enum class Scene {
+  border,   ///< a sheet that ends in the middle
+  hider,    ///< a sheet, and before it one that looks up and ends in the middle
+  upright,  ///< a sheet, and before it a face seen edgewise
+  entry,    ///< a sheet, and a face that looks up and comes from above the master's plane
+  order,    ///< a sheet, and a face that looks up and comes through it
+  whole,    ///< nothing but a sheet
+};
+
+Triangles slave_of(Scene scene) {
+  Triangles slave;
+  const auto sheet = [&slave](double x, double z, bool looks_up) {
+    const double w = 3 * kNarrow;
+    const Eigen::Vector3d a(x * w, -w, z), b(x * w, w, z), c(-w, 0, z);
+    if (looks_up) {
+      slave.add(a, b, c);
+    } else {
+      slave.add(b, a, c);
+    }
+  };
+  sheet(scene == Scene::border ? 0 : 1, -0.5, false);
+  const double w = 2 * kNarrow;
+  switch (scene) {
+    case Scene::hider:
+      sheet(0, -0.25, true);
+      break;
+    case Scene::upright:
+      slave.add({0, -w, -0.25}, {0, w, -0.25}, {0, 0, -0.25 - w});
+      break;
+    case Scene::entry:
+      slave.add({w, -w, -w}, {w, w, -w}, {-w, 0, w});
+      break;
+    case Scene::order:
+      slave.add({w, -w, -0.5 - w}, {w, w, -0.5 - w}, {-w, 0, -0.5 + w});
+      break;
+    case Scene::border:
+    case Scene::whole:
+      break;
+  }
+  // Makes the master face active: it passes through a corner of it.
+  const double v = kNarrow / 64;
+  const Eigen::Vector3d corner(-0.45 * kNarrow, 0, 0);
+  slave.add(corner + Eigen::Vector3d(v, -v, -v), corner + Eigen::Vector3d(v, v, -v),
+            corner + Eigen::Vector3d(-v, 0, v));
+  return slave;
+}
+
+struct Case {
+  const char* name;
+  Scene scene;
+  bool damped;
+  Mode mode;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+class ClippedBoundTerm : public testing::TestWithParam<Case> {};
+
+TEST_P(ClippedBoundTerm, IsNeededAndHolds) {
+  const Case& c = GetParam();
+  ContactLaw law;
+  law.stiffness = 1;
+  if (c.damped) {
+    law.damping = 1;
+    law.damping_mode = DampingMode::full;
+  }
+  const Triangles slave = slave_of(c.scene);
+  double greatest_force = 0, greatest_torque = 0;
+  for (std::uint64_t number = 0; number < 200; ++number) {
+    PoseRandom random(51, static_cast<std::uint64_t>(c.scene), 0, number);
+    const Eigen::Matrix3d A = Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), 1)
+                                  .normalized()
+                                  .toRotationMatrix();
+    const Eigen::Vector3d r(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    // The master's frame is the one that the other body is turned in.
+    Triangles master;
+    const auto placed = [&](double x, double y) {
+      const Eigen::Vector3d p(x * kNarrow, y * kNarrow, 0);
+      return Eigen::Vector3d(c.mode == Mode::E ? A * p + r : p);
+    };
+    master.add(placed(-0.5, -0.5), placed(0.5, -0.4), placed(-0.4, 0.5));
+    TriangleMesh turned = slave.mesh();
+    Pose pose;
+    pose.A = A;
+    pose.r = r;
+    if (c.mode == Mode::F) {
+      for (Eigen::Vector3d& x : turned.vertices) x = A * x + r;
+    }
+    const TriangleMesh& E = c.mode == Mode::E ? master.mesh() : turned;
+    const TriangleMesh& F = c.mode == Mode::E ? slave.mesh() : master.mesh();
+    const Velocity velocity{
+        c.damped ? A * Eigen::Vector3d(0, 0, c.mode == Mode::E ? -1.0 : 1.0) : Eigen::Vector3d(0, 0, 0), {0, 0, 0}};
+    fast::Workspace workspace;
+    Wanted wanted{false, false, true, true, true};
+    const fast::Pairing pairing(fast::Surface(E), fast::Surface(F), law, c.mode, Scheme::clipped);
+    const fast::Contact& contact = evaluate(pairing, pose, velocity, wanted, workspace);
+    ASSERT_GE(contact.element_count, 1);
+    wanted.bound = false;
+    const reference::Answer truth =
+        reference::Oracle(E, F, law, c.mode, Scheme::clipped).answer(reference::Problem::exact, pose, velocity, wanted);
+    for (int k = 0; k < 3; ++k) {
+      const double force = std::abs(contact.force_Me[k] - truth.force_Me[k]);
+      const double torque = std::abs(contact.torque_Me[k] - truth.torque_Me[k]);
+      EXPECT_LE(force, contact.bound->force_Me[k] + 0x1p-52 * std::abs(truth.force_Me[k]));
+      EXPECT_LE(torque, contact.bound->torque_Me[k] + 0x1p-52 * std::abs(truth.torque_Me[k]));
+      greatest_force = std::max(greatest_force, force / contact.bound->force_Me[k]);
+      greatest_torque = std::max(greatest_torque, torque / contact.bound->torque_Me[k]);
+    }
+  }
+  std::printf("  %s: greatest error over its bound: force %.3f torque %.3f\n", c.name, greatest_force, greatest_torque);
+  EXPECT_GE(greatest_force, 0.002);
+}
+
+INSTANTIATE_TEST_SUITE_P(Terms, ClippedBoundTerm,
+                         testing::Values(Case{"BorderOfTheCarrier", Scene::border, false, Mode::E},
+                                         Case{"BorderOfADampedCarrier", Scene::border, true, Mode::E},
+                                         Case{"OutlineOfAHider", Scene::hider, false, Mode::E},
+                                         Case{"HiderSeenEdgewise", Scene::upright, false, Mode::E},
+                                         Case{"EntryOfAHider", Scene::entry, false, Mode::E},
+                                         Case{"OrderOfTwoSheets", Scene::order, false, Mode::E},
+                                         Case{"TurnedMaster", Scene::whole, false, Mode::F}),
+                         [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace pcm::compare
