@@ -16,7 +16,8 @@ constexpr double u = kUnitRoundoff;
 /// Shifts beyond this are no longer small (fast/prism_error.cpp).
 constexpr double kGreatestShift = 0x1p-6;
 
-/// Integrals over a fan of five triangles are off by as much as a shift of its border by 6 u times its width would make.
+/// Integrals over a fan of five triangles are off by as much as a shift of its border by 6 u times its width would
+/// make.
 constexpr double kFanRoundings = 6;
 
 /// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.
@@ -36,9 +37,9 @@ struct AreaAndVolume {
   double area, volume;
 };
 
-/// What roundings make of the cuts along the master's sides, where the depth ends with a jump, and of the integrals over
-/// the part `seen`. Such a side of it, and no other but for slivers, lies within f's shift and a cut's roundings of the
-/// master's; what is between both is known. Where nothing was cut: what such cuts may have made nothing of.
+/// What roundings make of the cuts along the master's sides, where the depth ends with a jump, and of the integrals
+/// over the part `seen`. Such a side of it, and no other but for slivers, lies within f's shift and a cut's roundings
+/// of the master's; what is between both is known. Where nothing was cut: what such cuts may have made nothing of.
 AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
   if (seen == nullptr) {
@@ -57,8 +58,10 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
     const double along_s = std::abs(b[kS] - a[kS]), along_t = std::abs(b[kT] - a[kT]);
     const double third_a = std::abs(1 - a[kS] - a[kT]) + 2 * u, third_b = std::abs(1 - b[kS] - b[kT]) + 2 * u;
     double between = 0;
-    if (std::max(std::abs(a[kS]), std::abs(b[kS])) < near) between += std::max(std::abs(a[kS]), std::abs(b[kS])) * along_t;
-    if (std::max(std::abs(a[kT]), std::abs(b[kT])) < near) between += std::max(std::abs(a[kT]), std::abs(b[kT])) * along_s;
+    if (std::max(std::abs(a[kS]), std::abs(b[kS])) < near)
+      between += std::max(std::abs(a[kS]), std::abs(b[kS])) * along_t;
+    if (std::max(std::abs(a[kT]), std::abs(b[kT])) < near)
+      between += std::max(std::abs(a[kT]), std::abs(b[kT])) * along_s;
     if (std::max(third_a, third_b) < near) between += std::max(third_a, third_b) * std::min(along_s, along_t);
     sum.area += between;
     sum.volume += between * std::max(a[kDepth], b[kDepth]);
@@ -140,20 +143,20 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
       sight.volume_error = sight.area_error * f.greatest;
       continue;
     }
-    const SideStrips border = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box);
+    find_outline(sight, slave);
+    std::array<bool, 3> inner;
+    for (std::size_t k = 0; k < 3; ++k) inner[k] = !sight.outline[k];
+    const SideStrips outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
+    const SideStrips smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, inner);
     const ZeroStrip zero = zero_strip(f.depth, f.depth_error, f.box);
     const ConvexPolygon* const seen =
         sight.projected >= 0 ? &projected.faces[static_cast<std::size_t>(sight.projected)].seen : nullptr;
     const AreaAndVolume cuts = errors_of_cuts(f, seen);
-    sight.area_error = border.area + cuts.area + zero.area;
-    sight.volume_error = cuts.volume + zero.area * 2 * f.depth_error;
-    if (continuous_) {
-      find_outline(sight, slave);
-      sight.volume_error += strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline).volume +
-                            border.area * 4 * sight.sheet_error;
-    } else {
-      sight.volume_error += border.volume;
-    }
+    sight.area_error = outline.area + cuts.area + zero.area;
+    sight.volume_error =
+        outline.volume + cuts.volume + zero.area * 2 * f.depth_error + smooth.area * 4 * sight.sheet_error;
+    sight.passed_area = smooth.area;
+    sight.passed_volume = smooth.volume;
   }
   std::sort(order.begin(), order.end(), [&sights](std::size_t a, std::size_t b) {
     return sights[a].footprint.box.low_s < sights[b].footprint.box.low_s;
@@ -270,26 +273,32 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   sight->has_element = true;
   const Footprint& f = sight->footprint;
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
-  const double area_error =
-      std::min(sight->area_error, f.box.area() + moments.area) + neglect.area + neglect.cut_area + 16 * u * moments.area;
+  const double passed_area = sight->passed_area, passed_volume = sight->passed_volume;
+  const double area_error = std::min(sight->area_error, f.box.area() + moments.area) + neglect.area + neglect.cut_area +
+                            16 * u * moments.area;
   const double greatest = std::max(f.greatest, moments.greatest);
   const double off_plane = 3 * u * neglect.cuts * (greatest + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
   const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error + off_plane, f.greatest);
   // A triangle's integral has 8 roundings, the sum one for each, of which a part has ten at most.
   const double volume_error = sight->volume_error + neglect.area * greatest + neglect.cut_volume +
-                              (moments.area + area_error) * depth_error +
+                              (moments.area + area_error + passed_area) * depth_error +
                               (18 + 10 * neglect.parts) * u * (moments.depth + area_error * greatest);
   const double mean = moments.depth / moments.area;
-  error.area = twice_area * area_error + 2 * face.area * (moments.area + area_error);
-  error.volume = twice_area * volume_error + 2 * face.area * (moments.depth + volume_error);
+  error.area = twice_area * area_error + 2 * face.area * (moments.area + area_error + passed_area);
+  error.volume = twice_area * volume_error + 2 * face.area * (moments.depth + volume_error + passed_volume);
+  // Elastic forces are linear in the integrals, whatever passes.
+  const double passes = continuous_ ? 0 : 1;
+  error.mean = mean;
+  error.passed_area = passes * twice_area * passed_area;
+  error.passed_volume = passes * twice_area * passed_volume;
+  const double area_off = area_error + passes * passed_area, volume_off = volume_error + passes * passed_volume;
   error.penetration = greatest;
-  if (2 * area_error < moments.area) {
-    error.penetration =
-        std::min(greatest, (volume_error + mean * area_error) / (moments.area - area_error) + 8 * u * mean);
+  if (2 * area_off < moments.area) {
+    error.penetration = std::min(greatest, (volume_off + mean * area_off) / (moments.area - area_off) + 8 * u * mean);
   }
   // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
   double share = 1;
-  if (2 * volume_error < moments.depth) share = std::min(1.0, volume_error / (moments.depth - volume_error));
+  if (2 * volume_off < moments.depth) share = std::min(1.0, volume_off / (moments.depth - volume_off));
   const double noise = 64 * u * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth);
   error.foot_Me = (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
                   (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
@@ -309,8 +318,11 @@ SightError::Beside SightError::beside() const {
     if (!sight.may_carry || sight.has_element) continue;
     const Footprint& f = sight.footprint;
     const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error, f.greatest);
-    sum.area += sight.area_error;
-    sum.volume += std::min(sight.volume_error + sight.area_error * depth_error, sight.area_error * f.greatest);
+    const double area = sight.area_error + sight.passed_area;
+    sum.area += area;
+    sum.volume += std::min(sight.volume_error + sight.passed_volume + area * depth_error, area * f.greatest);
+    sum.passed_area += sight.passed_area;
+    sum.passed_volume += sight.passed_volume;
     sum.depth = std::max(sum.depth, f.greatest);
   }
   return sum;

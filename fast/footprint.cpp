@@ -16,8 +16,8 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 /// A cut puts a new vertex off the line through its neighbours, and off the cutting line where that is a line of zeros
-/// of a coordinate, by 4 u times the way from the nearer neighbour and u times itself: no more than 3 u and 5 u times the
-/// corners' greatest |coordinate|. Vertices between those that are off are off by no more than these and their own.
+/// of a coordinate, by 4 u times the way from the nearer neighbour and u times itself: no more than 3 u and 5 u times
+/// the corners' greatest |coordinate|. Vertices between those that are off are off by no more than these and their own.
 constexpr double kOffPlane = 3;
 constexpr double kOffCut = 5;
 /// A cut by a side: twice two differences, two products, a sum, and one to spare.
@@ -57,7 +57,7 @@ bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& 
          all_below(kDepth, -shift.depth);
 }
 
-void raise(PrismShift& greatest, const PrismShift& shift) {
+void take_greater(PrismShift& greatest, const PrismShift& shift) {
   greatest = {std::max(greatest.s, shift.s), std::max(greatest.t, shift.t), std::max(greatest.depth, shift.depth)};
 }
 
@@ -217,8 +217,8 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   const double farthest_depth = greatest_of(corners, kDepth);
   PrismShift noise, of_vertices;
   for (std::size_t k = 0; k < 3; ++k) {
-    raise(noise, error.noise(corners[k]));
-    raise(of_vertices, error.of_vertex(corners[k], own));
+    take_greater(noise, error.noise(corners[k]));
+    take_greater(of_vertices, error.of_vertex(corners[k], own));
   }
   const PrismShift of_tilt = error.of_tilt(farthest_depth);
   f.vertex_shift = of_vertices;
@@ -312,8 +312,8 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
              (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
   f.relative_noise = 16 * u * width_s * width_t * inverse;
-  f.cut_noise = kOffPlane * u *
-                (farthest_depth + std::abs(f.depth.per_s) * greatest_s + std::abs(f.depth.per_t) * greatest_t);
+  f.cut_noise =
+      kOffPlane * u * (farthest_depth + std::abs(f.depth.per_s) * greatest_s + std::abs(f.depth.per_t) * greatest_t);
   f.field_error = kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, own) +
                   f.cuts * f.cut_noise;
   f.depth_error = f.field_error + 2 * f.cut_noise + f.relative_noise * farthest_depth;

@@ -58,18 +58,18 @@ struct Footprint {
   int facing;  ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
   std::array<Index, 3> vertices;
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
-  BoxST box;                ///< holds all of it that is over the master face at a depth >= 0, in both problems
-  PrismShift shift;         ///< of its points over the master face
-  PrismShift cut_shift;     ///< of its border, by roundings of the cuts that shape it alone
+  BoxST box;                         ///< holds all of it that is over the master face at a depth >= 0, in both problems
+  PrismShift shift;                  ///< of its points over the master face
+  PrismShift cut_shift;              ///< of its border, by roundings of the cuts that shape it alone
   std::array<double, 3> side_shift;  ///< of side k over the master: (side k) x (displacement) in (s, t)
   std::array<double, 3> side_cuts;   ///< and by roundings where it is cut itself
-  double third_side_shift;  ///< of the master's side where s + t = 1, as cuts have it: of s + t
-  PrismShift vertex_shift;  ///< of its vertices
-  PrismShift corner_shift;  ///< of its corners, in s and t, but for an affine map of the plane
-  LinearDepth depth;        ///< its plane, where facing is sure
-  double field_error;       ///< of the depth at its points, m
-  double depth_error;       ///< of the plane as it is computed here, m
-  double greatest;          ///< it is seen nowhere deeper, m
+  double third_side_shift;           ///< of the master's side where s + t = 1, as cuts have it: of s + t
+  PrismShift vertex_shift;           ///< of its vertices
+  PrismShift corner_shift;           ///< of its corners, in s and t, but for an affine map of the plane
+  LinearDepth depth;                 ///< its plane, where facing is sure
+  double field_error;                ///< of the depth at its points, m
+  double depth_error;                ///< of the plane as it is computed here, m
+  double greatest;                   ///< it is seen nowhere deeper, m
   /// Of a face that stands on corners of the master: the height of its other corners beneath, m, and how far these may
   /// be shifted; 0 otherwise. At a depth d it is shifted by no more than d over that height times as much.
   double hinge_depth;
@@ -92,7 +92,9 @@ struct Sight {
   bool knows_outline = false;
   std::array<bool, 3> outline{};  ///< sides beyond which the surface does not go on as it does here
   double sheet_error = 0;         ///< greatest depth_error of the face and of those beyond its other sides, m
-  double area_error = 0;          ///< of the part of the master that sees it, in (s, t)
+  double passed_area = 0;         ///< that other faces of the sheet may see instead, in (s, t)
+  double passed_volume = 0;       ///< integral of the depth there, m
+  double area_error = 0;          ///< beside that, of the part of the master that sees it, in (s, t)
   double volume_error = 0;        ///< of the integral of its depth over that part, m
 };
 
@@ -113,8 +115,8 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
 double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box);
 
 /// What the sides of a face may pass over within the box: its area, and the integral there of the depth of the face
-/// `carrier`; and whether one of them certainly has all of the box on its far side. Side k may be off by face.side_shift
-/// and by (s, t).
+/// `carrier`; and whether one of them certainly has all of the box on its far side. Side k may be off by
+/// face.side_shift and by (s, t).
 struct SideStrips {
   double area = 0;
   double volume = 0;  ///< m

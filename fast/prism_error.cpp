@@ -13,11 +13,11 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 
-/// Roundings of a scalar product with a difference of points: the difference, the products, two sums; one to spare.
-constexpr double kProductRoundings = 5;
+/// Roundings of a scalar product with a difference of points: the difference, the products, two sums.
+constexpr double kProductRoundings = 4;
 
 /// Terms of second order in the shifts, which are less than 2^-6 wherever they are used.
-constexpr double kSecondOrder = 1.125;
+constexpr double kSecondOrder = 1.04;
 
 }  // namespace
 
@@ -51,7 +51,8 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   gradient_s_ = kSecondOrder * std::sqrt(ss_);
   gradient_t_ = kSecondOrder * std::sqrt(tt_);
   gradient_0_ = kSecondOrder * g_0_Me.norm();
-  moved_ = {kSecondOrder * g_s.dot(rounding_Me), kSecondOrder * g_t.dot(rounding_Me), kSecondOrder * n.dot(rounding_Me)};
+  moved_ = {kSecondOrder * g_s.dot(rounding_Me), kSecondOrder * g_t.dot(rounding_Me),
+            kSecondOrder * n.dot(rounding_Me)};
   height_ = moved_.depth;
   // A product N . (x - p0) has 4 roundings, its quotient by |N| three more. Where its sign is not sure, it is taken
   // exactly and may differ by the 4 u q of N; not where it is more than 9 u q.
@@ -59,8 +60,10 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   exact_depth_ = 16 * q * u;
 
   constexpr double k = kProductRoundings * u;
-  const double s_a = std::abs(g_s_Me_.dot(a_Me) - 1) + k * g_s.dot(a), s_b = std::abs(g_s_Me_.dot(b_Me)) + k * g_s.dot(b);
-  const double t_a = std::abs(g_t_Me_.dot(a_Me)) + k * g_t.dot(a), t_b = std::abs(g_t_Me_.dot(b_Me) - 1) + k * g_t.dot(b);
+  const double s_a = std::abs(g_s_Me_.dot(a_Me) - 1) + k * g_s.dot(a),
+               s_b = std::abs(g_s_Me_.dot(b_Me)) + k * g_s.dot(b);
+  const double t_a = std::abs(g_t_Me_.dot(a_Me)) + k * g_t.dot(a),
+               t_b = std::abs(g_t_Me_.dot(b_Me) - 1) + k * g_t.dot(b);
   const double n_a = std::abs(n_Me_.dot(a_Me)) + 2 * k * n.dot(a), n_b = std::abs(n_Me_.dot(b_Me)) + 2 * k * n.dot(b);
   frame_noise_ = {kSecondOrder * (s_a + s_b), kSecondOrder * std::max(t_a, t_b), kSecondOrder * std::max(n_a, n_b)};
   const double n_noise = (4 * q + 9) * u;
@@ -93,7 +96,8 @@ PrismShift PrismError::noise(const PrismPoint& x) const {
   constexpr double k = kProductRoundings * u;
   const double from_p0 = distance(0);
   const double exact = depth < exact_depth_ * from_p0 ? exact_depth_noise_ : 0;
-  return {k * gradient_s_ * distance(1), k * gradient_t_ * from_p0, kSecondOrder * (k + exact) * from_p0 + 4 * u * depth};
+  return {k * gradient_s_ * distance(1), k * gradient_t_ * from_p0,
+          kSecondOrder * (k + exact) * from_p0 + 4 * u * depth};
 }
 
 PrismShift PrismError::of_vertex(const PrismPoint& x, bool own) const {

@@ -58,21 +58,21 @@ class PrismError {
   double tilt_of(const PrismFunction& f) const;
 
   Eigen::Vector3d g_s_Me_, g_t_Me_, n_Me_, rounding_Me_;
-  double ss_, st_, tt_;            ///< scalar products of the gradients, 1 / m^2
-  double length_s_, length_t_;     ///< of p1 - p0 and p2 - p0, m
-  double edges_st_;                ///< their scalar product, m^2
+  double ss_, st_, tt_;                          ///< scalar products of the gradients, 1 / m^2
+  double length_s_, length_t_;                   ///< of p1 - p0 and p2 - p0, m
+  double edges_st_;                              ///< their scalar product, m^2
   double gradient_s_, gradient_t_, gradient_0_;  ///< length of the gradients of the weights, 1 / m
-  PrismShift moved_;               ///< by a vertex of F that is off by its rounding
-  bool own_moves_;                 ///< the master is F's
-  double height_;                  ///< how far such a vertex may be off along n, m
-  double exact_depth_noise_;       ///< what is added to a depth's roundings where
-  double exact_depth_;             ///< |depth| over the distance is less than this
-  PrismShift frame_noise_;         ///< roundings of the frame, at depth 0
-  PrismShift tilt_noise_;          ///< and times the depth
-  PrismShift frame_;               ///< at depth 0
-  PrismShift tilt_;                ///< times the depth
-  double third_weight_;            ///< of the sum of the weights at depth 0
-  double third_weight_tilt_;       ///< and times the depth
+  PrismShift moved_;                             ///< by a vertex of F that is off by its rounding
+  bool own_moves_;                               ///< the master is F's
+  double height_;                                ///< how far such a vertex may be off along n, m
+  double exact_depth_noise_;                     ///< what is added to a depth's roundings where
+  double exact_depth_;                           ///< |depth| over the distance is less than this
+  PrismShift frame_noise_;                       ///< roundings of the frame, at depth 0
+  PrismShift tilt_noise_;                        ///< and times the depth
+  PrismShift frame_;                             ///< at depth 0
+  PrismShift tilt_;                              ///< times the depth
+  double third_weight_;                          ///< of the sum of the weights at depth 0
+  double third_weight_tilt_;                     ///< and times the depth
 };
 
 }  // namespace pcm::fast
