@@ -12,6 +12,7 @@
 #include "compare/contact_json.h"
 #include "compare/law_options.h"
 #include "compare/poses_file.h"
+#include "compare/subject.h"
 #include "compare/surface_warnings.h"
 #include "fast/engine.h"
 #include "meshes/bad_input.h"
@@ -36,15 +37,18 @@ struct ContactOptions {
 /// The pairing as either of the two sees it: the answer to one state.
 using Evaluate = std::function<Json(const State&)>;
 
-Evaluate evaluate_by_engine(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme,
-                            bool with_bound) {
-  auto pairing = std::make_shared<const fast::Pairing>(fast::Surface(std::move(mesh_E)),
-                                                       fast::Surface(std::move(mesh_F)), law, mode, scheme);
-  auto workspace = std::make_shared<fast::Workspace>();
+Evaluate evaluate_by_engine(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
+                            Scheme scheme, bool with_bound) {
+  const std::shared_ptr<const Subject> subject =
+      make_subject(engine, std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
+  auto workspace = std::make_shared<SubjectWorkspace>();
   Wanted wanted;
   wanted.bound = with_bound;
-  return [pairing, workspace, wanted](const State& state) {
-    return contact_json(fast::evaluate(*pairing, state.pose, state.velocity, wanted, *workspace));
+  return [=](const State& state) {
+    Json json = contact_json(subject->evaluate(state.pose, state.velocity, wanted, *workspace));
+    if (engine != Engine::fast)
+      for (const char* side : {"E", "F"}) json[side]["area"] = json[side]["vector_area"] = nullptr;
+    return json;
   };
 }
 
@@ -82,11 +86,13 @@ void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use
 }
 
 Exit contact(const ContactOptions& options) {
-  const bool by_engine = options.engine == "fast";
-  if (by_engine && options.problem)
+  const bool by_oracle = options.engine == "reference";
+  if (!by_oracle && options.problem)
     throw BadInput("--problem: the engine knows the rounded problem only; add '--engine reference'");
-  if (!by_engine && options.bound)
+  if (by_oracle && options.bound)
     throw BadInput("--bound: the oracle's force and torque are correctly rounded; leave out '--engine reference'");
+  if (options.bound && options.engine != "fast")
+    throw BadInput("--bound: the published algorithms know none; leave out '--engine " + options.engine + "'");
   const ContactLaw law = law_from(options.law);
   std::optional<PosesFile> poses;
   if (options.poses) poses.emplace(*options.poses);
@@ -106,9 +112,10 @@ Exit contact(const ContactOptions& options) {
   const Mode mode = mode_named(options.mode);
   const Scheme scheme = scheme_named(options.scheme);
   const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
-  const Evaluate evaluate =
-      by_engine ? evaluate_by_engine(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, options.bound)
-                : evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, problem);
+  const Evaluate evaluate = by_oracle
+                                ? evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, problem)
+                                : evaluate_by_engine(engine_named(options.engine), std::move(mesh_E), std::move(mesh_F),
+                                                     law, mode, scheme, options.bound);
   Json answer;
   for_each_state(
       poses, [&](const State& state) { answer = evaluate(state); }, [&] { print_line(answer); });
@@ -148,9 +155,13 @@ void add_contact_command(CLI::App& program, Run& run) {
   command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity, at rest)")
       ->type_name("FILE");
   CLI::Option* engine =
-      command->add_option("--engine", options->engine, "Who answers: fast (default) or reference, the exact oracle")
+      command
+          ->add_option("--engine", options->engine,
+                       "Who answers: fast (default), reference, the exact oracle, or, to compare, published-2003, the "
+                       "paper's algorithm in plain floating point, or published-2023, its author's later variant "
+                       "(without polygons); the last two know no areas")
           ->type_name("WHO")
-          ->check(CLI::IsMember({"fast", "reference"}));
+          ->check(CLI::IsMember({"fast", "reference", "published-2003", "published-2023"}));
   CLI::Option* mode =
       command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")
           ->type_name("MODE")

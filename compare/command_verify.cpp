@@ -69,7 +69,8 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   VerificationPlan plan;
   plan.poses = static_cast<std::int64_t>(whole_number("--poses", options.poses, 1, kMostPoses));
   plan.seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
-  plan.mode = mode_named(options.mode);
+  plan.modes =
+      options.mode == "all" ? Scene::Modes{Mode::E, Mode::F, Mode::both} : Scene::Modes{mode_named(options.mode)};
   plan.scheme = scheme_named(options.scheme);
   if (!options.strata.empty()) plan.strata.clear();
   for (const std::string& word : options.strata) {
@@ -152,8 +153,10 @@ void write_cases(const fs::path& folder, const Verification& run) {
     const Scene& scene = run.scene(cell);
     nlohmann::ordered_json engine, oracle;
     try {
-      engine = decided(fast::evaluate(scene.engine(), posed.pose, posed.velocity, everything, workspace));
-      oracle = decided(scene.oracle().answer(reference::Problem::rounded, posed.pose, posed.velocity, everything));
+      const std::size_t mode = finding.cell % run.plan().modes.size();
+      engine = decided(fast::evaluate(scene.engine(mode), posed.pose, posed.velocity, everything, workspace));
+      reference::Inquiry inquiry(scene.oracle(), posed.pose, posed.velocity, everything);
+      oracle = decided(inquiry.answer(reference::Problem::rounded, posed.mode));
     } catch (const std::exception&) {
       // The disagreement itself says which side failed, and how.
     }
@@ -234,7 +237,7 @@ Exit replay(const std::string& file) {
   const Case posed = read_case(file);
   const Scene scene(posed.E, posed.F, posed.law, posed.mode, posed.scheme);
   fast::Workspace workspace;
-  const PoseOutcome outcome = scene.hold(posed.pose, posed.velocity, workspace);
+  const PoseOutcome outcome = scene.hold(posed.pose, posed.velocity, workspace).front();
   std::cout << posed.origin << '\n';
   for (const Disagreement& d : outcome.disagreements) std::cout << name(d.kind) << ": " << d.text << '\n';
   const bool agrees = outcome.disagreements.empty();
@@ -256,12 +259,12 @@ void add_verify_command(CLI::App& program, Run& run) {
       "any\n"
       "row is out of its bounds; the tables and a page for each case are written to --out.\n"
       "Examples:\n"
-      "  pcm verify --poses 200000 --out results\n"
+      "  pcm verify --poses 200000 --mode all --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
       "  pcm verify --known-answers --out answers\n"
       "  pcm verify --error-budget --out budget\n"
       "  pcm verify --audits --out audits\n"
-      "  pcm verify --case results/case_cube-cube_degenerate_17.json");
+      "  pcm verify --case results/case_cube-cube_degenerate_17_both.json");
   command->add_option("--poses", options->poses, "How many poses in all")->type_name("N")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of the random poses, a whole number")
       ->type_name("S")
@@ -277,8 +280,10 @@ void add_verify_command(CLI::App& program, Run& run) {
       ->type_name("E F")
       ->type_size(2)
       ->allow_extra_args(false);
-  command->add_option("--mode", options->mode, "Whose faces are masters: E, F or both")
-      ->check(CLI::IsMember({"E", "F", "both"}))
+  command
+      ->add_option("--mode", options->mode,
+                   "Whose faces are masters: E, F or both; all: each pose in these three modes")
+      ->check(CLI::IsMember({"E", "F", "both", "all"}))
       ->capture_default_str();
   command->add_option("--scheme", options->scheme, "How elements sample the penetration: barycentric or clipped")
       ->check(CLI::IsMember({"barycentric", "clipped"}))

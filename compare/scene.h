@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "compare/strata.h"
 #include "compare/tally.h"
 #include "compare/verdict.h"
@@ -10,39 +13,48 @@
 
 namespace pcm::compare {
 
-/// A pairing with both sides ready to answer. Immutable but for the stratum nested's ball; `hold` may be called from
-/// any number of threads, each with a workspace of its own.
+/// A pairing with both sides ready to answer, in one mode or several. Immutable but for the stratum nested's ball;
+/// `hold` may be called from any number of threads, each with a workspace of its own.
 class Scene {
  public:
-  /// Throws BadInput where a mesh is unfit for contact.
-  Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
+  using Modes = std::vector<Mode>;
+
+  /// Throws BadInput where a mesh is unfit for contact. `modes`: at least one.
+  Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, const Modes& modes,
         Scheme scheme = Scheme::barycentric);
+  Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme = Scheme::barycentric)
+      : Scene(std::move(mesh_E), std::move(mesh_F), law, Modes{mode}, scheme) {}
   /// For the stratum nested.
-  Scene(NestedMeshes meshes, const ContactLaw& law, Mode mode, Scheme scheme = Scheme::barycentric);
+  Scene(NestedMeshes meshes, const ContactLaw& law, const Modes& modes, Scheme scheme = Scheme::barycentric);
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
   const FeaturePair& features() const { return features_; }
   const ContactLaw& law() const { return law_; }
-  Mode mode() const { return mode_; }
-  Question question(const Pose& pose, const Velocity& velocity) const {
-    return {features_.E, features_.F, law_, mode_, scheme_, pose, velocity};
-  }
+  /// In the scene's first mode.
+  Question question(const Pose& pose, const Velocity& velocity) const { return question(engine(), pose, velocity); }
 
-  /// Asks both sides about one pose and compares. What either side throws becomes a disagreement of kind `failure`.
-  PoseOutcome hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace) const;
+  /// Asks both sides about one pose in every mode and compares: an outcome for each mode, in order. The oracle's
+  /// geometry is worked out once for all. What either side throws becomes a disagreement of kind `failure`.
+  std::vector<PoseOutcome> hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace) const;
 
-  const fast::Pairing& engine() const { return engine_; }
+  /// Of mode number k.
+  const fast::Pairing& engine(std::size_t k = 0) const { return engines_[k]; }
+  /// Of the first mode.
   const reference::Oracle& oracle() const { return oracle_; }
 
  private:
+  Question question(const fast::Pairing& engine, const Pose& pose, const Velocity& velocity) const {
+    return {features_.E, features_.F, law_, engine.mode(), engine.scheme(), pose, velocity};
+  }
+  PoseOutcome hold(const fast::Pairing& engine, reference::Inquiry& inquiry, const Pose& pose, const Velocity& velocity,
+                   fast::Workspace& workspace) const;
+
   TriangleMesh mesh_E_;
   TriangleMesh mesh_F_;
   FeaturePair features_;
   ContactLaw law_;
-  Mode mode_;
-  Scheme scheme_;
-  fast::Pairing engine_;
+  std::vector<fast::Pairing> engines_;  ///< by mode; their surfaces are the same ones
   reference::Oracle oracle_;
 };
 

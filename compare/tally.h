@@ -11,8 +11,9 @@
 
 #include "compare/verdict.h"
 
-/// What is kept of the poses of one pair and stratum: counts, and distributions as histograms. Memory does not grow
-/// with the number of poses, and no entry depends on the order in which poses are added.
+/// What is kept of the answers to the poses of one pair and stratum in one mode: counts, and distributions as
+/// histograms. Memory does not grow with the number of poses, and no entry depends on the order in which poses are
+/// added.
 namespace pcm::compare {
 
 /// A distribution of numbers >= 0 over logarithmic bins, eight to a factor of two.
@@ -48,9 +49,8 @@ inline constexpr std::array<const char*, kErrors> kErrorNames = {"area",  "vecto
                                                                  "force", "torque",      "force bound", "torque bound"};
 inline constexpr std::size_t kFirstBound = 6;
 
-/// All that the tables need of one pose.
+/// All that the tables need of one pose in one mode.
 struct PoseOutcome {
-  bool done = false;
   bool touching = false;
   bool nested = false;
   bool ambiguous = false;
@@ -68,7 +68,7 @@ struct PoseOutcome {
 };
 
 struct Tally {
-  std::int64_t poses = 0;
+  std::int64_t poses = 0;  ///< once for each mode, where tallies of several modes are merged
   std::int64_t touching = 0;
   std::int64_t nested = 0;
   std::int64_t ambiguous = 0;

@@ -83,6 +83,14 @@ struct RelativeErrors {
 /// sets of elements differ.
 bool flipped(const reference::Answer& true_rounded, const reference::Answer& true_exact);
 
+/// How thick the contact is: p, by which rounding errors are stated. Twice the volume of a solid over its surface: the
+/// width of a long thin one, the thickness of a flat one. Closed surfaces: of the intersection, the sum of both clipped
+/// areas being its surface. A surface that is open bounds no volume: there it is of what the elements integrate over,
+/// prisms of volume A_k u_k between two faces of area A_k, with a wall of height u (the mean of the u_k over the A_k)
+/// all along the intersection polygons. That bounds the patch's width as well as its depth, for a patch that the border
+/// has left but a corner of may be a thousand times deeper than wide. 0 without elements.
+double mean_thickness(const reference::Answer& truth);
+
 RelativeErrors relative_errors(const Question& question, const fast::Contact& subj, const reference::Answer& true_exact,
                                bool pose_is_flipped);
 

@@ -10,9 +10,9 @@ namespace pcm::compare {
 namespace {
 
 std::string agreement_row(const std::string& label, const Tally& t) {
-  return fmt::format("{:<26}{:>8}{:>10}{:>15}{:>11}{:>9}{:>10}{:>11.0f}{:>11.2f}\n", label, t.poses, t.touching,
-                     t.disagreeing, t.ambiguous, t.flipped, t.too_deep, 1e6 * t.engine_seconds.quantile(0.5),
-                     1e3 * t.oracle_seconds.quantile(0.5));
+  return fmt::format("{:<26}{:>8}{:>10}{:>15}{:>11}{:>9}{:>11}{:>10}{:>11.0f}{:>11.2f}\n", label, t.poses, t.touching,
+                     t.disagreeing, t.ambiguous, t.flipped, t.unbounded, t.too_deep,
+                     1e6 * t.engine_seconds.quantile(0.5), 1e3 * t.oracle_seconds.quantile(0.5));
 }
 
 std::string error_row(const std::string& label, const Tally& t) {
@@ -56,16 +56,23 @@ std::string verification_summary(const Verification& run) {
   const std::vector<NamedTally> strata = run.by_stratum();
   const Tally all = run.total();
 
-  std::string text = fmt::format("{:<26}{:>8}{:>10}{:>15}{:>11}{:>9}{:>10}{:>11}{:>11}\n", "pair", "poses", "touching",
-                                 "disagreements", "ambiguous", "flipped", "too deep", "engine us", "oracle ms");
+  std::string text =
+      fmt::format("{:<26}{:>8}{:>10}{:>15}{:>11}{:>9}{:>11}{:>10}{:>11}{:>11}\n", "pair", "poses", "touching",
+                  "disagreements", "ambiguous", "flipped", "unbounded", "too deep", "engine us", "oracle ms");
   for (const auto& [label, tally] : run.by_pair()) text += agreement_row(label, tally);
   text += "stratum\n";
   for (const auto& [label, tally] : strata) text += agreement_row(label, tally);
   text += agreement_row("all", all);
+  if (run.plan().modes.size() > 1) {
+    text += "mode (above a pose counts once in each)\n";
+    for (const auto& [label, tally] : run.by_mode()) text += agreement_row(label, tally);
+  }
+  text += "unbounded: the engine's bound on its force or torque is infinite";
+  text += run.plan().scheme == Scheme::clipped ? ", so that these are not compared\n" : "\n";
 
   text +=
       "\nRounding error of the engine against the exact problem: 99.9th percentile and maximum, in units of S/p\n"
-      "(S: greatest coordinate, p: mean thickness of the intersection; force and torque without flipped poses)\n";
+      "(S: greatest coordinate, p: mean thickness of the contact; force and torque without flipped poses)\n";
   text += fmt::format("{:<16}", "stratum");
   for (std::size_t k = 0; k < kFirstBound; ++k) text += fmt::format("{:>16}", kErrorNames[k]);
   text += "\n";

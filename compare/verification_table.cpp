@@ -7,31 +7,45 @@
 #include <array>
 #include <vector>
 
+#include "compare/names.h"
+
 namespace pcm::compare {
 namespace {
 
 struct Row {
   std::string pair;
   std::string stratum;
+  std::string mode;
   Tally tally;
 };
 
+const std::string kAll = "**all**";
+
+/// Each cell; each stratum in each mode; each mode, where there are several; and all.
 std::vector<Row> rows(const Verification& run) {
   std::vector<Row> table;
   for (const Cell& cell : run.cells())
-    table.push_back({run.plan().pairs[cell.pair].name, std::string(name(cell.stratum)), cell.tally});
-  for (const NamedTally& stratum : run.by_stratum()) table.push_back({"**all**", stratum.name, stratum.tally});
-  table.push_back({"**all**", "**all**", run.total()});
+    table.push_back(
+        {run.plan().pairs[cell.pair].name, std::string(name(cell.stratum)), std::string(name(cell.mode)), cell.tally});
+  for (const StratumTally& t : run.by_stratum_and_mode())
+    table.push_back({kAll, std::string(name(t.stratum)), std::string(name(t.mode)), t.tally});
+  for (const NamedTally& mode : run.by_mode()) table.push_back({kAll, kAll, mode.name, mode.tally});
+  if (run.plan().modes.size() > 1) table.push_back({kAll, kAll, kAll, run.total()});
   return table;
 }
 
 std::string plain(const std::string& word) {
-  return word == "**all**" ? "all" : word;
+  return word == kAll ? "all" : word;
 }
 
 /// The kinds that have a column of their own in the Markdown table; the rest share one.
 constexpr std::array kShownKinds = {Kind::touching,          Kind::polygon_count, Kind::polygon_cycle,
                                     Kind::intersected_faces, Kind::inner_faces,   Kind::elements};
+
+/// Whether the surfaces cross does not depend on the mode.
+std::int64_t touching_poses(const Verification& run) {
+  return run.total().touching / static_cast<std::int64_t>(run.plan().modes.size());
+}
 
 double exact_fallback_rate(const Tally& tally) {
   return tally.predicates > 0 ? static_cast<double>(tally.exact_predicates) / static_cast<double>(tally.predicates) : 0;
@@ -52,17 +66,19 @@ std::string verification_markdown(const Verification& run) {
   const std::vector<Row> table = rows(run);
   std::string text =
       "## Agreement with the oracle on the rounded problem\n\n"
-      "`disagreements` counts poses; `touch` to `other kinds` count them by what engine and oracle disagree about. "
+      "A row counts the poses of one mode, that of all modes each pose once for each. `disagreements` counts poses; "
+      "`touch` to `other kinds` count them by what engine and oracle disagree about. "
       "`touching`, `nested` (one body inside the other without crossing), `ambiguous` (an open surface that does not "
       "tell inside from outside), `flipped` (rounding may have changed a contact element), `unbounded` (the engine "
-      "promises nothing about its force) and `too deep` (a line of "
+      "promises nothing about its force, which the clipped scheme then does not compare) and `too deep` (a line of "
       "penetration leaves its own body first) count poses that are so. `fallback`: part of the engine's predicates "
       "that needed exact arithmetic. `rate <`: 95 % upper bound on the rate of disagreeing poses. `backward`: greatest "
       "distance of a rounded vertex of F from the true one, in ulps.\n\n"
-      "| pair | stratum | poses | touching | disagreements | touch | polygon count | polygon cycle | intersected | "
+      "| pair | stratum | mode | poses | touching | disagreements | touch | polygon count | polygon cycle | "
+      "intersected | "
       "inner | elements | other kinds | nested | ambiguous | flipped | unbounded | too deep | fallback | rate < | "
       "backward |\n"
-      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Row& row : table) {
     const Tally& t = row.tally;
     std::int64_t others = 0;
@@ -73,45 +89,47 @@ std::string verification_markdown(const Verification& run) {
       others -= n;
       kinds += fmt::format(" {} |", n);
     }
-    text += fmt::format("| {} | {} | {} | {} | {} |{} {} | {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.2f} |\n",
-                        row.pair, row.stratum, t.poses, t.touching, t.disagreeing, kinds, others, t.nested, t.ambiguous,
-                        t.flipped, t.unbounded, t.too_deep, exact_fallback_rate(t), t.disagreement_rate_bound(),
-                        t.backward_error_ulps.value);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |{} {} | {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.2f} |\n",
+                        row.pair, row.stratum, row.mode, t.poses, t.touching, t.disagreeing, kinds, others, t.nested,
+                        t.ambiguous, t.flipped, t.unbounded, t.too_deep, exact_fallback_rate(t),
+                        t.disagreement_rate_bound(), t.backward_error_ulps.value);
   }
   text +=
       "\n## Rounding error against the oracle on the exact problem\n\n"
       "This is the error of floating point alone: same meshes, same scheme; neither discretisation nor geometry shows. "
       "median / p99 / p99.9 / maximum of the relative errors divided by S/p (S: the greatest coordinate; p: mean "
-      "thickness of the intersection); quantiles are rounded up by at most an eighth. Area and vector area are "
-      "relative "
+      "thickness of the contact, twice the volume of the intersection over its surface; where a surface is open, of "
+      "the "
+      "prisms below the elements, walled along the intersection polygons); quantiles are rounded up by at most an "
+      "eighth. Area and vector area are relative "
       "to the area, volume to area times p, penetration to itself, force to the sum of the elements' |F|, torque to "
       "the sum of |lever| |F|. Penetration, force and torque without the poses that are `flipped`. "
       "Last the engine's own bounds on the errors of force and torque, where finite.\n\n"
-      "| pair | stratum |";
+      "| pair | stratum | mode |";
   for (const char* error : kErrorNames) text += fmt::format(" {} |", error);
-  text += "\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  text += "\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Row& row : table) {
     std::int64_t count = 0;
     for (const Histogram& errors : row.tally.errors) count += errors.count();
     if (count == 0) continue;
-    text += fmt::format("| {} | {} |", row.pair, row.stratum);
+    text += fmt::format("| {} | {} | {} |", row.pair, row.stratum, row.mode);
     for (std::size_t k = 0; k < kErrors; ++k) text += fmt::format(" {} |", error_cell(row.tally, k));
     text += "\n";
   }
-  text += "\n| stratum | worst pose by | error | pose |\n|---|---|--:|---|\n";
+  text += "\n| stratum | mode | worst pose by | error | pose |\n|---|---|---|--:|---|\n";
   for (const Row& row : table) {
-    if (row.pair != "**all**") continue;
+    if (row.pair != kAll) continue;
     for (std::size_t k = 0; k < kErrors; ++k)
       if (!row.tally.worst[k].pose.empty())
-        text += fmt::format("| {} | {} | {:.2e} | {} |\n", row.stratum, kErrorNames[k], row.tally.worst[k].value,
-                            row.tally.worst[k].pose);
+        text += fmt::format("| {} | {} | {} | {:.2e} | {} |\n", row.stratum, row.mode, kErrorNames[k],
+                            row.tally.worst[k].value, row.tally.worst[k].pose);
   }
   for (const std::string& omission : run.omissions()) text += "\n" + omission + "\n";
   return text;
 }
 
 std::string verification_csv(const Verification& run) {
-  std::string text = "pair,stratum,poses,touching,disagreements";
+  std::string text = "pair,stratum,mode,poses,touching,disagreements";
   for (int k = 0; k < kKinds; ++k) text += fmt::format(",{} disagreements", name(static_cast<Kind>(k)));
   text +=
       ",nested,ambiguous,flipped,unbounded,too_deep,exact_fallback_rate,rate_bound_95,backward_error_ulps,backward_"
@@ -121,7 +139,8 @@ std::string verification_csv(const Verification& run) {
   text += "\n";
   for (const Row& row : rows(run)) {
     const Tally& t = row.tally;
-    text += fmt::format("{},{},{},{},{}", plain(row.pair), plain(row.stratum), t.poses, t.touching, t.disagreeing);
+    text += fmt::format("{},{},{},{},{},{}", plain(row.pair), plain(row.stratum), plain(row.mode), t.poses, t.touching,
+                        t.disagreeing);
     for (const std::int64_t n : t.by_kind) text += fmt::format(",{}", n);
     text += fmt::format(",{},{},{},{},{},{},{},{},{}", t.nested, t.ambiguous, t.flipped, t.unbounded, t.too_deep,
                         exact_fallback_rate(t), t.disagreement_rate_bound(), t.backward_error_ulps.value,
@@ -138,11 +157,11 @@ std::string verification_csv(const Verification& run) {
 
 nlohmann::ordered_json verification_json(const Verification& run) {
   nlohmann::ordered_json json;
-  const Tally total = run.total();
   json["verdict"] = {{"complete", run.finished()},
-                     {"poses", total.poses},
-                     {"touching", total.touching},
-                     {"disagreements", total.disagreeing}};
+                     {"poses", run.poses_done()},
+                     {"modes", run.plan().modes.size()},
+                     {"touching", touching_poses(run)},
+                     {"disagreements", run.total().disagreeing}};
   json["seed"] = run.plan().seed;
   json["rows"] = nlohmann::ordered_json::array();
   for (const Row& row : rows(run)) {
@@ -150,6 +169,7 @@ nlohmann::ordered_json verification_json(const Verification& run) {
     nlohmann::ordered_json entry;
     entry["pair"] = plain(row.pair);
     entry["stratum"] = plain(row.stratum);
+    entry["mode"] = plain(row.mode);
     entry["poses"] = t.poses;
     entry["touching"] = t.touching;
     entry["disagreements"] = t.disagreeing;
@@ -175,23 +195,28 @@ nlohmann::ordered_json verification_json(const Verification& run) {
 
 std::string times_markdown(const Verification& run) {
   std::string text =
-      "## Times\n\nMedian and p99 a pose; all answers asked for. These vary from run to run.\n\n"
-      "| pair | stratum | engine (us) | oracle, rounded (ms) | exact as well (ms) |\n|---|---|--:|--:|--:|\n";
+      "## Times\n\nMedian and p99 a pose; all answers asked for. Where there are several modes, the oracle works out "
+      "what they "
+      "share in the first one. These vary from run to run.\n\n"
+      "| pair | stratum | mode | engine (us) | oracle, rounded (ms) | exact as well (ms) "
+      "|\n|---|---|---|--:|--:|--:|\n";
   for (const Row& row : rows(run)) {
     const Tally& t = row.tally;
-    text += fmt::format("| {} | {} | {:.0f} / {:.0f} | {:.2f} / {:.2f} | {:.2f} / {:.2f} |\n", row.pair, row.stratum,
-                        1e6 * t.engine_seconds.quantile(0.5), 1e6 * t.engine_seconds.quantile(0.99),
-                        1e3 * t.oracle_seconds.quantile(0.5), 1e3 * t.oracle_seconds.quantile(0.99),
-                        1e3 * t.oracle_exact_seconds.quantile(0.5), 1e3 * t.oracle_exact_seconds.quantile(0.99));
+    text +=
+        fmt::format("| {} | {} | {} | {:.0f} / {:.0f} | {:.2f} / {:.2f} | {:.2f} / {:.2f} |\n", row.pair, row.stratum,
+                    row.mode, 1e6 * t.engine_seconds.quantile(0.5), 1e6 * t.engine_seconds.quantile(0.99),
+                    1e3 * t.oracle_seconds.quantile(0.5), 1e3 * t.oracle_seconds.quantile(0.99),
+                    1e3 * t.oracle_exact_seconds.quantile(0.5), 1e3 * t.oracle_exact_seconds.quantile(0.99));
   }
   return text;
 }
 
 std::string verdict_line(const Verification& run) {
-  const Tally total = run.total();
-  std::string line =
-      fmt::format("{}: {} poses, {} touching, {} disagreements", total.disagreeing == 0 ? "verified" : "NOT verified",
-                  total.poses, total.touching, total.disagreeing);
+  const std::int64_t disagreeing = run.total().disagreeing;
+  const std::size_t modes = run.plan().modes.size();
+  std::string line = fmt::format("{}: {} poses{}, {} touching, {} disagreements",
+                                 disagreeing == 0 ? "verified" : "NOT verified", run.poses_done(),
+                                 modes > 1 ? fmt::format(" in {} modes", modes) : "", touching_poses(run), disagreeing);
   if (!run.finished()) line += fmt::format(" (interrupted, {} poses wanted)", run.plan().poses);
   return line;
 }

@@ -10,7 +10,8 @@
 /// The tables of a verification. All but the times are the same bit for bit whenever the plan is.
 namespace pcm::compare {
 
-/// Agreement and rounding errors, a row for each pair and stratum, for each stratum, and for all.
+/// Agreement and rounding errors, a row for each pair, stratum and mode, for each stratum and mode, for each mode, and
+/// for all.
 std::string verification_markdown(const Verification& run);
 /// The same numbers, and each kind of disagreement in a column of its own.
 std::string verification_csv(const Verification& run);
@@ -19,7 +20,8 @@ nlohmann::ordered_json verification_json(const Verification& run);
 /// Median times of the engine, of the oracle on the rounded and of the oracle on the exact problem.
 std::string times_markdown(const Verification& run);
 
-/// The last line printed, e.g. "verified: 20160 poses, 9876 touching, 0 disagreements".
+/// The last line printed, e.g. "verified: 20160 poses, 9876 touching, 0 disagreements"; each pose once,
+/// however many modes; disagreements in all modes.
 std::string verdict_line(const Verification& run);
 
 }  // namespace pcm::compare

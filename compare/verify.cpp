@@ -11,6 +11,7 @@
 #include <map>
 #include <mutex>
 
+#include "compare/names.h"
 #include "compare/sha256.h"
 #include "meshes/bad_input.h"
 
@@ -23,10 +24,6 @@ constexpr std::int64_t kBatch = 1024;
 /// Larger pairs have no part in the stratum nested.
 constexpr std::size_t kMostNestedFaces = 20000;
 
-/// Pairs above this many faces take an eighth of their share of nested poses: every face of the guest is active there,
-/// which costs the oracle tens of times a usual pose.
-constexpr std::size_t kFewNestedFaces = 2000;
-
 /// One pose in this many of a hard stratum falls to the general pairs.
 constexpr std::int64_t kGeneralShare = 50;
 
@@ -38,10 +35,10 @@ std::uint64_t stream_of(const std::string& pair_name) {
 }
 
 /// The cells that have the same value of `key`, together.
-template <class Key>
-std::map<Key, Tally> merged(const std::vector<Cell>& cells, Key Cell::*key) {
-  std::map<Key, Tally> groups;
-  for (const Cell& cell : cells) groups[cell.*key].merge(cell.tally);
+template <class KeyOf>
+auto merged(const std::vector<Cell>& cells, const KeyOf& key_of) {
+  std::map<decltype(key_of(cells.front())), Tally> groups;
+  for (const Cell& cell : cells) groups[key_of(cell)].merge(cell.tally);
   return groups;
 }
 
@@ -54,11 +51,11 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
     try {
-      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.mode, plan_.scheme);
+      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.modes, plan_.scheme);
       // All faces of a nested guest are active: tens of thousands cost the oracle tens of seconds a pose.
       if (!wants_nested || !pair.for_all_strata || pair.faces() > kMostNestedFaces) return;
       if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
-        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.mode, plan_.scheme);
+        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.modes, plan_.scheme);
     } catch (const BadInput& error) {
       throw BadInput("pair " + pair.name + ": " + error.what());
     }
@@ -69,16 +66,13 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
     return whole * (before + weight) / all - whole * before / all;
   };
   const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
-    const auto share_of = [&](std::size_t k) {
-      const SurfacePair& pair = plan_.pairs[k];
-      const bool costly = stratum == Stratum::nested && pair.faces() > kFewNestedFaces;
-      return costly ? std::max<std::int64_t>(1, pair.share / 8) : pair.share;
-    };
+    const auto share_of = [&](std::size_t k) { return plan_.pairs[k].share(stratum, plan_.scheme); };
     std::int64_t all = 0, before = 0;
     for (const std::size_t k : pairs) all += share_of(k);
     for (const std::size_t k : pairs) {
       const std::int64_t share = share_of(k);
-      if (const std::int64_t n = part(poses, before, share, all); n > 0) cells_.push_back({k, stratum, n, {}});
+      if (const std::int64_t n = part(poses, before, share, all); n > 0)
+        for (const Mode mode : plan_.modes) cells_.push_back({k, stratum, mode, n, {}});
       before += share;
     }
   };
@@ -103,6 +97,7 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
   }
   std::int64_t all = 0;
   for (const Cell& cell : cells_) all += cell.poses;
+  all /= modes();
   if (all == 0) throw BadInput("none of the strata asked for is to be had with these pairs");
   batches_ = (all + kBatch - 1) / kBatch;
 }
@@ -110,7 +105,7 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
 std::int64_t Verification::poses_done() const {
   std::int64_t done = 0;
   for (const Cell& cell : cells_) done += cell.tally.poses;
-  return done;
+  return done / modes();
 }
 
 Tally Verification::total() const {
@@ -121,19 +116,35 @@ Tally Verification::total() const {
 
 std::vector<NamedTally> Verification::by_pair() const {
   std::vector<NamedTally> tallies;
-  for (const auto& [pair, tally] : merged(cells_, &Cell::pair)) tallies.push_back({plan_.pairs[pair].name, tally});
+  for (const auto& [pair, tally] : merged(cells_, [](const Cell& c) { return c.pair; }))
+    tallies.push_back({plan_.pairs[pair].name, tally});
   return tallies;
 }
 
 std::vector<NamedTally> Verification::by_stratum() const {
   std::vector<NamedTally> tallies;
-  for (const auto& [stratum, tally] : merged(cells_, &Cell::stratum))
+  for (const auto& [stratum, tally] : merged(cells_, [](const Cell& c) { return c.stratum; }))
     tallies.push_back({std::string(name(stratum)), tally});
   return tallies;
 }
 
+std::vector<NamedTally> Verification::by_mode() const {
+  std::vector<NamedTally> tallies;
+  std::map<Mode, Tally> groups = merged(cells_, [](const Cell& cell) { return cell.mode; });
+  for (const Mode mode : plan_.modes) tallies.push_back({std::string(name(mode)), std::move(groups[mode])});
+  return tallies;
+}
+
+std::vector<StratumTally> Verification::by_stratum_and_mode() const {
+  std::vector<StratumTally> tallies;
+  for (const auto& [key, tally] : merged(cells_, [](const Cell& c) { return std::pair(c.stratum, c.mode); }))
+    tallies.push_back({key.first, key.second, tally});
+  return tallies;
+}
+
 std::string Verification::pose_name(const Cell& cell, std::int64_t pose) const {
-  return plan_.pairs[cell.pair].name + "/" + std::string(name(cell.stratum)) + "/" + std::to_string(pose);
+  return plan_.pairs[cell.pair].name + "/" + std::string(name(cell.stratum)) + "/" + std::to_string(pose) + "/" +
+         std::string(name(cell.mode));
 }
 
 const Scene& Verification::scene(const Cell& cell) const {
@@ -163,7 +174,7 @@ Case Verification::as_case(const Finding& finding) const {
   posed.pose = drawn.pose;
   posed.velocity = drawn.velocity;
   posed.law = pair.law;
-  posed.mode = plan_.mode;
+  posed.mode = cell.mode;
   posed.scheme = plan_.scheme;
   return posed;
 }
@@ -171,18 +182,18 @@ Case Verification::as_case(const Finding& finding) const {
 void Verification::run_batch(int jobs, const std::function<bool()>& stop,
                              const std::function<void(std::int64_t)>& progress) {
   struct Task {
-    std::size_t cell = 0;
+    std::size_t cell = 0;  ///< of the first mode
     std::int64_t pose = 0;
   };
   std::vector<Task> tasks;
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
+  for (std::size_t c = 0; c < cells_.size(); c += plan_.modes.size()) {
     const std::int64_t n = cells_[c].poses;
     for (std::int64_t pose = n * batches_done_ / batches_; pose < n * (batches_done_ + 1) / batches_; ++pose)
       tasks.push_back({c, pose});
   }
 
   const std::int64_t before = poses_done();
-  std::vector<PoseOutcome> outcomes(tasks.size());
+  std::vector<std::vector<PoseOutcome>> outcomes(tasks.size());
   std::atomic<std::int64_t> done = 0;
   std::mutex reporting;
   oneapi::tbb::enumerable_thread_specific<fast::Workspace> workspaces;
@@ -205,22 +216,24 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
 
   bool whole = true;
   for (std::size_t t = 0; t < tasks.size(); ++t) {
-    whole = whole && outcomes[t].done;
-    if (!outcomes[t].done) continue;
-    Cell& cell = cells_[tasks[t].cell];
-    cell.tally.add(outcomes[t], pose_name(cell, tasks[t].pose));
-    if (!outcomes[t].disagreements.empty() && findings_.size() < kMostFindings)
-      findings_.push_back({tasks[t].cell, tasks[t].pose, std::move(outcomes[t].disagreements)});
+    whole = whole && !outcomes[t].empty();
+    for (std::size_t m = 0; m < outcomes[t].size(); ++m) {
+      const std::size_t c = tasks[t].cell + m;
+      PoseOutcome& outcome = outcomes[t][m];
+      cells_[c].tally.add(outcome, pose_name(cells_[c], tasks[t].pose));
+      if (!outcome.disagreements.empty() && findings_.size() < kMostFindings)
+        findings_.push_back({c, tasks[t].pose, std::move(outcome.disagreements)});
+    }
   }
   if (whole) ++batches_done_;
 }
 
 nlohmann::ordered_json Verification::identity() const {
   nlohmann::ordered_json json;
-  json["format"] = "pcm verification 1";
+  json["format"] = "pcm verification 2";
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
-  json["mode"] = static_cast<int>(plan_.mode);
+  for (const Mode mode : plan_.modes) json["modes"].push_back(std::string(name(mode)));
   json["scheme"] = static_cast<int>(plan_.scheme);
   for (const Stratum stratum : plan_.strata) json["strata"].push_back(std::string(name(stratum)));
   for (const SurfacePair& pair : plan_.pairs) json["pairs"].push_back({pair.name, sha256(pair.E), sha256(pair.F)});
@@ -244,7 +257,8 @@ nlohmann::ordered_json Verification::state() const {
 
 void Verification::restore(const nlohmann::ordered_json& state) {
   if (state.at("run") != identity())
-    throw BadInput("it holds another run (other poses, seed, strata, mode, scheme or surfaces); choose another folder");
+    throw BadInput(
+        "it holds another run (other poses, seed, strata, modes, scheme or surfaces); choose another folder");
   for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
   batches_done_ = state.at("batches_done").get<std::int64_t>();
   findings_.clear();

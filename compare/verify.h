@@ -21,26 +21,34 @@ struct VerificationPlan {
   std::int64_t poses = 20160;
   std::uint64_t seed = 1;
   std::vector<Stratum> strata{kStrata.begin(), kStrata.end()};
-  Mode mode = Mode::both;
+  Scene::Modes modes{Mode::both};  ///< every pose is answered in each
   Scheme scheme = Scheme::barycentric;
   std::vector<SurfacePair> pairs;
 };
 
-/// The poses of one pair and one stratum.
+/// The poses of one pair and one stratum, answered in one mode. The cells of a pair and stratum are neighbours, in the
+/// plan's order of modes, and have the same poses.
 struct Cell {
   std::size_t pair = 0;
   Stratum stratum = Stratum::generic;
+  Mode mode = Mode::both;
   std::int64_t poses = 0;
   Tally tally;
 };
 
-/// What cells of one name have together.
+/// What cells of one name have together: where they are of several modes, a pose counts once for each.
 struct NamedTally {
   std::string name;
   Tally tally;
 };
 
-/// A pose with a disagreement, kept for its case file.
+struct StratumTally {
+  Stratum stratum = Stratum::generic;
+  Mode mode = Mode::both;
+  Tally tally;
+};
+
+/// A pose with a disagreement in a mode, kept for its case file.
 struct Finding {
   std::size_t cell = 0;
   std::int64_t pose = 0;
@@ -62,6 +70,7 @@ class Verification {
   const VerificationPlan& plan() const { return plan_; }
   const std::vector<Cell>& cells() const { return cells_; }
   const std::vector<Finding>& findings() const { return findings_; }
+  /// Each pose once, in however many modes.
   std::int64_t poses_done() const;
   std::int64_t batches() const { return batches_; }
   std::int64_t batches_done() const { return batches_done_; }
@@ -71,10 +80,14 @@ class Verification {
   std::vector<NamedTally> by_pair() const;
   /// The cells of each stratum together, in the order of Stratum; without strata that have no cell.
   std::vector<NamedTally> by_stratum() const;
+  /// The cells of each mode together, in the plan's order.
+  std::vector<NamedTally> by_mode() const;
+  /// The cells of each stratum and mode together, by stratum, then mode.
+  std::vector<StratumTally> by_stratum_and_mode() const;
   /// Strata of pairs that are not to be had, in words.
   const std::vector<std::string>& omissions() const { return omissions_; }
 
-  /// Name of a pose, e.g. "bubble-bubble/generic/17".
+  /// Name of a pose in a mode, e.g. "bubble-bubble/generic/17/both".
   std::string pose_name(const Cell& cell, std::int64_t pose) const;
   DrawnPose draw(const Cell& cell, std::int64_t pose) const;
   const Scene& scene(const Cell& cell) const;
@@ -95,6 +108,7 @@ class Verification {
     std::unique_ptr<Scene> nested;
   };
 
+  std::int64_t modes() const { return static_cast<std::int64_t>(plan_.modes.size()); }
   nlohmann::ordered_json identity() const;
 
   VerificationPlan plan_;

@@ -3,6 +3,7 @@
 #include "reference/active_areas.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace pcm::reference {
 namespace {
@@ -97,6 +98,13 @@ void locate_in_open(Side side, const Crossings& crossings, const Surface& surfac
 }
 
 }  // namespace
+
+std::vector<Index> ActiveFaces::active() const {
+  std::vector<Index> faces;
+  faces.reserve(intersected.size() + inner.size());
+  std::merge(intersected.begin(), intersected.end(), inner.begin(), inner.end(), std::back_inserter(faces));
+  return faces;
+}
 
 std::vector<IndexPair> columns_above_vertices(const ExactPose& pose, Side side, const FaceBoxes& others) {
   std::vector<Box> columns;

@@ -20,6 +20,8 @@ struct ActiveFaces {
   std::vector<bool> outside;       ///< of each vertex: not inside; where the other is open, labelled outside
   bool nested = false;             ///< a component lies in the other body without any crossing
   bool ambiguous = false;          ///< a set of uncrossed faces is labelled both ways
+
+  std::vector<Index> active() const;  ///< intersected and inner faces, ascending
 };
 
 /// Pairs (vertex of one surface, face of the other) where the vertex may lie below the face: ascending.

@@ -3,7 +3,6 @@
 #include "reference/clipped_elements.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -120,41 +119,32 @@ class Envelope {
   Vec3<Interval> master_box_;
 };
 
-/// Elements by master, then master face.
+/// Elements by master face.
 struct MasterFaceOrder {
-  static Face master_of(const Face& face) { return face; }
-  static Face master_of(const ClippedElement& element) { return {element.faces.master, element.faces.master_face}; }
+  static Index master_face(Index face) { return face; }
+  static Index master_face(const ClippedElement& element) { return element.faces.master_face; }
   template <class A, class B>
   bool operator()(const A& a, const B& b) const {
-    return master_of(a) < master_of(b);
+    return master_face(a) < master_face(b);
   }
 };
 
 }  // namespace
 
-ClippedFindings find_clipped_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics,
+ClippedFindings find_clipped_elements(const ExactPose& pose, Side master, const Combinatorics& combinatorics,
                                       const ClippedFindings& other) {
   const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
   ClippedFindings found;
   SightPoints points(pose);
-  for (const Side master : {Side::E, Side::F}) {
-    if (mode == (master == Side::E ? Mode::F : Mode::E)) continue;
-    const ActiveFaces& faces = master == Side::E ? combinatorics.E : combinatorics.F;
-    std::vector<Index> active;
-    std::merge(faces.intersected.begin(), faces.intersected.end(), faces.inner.begin(), faces.inner.end(),
-               std::back_inserter(active));
-    for (const Index index : active) {
-      const Face face{master, index};
-      points.robust = true;
-      if (std::binary_search(other.robust.begin(), other.robust.end(), face)) {
-        const auto [begin, end] =
-            std::equal_range(other.elements.begin(), other.elements.end(), face, MasterFaceOrder());
-        found.elements.insert(found.elements.end(), begin, end);
-      } else {
-        Envelope(points, face, *combinatorics.near).find_elements(found.elements);
-      }
-      if (points.robust) found.robust.push_back(face);
+  for (const Index face : (master == Side::E ? combinatorics.E : combinatorics.F).active()) {
+    points.robust = true;
+    if (std::binary_search(other.robust.begin(), other.robust.end(), face)) {
+      const auto [begin, end] = std::equal_range(other.elements.begin(), other.elements.end(), face, MasterFaceOrder());
+      found.elements.insert(found.elements.end(), begin, end);
+    } else {
+      Envelope(points, {master, face}, *combinatorics.near).find_elements(found.elements);
     }
+    if (points.robust) found.robust.push_back(face);
   }
   return found;
 }

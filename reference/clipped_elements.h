@@ -31,14 +31,15 @@ struct ClippedElement {
 };
 
 struct ClippedFindings {
-  std::vector<ClippedElement> elements;  ///< by master (E first), then master face, then slave face
-  std::vector<Face>
-      robust;  ///< master faces whose elements are the same in both problems, with or without any; in order
+  std::vector<ClippedElement> elements;  ///< by master face, then slave face
+  std::vector<Index>
+      robust;  ///< master faces whose elements are the same in both problems, with or without any; ascending
 };
 
-/// The cost of a master face grows with the slave's and its own faces below it, each looked up in a tree of boxes.
-/// `other`: what was found for the other problem of the same pose, to be used where it holds here too.
-ClippedFindings find_clipped_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics,
+/// The elements that one master carries. The cost of a master face grows with the slave's and its own faces below it,
+/// each looked up in a tree of boxes. `other`: what was found for the other problem of the same pose, to be used where
+/// it holds here too.
+ClippedFindings find_clipped_elements(const ExactPose& pose, Side master, const Combinatorics& combinatorics,
                                       const ClippedFindings& other = {});
 
 /// Their values by exact moments of a linear field over convex pieces: alpha = area of P_ef in (s, t), q = (integral of

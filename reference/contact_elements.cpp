@@ -3,7 +3,6 @@
 #include "reference/contact_elements.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -92,9 +91,14 @@ bool leaves_master_first(PenetrationLine& line, Side slave, const Hit& hit, cons
   return left;
 }
 
-void add_elements(const ExactPose& pose, Side master, const std::vector<Index>& active, Proximity& near,
-                  ElementPairs& elements) {
+}  // namespace
+
+ElementPairs find_elements(const ExactPose& pose, Side master, const Combinatorics& combinatorics) {
   const Side slave = other(master);
+  Proximity& near = *combinatorics.near;
+  const std::vector<Index> active = (master == Side::E ? combinatorics.E : combinatorics.F).active();
+  ElementPairs elements;
+  elements.certified = activity_is_robust(pose, master, active, near.candidates());
   for (const Index face : active) {
     if (!has_area(pose, master, face)) continue;
     PenetrationLine line(pose, master, face);
@@ -106,23 +110,6 @@ void add_elements(const ExactPose& pose, Side master, const std::vector<Index>& 
         elements.pairs.push_back({master, face, first.face});
     }
     elements.certified = elements.certified && line.certified();
-  }
-}
-
-}  // namespace
-
-ElementPairs find_elements(const ExactPose& pose, Mode mode, const Combinatorics& combinatorics) {
-  ElementPairs elements;
-  for (const Side master : {Side::E, Side::F}) {
-    if (mode == (master == Side::E ? Mode::F : Mode::E)) continue;
-    const ActiveFaces& faces = master == Side::E ? combinatorics.E : combinatorics.F;
-    std::vector<Index> active;
-    std::merge(faces.intersected.begin(), faces.intersected.end(), faces.inner.begin(), faces.inner.end(),
-               std::back_inserter(active));
-    elements.certified =
-        elements.certified && activity_is_robust(pose, master, active, combinatorics.near->candidates());
-    if (active.empty()) continue;
-    add_elements(pose, master, active, *combinatorics.near, elements);
   }
   return elements;
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/contact_force.h"
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
-#include <vector>
 
 #include "reference/exact_loads.h"
 #include "reference/settle.h"
@@ -13,8 +14,7 @@ namespace pcm::reference {
 namespace {
 
 /// Precisions of the enclosures: enough for nearly all values, and enough for nearly all that are no ties.
-constexpr mpfr_prec_t kFirstPrecision = 120;
-constexpr mpfr_prec_t kLastPrecision = 240;
+constexpr std::array<mpfr_prec_t, 2> kPrecisions = {120, 240};
 
 /// An element's load with what only enclosures need.
 struct EnclosedLoad {
@@ -35,10 +35,30 @@ Ball length_of(const Vec3<Ball>& v) {
   return sqrt(dot(v, v));
 }
 
-/// Settles values by their enclosures and, at the last precision, those that are not settled yet by exact loads.
+/// All loads enclosed at one precision, each when first asked for.
+class EnclosedLoads {
+ public:
+  EnclosedLoads(const ForceQuestion& question, mpfr_prec_t precision)
+      : question_(question), field_{precision}, pose_(question.pose, field_), known_(question.elements.size()) {}
+
+  const Field<Ball>& field() const { return field_; }
+  const EnclosedLoad& at(std::size_t i) {
+    if (!known_[i]) known_[i] = enclose(question_, i, pose_, field_);
+    return *known_[i];
+  }
+
+ private:
+  ForceQuestion question_;
+  Field<Ball> field_;
+  LiftedPose<Ball> pose_;
+  std::vector<std::optional<EnclosedLoad>> known_;
+};
+
+/// Settles values by their enclosures and, at the last precision, those that are not settled yet by exact numbers.
+template <class ExactNumbers>
 class LastSettler {
  public:
-  LastSettler(ExactLoads& exact, bool last) : exact_(exact), last_(last) {}
+  LastSettler(ExactNumbers& exact, bool last) : exact_(exact), last_(last) {}
 
   template <class Exactly>
   void operator()(const Ball& value, double& target, const Exactly& exactly) {
@@ -53,15 +73,15 @@ class LastSettler {
   template <class Exactly>
   void operator()(const Vec3<Ball>& value, Eigen::Vector3d& target, const Exactly& exactly) {
     for (int axis = 0; axis < 3; ++axis)
-      (*this)(value[axis], target[axis], [&](ExactLoads& exact) { return exactly(exact, axis); });
+      (*this)(value[axis], target[axis], [&](ExactNumbers& exact) { return exactly(exact, axis); });
   }
-
-  void greatest_exceeds(const Ball& greatest, double bound, const Field<Ball>& field, bool& target) {
-    if (std::isinf(bound)) return;
-    if (const std::optional<int> sign = (greatest - field(bound)).sign())
+  /// Whether the value exceeds the bound.
+  template <class Exactly>
+  void exceeds(const Ball& value, const Ball& bound, bool& target, const Exactly& exactly) {
+    if (const std::optional<int> sign = (value - bound).sign())
       target = *sign > 0;
     else if (last_)
-      target = exact_.greatest_exceeds(bound);
+      target = exactly(exact_);
     else
       all_ = false;
   }
@@ -69,12 +89,12 @@ class LastSettler {
   bool all() const { return all_; }
 
  private:
-  ExactLoads& exact_;
+  ExactNumbers& exact_;
   bool last_;
   bool all_ = true;
 };
 
-void settle_element(const EnclosedLoad& element, std::size_t i, LastSettler& settle, Element& target) {
+void settle_element(const EnclosedLoad& element, std::size_t i, LastSettler<ExactLoads>& settle, Element& target) {
   settle(element.load.area, target.area, [i](ExactLoads& exact) { return exact.area(i); });
   settle(element.load.penetration, target.penetration, [i](ExactLoads& exact) { return exact.penetration(i); });
   settle(element.cosine, target.cosine, [i](ExactLoads& exact) { return exact.cosine(i); });
@@ -83,51 +103,78 @@ void settle_element(const EnclosedLoad& element, std::size_t i, LastSettler& set
   settle(element.force_on_E, target.force_Me, [i](ExactLoads& exact, int axis) { return exact.force(i, axis); });
 }
 
-void settle_totals(const std::vector<EnclosedLoad>& elements, const ForceQuestion& question, const Field<Ball>& field,
-                   LastSettler& settle, Answer& answer) {
-  const Ball zero = field(0.0);
-  Vec3<Ball> force{zero, zero, zero}, torque = force;
-  Ball force_scale = zero, torque_scale = zero, greatest = zero;
-  for (const EnclosedLoad& element : elements) {
-    force = force + element.force_on_E;                             // (23)
-    torque = torque + cross(element.load.arm, element.force_on_E);  // (22), (24)
-    const Ball size = length_of(element.force_on_E);
-    force_scale = force_scale + size;
-    torque_scale = torque_scale + length_of(element.load.arm) * size;
-    greatest = max(greatest, element.load.greatest_penetration);
-  }
-  const Ball share = field(question.share());
-  settle(share * force, answer.force_Me, [](ExactLoads& exact, int axis) { return exact.total_force(axis); });
-  settle(share * torque, answer.torque_Me, [](ExactLoads& exact, int axis) { return exact.total_torque(axis); });
-  settle(share * force_scale, answer.force_scale, [](ExactLoads& exact) { return exact.force_scale(); });
-  settle(share * torque_scale, answer.torque_scale, [](ExactLoads& exact) { return exact.torque_scale(); });
-  settle(greatest, answer.max_penetration, [](ExactLoads& exact) { return exact.greatest_penetration(); });
-  settle.greatest_exceeds(greatest, question.law.max_penetration, field, answer.penetration_exceeded);
-}
-
 }  // namespace
 
-void report_force(const ForceQuestion& question, const Wanted& wanted, Answer& answer) {
-  std::vector<Element> settled(question.elements.size());
+struct MasterLoads::Data {
+  explicit Data(const ForceQuestion& asked)
+      : question(asked),
+        enclosed{EnclosedLoads(asked, kPrecisions[0]), EnclosedLoads(asked, kPrecisions[1])},
+        exact(asked) {}
+
+  ForceQuestion question;
+  std::array<EnclosedLoads, kPrecisions.size()> enclosed;
+  ExactLoads exact;
+  std::optional<std::vector<Element>> elements;
+};
+
+MasterLoads::MasterLoads(const ForceQuestion& question) : data_(std::make_unique<Data>(question)) {}
+
+MasterLoads::~MasterLoads() = default;
+
+std::vector<Element> MasterLoads::elements() {
+  if (data_->elements) return *data_->elements;
+  std::vector<Element> settled(data_->question.elements.size());
   for (std::size_t i = 0; i < settled.size(); ++i) {
-    const ElementPair pair = question.elements.pair(i);
+    const ElementPair pair = data_->question.elements.pair(i);
     settled[i].master = pair.master;
     settled[i].master_face = pair.master_face;
     settled[i].slave_face = pair.slave_face;
+    for (std::size_t level = 0; level < kPrecisions.size(); ++level) {
+      LastSettler<ExactLoads> settle(data_->exact, level + 1 == kPrecisions.size());
+      settle_element(data_->enclosed[level].at(i), i, settle, settled[i]);
+      if (settle.all()) break;
+    }
   }
-  ExactLoads exact(question);
-  for (const mpfr_prec_t precision : {kFirstPrecision, kLastPrecision}) {
-    const Field<Ball> field{precision};
-    LiftedPose<Ball> pose(question.pose, field);
-    LastSettler settle(exact, precision == kLastPrecision);
-    std::vector<EnclosedLoad> loads;
-    for (std::size_t i = 0; i < settled.size(); ++i) loads.push_back(enclose(question, i, pose, field));
-    settle_totals(loads, question, field, settle, answer);
-    if (wanted.elements)
-      for (std::size_t i = 0; i < settled.size(); ++i) settle_element(loads[i], i, settle, settled[i]);
+  data_->elements = std::move(settled);
+  return *data_->elements;
+}
+
+void report_force(const std::vector<MasterLoads*>& masters, const Wanted& wanted, Answer& answer) {
+  const double share = masters.size() == 2 ? 0.5 : 1.0;
+  const double bound = masters.front()->data_->question.law.max_penetration;
+  std::vector<ExactLoads*> exact_loads;
+  for (MasterLoads* master : masters) exact_loads.push_back(&master->data_->exact);
+  ExactTotals exactly(std::move(exact_loads), share);
+  for (std::size_t level = 0; level < kPrecisions.size(); ++level) {
+    const Field<Ball> field{kPrecisions[level]};
+    const Ball zero = field(0.0);
+    Vec3<Ball> force{zero, zero, zero}, torque = force;
+    Ball force_scale = zero, torque_scale = zero, greatest = zero;
+    for (MasterLoads* master : masters)
+      for (std::size_t i = 0; i < master->data_->question.elements.size(); ++i) {
+        const EnclosedLoad& element = master->data_->enclosed[level].at(i);
+        force = force + element.force_on_E;                             // (23)
+        torque = torque + cross(element.load.arm, element.force_on_E);  // (22), (24)
+        const Ball size = length_of(element.force_on_E);
+        force_scale = force_scale + size;
+        torque_scale = torque_scale + length_of(element.load.arm) * size;
+        greatest = max(greatest, element.load.greatest_penetration);
+      }
+    LastSettler<ExactTotals> settle(exactly, level + 1 == kPrecisions.size());
+    const Ball of_sum = field(share);
+    settle(of_sum * force, answer.force_Me, [](ExactTotals& exact, int axis) { return exact.force(axis); });
+    settle(of_sum * torque, answer.torque_Me, [](ExactTotals& exact, int axis) { return exact.torque(axis); });
+    settle(of_sum * force_scale, answer.force_scale, [](ExactTotals& exact) { return exact.force_scale(); });
+    settle(of_sum * torque_scale, answer.torque_scale, [](ExactTotals& exact) { return exact.torque_scale(); });
+    settle(greatest, answer.max_penetration, [](ExactTotals& exact) { return exact.greatest_penetration(); });
+    if (!std::isinf(bound))
+      settle.exceeds(greatest, field(bound), answer.penetration_exceeded,
+                     [bound](ExactTotals& exact) { return exact.greatest_exceeds(bound); });
     if (settle.all()) break;
   }
-  if (wanted.elements) answer.elements = std::move(settled);
+  if (!wanted.elements) return;
+  for (MasterLoads* master : masters)
+    for (Element& element : master->elements()) answer.elements.push_back(element);
 }
 
 }  // namespace pcm::reference

@@ -12,8 +12,8 @@
 
 namespace pcm::reference {
 
-/// The contact elements of one pose as the force law sees them, of either scheme: faces, and geometry both enclosed and
-/// exact. Ordered by master (E first), master face, slave face.
+/// The contact elements that one master carries in one pose, as the force law sees them, of either scheme: faces, and
+/// geometry both enclosed and exact. Ordered by master face, then slave face.
 class ElementSource {
  public:
   virtual ~ElementSource() = default;

@@ -44,18 +44,6 @@ const ExactLoads::Known& ExactLoads::at(std::size_t i) {
   return *known;
 }
 
-const ExactLoads::Known* ExactLoads::deepest() {
-  const Known* deepest = nullptr;
-  for (std::size_t i = 0; i < known_.size(); ++i) {
-    const Known& known = at(i);
-    const auto squared = [](const Known& k) -> Rational {
-      return k.geometry.q_greatest * k.geometry.q_greatest * dot(k.geometry.N, k.geometry.N);
-    };
-    if (!deepest || squared(known) > squared(*deepest)) deepest = &known;
-  }
-  return deepest;
-}
-
 double ExactLoads::area(std::size_t i) {
   return rounded(at(i).load.area);
 }
@@ -84,56 +72,74 @@ double ExactLoads::force(std::size_t i, int axis) {
   return sum.rounded();
 }
 
-double ExactLoads::total_force(int axis) {
-  const Quadratic share{Rational(question_.share())};
+double ExactTotals::force(int axis) {
+  const Quadratic share{Rational(share_)};
   RadicalSum sum;
-  for (std::size_t i = 0; i < known_.size(); ++i) {
-    const ElementLoad<Quadratic>& load = at(i).load;
-    sum.add(share * load.force[axis]);  // (23)
-    sum.add(share * load.drag[axis], load.speed_squared);
-  }
-  return sum.rounded();
-}
-
-double ExactLoads::total_torque(int axis) {
-  const Quadratic share{Rational(question_.share())};
-  RadicalSum sum;
-  for (std::size_t i = 0; i < known_.size(); ++i) {
-    const ElementLoad<Quadratic>& load = at(i).load;
-    sum.add(share * cross(load.arm, load.force)[axis]);  // (22), (24)
-    sum.add(share * cross(load.arm, load.drag)[axis], load.speed_squared);
-  }
-  return sum.rounded();
-}
-
-double ExactLoads::greatest_penetration() {
-  const Known* known = deepest();
-  return known ? rounded(known->load.greatest_penetration) : 0;
-}
-
-bool ExactLoads::greatest_exceeds(double bound) {
-  const Known* known = deepest();
-  return known && (known->load.greatest_penetration - Quadratic(Rational(bound))).sign() > 0;
-}
-
-double ExactLoads::force_scale() {
-  Ball sum(0.0, kScalePrecision);
-  for (std::size_t i = 0; i < known_.size(); ++i) sum = sum + force_size(at(i).load);
-  return (Ball(question_.share(), kScalePrecision) * sum).middle();
-}
-
-double ExactLoads::torque_scale() {
-  Ball sum(0.0, kScalePrecision);
-  for (std::size_t i = 0; i < known_.size(); ++i) {
-    const ElementLoad<Quadratic>& load = at(i).load;
-    Ball squares(0.0, kScalePrecision);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Ball component = enclosed(load.arm[axis], kScalePrecision);
-      squares = squares + component * component;
+  for (ExactLoads* master : masters_)
+    for (std::size_t i = 0; i < master->size(); ++i) {
+      const ElementLoad<Quadratic>& load = master->load(i);
+      sum.add(share * load.force[axis]);  // (23)
+      sum.add(share * load.drag[axis], load.speed_squared);
     }
-    sum = sum + sqrt(squares) * force_size(load);
-  }
-  return (Ball(question_.share(), kScalePrecision) * sum).middle();
+  return sum.rounded();
+}
+
+double ExactTotals::torque(int axis) {
+  const Quadratic share{Rational(share_)};
+  RadicalSum sum;
+  for (ExactLoads* master : masters_)
+    for (std::size_t i = 0; i < master->size(); ++i) {
+      const ElementLoad<Quadratic>& load = master->load(i);
+      sum.add(share * cross(load.arm, load.force)[axis]);  // (22), (24)
+      sum.add(share * cross(load.arm, load.drag)[axis], load.speed_squared);
+    }
+  return sum.rounded();
+}
+
+std::optional<Quadratic> ExactTotals::greatest() {
+  std::optional<Quadratic> greatest;
+  Rational greatest_squared;
+  for (ExactLoads* master : masters_)
+    for (std::size_t i = 0; i < master->size(); ++i) {
+      const ElementGeometry<Rational>& g = master->geometry(i);
+      const Rational squared = g.q_greatest * g.q_greatest * dot(g.N, g.N);
+      if (greatest && squared <= greatest_squared) continue;
+      greatest_squared = squared;
+      greatest = master->load(i).greatest_penetration;
+    }
+  return greatest;
+}
+
+double ExactTotals::greatest_penetration() {
+  const std::optional<Quadratic> deepest = greatest();
+  return deepest ? rounded(*deepest) : 0;
+}
+
+bool ExactTotals::greatest_exceeds(double bound) {
+  const std::optional<Quadratic> deepest = greatest();
+  return deepest && (*deepest - Quadratic(Rational(bound))).sign() > 0;
+}
+
+double ExactTotals::force_scale() {
+  Ball sum(0.0, kScalePrecision);
+  for (ExactLoads* master : masters_)
+    for (std::size_t i = 0; i < master->size(); ++i) sum = sum + force_size(master->load(i));
+  return (Ball(share_, kScalePrecision) * sum).middle();
+}
+
+double ExactTotals::torque_scale() {
+  Ball sum(0.0, kScalePrecision);
+  for (ExactLoads* master : masters_)
+    for (std::size_t i = 0; i < master->size(); ++i) {
+      const ElementLoad<Quadratic>& load = master->load(i);
+      Ball squares(0.0, kScalePrecision);
+      for (int axis = 0; axis < 3; ++axis) {
+        const Ball component = enclosed(load.arm[axis], kScalePrecision);
+        squares = squares + component * component;
+      }
+      sum = sum + sqrt(squares) * force_size(load);
+    }
+  return (Ball(share_, kScalePrecision) * sum).middle();
 }
 
 }  // namespace pcm::reference

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "reference/contact_force.h"
@@ -11,14 +12,17 @@
 
 namespace pcm::reference {
 
-/// Loads and totals with every decision of the law and every sum exact, correctly rounded (radical_sum.h). An element
-/// is computed when something of it is asked for. A root of a root arises where, with friction and w != 0, an element's
-/// u_k is clamped to max_penetration: its force has one, and every total it enters.
+/// Loads of one master's elements with every decision of the law exact. An element is computed when something of it is
+/// asked for; its values are correctly rounded (radical_sum.h).
 class ExactLoads {
  public:
   /// All that the question refers to must outlive this.
   explicit ExactLoads(const ForceQuestion& question)
       : question_(question), pose_(question.pose), known_(question.elements.size()) {}
+
+  std::size_t size() const { return known_.size(); }
+  const ElementGeometry<Rational>& geometry(std::size_t i) { return at(i).geometry; }
+  const ElementLoad<Quadratic>& load(std::size_t i) { return at(i).load; }
 
   double area(std::size_t i);
   double penetration(std::size_t i);
@@ -26,8 +30,27 @@ class ExactLoads {
   double position(std::size_t i, int axis);
   double force(std::size_t i, int axis);  ///< on body E
 
-  double total_force(int axis);
-  double total_torque(int axis);
+ private:
+  struct Known {
+    ElementGeometry<Rational> geometry;
+    ElementLoad<Quadratic> load;
+  };
+  const Known& at(std::size_t i);
+
+  ForceQuestion question_;
+  LiftedPose<Rational> pose_;
+  std::vector<std::optional<Known>> known_;
+};
+
+/// Totals over masters with every sum exact, correctly rounded. A root of a root arises where, with friction and
+/// w != 0, an element's u_k is clamped to max_penetration: its force has one, and every total it enters.
+class ExactTotals {
+ public:
+  /// The masters must outlive this. Force, torque and scales are multiplied by `share`.
+  ExactTotals(std::vector<ExactLoads*> masters, double share) : masters_(std::move(masters)), share_(share) {}
+
+  double force(int axis);
+  double torque(int axis);
   double greatest_penetration();
   bool greatest_exceeds(double bound);
   /// Force and torque scale, not claimed to be correctly rounded: the middle of an enclosure.
@@ -35,17 +58,11 @@ class ExactLoads {
   double torque_scale();
 
  private:
-  struct Known {
-    ElementGeometry<Rational> geometry;
-    ElementLoad<Quadratic> load;
-  };
-  const Known& at(std::size_t i);
-  /// The one of the greatest penetration before clamping; none without elements.
-  const Known* deepest();
+  /// The greatest penetration before clamping; none without elements.
+  std::optional<Quadratic> greatest();
 
-  const ForceQuestion& question_;
-  LiftedPose<Rational> pose_;
-  std::vector<std::optional<Known>> known_;
+  std::vector<ExactLoads*> masters_;
+  double share_;
 };
 
 }  // namespace pcm::reference

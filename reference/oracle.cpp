@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/oracle.h"
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,6 +18,27 @@
 #include "reference/validate.h"
 
 namespace pcm::reference {
+
+namespace {
+
+std::size_t index_of(Problem problem) {
+  return problem == Problem::rounded ? 0 : 1;
+}
+
+std::size_t index_of(Side side) {
+  return side == Side::E ? 0 : 1;
+}
+
+std::vector<Side> masters_of(Mode mode) {
+  if (mode == Mode::both) return {Side::E, Side::F};
+  return {mode == Mode::E ? Side::E : Side::F};
+}
+
+Problem other(Problem problem) {
+  return problem == Problem::rounded ? Problem::exact : Problem::rounded;
+}
+
+}  // namespace
 
 struct Oracle::Data {
   Surface E;
@@ -40,69 +62,125 @@ Answer Oracle::answer(Problem problem, const Pose& pose, const Velocity& velocit
   return Inquiry(*this, pose, velocity, wanted).answer(problem);
 }
 
-/// What was found for one problem and holds in the other one too.
-struct Inquiry::Shared {
+namespace {
+
+/// The elements one master carries in one problem, and what the law makes of them.
+struct MasterElements {
+  ClippedFindings clipped;
+  std::unique_ptr<ElementSource> source;
+  std::unique_ptr<MasterLoads> loads;
+};
+
+/// One problem as far as it has been solved.
+struct Solution {
+  ExactPose pose;
+  Combinatorics found;
+  Answer without_force;                              ///< what all modes have in common
+  std::array<std::optional<ElementPairs>, 2> pairs;  ///< by master
+  std::array<std::unique_ptr<MasterElements>, 2> elements;
+};
+
+}  // namespace
+
+struct Inquiry::Data {
   const Oracle::Data& oracle;
   Pose pose;
   Velocity velocity;
   Wanted wanted;
-  std::shared_ptr<Proximity> near;
-  std::optional<ElementPairs> pairs;  ///< certified ones only
-  ClippedFindings clipped;
+  std::array<std::unique_ptr<Solution>, 2> solutions{};  ///< by problem
 
-  ElementPairs find_pairs(const ExactPose& exact_pose, const Combinatorics& found) {
-    if (pairs) return *pairs;
-    ElementPairs elements = find_elements(exact_pose, oracle.mode, found);
-    if (elements.certified) pairs = elements;
-    return elements;
-  }
-
-  const std::vector<ClippedElement>& find_clipped(const ExactPose& exact_pose, const Combinatorics& found) {
-    clipped = find_clipped_elements(exact_pose, oracle.mode, found, clipped);
-    return clipped.elements;
-  }
+  Solution& solve(Problem problem);
+  const ElementPairs& pairs(Problem problem, Side master);
+  MasterElements& elements(Problem problem, Side master);
 };
 
 Inquiry::Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity, const Wanted& wanted)
-    : shared_(std::make_unique<Shared>(Shared{*oracle.data_, pose, velocity, wanted, {}, {}, {}})) {
+    : data_(std::make_unique<Data>(Data{*oracle.data_, pose, velocity, wanted})) {
   require_fit(pose, velocity);
 }
 
 Inquiry::~Inquiry() = default;
 
-Answer Inquiry::answer(Problem problem) {
-  const Oracle::Data& oracle = shared_->oracle;
-  const Wanted& wanted = shared_->wanted;
-  const ExactPose pose(problem, oracle.E, oracle.F, shared_->pose);
-  if (!shared_->near) shared_->near = std::make_shared<Proximity>(pose);
-  const Combinatorics found = find_combinatorics(pose, shared_->near);
+Solution& Inquiry::Data::solve(Problem problem) {
+  std::unique_ptr<Solution>& solution = solutions[index_of(problem)];
+  if (solution) return *solution;
+  const Solution* known = solutions[index_of(other(problem))].get();
+  ExactPose exact_pose(problem, oracle.E, oracle.F, pose);
+  Combinatorics found = known ? find_combinatorics(exact_pose, known->found.near) : find_combinatorics(exact_pose);
+  solution = std::make_unique<Solution>(Solution{std::move(exact_pose), std::move(found), {}, {}, {}});
 
-  Answer answer;
-  answer.touching = !found.crossings.ids.empty();
-  answer.nested = found.E.nested || found.F.nested;
-  answer.ambiguous = found.E.ambiguous || found.F.ambiguous;
-  answer.E.intersected = found.E.intersected;
-  answer.E.inner = found.E.inner;
-  answer.F.intersected = found.F.intersected;
-  answer.F.inner = found.F.inner;
+  const Combinatorics& facts = solution->found;
+  Answer& answer = solution->without_force;
+  answer.touching = !facts.crossings.ids.empty();
+  answer.nested = facts.E.nested || facts.F.nested;
+  answer.ambiguous = facts.E.ambiguous || facts.F.ambiguous;
+  answer.E.intersected = facts.E.intersected;
+  answer.E.inner = facts.E.inner;
+  answer.F.intersected = facts.F.intersected;
+  answer.F.inner = facts.F.inner;
   if (wanted.polygons) {
-    const std::vector<Index> patches = group_into_patches(pose, found.crossings, found.polygons, found.E, found.F);
-    report_polygons(pose, CrossingPoints(pose, found.crossings.ids), found.polygons, patches, answer);
+    const std::vector<Index> patches =
+        group_into_patches(solution->pose, facts.crossings, facts.polygons, facts.E, facts.F);
+    report_polygons(solution->pose, CrossingPoints(solution->pose, facts.crossings.ids), facts.polygons, patches,
+                    answer);
   }
   if (wanted.areas)
-    report_areas(pose, found.clip(pose), oracle.E.closed && oracle.F.closed && !answer.ambiguous, answer);
-  if (wanted.force) {
-    const ElementPairs elements = shared_->find_pairs(pose, found);
-    answer.too_deep = elements.too_deep;  // by the barycentres' lines in either scheme
-    if (oracle.scheme == Scheme::barycentric) {
-      answer.certified = elements.certified;
-      report_force({pose, BarycentricElements(elements.pairs), oracle.law, oracle.mode, shared_->velocity}, wanted,
-                   answer);
-    } else {
-      const ClippedElements clipped(shared_->find_clipped(pose, found));
-      report_force({pose, clipped, oracle.law, oracle.mode, shared_->velocity}, wanted, answer);
-    }
+    report_areas(solution->pose, facts.clip(solution->pose), oracle.E.closed && oracle.F.closed && !answer.ambiguous,
+                 answer);
+  return *solution;
+}
+
+const ElementPairs& Inquiry::Data::pairs(Problem problem, Side master) {
+  Solution& solution = solve(problem);
+  std::optional<ElementPairs>& pairs = solution.pairs[index_of(master)];
+  if (pairs) return *pairs;
+  // What is certain in one problem holds in the other one too.
+  const Solution* known = solutions[index_of(other(problem))].get();
+  const std::optional<ElementPairs> found = known ? known->pairs[index_of(master)] : std::nullopt;
+  pairs = found && found->certified ? *found : find_elements(solution.pose, master, solution.found);
+  return *pairs;
+}
+
+MasterElements& Inquiry::Data::elements(Problem problem, Side master) {
+  Solution& solution = solve(problem);
+  std::unique_ptr<MasterElements>& elements = solution.elements[index_of(master)];
+  if (elements) return *elements;
+  elements = std::make_unique<MasterElements>();
+  if (oracle.scheme == Scheme::barycentric) {
+    elements->source = std::make_unique<BarycentricElements>(pairs(problem, master).pairs);
+  } else {
+    const Solution* other_solution = solutions[index_of(other(problem))].get();
+    const MasterElements* known = other_solution ? other_solution->elements[index_of(master)].get() : nullptr;
+    elements->clipped =
+        find_clipped_elements(solution.pose, master, solution.found, known ? known->clipped : ClippedFindings());
+    elements->source = std::make_unique<ClippedElements>(elements->clipped.elements);
   }
+  elements->loads =
+      std::make_unique<MasterLoads>(ForceQuestion{solution.pose, *elements->source, oracle.law, velocity});
+  return *elements;
+}
+
+Answer Inquiry::answer(Problem problem) {
+  return answer(problem, data_->oracle.mode);
+}
+
+Answer Inquiry::facts(Problem problem, Mode mode) {
+  Answer answer = data_->solve(problem).without_force;
+  if (!data_->wanted.force) return answer;
+  for (const Side master : masters_of(mode)) {
+    const ElementPairs& pairs = data_->pairs(problem, master);
+    answer.too_deep += pairs.too_deep;  // by the barycentres' lines in either scheme
+    if (data_->oracle.scheme == Scheme::barycentric) answer.certified = answer.certified && pairs.certified;
+  }
+  return answer;
+}
+
+Answer Inquiry::answer(Problem problem, Mode mode) {
+  Answer answer = facts(problem, mode);
+  if (!data_->wanted.force) return answer;
+  std::vector<MasterLoads*> loads;
+  for (const Side master : masters_of(mode)) loads.push_back(data_->elements(problem, master).loads.get());
+  report_force(loads, data_->wanted, answer);
   return answer;
 }
 

@@ -30,7 +30,8 @@ class Oracle {
 };
 
 /// One state put to the oracle. Both problems share what does not depend on rounding, so asking for both costs less
-/// than twice. For one thread.
+/// than twice; and all modes of a problem share geometry and elements, so all three cost little more than mode `both`.
+/// For one thread.
 class Inquiry {
  public:
   /// The oracle must outlive this. Throws as Oracle::answer.
@@ -39,11 +40,16 @@ class Inquiry {
   Inquiry(const Inquiry&) = delete;
   Inquiry& operator=(const Inquiry&) = delete;
 
+  /// In the oracle's mode.
   Answer answer(Problem problem);
+  /// In any mode: the answer is that of an oracle of this mode.
+  Answer answer(Problem problem, Mode mode);
+  /// The same but for the elements and all that is summed over them; of these only how many lines are too deep.
+  Answer facts(Problem problem, Mode mode);
 
  private:
-  struct Shared;
-  std::unique_ptr<Shared> shared_;
+  struct Data;
+  std::unique_ptr<Data> data_;
 };
 
 }  // namespace pcm::reference

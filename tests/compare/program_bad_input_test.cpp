@@ -74,6 +74,9 @@ TEST_F(BadInput, CommandsAndOptions) {
   expect_bad_contact({"--mode", "G"}, "--mode");
   expect_bad_contact({"--scheme", "other"}, "--scheme");
   expect_bad_contact({"--engine", "reference", "--bound"}, "--bound");
+  expect_bad_contact({"--engine", "published-2003", "--bound"}, "--bound");
+  expect_bad_contact({"--engine", "published-2003", "--problem", "exact"}, "--problem");
+  expect_bad_contact({"--engine", "published-2023", "--scheme", "clipped"}, "--engine");
   expect_bad_contact({"--engine", "reference", "--problem", "other"}, "--problem");
   expect_bad_contact({"--problem", "exact"}, "--problem");
 }

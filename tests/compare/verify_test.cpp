@@ -240,9 +240,39 @@ TEST(Verdict, PatchSmallerThanTheSpacingOfDoublesHasABound) {
   Pose pose;
   pose.r = far;
   fast::Workspace workspace;
-  const PoseOutcome outcome = scene.hold(pose, Velocity{}, workspace);
+  const PoseOutcome outcome = scene.hold(pose, Velocity{}, workspace).front();
   EXPECT_TRUE(outcome.touching);
   EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
+}
+
+TEST(Verdict, ThicknessOfClosedSurfacesIsVolumeOverMeanArea) {
+  reference::Answer truth;
+  truth.volume = 6;
+  truth.E.area = 1;
+  truth.F.area = 3;
+  EXPECT_EQ(mean_thickness(truth), 3);
+  truth.E.area = truth.F.area = 0;
+  EXPECT_EQ(mean_thickness(truth), 0);
+}
+
+TEST(Verdict, ThicknessOfAnOpenPairIsItsPatchsDepthOrWidthWhicheverIsLess) {
+  // A square patch of width w below which u is d: twice the volume w w d over the surface 2 w w + 4 w d.
+  const auto thickness = [](double w, double d) {
+    reference::Answer truth;
+    reference::Polygon& outline = truth.polygons.emplace_back();
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, std::pair{w, 0.0}, std::pair{w, w}, std::pair{0.0, w}})
+      outline.points.emplace_back().position_Me = {x, y, 0};
+    for (const double part : {0.25, 0.75}) {
+      reference::Element& element = truth.elements.emplace_back();
+      element.area = part * w * w;
+      element.penetration = d;
+    }
+    return mean_thickness(truth);
+  };
+  EXPECT_DOUBLE_EQ(thickness(1, 1), 1.0 / 3);
+  EXPECT_NEAR(thickness(1, 0x1p-20), 0x1p-20, 0x1p-38);  // flat: its depth
+  EXPECT_NEAR(thickness(0x1p-20, 1), 0x1p-21, 0x1p-39);  // a needle: half its width
+  EXPECT_EQ(mean_thickness(reference::Answer{}), 0);     // no element
 }
 
 TEST(Verdict, StalePoseIsFlagged) {
@@ -273,7 +303,7 @@ TEST(Verdict, SlaveNearlyParallelToTheLineOfAClampedElementAtRestHasABound) {
     const Verification run(plan);
     const DrawnPose drawn = run.draw(run.cells().front(), 3090);
     fast::Workspace workspace;
-    const PoseOutcome outcome = run.scene(run.cells().front()).hold(drawn.pose, drawn.velocity, workspace);
+    const PoseOutcome outcome = run.scene(run.cells().front()).hold(drawn.pose, drawn.velocity, workspace).front();
     EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
     return;
   }
@@ -316,6 +346,40 @@ TEST(Verification, TablesDoNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(verification_markdown(one), verification_markdown(four));
   EXPECT_EQ(verification_csv(one), verification_csv(four));
   EXPECT_EQ(verification_json(one), verification_json(four));
+}
+
+TEST(Verification, AllModesTogetherAnswerAsThreeRunsBitForBit) {
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    VerificationPlan plan = small_plan(60);
+    plan.scheme = scheme;
+    plan.modes = {Mode::E, Mode::F, Mode::both};
+    Verification together(plan);
+    run_all(together, 2);
+    EXPECT_EQ(together.poses_done(), 60);
+    EXPECT_EQ(together.total().poses, 180);
+    const auto answers = [](const Tally& tally) {
+      nlohmann::ordered_json json = tally.to_json();
+      json.erase("seconds");
+      return json;
+    };
+    for (std::size_t m = 0; m < 3; ++m) {
+      plan.modes = {std::vector{Mode::E, Mode::F, Mode::both}[m]};
+      Verification alone(plan);
+      run_all(alone, 2);
+      EXPECT_EQ(answers(together.by_mode()[m].tally), answers(alone.total()));
+      ASSERT_EQ(together.cells().size(), 3 * alone.cells().size());
+      for (std::size_t c = 0; c < alone.cells().size(); ++c) {
+        EXPECT_EQ(together.cells()[3 * c + m].mode, plan.modes.front());
+        EXPECT_EQ(answers(together.cells()[3 * c + m].tally), answers(alone.cells()[c].tally));
+      }
+      EXPECT_THROW(alone.restore(together.state()), BadInput);
+    }
+    Verification continued(together.plan());
+    continued.restore(together.state());
+    EXPECT_EQ(verification_csv(continued), verification_csv(together));
+    EXPECT_EQ(verification_markdown(continued), verification_markdown(together));
+    EXPECT_NE(verdict_line(together).find("60 poses in 3 modes"), std::string::npos);
+  }
 }
 
 TEST(Verification, ContinuedRunEndsLikeAnUninterruptedOne) {
@@ -469,7 +533,7 @@ TEST_F(CaseFiles, ReplayGivesTheSameVerdict) {
   const Case read = read_case(folder_ / "case.json");
   const Scene scene(read.E, read.F, read.law, read.mode);
   fast::Workspace workspace;
-  EXPECT_TRUE(scene.hold(read.pose, read.velocity, workspace).disagreements.empty());
+  EXPECT_TRUE(scene.hold(read.pose, read.velocity, workspace).front().disagreements.empty());
 }
 
 }  // namespace

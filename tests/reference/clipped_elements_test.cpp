@@ -108,7 +108,7 @@ Immersed immersed(const ExactPose& pose) {
 
 /// Integral of the penetration over the master's area with its first moments, from the elements; N must be vertical.
 Immersed pressed(const ExactPose& pose) {
-  const std::vector<ClippedElement> elements = find_clipped_elements(pose, Mode::E, find_combinatorics(pose)).elements;
+  const std::vector<ClippedElement> elements = find_clipped_elements(pose, Side::E, find_combinatorics(pose)).elements;
   LiftedPose<Rational> points(pose);
   Immersed sum;
   for (std::size_t i = 0; i < elements.size(); ++i) {

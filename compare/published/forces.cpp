@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/published/forces.h"
+
+#include <utility>
+
+#include "fast/contact_force.h"
+#include "fast/law.h"
+#include "meshes/bad_input.h"
+
+namespace pcm::compare::published {
+namespace {
+
+void clear(fast::Contact& contact) {
+  fast::Contact empty;
+  std::swap(empty.crossings, contact.crossings);
+  std::swap(empty.polygons, contact.polygons);
+  std::swap(empty.elements, contact.elements);
+  std::swap(empty.E, contact.E);
+  std::swap(empty.F, contact.F);
+  contact = std::move(empty);
+  contact.crossings.clear();
+  contact.polygons.clear();
+  contact.elements.clear();
+  for (fast::ActiveArea* area : {&contact.E, &contact.F}) {
+    area->intersected.clear();
+    area->inner.clear();
+  }
+}
+
+}  // namespace
+
+void begin(const Surface& surface_E, const Surface& surface_F, const Pose& pose, const Velocity& velocity,
+           const Wanted& wanted, Workspace& workspace) {
+  fast::require_valid(pose, velocity);
+  if (wanted.bound) throw BadInput("the published algorithms know no bounds on their rounding errors");
+  clear(workspace.contact);
+  workspace.faces_E.place(surface_E, nullptr);
+  workspace.faces_F.place(surface_F, &pose);
+}
+
+void add_element(Workspace& workspace, Side master, Index face, const fast::FaceGeometry& geometry,
+                 const FirstMet& first, const fast::ForceProblem& problem, fast::MasterForce& total) {
+  if (!first.leaves || !(first.depth > 0)) return;
+  fast::Element element;
+  element.master = master;
+  element.master_face = face;
+  element.slave_face = first.face;
+  element.area = geometry.area;
+  element.penetration = first.depth;
+  element.normal_Me = -geometry.n_Me;
+  fast::add_element(workspace.contact, problem, first.depth, geometry.barycentre_Me(), element, total);
+}
+
+void compute_force(Workspace& workspace, const ContactLaw& law, Mode mode, const Pose& pose, const Velocity& velocity,
+                   const Wanted& wanted, const SumElements& sum_elements) {
+  fast::Contact& contact = workspace.contact;
+  const bool with_velocities = law.damping != 0 || law.friction != 0 || wanted.elements;
+  const fast::ForceProblem problem{
+      Scheme::barycentric, law, fast::SeriesStiffness(law), pose, velocity, with_velocities, wanted.elements, false};
+  if (mode == Mode::both) {
+    const fast::MasterForce on_E = sum_elements(Side::E, problem);
+    const fast::MasterForce on_F = sum_elements(Side::F, problem);
+    contact.force_Me = 0.5 * (on_E.force_Me + on_F.force_Me);
+    contact.torque_Me = 0.5 * (on_E.torque_Me + on_F.torque_Me);
+  } else {
+    const fast::MasterForce total = sum_elements(mode == Mode::E ? Side::E : Side::F, problem);
+    contact.force_Me = total.force_Me;
+    contact.torque_Me = total.torque_Me;
+  }
+  if (wanted.elements) contact.statistics = fast::summarize(contact.elements);
+  if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite())
+    throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
+}
+
+}  // namespace pcm::compare::published
