@@ -138,7 +138,14 @@ struct Scene::Data {
   std::vector<Workspace> workspaces;  ///< of evaluate_all, one a thread
   ThreadTeam team;
 
-  ScenePairing& at(Index pairing) { return pairings.at(static_cast<std::size_t>(pairing)); }
+  ScenePairing& at(Index pairing) {
+    const auto i = static_cast<std::size_t>(pairing);
+    if (pairing < 0 || i >= pairings.size()) {
+      throw BadInput("scene: there is no pairing " + std::to_string(pairing) + ", it has " +
+                     std::to_string(pairings.size()));
+    }
+    return pairings[i];
+  }
   const Body& body(Index index) const { return bodies[static_cast<std::size_t>(index)]; }
   Pose relative_pose(const ScenePairing& pairing) const;
   Velocity relative_velocity(const ScenePairing& pairing) const;
@@ -281,7 +288,7 @@ void Scene::evaluate_all(int threads, const Visit& visit) {
   constexpr std::size_t kChunk = 16;
   std::atomic<std::size_t> next = 0;
   std::vector<ScenePairing>& all = data_->pairings;
-  data_->team.run(members, [&](std::size_t member) {
+  const auto take_part = [&](std::size_t member) {
     Workspace& workspace = data_->workspaces[member];
     for (std::size_t begin = next.fetch_add(kChunk); begin < all.size(); begin = next.fetch_add(kChunk)) {
       for (std::size_t i = begin; i < std::min(begin + kChunk, all.size()); ++i) {
@@ -296,7 +303,9 @@ void Scene::evaluate_all(int threads, const Visit& visit) {
         }
       }
     }
-  });
+  };
+  // By reference, so that no copy is allocated.
+  data_->team.run(members, std::cref(take_part));
   std::exception_ptr first;
   for (ScenePairing& pairing : all) {
     if (const std::exception_ptr failure = std::exchange(pairing.failure, nullptr); !first) first = failure;

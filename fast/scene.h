@@ -45,7 +45,7 @@ struct SceneCounters {
 /// Bodies that move, and the pairings among them; a pairing that can't be in contact costs nanoseconds. Answers are
 /// those of `evaluate` for each pairing's relative pose, bit for bit, whatever is skipped and however many threads.
 ///
-/// For one caller at a time, except where it says otherwise.
+/// For one caller at a time, except where it says otherwise. A number that is no pairing's throws BadInput.
 class Scene {
  public:
   explicit Scene(Savings savings = {});

@@ -16,13 +16,12 @@ ThreadTeam::~ThreadTeam() {
 void ThreadTeam::run(std::size_t members, const std::function<void(std::size_t)>& task) {
   {
     const std::lock_guard lock(mutex_);
+    while (threads_.size() + 1 < members) {
+      threads_.emplace_back([this, member = threads_.size() + 1, seen = round_] { work(member, seen); });
+    }
     task_ = &task;
     members_ = members;
     ++round_;
-    // A new thread takes part in the round it is born in.
-    while (threads_.size() + 1 < members) {
-      threads_.emplace_back([this, member = threads_.size() + 1] { work(member); });
-    }
     busy_ = threads_.size();
   }
   start_.notify_all();
@@ -31,11 +30,8 @@ void ThreadTeam::run(std::size_t members, const std::function<void(std::size_t)>
   end_.wait(lock, [&] { return busy_ == 0; });
 }
 
-void ThreadTeam::work(std::size_t member) {
-  std::size_t rounds_seen = 0;
+void ThreadTeam::work(std::size_t member, std::size_t rounds_seen) {
   std::unique_lock lock(mutex_);
-  // Born while `run` holds the lock: the round at hand is the first to take part in.
-  rounds_seen = round_ - 1;
   for (;;) {
     start_.wait(lock, [&] { return leaving_ || round_ != rounds_seen; });
     if (leaving_) return;

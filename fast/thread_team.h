@@ -20,11 +20,12 @@ class ThreadTeam {
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
   /// Runs task(0) to task(members - 1) at the same time, member 0 in the caller's thread, and returns when all are
-  /// done. The task must not throw. Threads that are missing are started, and then kept.
+  /// done. The task must not throw. Threads that are missing are started, and then kept; throws std::system_error where
+  /// the system has none left, before anything is run.
   void run(std::size_t members, const std::function<void(std::size_t member)>& task);
 
  private:
-  void work(std::size_t member);
+  void work(std::size_t member, std::size_t rounds_seen);
 
   std::vector<std::thread> threads_;
   std::mutex mutex_;

@@ -55,9 +55,11 @@ void add_element(Workspace& workspace, Side master, Index face, const fast::Face
 void compute_force(Workspace& workspace, const ContactLaw& law, Mode mode, const Pose& pose, const Velocity& velocity,
                    const Wanted& wanted, const SumElements& sum_elements) {
   fast::Contact& contact = workspace.contact;
-  const bool with_velocities = law.damping != 0 || law.friction != 0 || wanted.elements;
-  const fast::ForceProblem problem{
-      Scheme::barycentric, law, fast::SeriesStiffness(law), pose, velocity, with_velocities, wanted.elements, false};
+  fast::StatisticsSum statistics;
+  fast::ForceProblem problem{Scheme::barycentric, law, fast::SeriesStiffness(law), pose, velocity};
+  problem.keep_elements = wanted.elements;
+  if (wanted.elements || wanted.statistics) problem.statistics = &statistics;
+  problem.with_velocities = law.damping != 0 || law.friction != 0 || problem.statistics != nullptr;
   if (mode == Mode::both) {
     const fast::MasterForce on_E = sum_elements(Side::E, problem);
     const fast::MasterForce on_F = sum_elements(Side::F, problem);
@@ -68,7 +70,7 @@ void compute_force(Workspace& workspace, const ContactLaw& law, Mode mode, const
     contact.force_Me = total.force_Me;
     contact.torque_Me = total.torque_Me;
   }
-  if (wanted.elements) contact.statistics = fast::summarize(contact.elements);
+  if (problem.statistics != nullptr) contact.statistics = statistics.result();
   if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite())
     throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
 }

@@ -7,6 +7,7 @@
 #include <new>
 #include <sstream>
 
+#include "fast/scene.h"
 #include "meshes/generate_parts.h"
 #include "tests/fast/engine_support.h"
 
@@ -64,6 +65,26 @@ TEST(Allocations, NoneOnceTheWorkspaceHasGrown) {
 
 TEST(Allocations, NoneInTheClippedSchemeOnceTheWorkspaceHasGrown) {
   expect_no_allocation_once_grown(Scheme::clipped);
+}
+
+TEST(Allocations, NoneInASceneThatHasSeenItsContacts) {
+  const Surface bubble(generate::bubble());
+  Scene scene;
+  for (int b = 0; b < 3; ++b) scene.add_body(bubble);
+  for (Index F = 1; F < 3; ++F) scene.add_pairing(0, F);
+  std::vector<BodyState> states(3);
+  const auto run = [&] {
+    for (int i = 0; i < 10; ++i) {
+      states[1].pose = test::turned(0.3 * i, {0.05, 0.1, 0.12});
+      states[2].pose = test::turned(0.2 * i, {0, 0.1 * i, 0.3});
+      scene.move(states);
+      scene.evaluate_all();
+    }
+  };
+  run();
+  const long before = allocations;
+  run();
+  EXPECT_EQ(allocations - before, 0);
 }
 
 TEST(Allocations, SliversOfRoundingSizeDoNotMultiplyThePartsOfAFace) {

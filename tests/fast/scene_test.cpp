@@ -198,6 +198,7 @@ TEST(Scene, RefusesWhatItCanNotPlaceAndStaysAsItWas) {
   scene.add_body(Surface(generate::box({1, 1, 1})));
   expect_bad_input([&] { scene.add_pairing(0, 2); }, "no body 2");
   expect_bad_input([&] { scene.add_pairing(1, 1); }, "body 1 with itself");
+  expect_bad_input([&] { scene.load(0); }, "no pairing 0, it has 0");
   scene.add_pairing(0, 1);
   BodyState E, F;
   F.pose.r = {0.5, 0.25, 0.125};
