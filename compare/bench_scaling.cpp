@@ -7,7 +7,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -52,17 +51,15 @@ struct Spheres {
 };
 
 fast::Surface prepared_sphere(Index level, SetupResult& setup) {
-  using Clock = std::chrono::steady_clock;
   TriangleMesh mesh = generate::icosphere(1, level);
   setup.faces = static_cast<std::int64_t>(mesh.faces.size());
   const double mesh_bytes = static_cast<double>(mesh.vertices.capacity() * sizeof(mesh.vertices[0]) +
                                                 mesh.faces.capacity() * sizeof(mesh.faces[0]));
   const double heap_before = heap_bytes() - mesh_bytes;
-  const Clock::time_point before = Clock::now();
-  fast::Surface surface(std::move(mesh));
-  setup.setup_ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
+  std::optional<fast::Surface> surface;
+  setup.setup_ms = 1e-3 * time_us([&] { surface.emplace(std::move(mesh)); });
   setup.bytes_a_face = std::max(0.0, heap_bytes() - heap_before) / static_cast<double>(setup.faces);
-  return surface;
+  return *surface;
 }
 
 Pose pose_at(double depth, std::uint64_t number) {

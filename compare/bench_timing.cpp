@@ -30,16 +30,6 @@ double processor_us() {
   return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
 }
 
-/// The processor's time takes longer to read than the wall clock, and only who runs long is interrupted.
-double time_of(const std::function<void()>& work) {
-  constexpr double kLong = 500;
-  const double processor_before = processor_us();
-  const Clock::time_point before = Clock::now();
-  work();
-  const double wall = microseconds(Clock::now() - before);
-  return wall < kLong ? wall : processor_us() - processor_before;
-}
-
 /// The processor as the kernel names it.
 std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");
@@ -60,14 +50,23 @@ std::string stay_on_one_core() {
   return fmt::format("core {}", core);
 }
 
+double time_us(const std::function<void()>& work) {
+  constexpr double kLong = 500;
+  const double processor_before = processor_us();
+  const Clock::time_point before = Clock::now();
+  work();
+  const double wall = microseconds(Clock::now() - before);
+  return wall < kLong ? wall : processor_us() - processor_before;
+}
+
 Timing least_time(const std::function<void()>& prepare, const std::function<void()>& query) {
   constexpr int kMeasured = 5;
   constexpr std::chrono::milliseconds kEnough(50);
   const Clock::time_point start = Clock::now();
   Timing least;
   for (int k = 0; k <= kMeasured; ++k) {
-    const double preparation = time_of(prepare);
-    const Timing measured{preparation, time_of(query)};
+    const double preparation = time_us(prepare);
+    const Timing measured{preparation, time_us(query)};
     if (k == 1) least = measured;
     if (k > 1) {
       least.preparation_us = std::min(least.preparation_us, measured.preparation_us);

@@ -13,6 +13,10 @@ namespace pcm::compare {
 /// Keeps this thread on the core where it runs. Returns that core as "core 1", or why it isn't kept there.
 std::string stay_on_one_core();
 
+/// Microseconds that the work took: the thread's processor time where that is half a millisecond and more, which leaves
+/// out when others had the core; else the wall clock, which is read faster.
+double time_us(const std::function<void()>& work);
+
 /// Times of one question.
 struct Timing {
   double preparation_us = 0;
@@ -20,8 +24,7 @@ struct Timing {
 };
 
 /// Asks once without measuring, which warms the caches, then up to five times, and no more once 50 ms are spent; the
-/// least time of each counts: whatever disturbs a machine adds time. Half a millisecond and more is measured by the
-/// thread's processor time, which leaves out when others had the core.
+/// least time of each counts: whatever disturbs a machine adds time.
 Timing least_time(const std::function<void()>& prepare, const std::function<void()>& query);
 
 /// The value below which this part of the values lies, by the nearest rank; 0 where there are none.

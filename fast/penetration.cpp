@@ -7,8 +7,10 @@
 #include <limits>
 #include <optional>
 
+#include "fast/clearance.h"
 #include "fast/depth.h"
 #include "fast/line_search.h"
+#include "fast/line_walk.h"
 #include "fast/penetration_predicates.h"
 #include "fast/ray.h"
 #include "fast/thickness.h"
@@ -111,15 +113,24 @@ int compare(ExactLine& line, const FaceMet& f, const FaceMet& g, WorkCounters& w
 }
 
 /// The first face of a surface that the line meets, by exact distance, then shift, then face index.
-FaceMet first_face_met(Workspace::Data& workspace, Side slave, ExactLine& line, const Ray& ray, LineTrace* trace) {
+/// `left`: one of them, through which the line surely leaves the body at a distance greater than 0, or -1.
+FaceMet first_face_met(Workspace::Data& workspace, Side slave, ExactLine& line, const Ray& ray, Index left,
+                       LineTrace* trace) {
   PosedSurface& posed = workspace.side(slave).posed;
   const WideTree& tree = posed.surface().wide_tree;
   WorkCounters& work = workspace.contact.work;
   const double slack = line_slack(slave, ray, workspace.placement);
   const WideRay wide_ray = in_tree_of(slave, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
   FaceMet first;
+  if (left >= 0) {
+    first.face = left;
+    first.direction = -1;
+    first.points_Me = posed.face_Me(left, work);
+    first.distance = distance_to(ray, first.points_Me, slack);
+  }
   const auto visit = [&](Index face, Passage passage) {
     if (trace != nullptr) trace->slave_faces.push_back(face);
+    if (face == left) return;
     FaceMet met;
     met.face = face;
     met.points_Me = posed.face_Me(face, work);
@@ -171,24 +182,86 @@ bool has_no_normal(const FacePoints& p) {
   return true;
 }
 
-}  // namespace
+// What follows holds for faces that are no needles: the area exceeds kLeastShare times the product of two sides'
+// 1-norms. With u = 2^-53 and M the greatest |coordinate| in Me: components of the cross product of two sides are off
+// by 4 u times that product, so that the computed unit normal is off by less than 2^-38 in length. Then n . (x - C) is
+// off by 2^-34 M, the slope by 2^-36, and where it exceeds 1/2 their quotient, at most 8 M, by less than 2^-30 M.
+constexpr double kLeastShare = 0x1p-10;
+constexpr double kDistanceError = 0x1p-30;
 
-bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                  double distance) {
-  const Surface::Data& surface = workspace.side(master).surface();
-  return distance < surface.thickness[static_cast<std::size_t>(face)] &&
-         thickness_holds(surface, workspace.placement.slack(master), geometry);
+bool is_no_needle(double area, const Eigen::Vector3d& side, const Eigen::Vector3d& other_side) {
+  return area > kLeastShare * (side.lpNorm<1>() * other_side.lpNorm<1>());
 }
 
-Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                             LineTrace* trace) {
+/// What thicker_than decides, for a face that is no needle.
+bool surely_thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                         double distance) {
+  const Surface::Data& surface = workspace.side(master).surface();
+  if (!(distance < surface.thickness[static_cast<std::size_t>(face)])) return false;
+  return thickness_holds(surface, workspace.placement.slack(master), geometry);
+}
+
+/// The clearance of the line's cone about a face, given the squared cosine of its angle with the normal.
+struct ConeClearance {
+  double beneath = 0;
+  bool above = false;
+
+  ConeClearance(const Clearance& clearance, double squared_cosine) {
+    for (const std::size_t cone : {1U, 0U}) {
+      if (!(squared_cosine > kConeCosine[cone] * kConeCosine[cone] * (1 + 0x1p-20))) return;
+      beneath = static_cast<double>(clearance.beneath[cone]);
+      above = clearance.above[cone];
+    }
+  }
+};
+
+/// Whether clearances and thickness settle what the line finds; fills `penetration` where they do. Else `left` may be a
+/// face through which the line surely leaves the slave, at a distance greater than 0.
+bool settle_by_walk(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry, Index start,
+                    Penetration& penetration, Index& left) {
+  const Side slave = opposite(master);
+  PosedSurface& posed = workspace.side(slave).posed;
+  const Surface::Data& surface = posed.surface();
+  const Placement& placement = workspace.placement;
+  const double reach = surface.reach.maxCoeff();
+  const auto& p = geometry.points_Me;
+  if (start < 0 || !(placement.slack(slave) < kClearanceTolerance * reach)) return false;
+  if (!is_no_needle(geometry.area, p[1] - p[0], p[2] - p[0])) return false;
+  const Eigen::Vector3d C = geometry.barycentre_Me();
+  const AcrossLine line(p, C, placement.reach);
+  if (!line.usable()) return false;
+  const Index met = walk_to_face_left(posed, line, start, workspace.contact.work);
+  if (met < 0) return false;
+  const FacePoints f = posed.face_Me(met, workspace.contact.work);
+  const Eigen::Vector3d first_side = f[1] - f[0], second_side = f[2] - f[0];
+  const Eigen::Vector3d N_f = first_side.cross(second_side);
+  const double square = N_f.squaredNorm();
+  const double least = 2 * kLeastShare * (first_side.lpNorm<1>() * second_side.lpNorm<1>());
+  const double slope = -geometry.n_Me.dot(N_f);
+  if (!(square > least * least && square > 0x1p-900 && slope > 0 && 4 * slope * slope > square)) return false;
+  const double distance = N_f.dot(f[0] - C) / slope;
+  const double error = kDistanceError * placement.reach;
+  const ConeClearance clearance(surface.clearance[static_cast<std::size_t>(met)], slope * slope / square);
+  if (distance < -error && clearance.above) return true;  // It meets nothing.
+  if (!(distance > error)) return false;
+  left = met;
+  if (!(distance + error < clearance.beneath * reach)) return false;
+  if (!surely_thicker_than(workspace, master, face, geometry, distance + error)) return false;
+  penetration.outcome = Penetration::Outcome::element;
+  penetration.slave_face = met;
+  penetration.depth = DepthBelow(geometry, f).value();
+  return true;
+}
+
+/// find_penetration, given a face that the line surely leaves the slave through, at a distance greater than 0; or -1.
+Penetration search_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                               Index left, LineTrace* trace) {
   WorkCounters& work = workspace.contact.work;
-  if (trace != nullptr) trace->clear();
   const Ray ray(geometry, geometry.barycentre_Me());
   Penetration penetration;
   if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
   ExactLine line(geometry.points_Me);
-  const FaceMet first = first_face_met(workspace, opposite(master), line, ray, trace);
+  const FaceMet first = first_face_met(workspace, opposite(master), line, ray, left, trace);
   penetration.first_met = first.face;
   if (first.face < 0 || first.direction > 0) return penetration;
   if (!thicker_than(workspace, master, face, geometry, first.distance.greatest) &&
@@ -202,6 +275,29 @@ Penetration find_penetration(Workspace::Data& workspace, Side master, Index face
   penetration.slave_face = first.face;
   penetration.depth = DepthBelow(geometry, first.points_Me).value();
   return penetration;
+}
+
+}  // namespace
+
+bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                  double distance) {
+  const Surface::Data& surface = workspace.side(master).surface();
+  return distance < surface.thickness[static_cast<std::size_t>(face)] &&
+         thickness_holds(surface, workspace.placement.slack(master), geometry);
+}
+
+Penetration find_penetration_from(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                                  Index start) {
+  Penetration penetration;
+  Index left = -1;
+  if (settle_by_walk(workspace, master, face, geometry, start, penetration, left)) return penetration;
+  return search_penetration(workspace, master, face, geometry, left, nullptr);
+}
+
+Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                             LineTrace* trace) {
+  if (trace != nullptr) trace->clear();
+  return search_penetration(workspace, master, face, geometry, -1, trace);
 }
 
 }  // namespace pcm::fast

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "fast/clearance.h"
 #include "fast/geometry.h"
 #include "fast/thickness.h"
 #include "meshes/bad_input.h"
@@ -143,6 +144,7 @@ Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   wide_tree = WideTree(mesh, tree);
   thickness = lower_bounds_of_thickness(*this);
   thickness_everywhere = lower_bounds_of_thickness_everywhere(*this);
+  clearance = clearances(*this);
   clear_of_neighbours = faces_clear_of_neighbours(*this);
 }
 

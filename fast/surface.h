@@ -30,6 +30,13 @@ struct Incidence {
   }
 };
 
+/// What surely is free of other faces of the same surface on either side of a face (fast/clearance.h): a line that
+/// passes through the face's interior, within one of two cones about its normal, meets no other face nearer than that.
+struct Clearance {
+  std::array<float, 2> beneath{};  ///< on the side against the normal, relative to the reach; 0: nothing is known
+  std::array<bool, 2> above{};     ///< whether nothing is met on the side of the normal, however far
+};
+
 /// What is derived from a mesh once, in the surface's own frame; read by every step of the evaluation.
 struct Surface::Data {
   explicit Data(TriangleMesh surface_mesh);
@@ -53,6 +60,7 @@ struct Surface::Data {
   std::vector<double> thickness;
   std::vector<double> thickness_everywhere;  ///< the same over all points of each face
   std::vector<bool> clear_of_neighbours;     ///< by face; see fast/thickness.h
+  std::vector<Clearance> clearance;          ///< by face
 
   const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }
   const Eigen::Vector3d& vertex(Index v) const { return mesh.vertices[static_cast<std::size_t>(v)]; }

@@ -70,6 +70,7 @@ struct SideState {
   std::vector<Index> inside_vertices;  ///< those found inside the other body, but for nested components
   StampedArray<Index> region;          ///< by vertex: inside vertices joined by uncrossed edges share one
   StampedArray<bool> component_crossed;
+  StampedArray<Index> slave_nearby;             ///< by face, of masters: a face of the slave near its penetration line
   StampedArray<Index> slot;                     ///< by face: its place in `intersected`
   std::vector<double> clipped_area;             ///< of each intersected face
   std::vector<Eigen::Vector3d> clip_origin_Me;  ///< a point of each intersected face's patch

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "fast/transform.h"
+
+namespace pcm::fast {
+
+/// How points lie across the penetration line of a master face (p0, p1, p2) with barycentre C: at
+///     X = (p1 - p0) . (x - C),  Y = (p2 - p0) . (x - C).
+/// For N = (p1 - p0) x (p2 - p0) and any v, w: N . (v x w) = X_v Y_w - Y_v X_w. So the side tests D of
+/// fast/penetration_predicates.h are determinants of two such points.
+///
+/// Error, with u = 2^-53, M the greatest |coordinate| in Me, |a| and |b| the 1-norms of both edges, W the greatest
+/// |coordinate| of x - C, at most 2 M: C is off by 8 u M, x - C by 10 u M, X by 10 u M |a| and five roundings of at
+/// most 2 M |a|: 20 u M |a|. Likewise Y. Of D's two products each is at most |a| |b| W^2 and off by 40 u M |a| |b| W
+/// and two roundings: 88 u M |a| |b| W for both. 128 pays for rounding the bound itself. Underflow costs nothing beside
+/// that where M |a| and M |b| exceed 2^-500 and the bound 2^-900; where anything overflows it is infinite.
+class AcrossLine {
+ public:
+  struct Point {
+    double x, y, width;
+  };
+
+  AcrossLine(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double reach)
+      : C_(barycentre), a_(p[1] - p[0]), b_(p[2] - p[0]) {
+    const double a = a_.lpNorm<1>(), b = b_.lpNorm<1>();
+    room_ = 128 * 0x1p-53 * reach * a * b;
+    usable_ = reach * a > 0x1p-500 && reach * b > 0x1p-500;
+  }
+
+  /// Whether numbers are neither so large nor so small that the bound fails.
+  bool usable() const { return usable_; }
+
+  Point see(const Eigen::Vector3d& x) const {
+    const Eigen::Vector3d from_C = x - C_;
+    return {a_.dot(from_C), b_.dot(from_C), from_C.cwiseAbs().maxCoeff()};
+  }
+
+  /// What |D| of edges between points no wider than `width` must exceed for its sign to be sure.
+  double room(double width) const { return room_ * width + 0x1p-900; }
+
+ private:
+  Eigen::Vector3d C_, a_, b_;
+  double room_;
+  bool usable_;
+};
+
+/// Walks over a surface from face to neighbouring face, each time over an edge that has the line on its far side, until
+/// the line surely passes through the face's interior, leaving the body there: that face. -1 where it can't be told,
+/// where a border or a face turned away is met, or after too many steps.
+inline Index walk_to_face_left(PosedSurface& posed, const AcrossLine& line, Index start, WorkCounters& work) {
+  constexpr int kMostSteps = 32;
+  const Surface::Data& surface = posed.surface();
+  Index face = start;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Triangle& corners = surface.face(face);
+    const std::array<AcrossLine::Point, 3> x{line.see(posed.vertex_Me(corners[0], work)),
+                                             line.see(posed.vertex_Me(corners[1], work)),
+                                             line.see(posed.vertex_Me(corners[2], work))};
+    const std::array<double, 3> D{x[0].x * x[1].y - x[0].y * x[1].x, x[1].x * x[2].y - x[1].y * x[2].x,
+                                  x[2].x * x[0].y - x[2].y * x[0].x};
+    work.predicates += 3;
+    const double room = line.room(std::max({x[0].width, x[1].width, x[2].width}));
+    // D0 + D1 + D2 = N . N_f: all are negative where the line leaves through f.
+    std::size_t worst = D[1] > D[0] ? 1 : 0;
+    if (D[2] > D[worst]) worst = 2;
+    if (D[worst] < -room) return face;
+    if (!(D[worst] > room) || !(D[0] + D[1] + D[2] < 0)) return -1;
+    const std::array<Index, 2>& faces = surface.faces_at(surface.edges_of(face)[worst]);
+    face = faces[0] == face ? faces[1] : faces[0];
+    if (face < 0) return -1;
+  }
+  return -1;
+}
+
+}  // namespace pcm::fast
