@@ -235,6 +235,8 @@ Exit verify(const VerifyOptions& options) {
 }
 
 Exit compare_engines(const VerifyOptions& options) {
+  if (options.scheme != "barycentric")
+    throw BadInput("--engine: the published algorithms know the barycentric scheme only; leave out --scheme");
   const int jobs = number_of_jobs(options);
   std::vector<Engine> engines;
   for (const Engine engine : kEngines)
