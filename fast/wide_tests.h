@@ -55,6 +55,29 @@ struct WideRay {
 /// Which of E's children may touch which of F's: bit 8 j + i is child i of E with child j of F.
 using LanePairs = std::uint64_t;
 
+/// On which side of the other's plane the corners of two faces lie, where that is sure: corners above it, bit by bit.
+struct PlaneSides {
+  bool sure_of_E = false;  ///< of E's face against the plane of F's
+  bool sure_of_F = false;
+  unsigned above_of_E = 0;
+  unsigned above_of_F = 0;
+};
+
+/// Pairs of faces of two bottom nodes.
+struct FacePairs {
+  LanePairs possible = 0;  ///< all others surely do not cross
+  // The members of PlaneSides, of those that are possible.
+  LanePairs sure_of_E = 0, sure_of_F = 0;
+  std::array<LanePairs, 3> above_of_E{}, above_of_F{};  ///< by corner
+
+  PlaneSides sides(int pair) const {
+    const auto bit = [pair](LanePairs pairs) { return static_cast<unsigned>(pairs >> pair & 1U); };
+    return {bit(sure_of_E) != 0, bit(sure_of_F) != 0,
+            bit(above_of_E[0]) | bit(above_of_E[1]) << 1 | bit(above_of_E[2]) << 2,
+            bit(above_of_F[0]) | bit(above_of_F[1]) << 1 | bit(above_of_F[2]) << 2};
+  }
+};
+
 /// Faces and a line, bit by bit.
 struct FacesMet {
   std::uint32_t possible = 0;  ///< all others surely are missed
@@ -70,8 +93,8 @@ struct WideTests {
   /// The box of F itself against those of E's children (bits 0 to 7), and the reverse.
   std::uint32_t (*children_of_E)(const WideNode& E, const WideNode& F, const WidePose& pose);
   std::uint32_t (*children_of_F)(const WideNode& E, const WideNode& F, const WidePose& pose);
-  /// Faces of two bottom nodes: their boxes along E's axes, and whether one lies on one side of the other's plane.
-  LanePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
+  /// Faces of two bottom nodes: their boxes along E's axes, and on which side of the other's plane their corners lie.
+  FacePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
                      const WidePose& pose);
   /// Children whose boxes the ray may meet, and how far along it at least.
   std::uint32_t (*boxes_met)(const WideNode& node, const WideRay& ray, Lanes& entry);

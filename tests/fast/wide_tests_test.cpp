@@ -99,10 +99,18 @@ class WideTestsOn : public testing::TestWithParam<Situation> {
 TEST_P(WideTestsOn, CandidatesHoldEveryCrossingPairOnce) {
   NodePairs open;
   std::set<FacePair> candidates;
-  for_each_candidate(E.data(), F.data(), placement, fastest_wide_tests(), open, work, [&](Index e, Index f) {
-    EXPECT_TRUE(candidates.emplace(e, f).second) << e << ' ' << f;
-    return true;
-  });
+  const auto expect_sides = [&](std::size_t side, Index face, Index plane, unsigned above) {
+    const auto x = posed[side].face_points(face, work), p = posed[1 - side].face_points(plane, work);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(orientation(p[0], p[1], p[2], x[k], work) > 0, (above >> k & 1U) != 0);
+  };
+  for_each_candidate(E.data(), F.data(), placement, fastest_wide_tests(), open, work,
+                     [&](Index e, Index f, const PlaneSides& sides) {
+                       EXPECT_TRUE(candidates.emplace(e, f).second) << e << ' ' << f;
+                       if (sides.sure_of_E) expect_sides(0, e, f, sides.above_of_E);
+                       if (sides.sure_of_F) expect_sides(1, f, e, sides.above_of_F);
+                       return true;
+                     });
   const auto faces_E = static_cast<Index>(GetParam().E.faces.size()),
              faces_F = static_cast<Index>(GetParam().F.faces.size());
   int crossing = 0;
@@ -178,8 +186,13 @@ TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
       EXPECT_EQ(portable->children_of_E(e, f, pose), wide->children_of_E(e, f, pose));
       EXPECT_EQ(portable->children_of_F(e, f, pose), wide->children_of_F(e, f, pose));
       if (!e.bottom() || !f.bottom()) continue;
-      EXPECT_EQ(portable->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose),
-                wide->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose));
+      const FacePairs a = portable->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose),
+                      b = wide->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose);
+      EXPECT_EQ(a.possible, b.possible);
+      EXPECT_EQ(a.sure_of_E, b.sure_of_E);
+      EXPECT_EQ(a.sure_of_F, b.sure_of_F);
+      EXPECT_EQ(a.above_of_E, b.above_of_E);
+      EXPECT_EQ(a.above_of_F, b.above_of_F);
     }
   }
 }
