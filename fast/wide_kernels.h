@@ -250,6 +250,19 @@ std::uint32_t test_boxes_met(const WideNode& node, const WideRay& ray, Lanes& en
   return ~bits_of(first > last) & node.used;
 }
 
+std::uint32_t test_boxes_in_prism(const WideNode& node, const WidePrism& prism) {
+  const Vector8 centre = load(node.centre), half = load(node.half);
+  const auto along = [](const std::array<float, 3>& axis, const Vector8& v) {
+    return axis[0] * v.x + axis[1] * v.y + axis[2] * v.z;
+  };
+  const Float8 depth = along(prism.axis[3], centre), depth_range = along(prism.axis_absolute[3], half);
+  Int8 outside = (depth + depth_range < all(prism.offset[3])) | (depth - depth_range > all(prism.deepest));
+  for (std::size_t k = 0; k < 3; ++k) {
+    outside |= along(prism.axis[k], centre) + along(prism.axis_absolute[k], half) < all(prism.offset[k]);
+  }
+  return ~bits_of(outside) & node.used;
+}
+
 /// v x w.
 inline Vector8 cross(const Vector8& v, const Vector8& w) {
   return {v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
@@ -277,8 +290,8 @@ FacesMet test_faces_met(const FaceGroup& faces, const WideRay& ray) {
   return {~bits_of(some_left & some_right) & 0xffU, bits_of(all_left), bits_of(all_right)};
 }
 
-constexpr WideTests kTests{test_boxes, test_children_of_E, test_children_of_F,
-                           test_faces, test_boxes_met,     test_faces_met};
+constexpr WideTests kTests{test_boxes,     test_children_of_E,  test_children_of_F, test_faces,
+                           test_boxes_met, test_boxes_in_prism, test_faces_met};
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "fast/master_prism.h"
 #include "fast/placement.h"
 #include "fast/wide_tree.h"
 
@@ -50,6 +51,21 @@ struct WideRay {
   /// Origin and direction in the frame of the tree's surface, `distance` in m.
   WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& ray_direction,
           double distance);
+};
+
+/// A prism in the coordinates of a wide tree, in single precision: four half spaces axis . x >= offset, and the depth
+/// at which it ends.
+///
+/// Axes have unit length. With v = 2^-24 and G the tree's radius, the scalar product with a box's centre, that with its
+/// half widths and their sum are off by less than 12 v G, an offset by v times itself: 16 v (G + |offset|) covers them.
+struct WidePrism {
+  std::array<std::array<float, 3>, 4> axis{};  ///< inward from the three sides, then downward
+  std::array<std::array<float, 3>, 4> axis_absolute{};
+  std::array<float, 4> offset{};  ///< less the slack
+  float deepest = 0;              ///< greatest axis . x of the last, with the slack
+
+  /// `deepest` in m.
+  WidePrism(const WideTree& tree, const TreePrism& prism, double deepest_depth);
 };
 
 /// Which of E's children may touch which of F's: bit 8 j + i is child i of E with child j of F.
@@ -98,6 +114,8 @@ struct WideTests {
                      const WidePose& pose);
   /// Children whose boxes the ray may meet, and how far along it at least.
   std::uint32_t (*boxes_met)(const WideNode& node, const WideRay& ray, Lanes& entry);
+  /// Children whose boxes may have a point in the prism.
+  std::uint32_t (*boxes_in_prism)(const WideNode& node, const WidePrism& prism);
   /// Faces that the line, taken as infinite both ways, passes through.
   FacesMet (*faces_met)(const FaceGroup& faces, const WideRay& ray);
 };

@@ -161,6 +161,37 @@ TEST_P(WideTestsOn, LinesMeetWhatIsSureAndMissWhatIsNotPossible) {
   RecordProperty("sure", surely);
 }
 
+TEST_P(WideTestsOn, PrismsMeetEveryBoxThatDoublePrecisionFinds) {
+  int met = 0;
+  for (std::size_t slave = 0; slave < 2; ++slave) {
+    const WideTree& tree = surface(slave).wide_tree;
+    for (std::size_t m = 0; m < surface(1 - slave).mesh.faces.size(); m += 7) {
+      const FaceGeometry geometry(posed[1 - slave].face_Me(static_cast<Index>(m), work));
+      if (!(geometry.area > 0)) continue;
+      const MasterPrism prism(geometry);
+      const double slack = 4 * placement.slack(slave == 0 ? Side::E : Side::F);
+      const TreePrism tree_prism =
+          slave == 0 ? TreePrism(prism, slack) : TreePrism(prism, slack, placement.A, placement.r_Me);
+      const double infinity = std::numeric_limits<double>::infinity();
+      for (const double deepest : {infinity, 0.1 * surface(slave).reach.maxCoeff()}) {
+        const WidePrism wide(tree, tree_prism, deepest);
+        for (Index i = 0; i < tree.nodes(); ++i) {
+          const WideNode& node = tree.node(i);
+          if (!node.bottom()) continue;
+          const std::uint32_t lanes = fastest_wide_tests().boxes_in_prism(node, wide);
+          EXPECT_EQ(lanes, all_wide_tests()[0]->boxes_in_prism(node, wide));
+          for (std::size_t lane = 0; lane < static_cast<std::size_t>(node.count); ++lane) {
+            if (!tree_prism.may_meet(box_of_faces(surface(slave).mesh, &node.child[lane], 1), deepest)) continue;
+            ++met;
+            EXPECT_TRUE((lanes >> lane & 1U) != 0) << m << ' ' << node.child[lane];
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(met, 0);
+}
+
 TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
   const auto [portable, wide] = all_wide_tests();
   if (wide == nullptr) GTEST_SKIP() << "this processor or build has no wide instructions";
