@@ -44,6 +44,26 @@ std::string label(std::string name) {
   return name;
 }
 
+struct ClippedCost {
+  std::string_view pair;
+  double usual;
+  double nested;
+};
+
+/// Of the pairs that cost more than a few milliseconds (SurfacePair::clipped_cost).
+constexpr ClippedCost kClippedCosts[] = {
+    {"bubble-bubble", 75, 230},    {"pyramid-bubble", 37, 5},   {"icosphere-plate", 95, 130},
+    {"bumpy-bumpy", 100, 0},       {"torus-plate", 77, 240},    {"gear-gear", 1250, 3800},
+    {"knot-box", 83, 160},         {"box-gridded box", 7, 70},  {"socket-ball", 190, 90},
+    {"wedge-box", 8, 5},           {"cylinder-cone", 18, 50},   {"gridded cubes", 22, 0},
+    {"slab-gridded cube", 12, 0},  {"small icospheres", 28, 0}, {"small tori", 36, 0},
+    {"small gear-slab", 15, 0},    {"elephant-hand", 180, 950}, {"femur-knot", 230, 1270},
+    {"fandisk-pinion", 2300, 690}, {"rotor-pinion", 190, 260},  {"elephant-elephant", 200, 670},
+};
+
+/// Poses of less than this, in milliseconds, are not told apart by what they cost.
+constexpr double kSmallCost = 5;
+
 class PairList {
  public:
   void add_general(std::string name, TriangleMesh mesh_E, TriangleMesh mesh_F) {
@@ -77,8 +97,11 @@ class PairList {
     pair.law = verification_law(turn_++, mesh_E, mesh_F);
     pair.E = std::move(mesh_E);
     pair.F = std::move(mesh_F);
-    if (pair.faces() > 8000) pair.share = 4;
-    if (pair.faces() > 20000) pair.share = 1;
+    for (const ClippedCost& cost : kClippedCosts)
+      if (cost.pair == pair.name) {
+        pair.clipped_cost = cost.usual;
+        pair.clipped_nested_cost = cost.nested;
+      }
     pairs.push_back(std::move(pair));
   }
 
@@ -116,6 +139,17 @@ ContactLaw verification_law(std::size_t turn, const TriangleMesh& mesh_E, const 
       break;
   }
   return law;
+}
+
+std::int64_t SurfacePair::share(Stratum stratum, Scheme scheme) const {
+  const bool nested = stratum == Stratum::nested;
+  const double cost = nested ? clipped_nested_cost : clipped_cost;
+  if (scheme == Scheme::clipped && cost > 0) {
+    const double share = static_cast<double>(kWholeShare) * std::min(1.0, kSmallCost / cost);
+    return std::max<std::int64_t>(2, std::llround(share));
+  }
+  const std::int64_t usual = faces() > 20000 ? kWholeShare / 16 : faces() > 8000 ? kWholeShare / 4 : kWholeShare;
+  return nested && faces() > 2000 ? std::max(kWholeShare / 16, usual / 8) : usual;
 }
 
 std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfaces, std::vector<std::string>& missing) {

@@ -13,6 +13,9 @@
 
 namespace pcm::compare {
 
+/// The share of a pair that costs little.
+inline constexpr std::int64_t kWholeShare = 256;
+
 /// Two surfaces to verify on, with the law between them.
 struct SurfacePair {
   std::string name;  ///< names the pair in tables and, with the seed, its random numbers
@@ -24,9 +27,19 @@ struct SurfacePair {
   bool for_hard_strata = false;  ///< takes the bulk of degenerate and near-degenerate
   bool for_all_strata = true;    ///< takes part in the others, and in one of fifty poses of the hard ones
 
-  /// Its part of the poses beside that of the other pairs, in sixteenths: large surfaces take less, or a run's time
-  /// would be theirs alone.
-  std::int64_t share = 16;
+  /// Its part of the poses of a stratum beside that of the other pairs, at most kWholeShare: costly pairs take less, or
+  /// a run's time would be theirs alone.
+  ///
+  /// Barycentric scheme: a quarter above 8,000 faces together, a sixteenth above 20,000; of nested poses, where every
+  /// face of the guest is active, an eighth of that above 2,000. Clipped scheme: in inverse proportion to what a pose
+  /// costs, for that spreads over a factor of a thousand (a deep pose of two gears has 15,000 elements); in 200,000
+  /// poses still at least some eighty for each pair and stratum, some hundreds for most.
+  std::int64_t share(Stratum stratum, Scheme scheme) const;
+
+  /// CPU time of the oracle a pose in the clipped scheme, all modes, in milliseconds, of an average pose and of a
+  /// nested one; as measured, roughly. 0 where it is not known: the share is then that of the barycentric scheme.
+  double clipped_cost = 0;
+  double clipped_nested_cost = 0;
 
   std::size_t faces() const { return E.faces.size() + F.faces.size(); }
 };

@@ -24,10 +24,6 @@ constexpr std::int64_t kBatch = 1024;
 /// Larger pairs have no part in the stratum nested.
 constexpr std::size_t kMostNestedFaces = 20000;
 
-/// Pairs above this many faces take an eighth of their share of nested poses: every face of the guest is active there,
-/// which costs the oracle tens of times a usual pose.
-constexpr std::size_t kFewNestedFaces = 2000;
-
 /// One pose in this many of a hard stratum falls to the general pairs.
 constexpr std::int64_t kGeneralShare = 50;
 
@@ -70,11 +66,7 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
     return whole * (before + weight) / all - whole * before / all;
   };
   const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
-    const auto share_of = [&](std::size_t k) {
-      const SurfacePair& pair = plan_.pairs[k];
-      const bool costly = stratum == Stratum::nested && pair.faces() > kFewNestedFaces;
-      return costly ? std::max<std::int64_t>(1, pair.share / 8) : pair.share;
-    };
+    const auto share_of = [&](std::size_t k) { return plan_.pairs[k].share(stratum, plan_.scheme); };
     std::int64_t all = 0, before = 0;
     for (const std::size_t k : pairs) all += share_of(k);
     for (const std::size_t k : pairs) {

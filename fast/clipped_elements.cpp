@@ -175,7 +175,10 @@ Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const U
     const PlacedFace placed_g = placed(workspace, g.own ? master : opposite(master), g);
     subtract_hidden(uncertainty, placed_f, placed_g, scratch.parts, scratch.remaining, neglect, workspace.contact.work);
   }
-  for (const ConvexPolygon& part : scratch.parts) moments.add(part);
+  for (const ConvexPolygon& part : scratch.parts) {
+    moments.add(part);
+    neglect.add_part(part, f.seen);
+  }
   return moments;
 }
 

@@ -16,6 +16,10 @@ constexpr double u = kUnitRoundoff;
 /// Shifts beyond this are no longer small (fast/prism_error.cpp).
 constexpr double kGreatestShift = 0x1p-6;
 
+/// Integrals over a fan of five triangles are off by as much as a shift of its border by 6 u times its width would
+/// make.
+constexpr double kFanRoundings = 6;
+
 /// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.
 double noise_of_crossing(const Footprint& f, const Footprint& g, const PrismError& error) {
   double farthest = 0, highest = 0;
@@ -27,6 +31,42 @@ double noise_of_crossing(const Footprint& f, const Footprint& g, const PrismErro
     highest = std::max(highest, std::abs(plane - c[kDepth]));
   }
   return g.crossing_noise * farthest + f.relative_noise * highest;
+}
+
+struct AreaAndVolume {
+  double area, volume;
+};
+
+/// What roundings make of the cuts along the master's sides, where the depth ends with a jump, and of the integrals
+/// over the part `seen`. Such a side of it, and no other but for slivers, lies within f's shift and a cut's roundings
+/// of the master's; what is between both is known. Where nothing was cut: what such cuts may have made nothing of.
+AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
+  const double width_s = f.box.width_s(), width_t = f.box.width_t();
+  if (seen == nullptr) {
+    const double third = f.third_side_shift * (std::min(width_s, width_t) + 2 * f.third_side_shift);
+    const double area = strip_along_border(f.box, f.cut_shift.s, f.cut_shift.t) + third;
+    return {area, area * f.greatest};
+  }
+  const double near = 4 * (f.shift.s + f.shift.t + f.cut_shift.s + f.cut_shift.t + f.third_side_shift);
+  AreaAndVolume sum{strip_along_border(f.box, kFanRoundings * u * width_s, kFanRoundings * u * width_t) +
+                        48 * (f.cut_shift.s + f.third_side_shift) * (f.cut_shift.t + f.third_side_shift),
+                    0};
+  sum.volume = sum.area * f.greatest;
+  for (int i = 0; i < seen->count; ++i) {
+    const PrismPoint& a = (*seen)[i];
+    const PrismPoint& b = (*seen)[i + 1 == seen->count ? 0 : i + 1];
+    const double along_s = std::abs(b[kS] - a[kS]), along_t = std::abs(b[kT] - a[kT]);
+    const double third_a = std::abs(1 - a[kS] - a[kT]) + 2 * u, third_b = std::abs(1 - b[kS] - b[kT]) + 2 * u;
+    double between = 0;
+    if (std::max(std::abs(a[kS]), std::abs(b[kS])) < near)
+      between += std::max(std::abs(a[kS]), std::abs(b[kS])) * along_t;
+    if (std::max(std::abs(a[kT]), std::abs(b[kT])) < near)
+      between += std::max(std::abs(a[kT]), std::abs(b[kT])) * along_s;
+    if (std::max(third_a, third_b) < near) between += std::max(third_a, third_b) * std::min(along_s, along_t);
+    sum.area += between;
+    sum.volume += between * std::max(a[kDepth], b[kDepth]);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -99,22 +139,34 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
     const Footprint& f = sight.footprint;
     if (!sight.may_carry) continue;
     if (f.facing == 0) {
-      sight.area_error = sliver_area(f, f.greatest, f.box);
+      find_side_shifts(error_, sight.footprint);
+      sight.area_error = sliver(f, f, f.greatest, f.box).area;
       sight.volume_error = sight.area_error * f.greatest;
       continue;
     }
-    const double cuts = strip_along_border(f.box, f.cut_shift.s, f.cut_shift.t);
-    const double border = strips_along_sides(f, f.shift.s, f.shift.t, f.box).area + cuts;
-    const ZeroStrip zero = zero_strip(f.depth, f.depth_error, f.box);
-    sight.area_error = border + zero.area;
-    sight.volume_error = zero.area * 2 * f.depth_error;
-    if (continuous_) {
-      find_outline(sight, slave);
-      const double jumps = strips_along_sides(f, f.shift.s, f.shift.t, f.box, sight.outline).area + cuts;
-      sight.volume_error += jumps * f.greatest + border * 4 * sight.sheet_error;
-    } else {
-      sight.volume_error += border * f.greatest;
+    find_outline(sight, slave);
+    SideStrips outline, smooth;
+    if (sight.outline[0] || sight.outline[1] || sight.outline[2]) {
+      find_side_shifts(error_, sight.footprint);
+      outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
     }
+    // Where nothing jumps, errors are of second order, and what passes is of no account where forces are linear.
+    if (continuous_) {
+      smooth.area = strip_along_border(f.box, f.shift.s, f.shift.t);
+      smooth.volume = smooth.area * f.greatest;
+    } else {
+      smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box,
+                                  {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
+    }
+    const ZeroStrip zero = zero_strip(f.depth, f.depth_error, f.box);
+    const ConvexPolygon* const seen =
+        sight.projected >= 0 ? &projected.faces[static_cast<std::size_t>(sight.projected)].seen : nullptr;
+    const AreaAndVolume cuts = errors_of_cuts(f, seen);
+    sight.area_error = outline.area + cuts.area + zero.area;
+    sight.volume_error =
+        outline.volume + cuts.volume + zero.area * 2 * f.depth_error + smooth.area * 4 * sight.sheet_error;
+    sight.passed_area = smooth.area;
+    sight.passed_volume = smooth.volume;
   }
   std::sort(order.begin(), order.end(), [&sights](std::size_t a, std::size_t b) {
     return sights[a].footprint.box.low_s < sights[b].footprint.box.low_s;
@@ -139,6 +191,7 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
       }
       for (Sight* const sight : {&f, &g}) {
         if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
+        find_side_shifts(error_, sight->footprint);
       }
       if (f.may_carry) charge(f, g, box, overlap);
       if (g.may_carry) charge(g, f, box, overlap);
@@ -159,19 +212,20 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
   if (f.facing == 0) return;  // Counted in full.
   const double greatest =
       std::clamp(f.depth.middle(box) + f.depth.reach(box) + f.depth_error, 0.0, std::max(f.greatest, 0.0));
-  sight.cut_shift.s = std::max(sight.cut_shift.s, g.roundings.s);
-  sight.cut_shift.t = std::max(sight.cut_shift.t, g.roundings.t);
-  double area = 0;
+  double area = 0, volume = 0;
   if (g.facing == 0) {
-    area = sliver_area(g, greatest, box);
+    const SideStrips all = sliver(g, f, greatest, box);
+    area = all.area;
+    volume = all.volume;
   } else {
-    if (strips_along_sides(g, g.shift.s, g.shift.t, box).apart) return;
+    const SideStrips outline = strips_along_sides(g, g.shift.s, g.shift.t, f, box, hider.outline);
+    if (outline.apart) return;
     const CertainOrder order = certain_order(g, f);
     if (order == CertainOrder::after) return;
     const double beside_error = 4 * hider.sheet_error;  // Near sides beyond which the sheet goes on.
     std::array<bool, 3> inner;
     for (std::size_t k = 0; k < 3; ++k) inner[k] = !hider.outline[k];
-    ZeroStrip one_depth;
+    LineStrip one_depth, zero;
     if (order == CertainOrder::unsure) {
       LinearDepth beyond;  // How much farther f is than g.
       beyond.value = f.depth.middle(box) - g.depth.middle(box);
@@ -181,23 +235,29 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
       beyond.per_t = f.depth.per_t - g.depth.per_t;
       const double error = f.depth_error + noise_of_crossing(f, g, error_);
       if (beyond.value + beyond.reach(box) < -(error + beside_error)) return;  // g certainly lies after f.
-      one_depth = zero_strip(beyond, error + g.depth_error, box);
+      one_depth = strip_along_line(beyond, error + g.depth_error, f, g, box);
       if (beyond.value - beyond.reach(box) <= error + beside_error) {
-        one_depth.area += zero_strip_at_sides(g, inner, beyond, error + beside_error, box);
+        const double beside = zero_strip_at_sides(g, inner, beyond, error + beside_error, box);
+        one_depth.area += beside;
+        one_depth.volume += beside * greatest;
       }
     }
-    ZeroStrip zero = zero_strip(g.depth, g.depth_error, box);
-    if (std::abs(g.depth.middle(box)) - g.depth.reach(box) <= beside_error) {
-      zero.area += zero_strip_at_sides(g, inner, g.depth, beside_error, box);
+    // A face that hangs from the master's corners is at depth 0 only there, in both problems.
+    if (!(g.hinge_depth > 0)) {
+      zero = strip_along_line(g.depth, g.depth_error, f, g, box);
+      if (std::abs(g.depth.middle(box)) - g.depth.reach(box) <= beside_error) {
+        const double beside = zero_strip_at_sides(g, inner, g.depth, beside_error, box);
+        zero.area += beside;
+        zero.volume += beside * greatest;
+      }
     }
-    const double outline =
-        strips_along_sides(g, g.shift.s + sight.cut_shift.s, g.shift.t + sight.cut_shift.t, box, hider.outline).area;
-    area = std::min(outline + one_depth.area + zero.area, overlap);
+    area = std::min(outline.area + one_depth.area + zero.area, overlap);
+    volume = std::min(outline.volume + one_depth.volume + zero.volume, area * greatest);
     flush_ = flush_ || ((one_depth.everywhere || zero.everywhere) && overlap == box.area() &&
                         greatest > 4 * f.depth_error && area > 4 * strip_along_border(box, g.shift.s, g.shift.t));
   }
   sight.area_error += area;
-  sight.volume_error += area * greatest;
+  sight.volume_error += volume;
 }
 
 Sight* SightError::find(Index slave_face) {
@@ -224,26 +284,32 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   sight->has_element = true;
   const Footprint& f = sight->footprint;
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
-  // Roundings of the parts beyond the first, cuts and integrals.
-  const double cut_s = sight->cut_shift.s + 24 * u * width_s, cut_t = sight->cut_shift.t + 24 * u * width_t;
-  const double cut = 2 * (neglect.width_s * cut_t + neglect.width_t * cut_s) + 48 * neglect.parts * cut_s * cut_t;
-  const double area_error =
-      std::min(sight->area_error, f.box.area() + moments.area) + neglect.area + cut + 16 * u * moments.area;
-  const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error, f.greatest);
+  const double passed_area = sight->passed_area, passed_volume = sight->passed_volume;
+  const double area_error = std::min(sight->area_error, f.box.area() + moments.area) + neglect.area + neglect.cut_area +
+                            16 * u * moments.area;
   const double greatest = std::max(f.greatest, moments.greatest);
-  const double volume_error = sight->volume_error + (neglect.area + cut) * greatest +
-                              (moments.area + area_error) * (depth_error + 16 * u * greatest);
+  const double off_plane = 3 * u * neglect.cuts * (greatest + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
+  const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error + off_plane, f.greatest);
+  // A triangle's integral has 8 roundings, the sum one for each, of which a part has ten at most.
+  const double volume_error = sight->volume_error + neglect.area * greatest + neglect.cut_volume +
+                              (moments.area + area_error + passed_area) * depth_error +
+                              (18 + 10 * neglect.parts) * u * (moments.depth + area_error * greatest);
   const double mean = moments.depth / moments.area;
-  error.area = twice_area * area_error + 2 * face.area * (moments.area + area_error);
-  error.volume = twice_area * volume_error + 2 * face.area * (moments.depth + volume_error);
+  error.area = twice_area * area_error + 2 * face.area * (moments.area + area_error + passed_area);
+  error.volume = twice_area * volume_error + 2 * face.area * (moments.depth + volume_error + passed_volume);
+  // Elastic forces are linear in the integrals, whatever passes.
+  const double passes = continuous_ ? 0 : 1;
+  error.mean = mean;
+  error.passed_area = passes * twice_area * passed_area;
+  error.passed_volume = passes * twice_area * passed_volume;
+  const double area_off = area_error + passes * passed_area, volume_off = volume_error + passes * passed_volume;
   error.penetration = greatest;
-  if (2 * area_error < moments.area) {
-    error.penetration =
-        std::min(greatest, (volume_error + mean * area_error) / (moments.area - area_error) + 8 * u * mean);
+  if (2 * area_off < moments.area) {
+    error.penetration = std::min(greatest, (volume_off + mean * area_off) / (moments.area - area_off) + 8 * u * mean);
   }
   // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
   double share = 1;
-  if (2 * volume_error < moments.depth) share = std::min(1.0, volume_error / (moments.depth - volume_error));
+  if (2 * volume_off < moments.depth) share = std::min(1.0, volume_off / (moments.depth - volume_off));
   const double noise = 64 * u * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth);
   error.foot_Me = (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
                   (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
@@ -263,8 +329,11 @@ SightError::Beside SightError::beside() const {
     if (!sight.may_carry || sight.has_element) continue;
     const Footprint& f = sight.footprint;
     const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error, f.greatest);
-    sum.area += sight.area_error;
-    sum.volume += std::min(sight.volume_error + sight.area_error * depth_error, sight.area_error * f.greatest);
+    const double area = sight.area_error + sight.passed_area;
+    sum.area += area;
+    sum.volume += std::min(sight.volume_error + sight.passed_volume + area * depth_error, area * f.greatest);
+    sum.passed_area += sight.passed_area;
+    sum.passed_volume += sight.passed_volume;
     sum.depth = std::max(sum.depth, f.greatest);
   }
   return sum;

@@ -51,9 +51,10 @@ class SightError {
 
   /// What the exact problem may have beside the computed elements.
   struct Beside {
-    double area = 0;    ///< in (s, t)
-    double volume = 0;  ///< integral of the depth, m
-    double depth = 0;   ///< no deeper, m
+    double area = 0;                            ///< in (s, t)
+    double volume = 0;                          ///< integral of the depth, m
+    double depth = 0;                           ///< no deeper, m
+    double passed_area = 0, passed_volume = 0;  ///< of these, what may pass between them and the computed ones
   };
   Beside beside() const;
 

@@ -33,14 +33,16 @@ struct ConvexPolygon {
 
   std::array<PrismPoint, kCapacity> points;
   int count;
+  int cuts;  ///< that made it what it is: each of them rounds
 
-  ConvexPolygon() : count(0) {}
+  ConvexPolygon() : count(0), cuts(0) {}
   /// Only the vertices there are.
-  ConvexPolygon(const ConvexPolygon& other) : count(other.count) {
+  ConvexPolygon(const ConvexPolygon& other) : count(other.count), cuts(other.cuts) {
     std::copy_n(other.points.begin(), count, points.begin());
   }
   ConvexPolygon& operator=(const ConvexPolygon& other) {
     count = other.count;
+    cuts = other.cuts;
     std::copy_n(other.points.begin(), count, points.begin());
     return *this;
   }
@@ -89,6 +91,7 @@ inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heigh
   if (at(first) > 0) kept.add(point_at_zero(polygon[first], at(first), polygon[before], at(before)));
   for (int i = first; i != after; i = next(i)) kept.add(polygon[i]);
   if (at(last) > 0) kept.add(point_at_zero(polygon[last], at(last), polygon[after], at(after)));
+  kept.cuts = polygon.cuts + 1;
   polygon = kept;
 }
 

@@ -15,8 +15,13 @@ namespace pcm::fast {
 struct ElementError {
   double area = 0;         ///< of A_k, m^2
   double penetration = 0;  ///< of u_k before clamping, m
+  double mean = 0;         ///< u_k itself before clamping, where areas may pass, m
   /// Of A_k u_k before clamping, m^3, where that is known better than A_k and u_k say.
   double volume = std::numeric_limits<double>::infinity();
+  /// What may pass between it and other elements of its master face (fast/passing_error.h), m^2 and m^3: not part of
+  /// the errors of area and volume, but of those of penetration and foot.
+  double passed_area = 0;
+  double passed_volume = 0;
   double normal = 0;                                  ///< length of the difference of n_k
   Eigen::Vector3d foot_Me = Eigen::Vector3d::Zero();  ///< of the point C_k is measured from, component by component, m
 };

@@ -15,11 +15,13 @@ namespace pcm::fast {
 namespace {
 
 constexpr double u = kUnitRoundoff;
-/// The four cuts that shape what is seen put each new vertex off by 1.5 u times the length of what is cut and u times
-/// itself, so 4 u times the corners' greatest |coordinate|; lines through corners are off by 12 u times that. Integrals
-/// over a fan of five triangles are off by as much as a shift of its border by 24 u times its width would make.
-constexpr double kCutRoundings = 16;
-constexpr double kFanRoundings = 24;
+/// A cut puts a new vertex off the line through its neighbours, and off the cutting line where that is a line of zeros
+/// of a coordinate, by 4 u times the way from the nearer neighbour and u times itself: no more than 3 u and 5 u times
+/// the corners' greatest |coordinate|. Vertices between those that are off are off by no more than these and their own.
+constexpr double kOffPlane = 3;
+constexpr double kOffCut = 5;
+/// A cut by a side: twice two differences, two products, a sum, and one to spare.
+constexpr double kSideRoundings = 5;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -55,6 +57,57 @@ bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& 
          all_below(kDepth, -shift.depth);
 }
 
+PrismShift sum_of(const PrismShift& a, const PrismShift& b) {
+  return {a.s + b.s, a.t + b.t, a.depth + b.depth};
+}
+
+/// Points a + lambda way of the plane, lambda from `low` to `high`.
+struct Stretch {
+  double s, t, way_s, way_t;
+  double low = 0, high = 1;
+
+  double s_at(double lambda) const { return s + lambda * way_s; }
+  double t_at(double lambda) const { return t + lambda * way_t; }
+  double length() const { return std::max(high - low, 0.0); }
+  bool empty() const { return !(low <= high); }
+  /// Keeps where value + lambda rate >= 0.
+  void keep(double value, double rate) {
+    if (rate > 0) {
+      low = std::max(low, -value / rate);
+    } else if (rate < 0) {
+      high = std::min(high, value / -rate);
+    } else if (value < 0) {
+      high = -kInfinity;
+    }
+  }
+  /// Keeps what is within (s, t) of the box and of the master's third side.
+  void keep_in(const BoxST& box, double margin_s, double margin_t) {
+    keep(s - (box.low_s - margin_s), way_s);
+    keep((box.high_s + margin_s) - s, -way_s);
+    keep(t - (box.low_t - margin_t), way_t);
+    keep((box.high_t + margin_t) - t, -way_t);
+    keep((1 + margin_s + margin_t) - s - t, -way_s - way_t);
+  }
+  /// Keeps what is within (s, t) of a face however its sides are shifted.
+  void keep_in(const Footprint& face, double margin_s, double margin_t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PrismPoint& a = face.corners[k];
+      const PrismPoint& b = face.corners[(k + 1) % 3];
+      const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
+      const double margin = 2 * face.side_shift[k] + std::abs(side_s) * margin_t + std::abs(side_t) * margin_s;
+      keep(side_s * (t - a[kT]) - side_t * (s - a[kS]) + margin, side_s * way_t - side_t * way_s);
+    }
+  }
+  /// No depth of a face is greater within (s, t) of it.
+  double greatest_depth(const Footprint& face, double margin_s, double margin_t) const {
+    if (face.facing == 0) return std::max(face.greatest, 0.0);
+    const double depth = std::max(face.depth.at(s_at(low), t_at(low)), face.depth.at(s_at(high), t_at(high)));
+    const double margin =
+        face.depth_error + std::abs(face.depth.per_s) * margin_s + std::abs(face.depth.per_t) * margin_t;
+    return std::clamp(depth + margin, 0.0, std::max(face.greatest, 0.0));
+  }
+};
+
 /// The part of a face that may come to lie over the master face, at a depth >= 0, when its points are shifted; all
 /// coordinates are larger by the shift.
 ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
@@ -67,6 +120,18 @@ ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const P
     if (part.count == 0) break;
   }
   return part;
+}
+
+BoxST box_of(const PrismPoint* points, int count) {
+  BoxST box{points[0][kS], points[0][kS], points[0][kT], points[0][kT]};
+  for (int i = 1; i < count; ++i) {
+    const PrismPoint& x = points[i];
+    box.low_s = std::min(box.low_s, x[kS]);
+    box.high_s = std::max(box.high_s, x[kS]);
+    box.low_t = std::min(box.low_t, x[kT]);
+    box.high_t = std::max(box.high_t, x[kT]);
+  }
+  return box;
 }
 
 /// Whether a side of a has b on its far side when both faces are shifted: certainly, or but for what the shifts make.
@@ -100,6 +165,17 @@ void separate(const Footprint& a, const Footprint& b, double shift_s, double shi
       best = {Separation::Kind::near, {0, from[kS], from[kT], -side_t, side_s}, greatest_margin};
     }
   }
+}
+
+/// Two faces that look the same way, both surely, lie on either side of the side they share.
+bool share_a_side(const Footprint& a, const Footprint& b) {
+  if (a.own != b.own || a.facing == 0 || a.facing != b.facing) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (a.vertices[k] == b.vertices[(j + 1) % 3] && a.vertices[(k + 1) % 3] == b.vertices[j]) return true;
+    }
+  }
+  return false;
 }
 
 /// On which side of the plane of f the vertices of g certainly lie: 1 all above, -1 all below, 0 unsure. With lambda
@@ -154,19 +230,23 @@ BoxST BoxST::common(const BoxST& other) const {
 
 // The two steps of PrismError move each corner by no more than corner_shift but for an affine map of the plane, which
 // leaves windings and sides as they are; and each point that is seen by no more than `shift`, its depth besides by
-// shift.depth. So a depth at a fixed (s, t) is off by shift.depth and the gradient times the shift. Windings: with both
-// edges shifted by up to twice corner_shift the product changes by at most 4 (s width_t + t width_s + 2 s t).
+// shift.depth. A depth at a fixed (s, t) is off by what depth - per_s s - per_t t is, a side by its cross product with
+// the displacement. Windings: with both edges shifted by up to twice corner_shift the product changes by at most
+// 4 (s width_t + t width_s + 2 s t).
 bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
                     const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared,
                     double twice_area_of_master, Footprint& f) {
   const double greatest_s = greatest_of(corners, kS), greatest_t = greatest_of(corners, kT);
   const double farthest_depth = greatest_of(corners, kDepth);
   const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
-  const double least_depth =
-      std::min({std::abs(corners[0][kDepth]), std::abs(corners[1][kDepth]), std::abs(corners[2][kDepth])});
-  const PrismShift of_vertices = error.of_vertices(distance, least_depth, own), of_tilt = error.of_tilt(farthest_depth);
+  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
+  const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
+  if (surely_outside(corners, sum_of(error.of_vertices(error.greatest_noise(distance), own), widest_frame)))
+    return false;
+  const PrismShift noise = error.noise(corners);
+  const PrismShift of_vertices = error.of_vertices(noise, own);
+  const PrismShift of_tilt = error.of_tilt(farthest_depth);
   f.vertex_shift = of_vertices;
-  f.roundings = {kCutRoundings * u * (1 + greatest_s), kCutRoundings * u * (1 + greatest_t), 0};
   f.corner_shift = {of_vertices.s + of_tilt.s, of_vertices.t + of_tilt.t, 0};
   f.hinge_depth = 0;
   if (shared[0] || shared[1] || shared[2]) {
@@ -182,46 +262,41 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
     f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_shift.depth, 0.0) : 0;
   }
 
-  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
-  const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
-  const PrismShift widest{of_vertices.s + widest_frame.s, of_vertices.t + widest_frame.t,
-                          of_vertices.depth + widest_frame.depth};
-  if (surely_outside(corners, widest)) return false;
-  const ConvexPolygon part = part_over_master(corners, widest);
-  if (part.count == 0) return false;
-  f.box = {kInfinity, -kInfinity, kInfinity, -kInfinity};
-  f.greatest = 0;
-  for (int i = 0; i < part.count; ++i) {
-    f.box.low_s = std::min(f.box.low_s, part[i][kS]);
-    f.box.high_s = std::max(f.box.high_s, part[i][kS]);
-    f.box.low_t = std::min(f.box.low_t, part[i][kT]);
-    f.box.high_t = std::max(f.box.high_t, part[i][kT]);
-    f.greatest = std::max(f.greatest, part[i][kDepth]);
+  const PrismShift widest = sum_of(of_vertices, widest_frame);
+  f.box = box_of(corners.data(), 3);
+  f.greatest = deepest + widest.depth;
+  if (std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT), least_of(corners, kDepth)}) < 0) {
+    const ConvexPolygon part = part_over_master(corners, widest);
+    if (part.count == 0) return false;
+    f.box = box_of(part.points.data(), part.count);
+    f.greatest = part[0][kDepth];
+    for (int i = 1; i < part.count; ++i) f.greatest = std::max(f.greatest, part[i][kDepth]);
   }
-  // Both ways about what was enlarged.
+  // Both ways about what may be enlarged.
   f.box.low_s = std::max(f.box.low_s - 2 * widest.s, 0.0);
   f.box.low_t = std::max(f.box.low_t - 2 * widest.t, 0.0);
-  f.box.high_s = std::min(f.box.high_s, 1.0);
-  f.box.high_t = std::min(f.box.high_t, 1.0);
+  f.box.high_s = std::min(f.box.high_s + widest.s, 1.0);
+  f.box.high_t = std::min(f.box.high_t + widest.t, 1.0);
   if (f.box.empty()) return false;
   const PrismShift frame = error.of_frame(f.greatest);
-  f.shift = {of_vertices.s + frame.s, of_vertices.t + frame.t, of_vertices.depth + frame.depth};
-  const bool cut = std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT)}) <= 0 ||
-                   least_of(corners, kDepth) <= 0;
-  f.cut_shift = {kFanRoundings * u * f.box.width_s(), kFanRoundings * u * f.box.width_t(), 0};
-  if (cut) {
-    f.cut_shift.s += f.roundings.s;
-    f.cut_shift.t += f.roundings.t;
-  }
+  f.shift = sum_of(of_vertices, frame);
+  f.cuts = 0;
+  for (int coordinate = 0; coordinate <= kDepth; ++coordinate) f.cuts += least_of(corners, coordinate) <= 0 ? 1 : 0;
+  f.cut_shift = {kOffCut * u * f.cuts * greatest_s, kOffCut * u * f.cuts * greatest_t, 0};
+  f.third_side_shift = error.of_third_weight(f.greatest, noise);
 
   f.face = face;
   f.own = own;
   f.vertices = vertices;
   f.corners = corners;
+  f.noise = noise;
+  f.knows_sides = false;
+  f.fixed = shared;
   const double twice_area = cross_st(corners[0], corners[1], corners[2]);
   if (twice_area < 0) {
     std::swap(f.vertices[1], f.vertices[2]);
     std::swap(f.corners[1], f.corners[2]);
+    std::swap(f.fixed[1], f.fixed[2]);
   }
   const PrismPoint a = f.corners[1] - f.corners[0], b = f.corners[2] - f.corners[0];
   const double width_s = std::abs(a[kS]) + std::abs(b[kS]), width_t = std::abs(a[kT]) + std::abs(b[kT]);
@@ -233,7 +308,7 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
     f.sliver = 0.5 * std::abs(twice_area);
     f.depth = {0, 0, 0};
     f.field_error = f.depth_error = kInfinity;
-    f.relative_noise = f.crossing_noise = 0;
+    f.cut_noise = f.relative_noise = f.crossing_noise = 0;
     return true;
   }
   f.facing = twice_area < 0 ? -1 : 1;
@@ -242,13 +317,12 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
              (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
   f.relative_noise = 16 * u * width_s * width_t * inverse;
-  // A cut puts a vertex off the face's plane by 5 u of the corners' coordinates; two of them meet in one.
-  const double off_plane =
-      10 * u * (farthest_depth + std::abs(f.depth.per_s) * greatest_s + std::abs(f.depth.per_t) * greatest_t);
-  f.field_error = kBoundMargin * (f.shift.depth + std::abs(f.depth.per_s) * f.shift.s +
-                                  std::abs(f.depth.per_t) * f.shift.t + (cut ? off_plane : 0));
-  f.depth_error = f.field_error + off_plane + f.relative_noise * farthest_depth;
-  f.greatest += f.depth_error;
+  f.cut_noise =
+      kOffPlane * u * (farthest_depth + std::abs(f.depth.per_s) * greatest_s + std::abs(f.depth.per_t) * greatest_t);
+  f.field_error = kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, own) +
+                  f.cuts * f.cut_noise;
+  f.depth_error = f.field_error + 2 * f.cut_noise + f.relative_noise * farthest_depth;
+  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
   const auto length_of = [&error](const PrismPoint& edge) {
     return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
   };
@@ -256,7 +330,31 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   return true;
 }
 
+void find_side_shifts(const PrismError& error, Footprint& f) {
+  if (f.knows_sides) return;
+  f.knows_sides = true;
+  const double greatest_s = greatest_of(f.corners, kS), greatest_t = greatest_of(f.corners, kT);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const PrismPoint& a = f.corners[k];
+    const PrismPoint& b = f.corners[next];
+    const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
+    // Either end may be the one that a cut is reckoned from.
+    const double from_s = std::max({std::abs(f.box.low_s - a[kS]), std::abs(f.box.high_s - a[kS]),
+                                    std::abs(f.box.low_s - b[kS]), std::abs(f.box.high_s - b[kS])});
+    const double from_t = std::max({std::abs(f.box.low_t - a[kT]), std::abs(f.box.high_t - a[kT]),
+                                    std::abs(f.box.low_t - b[kT]), std::abs(f.box.high_t - b[kT])});
+    f.side_shift[k] = kSideRoundings * u * (std::abs(side_t) * from_s + std::abs(side_s) * from_t);
+    f.side_cuts[k] = kOffPlane * u * f.cuts * (std::abs(side_t) * greatest_s + std::abs(side_s) * greatest_t);
+    // Corners that are the master's are where they are in both problems.
+    if (!(f.fixed[k] && f.fixed[next])) {
+      f.side_shift[k] += error.of_function({-side_t, side_s, 0}, f.greatest, f.noise, f.own);
+    }
+  }
+}
+
 double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box) {
+  if (share_a_side(a, b)) return 0;
   const double s = std::max(a.corner_shift.s, b.corner_shift.s), t = std::max(a.corner_shift.t, b.corner_shift.t);
   Separation separation;
   separate(a, b, s, t, separation);
@@ -267,7 +365,7 @@ double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box
 }
 
 // Its computed area, and what its sides may pass over.
-double sliver_area(const Footprint& face, double depth, const BoxST& box) {
+SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth, const BoxST& box) {
   PrismShift shift = face.shift;
   double area = face.sliver;
   if (depth < 0.5 * face.hinge_depth) {
@@ -275,13 +373,18 @@ double sliver_area(const Footprint& face, double depth, const BoxST& box) {
     area *= 2 * share;
     shift = {std::min(shift.s, share * face.hinge_shift.s), std::min(shift.t, share * face.hinge_shift.t), 0};
   }
-  return std::min(area + strips_along_sides(face, shift.s, shift.t, box).area, box.area());
+  SideStrips all = strips_along_sides(face, shift.s, shift.t, carrier, box);
+  all.area = std::min(area + all.area, box.area());
+  all.volume = std::min(area * depth + all.volume, all.area * depth);
+  return all;
 }
 
-SideStrips strips_along_sides(const Footprint& face, double s, double t, const BoxST& box,
+// What a side passes over lies between where it is and where it was, and within (s, t) of it: in the coordinates lambda
+// along the side and (side) x (x - a) across it, whose determinant is 1, that is no more than side_shift by the
+// stretch of the side that is within (s, t) of the box. Twice these margins pay for roundings.
+SideStrips strips_along_sides(const Footprint& face, double s, double t, const Footprint& carrier, const BoxST& box,
                               const std::array<bool, 3>& sides) {
   const double middle_s = 0.5 * (box.low_s + box.high_s), middle_t = 0.5 * (box.low_t + box.high_t);
-  const double one_side = box.width_s() * t + box.width_t() * s + 8 * s * t;
   SideStrips strips;
   for (std::size_t k = 0; k < 3; ++k) {
     const PrismPoint& a = face.corners[k];
@@ -290,10 +393,66 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const B
     const double inward = side_s * (middle_t - a[kT]) - side_t * (middle_s - a[kS]);
     const double reach = std::abs(side_s) * (0.5 * box.width_t() + t) + std::abs(side_t) * (0.5 * box.width_s() + s);
     if (inward < -reach) strips.apart = true;
-    if (sides[k] && std::abs(inward) <= reach) strips.area += one_side;
+    if (!sides[k] || std::abs(inward) > reach) continue;
+    const double by_shift = std::abs(side_s) * t + std::abs(side_t) * s;
+    if (&carrier == &face && face.cuts == 0 && !face.knows_sides) {
+      // All of the side counts.
+      const double area = kBoundMargin * by_shift + 16 * s * t;
+      strips.area += area;
+      strips.volume += area * face.greatest;
+      continue;
+    }
+    Stretch stretch{a[kS], a[kT], side_s, side_t};
+    stretch.keep_in(box, 2 * s, 2 * t);
+    if (&carrier != &face && carrier.facing != 0) stretch.keep_in(carrier, 2 * s, 2 * t);
+    if (face.facing != 0) {
+      const double margin = 2 * (face.depth_error + std::abs(face.depth.per_s) * s + std::abs(face.depth.per_t) * t);
+      stretch.keep(a[kDepth] + margin, b[kDepth] - a[kDepth]);
+    }
+    if (stretch.empty()) continue;
+    double beyond = 1;
+    if (s < std::abs(side_s)) beyond = s / std::abs(side_s);
+    if (t < beyond * std::abs(side_t)) beyond = t / std::abs(side_t);
+    double width = by_shift;
+    if (face.knows_sides) width = std::min(face.side_shift[k], by_shift) + (&carrier == &face ? face.side_cuts[k] : 0);
+    const double area = width * (stretch.length() + 4 * beyond) + 4 * s * t;
+    strips.area += area;
+    strips.volume += area * stretch.greatest_depth(carrier, 2 * s, 2 * t);
   }
-  strips.area = std::min(strips.area, strip_along_border(box, s, t));
+  strips.area = std::min(strips.area, box.area());
   return strips;
+}
+
+// At each s, or t, the zeros of both functions are no farther apart than the error over the slope; points between them
+// no farther from the line where the given one is 0.
+LineStrip strip_along_line(const LinearDepth& function, double error, const Footprint& f, const Footprint& g,
+                           const BoxST& box) {
+  const double greatest = std::max(f.greatest, 0.0);
+  const ZeroStrip strip = zero_strip(function, error, box);
+  if (!(strip.area > 0) || strip.everywhere) return {strip.area, strip.area * greatest, strip.everywhere};
+  const bool across_s = std::abs(function.per_s) * box.width_s() >= std::abs(function.per_t) * box.width_t();
+  const double at_corner = function.at(box.low_s, box.low_t);
+  Stretch stretch;
+  double away, wide;
+  if (across_s) {
+    stretch = {box.low_s - at_corner / function.per_s, box.low_t, -function.per_t / function.per_s * box.width_t(),
+               box.width_t()};
+    away = error / std::abs(function.per_s);
+    wide = box.width_t();
+  } else {
+    stretch = {box.low_s, box.low_t - at_corner / function.per_t, box.width_s(),
+               -function.per_s / function.per_t * box.width_s()};
+    away = error / std::abs(function.per_t);
+    wide = box.width_s();
+  }
+  const double s = (across_s ? 2 * away : 0) + 2 * f.shift.s + 2 * g.shift.s;
+  const double t = (across_s ? 0 : 2 * away) + 2 * f.shift.t + 2 * g.shift.t;
+  stretch.keep_in(box, s, t);
+  if (f.facing != 0) stretch.keep_in(f, s, t);
+  if (g.facing != 0) stretch.keep_in(g, s, t);
+  if (stretch.empty()) return {};
+  const double area = std::min(strip.area, away * wide * stretch.length() * kBoundMargin);
+  return {area, area * stretch.greatest_depth(f, s, t), false};
 }
 
 // Of a side's extent only that share counts along which the function changes by twice the error.

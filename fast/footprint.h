@@ -38,6 +38,7 @@ struct LinearDepth {
   double value = 0, s_0 = 0, t_0 = 0;  ///< at this point
   double per_s = 0, per_t = 0;         ///< gradient
 
+  double at(double s, double t) const { return value + (per_s * (s - s_0) + per_t * (t - t_0)); }
   /// Values over a box: middle and how far they go to either side.
   double middle(const BoxST& box) const {
     return value + (per_s * (0.5 * (box.low_s + box.high_s) - s_0) + per_t * (0.5 * (box.low_t + box.high_t) - t_0));
@@ -57,21 +58,28 @@ struct Footprint {
   int facing;  ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
   std::array<Index, 3> vertices;
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
-  BoxST box;                ///< holds all of it that is over the master face at a depth >= 0, in both problems
-  PrismShift shift;         ///< of its points over the master face
-  PrismShift cut_shift;     ///< of its border, by roundings of the cuts that shape it alone
-  PrismShift roundings;     ///< of cuts through its corners
-  PrismShift vertex_shift;  ///< of its vertices
-  PrismShift corner_shift;  ///< of its corners, in s and t, but for an affine map of the plane
-  LinearDepth depth;        ///< its plane, where facing is sure
-  double field_error;       ///< of the depth at its points, m
-  double depth_error;       ///< of the plane as it is computed here, m
-  double greatest;          ///< it is seen nowhere deeper, m
+  BoxST box;                         ///< holds all of it that is over the master face at a depth >= 0, in both problems
+  PrismShift shift;                  ///< of its points over the master face
+  PrismShift cut_shift;              ///< of its border, by roundings of the cuts that shape it alone
+  PrismShift noise;                  ///< roundings of its vertices as they are seen
+  std::array<bool, 3> fixed;         ///< corners that are the master's own
+  bool knows_sides;                  ///< find_side_shifts was called
+  std::array<double, 3> side_shift;  ///< of side k over the master: (side k) x (displacement) in (s, t)
+  std::array<double, 3> side_cuts;   ///< and by roundings where it is cut itself
+  double third_side_shift;           ///< of the master's side where s + t = 1, as cuts have it: of s + t
+  PrismShift vertex_shift;           ///< of its vertices
+  PrismShift corner_shift;           ///< of its corners, in s and t, but for an affine map of the plane
+  LinearDepth depth;                 ///< its plane, where facing is sure
+  double field_error;                ///< of the depth at its points, m
+  double depth_error;                ///< of the plane as it is computed here, m
+  double greatest;                   ///< it is seen nowhere deeper, m
   /// Of a face that stands on corners of the master: the height of its other corners beneath, m, and how far these may
   /// be shifted; 0 otherwise. At a depth d it is shifted by no more than d over that height times as much.
   double hinge_depth;
   PrismShift hinge_shift;
   double sliver;          ///< where facing is not sure: its area as computed
+  int cuts;               ///< by how many planes it may be cut to what is over the master
+  double cut_noise;       ///< by how much each of these puts a vertex off the face's plane, m
   double relative_noise;  ///< of a linear function that is given by its values at the corners
   double crossing_noise;  ///< how far off the line may be, m over m, where this plane meets a face that far away
 
@@ -87,8 +95,9 @@ struct Sight {
   bool knows_outline = false;
   std::array<bool, 3> outline{};  ///< sides beyond which the surface does not go on as it does here
   double sheet_error = 0;         ///< greatest depth_error of the face and of those beyond its other sides, m
-  PrismShift cut_shift;           ///< greatest of the roundings of cuts by faces that may lie before it
-  double area_error = 0;          ///< of the part of the master that sees it, in (s, t)
+  double passed_area = 0;         ///< that other faces of the sheet may see instead, in (s, t)
+  double passed_volume = 0;       ///< integral of the depth there, m
+  double area_error = 0;          ///< beside that, of the part of the master that sees it, in (s, t)
   double volume_error = 0;        ///< of the integral of its depth over that part, m
 };
 
@@ -103,22 +112,38 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
                     const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double twice_area,
                     Footprint& footprint);
 
+/// Fills side_shift and side_cuts, unless they are.
+void find_side_shifts(const PrismError& error, Footprint& footprint);
+
 /// The area within the box that two faces may have in common in either problem: 0 where a side of one certainly has the
 /// other on its far side, where vertices that both share lie on their sides; a strip along that side where it nearly
 /// has.
 double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box);
 
-/// The area within the box that a face whose facing is not sure has in either problem, down to the depth.
-double sliver_area(const Footprint& face, double depth, const BoxST& box);
-
-/// The area within the box that the sides of a face, shifted by up to (s, t) either way, may pass over; and whether one
-/// of them certainly has all of the box on its far side.
+/// What the sides of a face may pass over within the box: its area, and the integral there of the depth of the face
+/// `carrier`; and whether one of them certainly has all of the box on its far side. Side k may be off by
+/// face.side_shift and by (s, t).
 struct SideStrips {
   double area = 0;
+  double volume = 0;  ///< m
   bool apart = false;
 };
-SideStrips strips_along_sides(const Footprint& face, double s, double t, const BoxST& box,
+SideStrips strips_along_sides(const Footprint& face, double s, double t, const Footprint& carrier, const BoxST& box,
                               const std::array<bool, 3>& sides = {true, true, true});
+
+/// The area within the box that a face whose facing is not sure has in either problem, down to the greatest depth of
+/// the carrier there, and the integral of that.
+SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth, const BoxST& box);
+
+/// The same for the line where the planes of two faces have one depth, or where `g` is at depth 0: within the box and
+/// both faces.
+struct LineStrip {
+  double area = 0;
+  double volume = 0;        ///< of the depth of f, m
+  bool everywhere = false;  ///< nowhere in the box is the sign sure
+};
+LineStrip strip_along_line(const LinearDepth& function, double error, const Footprint& f, const Footprint& g,
+                           const BoxST& box);
 
 /// What is certain, in both problems, of the order in which the lines meet two faces wherever they meet both.
 enum class CertainOrder : std::uint8_t { before, after, unsure };

@@ -107,6 +107,7 @@ void MasterBound::add_possible_element(double area, double depth, const FaceGeom
 void MasterBound::begin_clipped_face(Index face, const FaceGeometry& geometry) {
   face_ = FaceError(geometry, rounding_of(master_, face));
   undecided_ = workspace_.side(master_).undecided.contains(face);
+  passing_ = PassingError();
 }
 
 double MasterBound::slack() const {
@@ -115,9 +116,12 @@ double MasterBound::slack() const {
 
 void MasterBound::add_clipped_element(const Element& element, const ElementError* error, const MasterForce& total) {
   if (error != nullptr) {
-    const ElementForceError bound = force_error(problem_, element, *error);
-    sum_.force_Me += bound.force_Me;
-    sum_.torque_Me += bound.torque_Me;
+    ElementForceError passed;
+    ElementError all = *error;
+    passing_.add(problem_, element, all, passed);
+    const ElementForceError bound = force_error(problem_, element, all);
+    sum_.force_Me += passed.force_Me + PassingError::kGrowth * bound.force_Me;
+    sum_.torque_Me += passed.torque_Me + PassingError::kGrowth * bound.torque_Me;
   }
   if (error == nullptr || undecided_) add_whole_force(element);
   sum_.force_Me += kUnitRoundoff * total.force_Me.cwiseAbs();
@@ -134,6 +138,11 @@ void MasterBound::end_clipped_face(const FaceGeometry& geometry, const SightErro
   }
   sum_.flipped = sum_.flipped || sight->flush();
   const SightError::Beside beside = sight->beside();
+  passing_.add_elsewhere(twice_area * beside.passed_area, twice_area * beside.passed_volume);
+  ElementForceError passed;
+  passing_.finish(passed);
+  sum_.force_Me += passed.force_Me;
+  sum_.torque_Me += passed.torque_Me;
   if (!(beside.area > 0)) return;
   // An element's force grows with its volume, and with its area where it is damped.
   const Eigen::Vector3d foot_error = face_.barycentre_Me + anywhere + Eigen::Vector3d::Constant(beside.depth);

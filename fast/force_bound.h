@@ -6,6 +6,7 @@
 #include "fast/contact_elements.h"
 #include "fast/element_error.h"
 #include "fast/geometry.h"
+#include "fast/passing_error.h"
 #include "fast/penetration.h"
 
 namespace pcm::fast {
@@ -65,6 +66,7 @@ class MasterBound {
   Eigen::Vector3d rounding_Me_;  ///< of any vertex of F
   FaceError face_;               ///< of the face begun
   bool undecided_ = false;       ///< whether it is active
+  PassingError passing_;         ///< between its elements
   ForceBound sum_;
 };
 

@@ -95,7 +95,12 @@ Uncertain normal_force(const ForceProblem& problem, const Element& element, cons
 // v_eps = 0 that is 1 / v_low, and 2 where s may vanish: the force jumps there. Roundings: |s| has 4 u, v / v_eps, its
 // complement to 2 and their products 5, the direction and its product with F_t 3, mu P 2; doubled by s / v_eps entering
 // twice: 24 u of |T| covers them.
-double friction_error(const ContactLaw& law, const Uncertain& F_n, double v_t, double slip_error) {
+struct FrictionErrors {
+  double along = 0;   ///< by F_n's error, in the direction of friction, N
+  double beside = 0;  ///< in any direction, N
+};
+
+FrictionErrors friction_error(const ContactLaw& law, const Uncertain& F_n, double v_t, double slip_error) {
   const double slip = law.slip_velocity;
   const double phi = v_t >= slip ? 1 : std::min(1.0, (v_t / slip) * (2 - v_t / slip) * kBoundMargin);
   double turn = 0;
@@ -104,7 +109,7 @@ double friction_error(const ContactLaw& law, const Uncertain& F_n, double v_t, d
     const double steepness = v_low < slip ? (2 - v_low / slip) / slip : 1 / v_low;
     turn = std::min(2.0, slip_error * steepness);
   }
-  return law.friction * (F_n.error * phi + F_n.greatest() * (turn + 24 * u * phi));
+  return {law.friction * F_n.error * phi, law.friction * F_n.greatest() * (turn + 24 * u * phi)};
 }
 
 }  // namespace
@@ -130,14 +135,24 @@ ElementForceError force_error(const ForceProblem& problem, const Element& elemen
   const Uncertain F_n = normal_force(problem, element, error, velocity.v_n);
 
   // (21), (22).
-  double tangential_error = 0;
+  FrictionErrors friction;
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d force = element.force_Me.cwiseAbs();
   if (law.friction > 0) {
-    tangential_error = friction_error(law, F_n, element.tangential_velocity, velocity.slip_Me.sum());
+    friction = friction_error(law, F_n, element.tangential_velocity, velocity.slip_Me.sum());
+    along = Eigen::Vector3d::Constant(friction.along);
+    if (element.tangential_force > 0) {
+      // The direction, from what is left of the force without F_n n, which it is rounded with.
+      const double sign = element.master == Side::E ? 1 : -1;
+      const Eigen::Vector3d tangential =
+          (element.force_Me - (sign * element.normal_force) * element.normal_Me).cwiseAbs() +
+          4 * u * (force + F_n.size * n);
+      along = along.cwiseMin((friction.along / element.tangential_force) * tangential);
+    }
   }
   ElementForceError result;
-  const Eigen::Vector3d force = element.force_Me.cwiseAbs();
-  result.force_Me = F_n.error * n + u * (F_n.size * n + force) +
-                    Eigen::Vector3d::Constant(F_n.greatest() * error.normal + tangential_error + 0x1p-1060);
+  result.force_Me = F_n.error * n + along + u * (F_n.size * n + force) +
+                    Eigen::Vector3d::Constant(F_n.greatest() * error.normal + friction.beside + 0x1p-1060);
   result.torque_Me = absolute_cross(lever_size, result.force_Me) +
                      absolute_cross(lever_error, force + result.force_Me) + 2 * u * absolute_cross(lever_size, force) +
                      Eigen::Vector3d::Constant(0x1p-1060);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/prism_error.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "fast/vertex_rounding.h"
 
 namespace pcm::fast {
@@ -10,62 +13,144 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 
-/// Roundings of a vertex's s and t, times |gradient| |x - p0|: a difference, a scalar product of three terms.
-constexpr double kVertexRoundings = 5;
+/// Roundings of a scalar product with a difference of points: the difference, the products, two sums.
+constexpr double kProductRoundings = 4;
 
 /// Terms of second order in the shifts, which are less than 2^-6 wherever they are used.
-constexpr double kSecondOrder = 1.125;
+constexpr double kSecondOrder = 1.04;
 
 }  // namespace
 
 // Frame. Let x' = sum lambda_k p'_k - d' n' be a point of the exact problem. With g the computed gradient of weight w,
-// j a corner where w = 0, and p_k the corners of the rounded problem,
-//     M_w(x') - lambda_w = sum lambda_k (g . (p_k - p_j) - delta_kw) + g . sum
-//     lambda_k (p'_k - p_k) - d' g . n'.
-// g = (n x side) / |N| with 8 roundings at most, so g . (p_k - p_j) is off by 8 u |g| L, L the longest edge, and for
-// the corner opposite the side by the relative error of N besides, 4 u q, where |N| q is N with every term taken
-// absolutely; and 12 u for n, |N| and their quotient. |g . n'| <= |g| (|n' - n| + 12 u). Depth: with the computed N, N
-// . (p_k - p_0) is off 0 by 4 u q |N| L; and d' (1 - n . n') <= d' (|n' - n|^2 + 8 u).
+// j the corner it is measured from, where w = 0, and p_k the corners of the rounded problem,
+//     M_w(x') - lambda_w = sum lambda_k (g . (p_k - p_j) - delta_kw) + g . sum lambda_k (p'_k - p_k) - d' g . n'.
+// The first bracket is computed, with the roundings of a scalar product added. The second is a displacement of a vertex
+// of F. In the last, n' is off the rounded problem's normal n by - sum h_k g_k, h_k the displacement of corner k along
+// n, so that its product is no more than h sum |g . g_k|; and |g . n| is computed as well, n being off by 4 u q + 9 u,
+// where |N| q is N with every term taken absolutely. Depth: N . (p_k - p_0) is computed; d' (1 - n . n') <= d' |n' -
+// n|^2, and |N| and its inverse have 8 roundings.
 PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& rounding_Me)
-    : length_s_(prism.edge_s_Me().norm()), length_t_(prism.edge_t_Me().norm()), own_moves_(master == Side::F) {
-  const Eigen::Vector3d a = prism.edge_s_Me().cwiseAbs(), b = prism.edge_t_Me().cwiseAbs();
+    : g_s_Me_(prism.inward_Me(2)),
+      g_t_Me_(prism.inward_Me(0)),
+      n_Me_(prism.face().n_Me),
+      rounding_Me_(rounding_Me),
+      ss_(g_s_Me_.squaredNorm()),
+      st_(g_s_Me_.dot(g_t_Me_)),
+      tt_(g_t_Me_.squaredNorm()),
+      length_s_(prism.edge_s_Me().norm()),
+      length_t_(prism.edge_t_Me().norm()),
+      edges_st_(prism.edge_s_Me().dot(prism.edge_t_Me())),
+      own_moves_(master == Side::F) {
+  const Eigen::Vector3d& a_Me = prism.edge_s_Me();
+  const Eigen::Vector3d& b_Me = prism.edge_t_Me();
+  const Eigen::Vector3d& g_0_Me = prism.inward_Me(1);
+  const Eigen::Vector3d a = a_Me.cwiseAbs(), b = b_Me.cwiseAbs(), n = n_Me_.cwiseAbs();
+  const Eigen::Vector3d g_s = g_s_Me_.cwiseAbs(), g_t = g_t_Me_.cwiseAbs(), g_0 = g_0_Me.cwiseAbs();
   const double N_terms = a[1] * b[2] + a[2] * b[1] + a[2] * b[0] + a[0] * b[2] + a[0] * b[1] + a[1] * b[0];
   const double q = N_terms / (2 * prism.face().area);
-  longest_ = length_s_ + length_t_;
-  const Eigen::Vector3d g_s = prism.inward_Me(2).cwiseAbs(), g_t = prism.inward_Me(0).cwiseAbs();
-  gradient_s_ = kSecondOrder * g_s.norm();
-  gradient_t_ = kSecondOrder * g_t.norm();
+  gradient_s_ = kSecondOrder * std::sqrt(ss_);
+  gradient_t_ = kSecondOrder * std::sqrt(tt_);
+  gradient_0_ = kSecondOrder * g_0_Me.norm();
   moved_ = {kSecondOrder * g_s.dot(rounding_Me), kSecondOrder * g_t.dot(rounding_Me),
-            kSecondOrder * prism.face().n_Me.cwiseAbs().dot(rounding_Me)};
+            kSecondOrder * n.dot(rounding_Me)};
+  height_ = moved_.depth;
   // A product N . (x - p0) has 4 roundings, its quotient by |N| three more. Where its sign is not sure, it is taken
   // exactly and may differ by the 4 u q of N; not where it is more than 9 u q.
-  depth_noise_ = 8 * u;
   exact_depth_noise_ = 4 * q * u;
   exact_depth_ = 16 * q * u;
-  frame_ = {(8 * q + 12) * u + 8 * u * gradient_s_ * longest_, (8 * q + 12) * u + 8 * u * gradient_t_ * longest_,
-            8 * u * q * longest_};
+
+  constexpr double k = kProductRoundings * u;
+  const double s_a = std::abs(g_s_Me_.dot(a_Me) - 1) + k * g_s.dot(a),
+               s_b = std::abs(g_s_Me_.dot(b_Me)) + k * g_s.dot(b);
+  const double t_a = std::abs(g_t_Me_.dot(a_Me)) + k * g_t.dot(a),
+               t_b = std::abs(g_t_Me_.dot(b_Me) - 1) + k * g_t.dot(b);
+  const double n_a = std::abs(n_Me_.dot(a_Me)) + 2 * k * n.dot(a), n_b = std::abs(n_Me_.dot(b_Me)) + 2 * k * n.dot(b);
+  frame_noise_ = {kSecondOrder * (s_a + s_b), kSecondOrder * std::max(t_a, t_b), kSecondOrder * std::max(n_a, n_b)};
+  const double n_noise = (4 * q + 9) * u;
+  tilt_noise_ = {kSecondOrder * (std::abs(g_s_Me_.dot(n_Me_)) + k * g_s.dot(n) + gradient_s_ * n_noise),
+                 kSecondOrder * (std::abs(g_t_Me_.dot(n_Me_)) + k * g_t.dot(n) + gradient_t_ * n_noise),
+                 face.normal * face.normal + 8 * u};
+  frame_ = frame_noise_;
+  tilt_ = tilt_noise_;
   if (own_moves_) {
     frame_.s += moved_.s;
     frame_.t += moved_.t;
     frame_.depth += moved_.depth;
+    tilt_.s += tilt_of({1, 0, 0});
+    tilt_.t += tilt_of({0, 1, 0});
   }
-  tilt_s_ = gradient_s_ * (face.normal + 12 * u);
-  tilt_t_ = gradient_t_ * (face.normal + 12 * u);
-  tilt_depth_ = face.normal * face.normal + 8 * u;
+  // At p1 the weights are off by what s and t are there; from there on their sum changes with the gradients' sum.
+  const Eigen::Vector3d sum = (g_s_Me_ + g_t_Me_ + g_0_Me).cwiseAbs() + 2 * u * (g_s + g_t + g_0);
+  third_weight_ = frame_noise_.s + frame_noise_.t + kSecondOrder * sum.dot(a + b);
+  third_weight_tilt_ = kSecondOrder * sum.dot(n);
 }
 
-PrismShift PrismError::of_vertices(double distance, double least_depth, bool own) const {
+PrismShift PrismError::noise(const std::array<PrismPoint, 3>& corners) const {
+  // Squares of the distances from p0 and p2; their terms may cancel.
+  double from_p0 = 0, from_p2 = 0, greatest_depth = 0;
+  bool exact = false;
+  const double ss = length_s_ * length_s_, tt = length_t_ * length_t_;
+  for (const PrismPoint& x : corners) {
+    const double s = x[kS], t = x[kT], dd = x[kDepth] * x[kDepth];
+    const auto square = [&](double t_from) {
+      return (s * s * ss + t_from * t_from * tt) * (1 + 0x1p-40) + 2 * s * t_from * edges_st_ + dd;
+    };
+    const double square_0 = square(t);
+    from_p0 = std::max(from_p0, square_0);
+    from_p2 = std::max(from_p2, square(t - 1));
+    greatest_depth = std::max(greatest_depth, std::abs(x[kDepth]));
+    exact = exact || dd < exact_depth_ * exact_depth_ * square_0;
+  }
+  constexpr double k = kProductRoundings * u;
+  from_p0 = std::sqrt(from_p0);
+  from_p2 = std::sqrt(from_p2);
+  return {k * gradient_s_ * from_p2, k * gradient_t_ * from_p0,
+          kSecondOrder * (k + (exact ? exact_depth_noise_ : 0)) * from_p0 + 4 * u * greatest_depth};
+}
+
+// No point is farther from p2 than from p0 by more than the longest side.
+PrismShift PrismError::greatest_noise(double distance) const {
+  constexpr double k = kProductRoundings * u;
+  const double farther = kBoundMargin * (distance + length_t_);
+  return {k * gradient_s_ * farther, k * gradient_t_ * farther,
+          (kSecondOrder * (k + exact_depth_noise_) + 4 * u) * farther};
+}
+
+PrismShift PrismError::of_vertices(const PrismShift& noise, bool own) const {
   // Of both surfaces one is F's.
   const double moves = own == own_moves_ ? 1 : 0;
-  // A weight is measured from another corner than p0, where it is 0.
-  const double noise = kVertexRoundings * u * (distance + longest_);
-  const double depth_noise = depth_noise_ + (least_depth < exact_depth_ * distance ? exact_depth_noise_ : 0);
-  return {moves * moved_.s + noise * gradient_s_, moves * moved_.t + noise * gradient_t_,
-          moves * moved_.depth + depth_noise * distance};
+  return {moves * moved_.s + noise.s, moves * moved_.t + noise.t, moves * moved_.depth + noise.depth};
 }
 
 PrismShift PrismError::of_frame(double depth) const {
-  return {frame_.s + tilt_s_ * depth, frame_.t + tilt_t_ * depth, frame_.depth + tilt_depth_ * depth};
+  return {frame_.s + tilt_.s * depth, frame_.t + tilt_.t * depth, frame_.depth + tilt_.depth * depth};
+}
+
+double PrismError::displacement_of(const PrismFunction& f) const {
+  return kSecondOrder * (f.per_s * g_s_Me_ + f.per_t * g_t_Me_ - f.per_depth * n_Me_).cwiseAbs().dot(rounding_Me_);
+}
+
+// With G = per_s g_s + per_t g_t and g_0 = -(g_s + g_t): h (|G . g_0| + |G . g_s| + |G . g_t|).
+double PrismError::tilt_of(const PrismFunction& f) const {
+  const double G_s = f.per_s * ss_ + f.per_t * st_, G_t = f.per_s * st_ + f.per_t * tt_;
+  const double size_s = std::abs(f.per_s) * ss_ + std::abs(f.per_t) * std::abs(st_);
+  const double size_t = std::abs(f.per_s) * std::abs(st_) + std::abs(f.per_t) * tt_;
+  return kSecondOrder * height_ * (std::abs(G_s) + std::abs(G_t) + std::abs(G_s + G_t) + 16 * u * (size_s + size_t));
+}
+
+double PrismError::of_function(const PrismFunction& f, double depth, const PrismShift& noise, bool own) const {
+  const double moves = (own_moves_ ? 1 : 0) + (own == own_moves_ ? 1 : 0);
+  double off = moves * displacement_of(f);
+  if (own_moves_) off += depth * tilt_of(f);
+  return off + std::abs(f.per_s) * (noise.s + frame_noise_.s + tilt_noise_.s * depth) +
+         std::abs(f.per_t) * (noise.t + frame_noise_.t + tilt_noise_.t * depth) +
+         std::abs(f.per_depth) * (noise.depth + frame_noise_.depth + tilt_noise_.depth * depth);
+}
+
+// That weight is measured from p1, as far away as the others.
+double PrismError::of_third_weight(double depth, const PrismShift& noise) const {
+  const double own_noise = gradient_0_ * (noise.t / gradient_t_ + kProductRoundings * u * length_s_);
+  return noise.s + noise.t + own_noise + third_weight_ + third_weight_tilt_ * depth;
 }
 
 }  // namespace pcm::fast

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "fast/element_error.h"
 #include "fast/footprint.h"
@@ -10,21 +11,24 @@
 
 namespace pcm::fast {
 
+/// A linear function of what a master face sees: per_s s + per_t t + per_depth depth.
+struct PrismFunction {
+  double per_s = 0, per_t = 0, per_depth = 0;
+};
+
 /// How far the coordinates a MasterPrism gives may be from the exact problem's (PCM section 1), in two steps. M stands
 /// for the affine map with the prism's computed gradients, free of roundings, M' for the exact problem's own map.
 ///
-///   1. Vertices: what the prism makes of a computed vertex x is off M(x') by
-///   the vertex's rounding and those of two
-///      scalar products. This moves the vertices of a face, so the points
-///      between them by no more.
-///   2. Frame: M(x) and M'(x) differ by an affine map near the identity, the
-///   same for all points x. Over the master
-///      face, and as deep beneath it as something is seen, that is little
-///      however far the vertices of what is seen may be: rounded corners of the
-///      master, and the direction of its lines, off by an angle, times the
-///      depth.
+///   1. Vertices: what the prism makes of a computed vertex x is off M(x') by the vertex's rounding and those of two
+///      scalar products. This moves the vertices of a face, so the points between them by no more.
+///   2. Frame: M(x) and M'(x) differ by an affine map near the identity, the same for all points x. Over the master
+///      face, and as deep beneath it as something is seen, that is little however far the vertices of what is seen may
+///      be: rounded corners of the master, and the direction of its lines, off by an angle, times the depth.
 ///
-/// The weights that the prism gives a face's own corners are exact in both problems.
+/// Rounded vertices are displaced in space, so a linear function of the three coordinates is off by the displacement's
+/// scalar product with that function's gradient: less than the coordinates' own errors say together, where the master
+/// is narrow or what it sees is steep. The weights that the prism gives a face's own corners are exact in both
+/// problems.
 class PrismError {
  public:
   /// `rounding_Me`: how far each coordinate of F's vertices may be off; the master may be E's or F's.
@@ -32,26 +36,44 @@ class PrismError {
 
   /// |x - p0| is no greater where no |coordinate| of x is, m.
   double distance(double s, double t, double depth) const { return length_s_ * s + length_t_ * t + depth; }
-  /// The first step, for vertices no farther from p0 than `distance`, of the slave or of the master's own faces.
-  /// `least_depth`: the least |depth| of any of them.
-  PrismShift of_vertices(double distance, double least_depth, bool own) const;
+  /// Roundings of what the prism makes of vertices that it sees at these corners.
+  PrismShift noise(const std::array<PrismPoint, 3>& corners) const;
+  /// And of what it makes of any as near to p0 as that.
+  PrismShift greatest_noise(double distance) const;
+  /// By how much a rounded vertex changes a function of its coordinates.
+  double displacement_of(const PrismFunction& f) const;
+  /// The first step, for vertices with these roundings, of the slave or of the master's own faces.
+  PrismShift of_vertices(const PrismShift& noise, bool own) const;
   /// The second, for points over the master face no deeper than `depth`.
   PrismShift of_frame(double depth) const;
+  /// Both steps for a function of points over the master face no deeper than `depth`, on a face whose vertices are seen
+  /// with these roundings.
+  double of_function(const PrismFunction& f, double depth, const PrismShift& noise, bool own) const;
   /// The second step's part that turns depth into s and t, for points as far as `depth` from the master's plane,
   /// wherever they are: the rest maps lines in (s, t) to lines, and says nothing new of sides and windings.
-  PrismShift of_tilt(double depth) const { return {tilt_s_ * depth, tilt_t_ * depth, 0}; }
+  PrismShift of_tilt(double depth) const { return {tilt_.s * depth, tilt_.t * depth, 0}; }
+  /// How far 1 - s - t may be from the weight of p0 as it is computed, over the master face no deeper than `depth`.
+  double of_third_weight(double depth, const PrismShift& noise) const;
 
  private:
-  double length_s_, length_t_;           ///< of p1 - p0 and p2 - p0, m
-  double longest_;                       ///< no side is longer, m
-  double gradient_s_, gradient_t_;       ///< length of the gradients of s and t, 1 / m
-  PrismShift moved_;                     ///< by a vertex of F that is off by its rounding
-  bool own_moves_;                       ///< the master is F's
-  double depth_noise_;                   ///< roundings of a depth over the distance
-  double exact_depth_noise_;             ///< and what is added where
-  double exact_depth_;                   ///< |depth| over the distance is less than this
-  PrismShift frame_;                     ///< at depth 0
-  double tilt_s_, tilt_t_, tilt_depth_;  ///< times the depth
+  double tilt_of(const PrismFunction& f) const;
+
+  Eigen::Vector3d g_s_Me_, g_t_Me_, n_Me_, rounding_Me_;
+  double ss_, st_, tt_;                          ///< scalar products of the gradients, 1 / m^2
+  double length_s_, length_t_;                   ///< of p1 - p0 and p2 - p0, m
+  double edges_st_;                              ///< their scalar product, m^2
+  double gradient_s_, gradient_t_, gradient_0_;  ///< length of the gradients of the weights, 1 / m
+  PrismShift moved_;                             ///< by a vertex of F that is off by its rounding
+  bool own_moves_;                               ///< the master is F's
+  double height_;                                ///< how far such a vertex may be off along n, m
+  double exact_depth_noise_;                     ///< what is added to a depth's roundings where
+  double exact_depth_;                           ///< |depth| over the distance is less than this
+  PrismShift frame_noise_;                       ///< roundings of the frame, at depth 0
+  PrismShift tilt_noise_;                        ///< and times the depth
+  PrismShift frame_;                             ///< at depth 0
+  PrismShift tilt_;                              ///< times the depth
+  double third_weight_;                          ///< of the sum of the weights at depth 0
+  double third_weight_tilt_;                     ///< and times the depth
 };
 
 }  // namespace pcm::fast

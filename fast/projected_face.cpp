@@ -40,7 +40,7 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
     std::swap(face.corners[1], face.corners[2]);
   }
   ConvexPolygon& seen = face.seen;
-  seen.count = 0;
+  seen.count = seen.cuts = 0;
   for (const PrismPoint& corner : face.corners) seen.add(corner);
   for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
     keep_where_not_negative(seen, coordinate);

@@ -106,6 +106,7 @@ void append(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
   }
   const int half = part.count / 2;
   ConvexPolygon first, second;
+  first.cuts = second.cuts = part.cuts;
   for (int i = 0; i <= half; ++i) first.add(part[i]);
   for (int i = half; i < part.count; ++i) second.add(part[i]);
   second.add(part[0]);
@@ -115,20 +116,6 @@ void append(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
 
 double area_of(const ConvexPolygon& polygon) {
   return polygon.empty() ? 0 : 0.5 * std::abs(twice_area(polygon));
-}
-
-/// Counts a part that is cut, and the parts it becomes, none of which is wider.
-void add_widths(const ConvexPolygon& part, int parts, Neglect& neglect) {
-  double low_s = part[0][kS], high_s = low_s, low_t = part[0][kT], high_t = low_t;
-  for (int i = 1; i < part.count; ++i) {
-    low_s = std::min(low_s, part[i][kS]);
-    high_s = std::max(high_s, part[i][kS]);
-    low_t = std::min(low_t, part[i][kT]);
-    high_t = std::max(high_t, part[i][kT]);
-  }
-  neglect.parts += parts;
-  neglect.width_s += parts * (high_s - low_s);
-  neglect.width_t += parts * (high_t - low_t);
 }
 
 /// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
@@ -165,12 +152,38 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
       dropped = area_of(overlap);
     }
     neglect.area += dropped;
-    add_widths(part, 1 + static_cast<int>(remaining.size() - before), neglect);
   }
   std::swap(parts, remaining);
 }
 
+/// Greatest difference and greatest value of a coordinate.
+struct Extent {
+  double width, high;
+
+  Extent(const ConvexPolygon& polygon, int coordinate) : width(0), high(polygon[0][coordinate]) {
+    double low = high;
+    for (int i = 1; i < polygon.count; ++i) {
+      low = std::min(low, polygon[i][coordinate]);
+      high = std::max(high, polygon[i][coordinate]);
+    }
+    width = high - low;
+  }
+};
+
 }  // namespace
+
+void Neglect::add_part(const ConvexPolygon& part, const ConvexPolygon& whole) {
+  constexpr double u = 0x1p-53;
+  ++parts;
+  const int seen = part.cuts - whole.cuts;
+  cuts = std::max(cuts, seen);
+  const Extent s(part, kS), t(part, kT);
+  const double off_s = (seen * (2 * Extent(whole, kS).width + 1) + 10 * s.width) * u;
+  const double off_t = (seen * (2 * Extent(whole, kT).width + 1) + 10 * t.width) * u;
+  const double changed = 2 * (s.width * off_t + t.width * off_s) + 48 * off_s * off_t;
+  cut_area += changed;
+  cut_volume += changed * Extent(part, kDepth).high;
+}
 
 void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const PlacedFace& g,
                      std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, Neglect& neglect,

@@ -16,10 +16,16 @@ struct PlacedFace {
 
 /// What was done to the parts of a face that is not exact but for roundings of its own points.
 struct Neglect {
-  double area = 0;     ///< dropped, or kept though hidden, in (s, t)
-  int parts = 0;       ///< cut, and made of them
-  double width_s = 0;  ///< their widths, summed up
-  double width_t = 0;
+  double area = 0;  ///< dropped, or kept though hidden, in (s, t)
+  /// Of the parts that are left: how many, and what the cuts that part them from the whole may change.
+  int parts = 0;
+  int cuts = 0;  ///< the greatest number of them that one part has seen
+  double cut_area = 0;
+  double cut_volume = 0;  ///< integral of the depth there, m
+
+  /// A cut of the whole by other faces puts vertices, whose coordinates are no greater than 1, off by 2 u times the
+  /// whole's width and u. The integrals are off by as much as a shift by 10 u times the part's width would make.
+  void add_part(const ConvexPolygon& part, const ConvexPolygon& whole);
 };
 
 /// Takes from `parts` of the face f, through which the lines leave the slave, what they reach only after g: where g is

@@ -3,6 +3,7 @@
 #include "reference/oracle.h"
 
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,11 @@ std::size_t index_of(Problem problem) {
 
 std::size_t index_of(Side side) {
   return side == Side::E ? 0 : 1;
+}
+
+std::vector<Side> masters_of(Mode mode) {
+  if (mode == Mode::both) return {Side::E, Side::F};
+  return {mode == Mode::E ? Side::E : Side::F};
 }
 
 Problem other(Problem problem) {
@@ -60,7 +66,6 @@ namespace {
 
 /// The elements one master carries in one problem, and what the law makes of them.
 struct MasterElements {
-  ElementPairs pairs;
   ClippedFindings clipped;
   std::unique_ptr<ElementSource> source;
   std::unique_ptr<MasterLoads> loads;
@@ -70,8 +75,9 @@ struct MasterElements {
 struct Solution {
   ExactPose pose;
   Combinatorics found;
-  Answer without_force;  ///< what all modes have in common
-  std::array<std::unique_ptr<MasterElements>, 2> masters;
+  Answer without_force;                              ///< what all modes have in common
+  std::array<std::optional<ElementPairs>, 2> pairs;  ///< by master
+  std::array<std::unique_ptr<MasterElements>, 2> elements;
 };
 
 }  // namespace
@@ -84,6 +90,7 @@ struct Inquiry::Data {
   std::array<std::unique_ptr<Solution>, 2> solutions{};  ///< by problem
 
   Solution& solve(Problem problem);
+  const ElementPairs& pairs(Problem problem, Side master);
   MasterElements& elements(Problem problem, Side master);
 };
 
@@ -100,7 +107,7 @@ Solution& Inquiry::Data::solve(Problem problem) {
   const Solution* known = solutions[index_of(other(problem))].get();
   ExactPose exact_pose(problem, oracle.E, oracle.F, pose);
   Combinatorics found = known ? find_combinatorics(exact_pose, known->found.near) : find_combinatorics(exact_pose);
-  solution = std::make_unique<Solution>(Solution{std::move(exact_pose), std::move(found), {}, {}});
+  solution = std::make_unique<Solution>(Solution{std::move(exact_pose), std::move(found), {}, {}, {}});
 
   const Combinatorics& facts = solution->found;
   Answer& answer = solution->without_force;
@@ -123,19 +130,27 @@ Solution& Inquiry::Data::solve(Problem problem) {
   return *solution;
 }
 
+const ElementPairs& Inquiry::Data::pairs(Problem problem, Side master) {
+  Solution& solution = solve(problem);
+  std::optional<ElementPairs>& pairs = solution.pairs[index_of(master)];
+  if (pairs) return *pairs;
+  // What is certain in one problem holds in the other one too.
+  const Solution* known = solutions[index_of(other(problem))].get();
+  const std::optional<ElementPairs> found = known ? known->pairs[index_of(master)] : std::nullopt;
+  pairs = found && found->certified ? *found : find_elements(solution.pose, master, solution.found);
+  return *pairs;
+}
+
 MasterElements& Inquiry::Data::elements(Problem problem, Side master) {
   Solution& solution = solve(problem);
-  std::unique_ptr<MasterElements>& elements = solution.masters[index_of(master)];
+  std::unique_ptr<MasterElements>& elements = solution.elements[index_of(master)];
   if (elements) return *elements;
   elements = std::make_unique<MasterElements>();
-  const Solution* other_solution = solutions[index_of(other(problem))].get();
-  const MasterElements* known = other_solution ? other_solution->masters[index_of(master)].get() : nullptr;
-  // What is certain in one problem holds in the other one too.
-  elements->pairs =
-      known && known->pairs.certified ? known->pairs : find_elements(solution.pose, master, solution.found);
   if (oracle.scheme == Scheme::barycentric) {
-    elements->source = std::make_unique<BarycentricElements>(elements->pairs.pairs);
+    elements->source = std::make_unique<BarycentricElements>(pairs(problem, master).pairs);
   } else {
+    const Solution* other_solution = solutions[index_of(other(problem))].get();
+    const MasterElements* known = other_solution ? other_solution->elements[index_of(master)].get() : nullptr;
     elements->clipped =
         find_clipped_elements(solution.pose, master, solution.found, known ? known->clipped : ClippedFindings());
     elements->source = std::make_unique<ClippedElements>(elements->clipped.elements);
@@ -149,17 +164,22 @@ Answer Inquiry::answer(Problem problem) {
   return answer(problem, data_->oracle.mode);
 }
 
-Answer Inquiry::answer(Problem problem, Mode mode) {
+Answer Inquiry::facts(Problem problem, Mode mode) {
   Answer answer = data_->solve(problem).without_force;
   if (!data_->wanted.force) return answer;
-  std::vector<MasterLoads*> loads;
-  for (const Side master : {Side::E, Side::F}) {
-    if (mode == (master == Side::E ? Mode::F : Mode::E)) continue;
-    MasterElements& elements = data_->elements(problem, master);
-    answer.too_deep += elements.pairs.too_deep;  // by the barycentres' lines in either scheme
-    if (data_->oracle.scheme == Scheme::barycentric) answer.certified = answer.certified && elements.pairs.certified;
-    loads.push_back(elements.loads.get());
+  for (const Side master : masters_of(mode)) {
+    const ElementPairs& pairs = data_->pairs(problem, master);
+    answer.too_deep += pairs.too_deep;  // by the barycentres' lines in either scheme
+    if (data_->oracle.scheme == Scheme::barycentric) answer.certified = answer.certified && pairs.certified;
   }
+  return answer;
+}
+
+Answer Inquiry::answer(Problem problem, Mode mode) {
+  Answer answer = facts(problem, mode);
+  if (!data_->wanted.force) return answer;
+  std::vector<MasterLoads*> loads;
+  for (const Side master : masters_of(mode)) loads.push_back(data_->elements(problem, master).loads.get());
   report_force(loads, data_->wanted, answer);
   return answer;
 }

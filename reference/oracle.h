@@ -44,6 +44,8 @@ class Inquiry {
   Answer answer(Problem problem);
   /// In any mode: the answer is that of an oracle of this mode.
   Answer answer(Problem problem, Mode mode);
+  /// The same but for the elements and all that is summed over them; of these only how many lines are too deep.
+  Answer facts(Problem problem, Mode mode);
 
  private:
   struct Data;
