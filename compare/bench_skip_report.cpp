@@ -59,7 +59,7 @@ Table savings_table(const SkipResult& result) {
   for (const SavingResult& s : result.savings) {
     const double saved = 1 - s.on_us / s.off_us;
     table.rows.push_back({s.saving, s.scene, number_cell(s.on_us, 3), number_cell(s.off_us, 3),
-                          Cell(fmt::format("{:.0f}", 100 * saved), saved), s.counted, count_cell(s.work_on),
+                          TableCell(fmt::format("{:.0f}", 100 * saved), saved), s.counted, count_cell(s.work_on),
                           count_cell(s.work_off)});
   }
   return table;
