@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "compare/random.h"
@@ -15,7 +16,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr double kTooLong_us = 50e3;
+constexpr double kTooLong_us = 1e3 * kLongestEvaluation_ms;
 
 constexpr Wanted kForce{.polygons = false, .areas = false, .force = true, .elements = false};
 constexpr Wanted kForceAndBound{.polygons = false, .areas = false, .force = true, .elements = false, .bound = true};
@@ -26,28 +27,49 @@ struct Integral {
   std::vector<double> bound;  ///< on the length of the error of that force, N
 };
 
-Integral integral_over(const BudgetMeshes& meshes, const std::vector<Pose>& poses) {
-  const std::unique_ptr<const Subject> clipped =
-      make_subject(Engine::fast, meshes.E, meshes.F, stiffness(1), Mode::E, Scheme::clipped);
-  SubjectWorkspace workspace;
+/// The meshes of one level, as they are or at equal volume; the engine's surfaces are prepared once for all.
+struct Meshes {
+  explicit Meshes(const BudgetMeshes& bodies) : E(bodies.E), F(bodies.F) {}
+
+  fast::Pairing pairing(Scheme scheme) const { return {E, F, stiffness(1), Mode::E, scheme}; }
+
+  fast::Surface E, F;
+};
+
+Integral integral_over(const Meshes& meshes, const std::vector<Pose>& poses) {
+  const fast::Pairing clipped = meshes.pairing(Scheme::clipped);
+  fast::Workspace workspace;
   Integral integral;
   for (const Pose& pose : poses) {
-    const fast::Contact& contact = clipped->evaluate(pose, {}, kForceAndBound, workspace);
+    const fast::Contact& contact = fast::evaluate(clipped, pose, {}, kForceAndBound, workspace);
     integral.force_Me.push_back(contact.force_Me);
     integral.bound.push_back(contact.bound->force_Me.norm());
   }
   return integral;
 }
 
+/// Force alone.
+using Evaluate = std::function<const fast::Contact&(const Pose&)>;
+
+Evaluate evaluation(const Method& method, const Meshes& meshes) {
+  if (method.engine == Engine::fast)
+    return [pairing = meshes.pairing(method.scheme),
+            workspace = std::make_shared<fast::Workspace>()](const Pose& pose) -> const fast::Contact& {
+      return fast::evaluate(pairing, pose, {}, kForce, *workspace);
+    };
+  return [subject = std::shared_ptr<const Subject>(
+              make_subject(method.engine, meshes.E.mesh(), meshes.F.mesh(), stiffness(1), Mode::E, method.scheme)),
+          workspace = std::make_shared<SubjectWorkspace>()](const Pose& pose) -> const fast::Contact& {
+    return subject->evaluate(pose, {}, kForce, *workspace);
+  };
+}
+
 /// A method at work on the meshes of one level.
 struct Runner {
   WorkPrecisionCurve* curve;
-  std::unique_ptr<const Subject> subject;
-  SubjectWorkspace workspace = {};
+  Evaluate evaluate;
   std::vector<double> times_us = {};
   double smooth_squares = 0, integral_squares = 0;
-
-  const fast::Contact& evaluate(const Pose& pose) { return subject->evaluate(pose, {}, kForce, workspace); }
 };
 
 void measure(Runner& runner, const WorkPrecisionProblem& problem, const Integral& integral, std::size_t i) {
@@ -63,13 +85,12 @@ void measure(Runner& runner, const WorkPrecisionProblem& problem, const Integral
 /// All methods on the meshes of one level, as they are or at equal volume.
 void measure_level(const WorkPrecisionProblem& problem, std::size_t level, bool equal_volume,
                    std::vector<WorkPrecisionCurve>& curves) {
-  const BudgetMeshes meshes = equal_volume ? problem.pair.equal_volume(level) : problem.pair.meshes(level);
+  const Meshes meshes(equal_volume ? problem.pair.equal_volume(level) : problem.pair.meshes(level));
   std::vector<Runner> runners;
   for (WorkPrecisionCurve& curve : curves) {
     const Method& method = curve.method;
     if (method.equal_volume != equal_volume || curve.stopped_by_ms) continue;
-    Runner runner{&curve, make_subject(method.engine, meshes.E, meshes.F, stiffness(1), Mode::E, method.scheme)};
-    runner.evaluate(problem.poses[0]);
+    Runner runner{&curve, evaluation(method, meshes)};
     const double once_us = time_us([&] { runner.evaluate(problem.poses[0]); });
     if (once_us > kTooLong_us)
       curve.stopped_by_ms = 1e-3 * once_us;
@@ -82,9 +103,8 @@ void measure_level(const WorkPrecisionProblem& problem, std::size_t level, bool 
     for (Runner& runner : runners) measure(runner, problem, integral, i);
   const auto poses = static_cast<double>(problem.poses.size());
   for (const Runner& runner : runners)
-    runner.curve->points.push_back({static_cast<std::int64_t>(meshes.E.faces.size() + meshes.F.faces.size()),
-                                    problem.pair.edge(level), quantile(runner.times_us, 0.5),
-                                    std::sqrt(runner.smooth_squares / poses),
+    runner.curve->points.push_back({faces_of(meshes.E, meshes.F), problem.pair.edge(level),
+                                    quantile(runner.times_us, 0.5), std::sqrt(runner.smooth_squares / poses),
                                     std::sqrt(runner.integral_squares / poses)});
 }
 
@@ -113,9 +133,9 @@ const std::vector<Method>& work_precision_methods() {
   static const std::vector<Method> methods{
       {"pcm, barycentric scheme", Engine::fast, Scheme::barycentric, false},
       {"pcm, clipped scheme", Engine::fast, Scheme::clipped, false},
-      {"barycentric, meshes of equal volume", Engine::fast, Scheme::barycentric, true},
-      {"clipped, meshes of equal volume", Engine::fast, Scheme::clipped, true},
       {"algorithm as published in 2003", Engine::published_2003, Scheme::barycentric, false},
+      {"pcm, barycentric, equal volume", Engine::fast, Scheme::barycentric, true},
+      {"pcm, clipped, equal volume", Engine::fast, Scheme::clipped, true},
       {"variant published in 2023", Engine::published_2023, Scheme::barycentric, false},
   };
   return methods;
@@ -172,12 +192,12 @@ std::vector<WorkPrecisionProblem> work_precision_problems(Extent extent) {
   return problems;
 }
 
-WorkPrecisionResult run_work_precision(const WorkPrecisionProblem& problem, Extent extent,
+WorkPrecisionResult run_work_precision(const WorkPrecisionProblem& problem,
                                        const std::function<void(const std::string&)>& progress) {
   const BudgetCase& pair = problem.pair;
   WorkPrecisionResult result{pair.id, pair.title, pair.problem, pair.reference, problem.poses.size(), {}};
   for (const Method& method : work_precision_methods()) result.curves.push_back({method, {}, {}});
-  for (std::size_t level = 0; level < pair.levels + (extent == Extent::full ? 1 : 0); ++level)
+  for (std::size_t level = 0; level < pair.levels; ++level)
     for (const bool equal_volume : {false, true}) {
       progress(fmt::format("{}: {}", pair.title, pair.in_words(level)));
       measure_level(problem, level, equal_volume, result.curves);

@@ -34,7 +34,6 @@ struct Method {
   bool equal_volume = false;  ///< meshes that enclose the smooth bodies' volumes
 };
 
-/// The engine's two schemes come first, then again at equal volume, then the published algorithms.
 const std::vector<Method>& work_precision_methods();
 
 enum class ErrorAgainst : std::uint8_t { smooth, integral };
@@ -92,9 +91,11 @@ std::optional<EqualTime> errors_at_equal_time(const WorkPrecisionCurve& over, co
 /// all cores.
 std::vector<WorkPrecisionProblem> work_precision_problems(Extent extent);
 
-/// The levels of the error budget, one finer where the extent is full; a method is left out from where one evaluation
-/// takes more than 50 ms. Methods take turns at every pose.
-WorkPrecisionResult run_work_precision(const WorkPrecisionProblem& problem, Extent extent,
+/// From where an evaluation takes longer a method is left out.
+inline constexpr double kLongestEvaluation_ms = 100;
+
+/// All levels of the pair, methods taking turns at every pose.
+WorkPrecisionResult run_work_precision(const WorkPrecisionProblem& problem,
                                        const std::function<void(const std::string&)>& progress);
 
 Table work_precision_table(const std::vector<WorkPrecisionResult>& results);

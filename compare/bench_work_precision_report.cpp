@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "compare/bench_work_precision.h"
 
@@ -42,7 +44,9 @@ Cell scientific(double x) {
 }
 
 std::string ratio_in_words(double ratio) {
-  return ratio < 1e4 ? fmt::format("{:.2g}", ratio) : fmt::format("{:.0e}", ratio);
+  const double exponent = std::floor(std::log10(ratio));
+  return ratio < 1e4 ? fmt::format("{:.2g}", ratio)
+                     : fmt::format("{:.0f}e{:.0f}", ratio / std::pow(10, exponent), exponent);
 }
 
 Cell ratio_cell(double ratio) {
@@ -69,24 +73,28 @@ std::string left_out(const std::vector<WorkPrecisionResult>& results) {
   for (const WorkPrecisionResult& result : results)
     for (const WorkPrecisionCurve& curve : result.curves)
       if (curve.stopped_by_ms)
-        lines += fmt::format(
-            "Left out, for an evaluation took {:.0f} ms: {}, {}, from the {} meshes on.\n", *curve.stopped_by_ms,
-            result.title, curve.method.name,
-            curve.points.empty() ? "coarsest" : fmt::format("next finer than {} faces", curve.points.back().faces));
+        lines += fmt::format("Left out, for an evaluation took {:.0f} ms: {}, {}, from the meshes {} on.\n",
+                             *curve.stopped_by_ms, result.title, curve.method.name,
+                             curve.points.empty()
+                                 ? "that are coarsest"
+                                 : fmt::format("next finer than those of {} faces", curve.points.back().faces));
   return lines;
 }
 
+/// "2 to 3 times", or nothing where no time is covered by both schemes.
+std::string times_at_equal_time(const WorkPrecisionResult& result, bool equal_volume) {
+  const std::optional<EqualTime> ratio =
+      errors_at_equal_time(result.curve(Scheme::barycentric, equal_volume), result.curve(Scheme::clipped, equal_volume),
+                           ErrorAgainst::smooth);
+  if (!ratio) return "not comparable with";
+  return fmt::format("{} to {} times", ratio_in_words(ratio->least), ratio_in_words(ratio->greatest));
+}
+
 std::string against_smooth_in_words(const WorkPrecisionResult& result) {
-  std::string note = "Barycentric error over clipped error at equal time: ";
-  for (const bool equal_volume : {false, true}) {
-    const std::optional<EqualTime> ratio =
-        errors_at_equal_time(result.curve(Scheme::barycentric, equal_volume),
-                             result.curve(Scheme::clipped, equal_volume), ErrorAgainst::smooth);
-    if (!ratio) continue;
-    note += fmt::format("{}{} to {}{}", equal_volume ? "; " : "", ratio_in_words(ratio->least),
-                        ratio_in_words(ratio->greatest), equal_volume ? " on meshes of equal volume." : "");
-  }
-  return note;
+  return fmt::format(
+      "At equal time the barycentric error is {} the clipped one, {} that on meshes of equal volume: the meshes' own "
+      "error counts in both schemes.",
+      times_at_equal_time(result, false), times_at_equal_time(result, true));
 }
 
 std::string against_integral_in_words(const WorkPrecisionResult& result) {
@@ -94,9 +102,14 @@ std::string against_integral_in_words(const WorkPrecisionResult& result) {
       result.curve(Scheme::barycentric, false), result.curve(Scheme::clipped, false), ErrorAgainst::integral);
   std::string note = "The clipped scheme computes this integral: a certified bound on its rounding is shown.";
   if (ratio)
-    note +=
-        fmt::format(" Barycentric error over clipped error at equal time: at least {}.", ratio_in_words(ratio->least));
+    note += fmt::format(" At equal time the barycentric error is at least {} times the clipped one.",
+                        ratio_in_words(ratio->least));
   return note;
+}
+
+/// Without the pointer to the collection of cases, which the reader of a picture does not have.
+std::string reference_in_words(const std::string& reference) {
+  return reference.substr(0, reference.find(" (CASES"));
 }
 
 PlotCurve plotted(const WorkPrecisionCurve& curve, ErrorAgainst reference) {
@@ -206,15 +219,17 @@ Figure work_precision_figure(const WorkPrecisionResult& result, const Machine& m
   figure.title = fmt::format("Contact force of two triangle meshes: error over run time, {}", result.title);
   for (const ErrorAgainst reference : kErrors) figure.plots.push_back(panel(result, reference));
   figure.caption = fmt::format(
-      "Bodies: {}; elastic foundation without damping or friction, the first body carries the contact elements. Each "
-      "marker is one resolution, from left to right {} triangles in both bodies, each with half the edge length of "
-      "the one before. Barycentric scheme: penetration sampled once a triangle; clipped scheme: integrated over it "
-      "exactly. Error: length of the difference of the force vectors over the length of the reference, root mean "
-      "square over {} fixed orientations. Left, reference: {}; as meshed, the vertices lie on the smooth bodies; at "
-      "equal volume, the meshes are scaled to enclose the same volume. Right, reference: the integral of the elastic "
-      "foundation over the same triangles. Time: median over the orientations of the least of up to five evaluations, "
-      "one thread, on {} ({}). Methods are left out where one evaluation takes more than 50 ms.",
-      result.problem, faces, result.orientations, result.reference, machine.processor, machine.compiler);
+      "Bodies: {}. Elastic foundation of stiffness K = 1 N/m\u00b3 without damping or friction; the first body carries "
+      "the contact elements. Each marker is one resolution of the meshes, from left to right {} triangles in both "
+      "bodies, each with half the edge length of the one before. Barycentric scheme: penetration sampled once a "
+      "triangle; clipped scheme: integrated over it exactly. Error: length of the difference of the force vectors over "
+      "the length of the reference, root mean square over {} fixed orientations. Left: reference is the smooth "
+      "bodies' force, {}; the meshes' vertices lie on the smooth bodies, or (equal volume) the meshes are scaled to "
+      "enclose the same volume. Right: reference is the integral of the elastic foundation over the same triangles. "
+      "Time: median over the orientations of the least of up to five evaluations, one thread, on {} ({}). pcm: this "
+      "project's engine. Methods are left out where an evaluation takes more than {:.0f} ms.",
+      result.problem, faces, result.orientations, reference_in_words(result.reference), machine.processor,
+      machine.compiler, kLongestEvaluation_ms);
   return figure;
 }
 

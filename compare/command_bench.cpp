@@ -108,8 +108,7 @@ Exit bench_work_precision(const FixedOptions& options) {
   const std::vector<WorkPrecisionProblem> problems = work_precision_problems(extent);
   const Machine machine = this_machine(stay_on_one_core());
   std::vector<WorkPrecisionResult> results;
-  for (const WorkPrecisionProblem& problem : problems)
-    results.push_back(run_work_precision(problem, extent, show_progress));
+  for (const WorkPrecisionProblem& problem : problems) results.push_back(run_work_precision(problem, show_progress));
   show_progress("");
   if (folder) {
     write_text_file(*folder / "work_precision.md", work_precision_markdown(results, machine));

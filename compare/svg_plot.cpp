@@ -17,7 +17,7 @@ constexpr double kLeft = 92, kGap = 108, kRight = 30;
 constexpr double kMargin = 24;
 constexpr double kTitleSize = 19, kHeadingSize = 14, kTextSize = 12.5, kExponentSize = 10;
 constexpr double kLine = 17;        ///< from one line of text to the next
-constexpr double kCharacter = 6.9;  ///< mean width in a wide sans-serif, for text of kTextSize
+constexpr double kCharacter = 6.7;  ///< mean width in a wide sans-serif, for text of kTextSize
 constexpr double kLegendEntry = 310;
 constexpr double kMarker = 4.5;  ///< half its width
 
@@ -230,7 +230,7 @@ std::string svg(const Figure& figure) {
   std::size_t note_lines = 0;
   for (const LogPlot& plot : figure.plots)
     note_lines = std::max(note_lines, wrapped(plot.note, characters(kPlotWidth + kLeft / 2)).size());
-  const double top = y + kLine * static_cast<double>(note_lines) + 10;
+  const double top = y + kLine * static_cast<double>(note_lines) + 20;
   for (std::size_t p = 0; p < figure.plots.size(); ++p) {
     const LogPlot& plot = figure.plots[p];
     const double left = kLeft + (kPlotWidth + kGap) * static_cast<double>(p), words = left - kLeft / 2;
