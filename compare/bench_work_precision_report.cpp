@@ -92,8 +92,8 @@ std::string times_at_equal_time(const WorkPrecisionResult& result, bool equal_vo
 
 std::string against_smooth_in_words(const WorkPrecisionResult& result) {
   return fmt::format(
-      "At equal time the barycentric error is {} the clipped one, {} that on meshes of equal volume: the meshes' own "
-      "error counts in both schemes.",
+      "At equal time the barycentric error is {} the clipped one (meshes of equal volume: {}): the meshes' own error "
+      "counts in both schemes.",
       times_at_equal_time(result, false), times_at_equal_time(result, true));
 }
 

@@ -4,15 +4,40 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <string>
+#include <vector>
 
 #include "tests/compare/well_formed_xml.h"
 
 namespace pcm::compare {
 namespace {
 
-Figure figure_of(const std::vector<PlotCurve>& curves) {
-  return {"title & more", {{"plot", "note", "time, s", "error < 1", curves}}, "caption \"in words\""};
+using Points = std::vector<std::array<double, 2>>;
+
+PlotCurve curve(const char* name, const Points& points, Marker marker = Marker::circle, bool dashed = false) {
+  PlotCurve curve;
+  curve.name = name;
+  curve.style.colour = "#0072B2";
+  curve.style.marker = marker;
+  curve.style.dashed = dashed;
+  curve.points = points;
+  return curve;
+}
+
+Figure figure_of(const PlotCurve& first) {
+  Figure figure;
+  figure.title = "title & more";
+  figure.caption = "caption \"in words\"";
+  LogPlot& plot = figure.plots.emplace_back();
+  plot.title = "plot";
+  plot.note = "note";
+  plot.x_title = "time, s";
+  plot.y_title = "error < 1";
+  plot.curves.push_back(first);
+  return figure;
 }
 
 std::size_t count(const std::string& text, const std::string& word) {
@@ -22,32 +47,27 @@ std::size_t count(const std::string& text, const std::string& word) {
 }
 
 TEST(SvgPlot, PointsLieWhereTheirLogarithmsDo) {
-  // One decade each way: the corners of the plot and its middle, where both are the square root of ten.
-  const std::string picture =
-      svg(figure_of({{"a", {"#0072B2"}, {{1, 1e-3}, {3.16227766016838, 3.16227766016838e-3}, {10, 1e-2}}}}));
-  const std::size_t frame = picture.find("fill=\"none\" stroke=\"#666666\"");
-  const std::size_t begin = picture.rfind("<rect ", frame);
+  // One decade each way: two corners of the plot and its middle.
+  const double root = std::sqrt(10.0);
+  const std::string picture = svg(figure_of(curve("a", {{1, 1e-3}, {root, 1e-3 * root}, {10, 1e-2}})));
+  const std::size_t frame = picture.rfind("<rect ", picture.find("fill=\"none\" stroke=\"#666666\""));
   double x = 0, y = 0, width = 0, height = 0;
-  ASSERT_EQ(std::sscanf(picture.c_str() + begin, R"(<rect x="%lf" y="%lf" width="%lf" height="%lf")", &x, &y, &width,
+  ASSERT_EQ(std::sscanf(picture.c_str() + frame, R"(<rect x="%lf" y="%lf" width="%lf" height="%lf")", &x, &y, &width,
                         &height),
             4);
-  double points[6] = {};
-  const std::size_t curve = picture.find("<polyline", begin);
-  ASSERT_EQ(std::sscanf(picture.c_str() + curve, R"(<polyline points="%lf,%lf %lf,%lf %lf,%lf")", &points[0],
-                        &points[1], &points[2], &points[3], &points[4], &points[5]),
+  std::array<double, 6> p{};
+  ASSERT_EQ(std::sscanf(picture.c_str() + picture.find("<polyline", frame),
+                        R"(<polyline points="%lf,%lf %lf,%lf %lf,%lf")", &p[0], &p[1], &p[2], &p[3], &p[4], &p[5]),
             6);
-  EXPECT_NEAR(points[0], x, 0.11);
-  EXPECT_NEAR(points[1], y + height, 0.11);
-  EXPECT_NEAR(points[2], x + width / 2, 0.11);
-  EXPECT_NEAR(points[3], y + height / 2, 0.11);
-  EXPECT_NEAR(points[4], x + width, 0.11);
-  EXPECT_NEAR(points[5], y, 0.11);
+  const std::array<double, 6> expected{x, y + height, x + width / 2, y + height / 2, x + width, y};
+  for (std::size_t k = 0; k < p.size(); ++k) EXPECT_NEAR(p[k], expected[k], 0.11) << k;
 }
 
 TEST(SvgPlot, IsWellFormedAndSaysEverything) {
-  const std::string picture = svg(figure_of({{"<a>", {"red", Marker::square}, {{1, 1}, {2, 3}}},
-                                             {"b", {"blue", Marker::triangle, true}, {{5, 7}}},
-                                             {"c", {"green", Marker::diamond}, {{5, 8}}}}));
+  Figure figure = figure_of(curve("<a>", {{1, 1}, {2, 3}}, Marker::square));
+  figure.plots[0].curves.push_back(curve("b", {{5, 7}}, Marker::triangle, true));
+  figure.plots[0].curves.push_back(curve("c", {{5, 8}}, Marker::diamond));
+  const std::string picture = svg(figure);
   EXPECT_EQ(fault_in_xml(picture), "") << picture;
   for (const char* words : {"title &amp; more", "time, s", "error &lt; 1", "caption &quot;in words&quot;", "&lt;a&gt;",
                             "stroke-dasharray", "note"})
@@ -55,21 +75,23 @@ TEST(SvgPlot, IsWellFormedAndSaysEverything) {
 }
 
 TEST(SvgPlot, CurvesOfOneNameShareAnEntryOfTheLegend) {
-  Figure figure = figure_of({{"shared", {"red"}, {{1, 1}, {2, 3}}}});
-  figure.plots.push_back(figure.plots.front());
+  Figure figure = figure_of(curve("shared", {{1, 1}, {2, 3}}));
+  const LogPlot again = figure.plots.front();
+  figure.plots.push_back(again);
   EXPECT_EQ(count(svg(figure), ">shared<"), 1U);
 }
 
 TEST(SvgPlot, LabelsOfManyDecadesKeepTheirDistance) {
-  // Fourteen decades have a label each, forty every second.
-  EXPECT_EQ(count(svg(figure_of({{"a", {"red"}, {{1, 1e-14}, {10, 1}}}})), ">10<tspan"), 2U + 15U);
-  EXPECT_EQ(count(svg(figure_of({{"a", {"red"}, {{1, 1e-40}, {10, 1}}}})), ">10<tspan"), 2U + 14U);
+  // Fourteen decades have a label each, forty every second or so.
+  EXPECT_EQ(count(svg(figure_of(curve("a", {{1, 1e-14}, {10, 1}}))), ">10<tspan"), 2U + 15U);
+  EXPECT_EQ(count(svg(figure_of(curve("a", {{1, 1e-40}, {10, 1}}))), ">10<tspan"), 2U + 21U);
 }
 
 TEST(SvgPlot, WordsAreWrappedAtBlanksAndCountedAsCharacters) {
-  EXPECT_EQ(wrapped("one two  three", 7), (std::vector<std::string>{"one two", "three"}));
-  EXPECT_EQ(wrapped("incomprehensibilities so", 5), (std::vector<std::string>{"incomprehensibilities", "so"}));
-  EXPECT_EQ(wrapped("m\u00b3 m\u00b3", 5), (std::vector<std::string>{"m\u00b3 m\u00b3"}));
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(wrapped("one two  three", 7), (Lines{"one two", "three"}));
+  EXPECT_EQ(wrapped("incomprehensibilities so", 5), (Lines{"incomprehensibilities", "so"}));
+  EXPECT_EQ(wrapped("m\u00b3 m\u00b3", 5), (Lines{"m\u00b3 m\u00b3"}));
   EXPECT_TRUE(wrapped("", 5).empty());
 }
 
