@@ -39,7 +39,7 @@ std::string_view meshes_of(bool equal_volume) {
 }
 
 /// Errors and ratios of them range over many powers of ten.
-Cell scientific(double x) {
+TableCell scientific(double x) {
   return {fmt::format("{:.1e}", x), x};
 }
 
@@ -49,11 +49,11 @@ std::string ratio_in_words(double ratio) {
                      : fmt::format("{:.0f}e{:.0f}", ratio / std::pow(10, exponent), exponent);
 }
 
-Cell ratio_cell(double ratio) {
+TableCell ratio_cell(double ratio) {
   return {ratio_in_words(ratio), ratio};
 }
 
-Cell order_cell(const WorkPrecisionCurve& curve, ErrorAgainst reference) {
+TableCell order_cell(const WorkPrecisionCurve& curve, ErrorAgainst reference) {
   const std::optional<double> order = curve.order(reference);
   return order ? number_cell(*order, 3) : empty_cell();
 }
@@ -190,7 +190,7 @@ Table equal_time_table(const std::vector<WorkPrecisionResult>& results) {
                               equal ? ratio_cell(equal->greatest) : empty_cell(),
                               equal ? number_cell(equal->from_us, 3) : empty_cell(),
                               equal ? number_cell(equal->to_us, 3) : empty_cell(),
-                              !equal ? empty_cell() : Cell(equal->least >= 10 ? "yes" : "no")});
+                              !equal ? empty_cell() : TableCell(equal->least >= 10 ? "yes" : "no")});
       }
   return table;
 }

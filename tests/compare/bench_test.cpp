@@ -188,9 +188,9 @@ TEST(BenchWorkPrecision, ErrorsAreOfSecondOrderAndThePlotsSayWhatTheyShow) {
   EXPECT_EQ(curves.size(), 4U * work_precision_methods().size());
   for (const auto& [curve, points] : curves) {
     for (std::size_t k = 1; k < points.size(); ++k) {
-      const auto order = [&](const char* error) {
-        return std::log2(points[k - 1][error].get<double>() / points[k][error].get<double>()) /
-               std::log2(points[k - 1]["edge_m"].get<double>() / points[k]["edge_m"].get<double>());
+      const auto order = [&coarse = points[k - 1], &fine = points[k]](const char* error) {
+        return std::log2(coarse[error].get<double>() / fine[error].get<double>()) /
+               std::log2(coarse["edge_m"].get<double>() / fine["edge_m"].get<double>());
       };
       EXPECT_NEAR(order("error_against_smooth"), 2, 0.6) << curve;
       if (curve.find("barycentric") == std::string::npos) continue;
