@@ -247,8 +247,8 @@ TEST(Pairs, AThirdOfThePosesFallsToLargePairs) {
   double general = 0, large = 0;
   for (const SurfacePair& pair : pairs) {
     if (!pair.for_all_strata) continue;
-    general += static_cast<double>(pair.share);
-    if (pair.faces() >= 2000) large += static_cast<double>(pair.share);
+    general += static_cast<double>(pair.share(Stratum::generic, Scheme::barycentric));
+    if (pair.faces() >= 2000) large += static_cast<double>(pair.share(Stratum::generic, Scheme::barycentric));
   }
   EXPECT_GE(pairs.size(), 12U);
   // Four of six strata spread evenly over the general pairs.
