@@ -49,6 +49,8 @@ ContactLaw bench_law();
 /// Ours. The first is what all others are compared with: the whole barycentric evaluation.
 std::vector<ContestantEntry> engine_contestants();
 std::vector<ContestantEntry> oracle_contestants();
+/// The algorithms that the engine follows, with the same law.
+std::vector<ContestantEntry> published_contestants();
 
 /// One function a peer; its file is compiled where the peer is installed.
 std::vector<ContestantEntry> cgal_contestants();

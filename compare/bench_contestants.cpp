@@ -31,6 +31,7 @@ std::vector<ContestantEntry> contestants() {
   const auto add = [&all](std::vector<ContestantEntry> more) {
     for (ContestantEntry& entry : more) all.push_back(std::move(entry));
   };
+  add(published_contestants());
 #ifdef PCM_WITH_FCL
   add(fcl_contestants());
 #else

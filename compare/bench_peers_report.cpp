@@ -23,13 +23,13 @@ std::string title(const PeersResult& result) {
   return fmt::format("{}, {} faces each, {}", result.body, result.faces, name(result.distance));
 }
 
-Cell microseconds(double us) {
+TableCell microseconds(double us) {
   return number_cell(us, 3);
 }
 
-std::vector<Cell> row(const PeersResult& result, const ContestantResult& contestant) {
+std::vector<TableCell> row(const PeersResult& result, const ContestantResult& contestant) {
   const ContestantEntry& entry = contestant.entry;
-  std::vector<Cell> cells{result.body, name(result.distance), entry.who};
+  std::vector<TableCell> cells{result.body, name(result.distance), entry.who};
   if (contestant.timings.empty()) {
     cells.emplace_back("not installed: " + entry.debian_package);
     while (cells.size() < 11) cells.push_back(empty_cell());
@@ -71,7 +71,7 @@ Table table_of(const PeersResult& result) {
 /// For people, who read body and poses above the table.
 Table without_body(Table table) {
   table.columns.erase(table.columns.begin(), table.columns.begin() + 2);
-  for (std::vector<Cell>& cells : table.rows) cells.erase(cells.begin(), cells.begin() + 2);
+  for (std::vector<TableCell>& cells : table.rows) cells.erase(cells.begin(), cells.begin() + 2);
   return table;
 }
 
@@ -86,8 +86,8 @@ Table side_by_side(const std::vector<PeersResult>& results, Distance distance) {
                                                {"found", "found"}});
     table.rows.resize(result.contestants.size());
     for (std::size_t c = 0; c < table.rows.size(); ++c) {
-      const std::vector<Cell> all = row(result, result.contestants[c]);
-      std::vector<Cell>& cells = table.rows[c];
+      const std::vector<TableCell> all = row(result, result.contestants[c]);
+      std::vector<TableCell>& cells = table.rows[c];
       if (cells.empty()) cells = {all[2], all[3]};
       cells.insert(cells.end(), {all[4], all[5], all[7], all[9]});
     }
@@ -109,8 +109,8 @@ Table peers_table(const std::vector<PeersResult>& results) {
 
 std::string peers_screen(const std::vector<PeersResult>& results, const Machine& machine) {
   return fmt::format(
-      "{}\n{}found: intersecting triangle pairs (segments of polygons); ODE: contact points; Simbody: faces with "
-      "springs;\ncorefinement: faces of the solid. Means over the poses.\n\n{}\n{}",
+      "{}\n{}found: intersecting triangle pairs (segments of polygons); 2023: elements; ODE: contact points; Simbody: "
+      "faces with springs;\ncorefinement: faces of the solid. Means over the poses.\n\n{}\n{}",
       describe(machine), protocol(results), on_screen(side_by_side(results, Distance::touching)),
       on_screen(side_by_side(results, Distance::separated)));
 }

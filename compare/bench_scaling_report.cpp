@@ -15,7 +15,7 @@ constexpr const char* kLegend =
     "force: nothing else wanted; all: everything, barycentric; clipped: everything, clipped. ns/unit: time for\n"
     "everything, barycentric, a crossing or element.\n";
 
-Cell microseconds(const ScalingPoint& point, Asked asked) {
+TableCell microseconds(const ScalingPoint& point, Asked asked) {
   return number_cell(point.us(asked), 3);
 }
 
@@ -44,7 +44,7 @@ Table table_of(const ScalingSeries& series) {
                {"ns/unit", "ns_a_unit"}},
               {}};
   for (const ScalingPoint& p : series.points)
-    table.rows.push_back({series.name, count_cell(p.faces), Cell(fmt::format("{:.2g}", 100 * p.depth), p.depth),
+    table.rows.push_back({series.name, count_cell(p.faces), TableCell(fmt::format("{:.2g}", 100 * p.depth), p.depth),
                           number_cell(p.crossings, 3), number_cell(p.elements, 3), number_cell(p.box_tests, 3),
                           microseconds(p, Asked::touch), microseconds(p, Asked::polygons),
                           microseconds(p, Asked::force), microseconds(p, Asked::everything),
@@ -54,7 +54,7 @@ Table table_of(const ScalingSeries& series) {
 
 Table without_series(Table table) {
   table.columns.erase(table.columns.begin());
-  for (std::vector<Cell>& row : table.rows) row.erase(row.begin());
+  for (std::vector<TableCell>& row : table.rows) row.erase(row.begin());
   return table;
 }
 
@@ -97,7 +97,7 @@ Table exponents_table(const ScalingResult& result) {
               {}};
   for (const ScalingSeries& series : result.series) {
     if (series.points.size() < 2) continue;
-    std::vector<Cell> row{series.name, series.over};
+    std::vector<TableCell> row{series.name, series.over};
     for (const Asked asked :
          {Asked::touch, Asked::polygons, Asked::force, Asked::everything, Asked::clipped_everything})
       row.push_back(number_cell(series.exponent(asked), 2));

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "compare/command_verify_audits.h"
+#include "compare/command_verify_engines.h"
 #include "compare/command_verify_error_budget.h"
 #include "compare/command_verify_known_answers.h"
 #include "compare/law_options.h"
@@ -39,6 +40,7 @@ struct VerifyOptions {
   std::vector<std::vector<std::string>> pairs;
   std::string mode = "both";
   std::string scheme = "barycentric";
+  std::vector<std::string> engines;
   std::optional<std::string> jobs;
   std::optional<std::string> out;
   std::optional<std::string> case_file;
@@ -58,6 +60,32 @@ void note_interrupt(int signal) {
   interrupted = 1;
   std::signal(signal, SIG_DFL);
 }
+
+/// While it lives the first interrupt is only noted, and progress is shown on a terminal.
+class Interruptible {
+ public:
+  explicit Interruptible(std::int64_t poses) : poses_(poses), terminal_(isatty(STDERR_FILENO) != 0) {
+    std::signal(SIGINT, note_interrupt);
+    std::signal(SIGTERM, note_interrupt);
+  }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+  ~Interruptible() {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    if (terminal_) std::cerr << '\n';
+  }
+
+  bool interrupted() const { return pcm::compare::interrupted != 0; }
+  void show(std::int64_t done) const {
+    if (terminal_ && (done % 16 == 0 || done == poses_))
+      std::cerr << fmt::format("\r{} of {} poses", done, poses_) << std::flush;
+  }
+
+ private:
+  std::int64_t poses_;
+  bool terminal_;
+};
 
 int number_of_jobs(const VerifyOptions& options) {
   if (options.jobs) return static_cast<int>(whole_number("--jobs", *options.jobs, 1, 4096));
@@ -185,23 +213,15 @@ Exit verify(const VerifyOptions& options) {
   for (const std::string& notice : notices) complain(notice);
   if (folder) continue_from(*folder / "state.json", run);
 
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const auto progress = [&](std::int64_t done) {
-    if (terminal && (done % 16 == 0 || done == run.plan().poses))
-      std::cerr << fmt::format("\r{} of {} poses", done, run.plan().poses) << std::flush;
-  };
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
-  while (!run.finished() && interrupted == 0) {
-    run.run_batch(
-        jobs, [] { return interrupted != 0; }, progress);
-    // An unfinished batch is repeated as a whole, so the state on disk stays that of the last whole one.
-    if (folder && interrupted == 0) keep_state(*folder / "state.json", run);
+  {
+    const Interruptible work(run.plan().poses);
+    while (!run.finished() && !work.interrupted()) {
+      run.run_batch(
+          jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
+      // An unfinished batch is repeated as a whole, so the state on disk stays that of the last whole one.
+      if (folder && !work.interrupted()) keep_state(*folder / "state.json", run);
+    }
   }
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-  if (terminal) std::cerr << '\n';
-
   if (folder) write_tables(*folder, run);
   std::cout << verification_summary(run) << '\n';
   for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
@@ -212,6 +232,25 @@ Exit verify(const VerifyOptions& options) {
   }
   std::cout << verdict_line(run) << '\n';
   return run.total().disagreeing == 0 && run.finished() ? Exit::success : Exit::negative;
+}
+
+Exit compare_engines(const VerifyOptions& options) {
+  if (options.scheme != "barycentric")
+    throw BadInput("--engine: the published algorithms know the barycentric scheme only; leave out --scheme");
+  const int jobs = number_of_jobs(options);
+  std::vector<Engine> engines;
+  for (const Engine engine : kEngines)
+    if (std::find(options.engines.begin(), options.engines.end(), name(engine)) != options.engines.end())
+      engines.push_back(engine);
+  std::vector<std::string> notices;
+  VerificationPlan plan = plan_from(options, notices);
+  std::optional<fs::path> folder;
+  if (options.out) folder = prepare_folder(*options.out);
+  for (const std::string& notice : notices) complain(notice);
+  const Interruptible work(plan.poses);
+  return verify_engines(
+      std::move(plan), engines, jobs, folder, [&] { return work.interrupted(); },
+      [&](std::int64_t done) { work.show(done); });
 }
 
 Exit known_answers(const VerifyOptions& options) {
@@ -261,6 +300,7 @@ void add_verify_command(CLI::App& program, Run& run) {
       "Examples:\n"
       "  pcm verify --poses 200000 --mode all --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
+      "  pcm verify --engine fast,published-2003,published-2023\n"
       "  pcm verify --known-answers --out answers\n"
       "  pcm verify --error-budget --out budget\n"
       "  pcm verify --audits --out audits\n"
@@ -288,6 +328,14 @@ void add_verify_command(CLI::App& program, Run& run) {
   command->add_option("--scheme", options->scheme, "How elements sample the penetration: barycentric or clipped")
       ->check(CLI::IsMember({"barycentric", "clipped"}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--engine", options->engines,
+          "Of fast (default), published-2003, published-2023: with one of the published algorithms, instead of "
+          "the full verdict how many answers of each named one are wrong, by stratum and by what")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"fast", "published-2003", "published-2023"}));
   command->add_option("--jobs", options->jobs, "Threads (default: as many as cores)")->type_name("N");
   command
       ->add_option("--out", options->out,
@@ -295,22 +343,22 @@ void add_verify_command(CLI::App& program, Run& run) {
       ->type_name("DIR");
   command->add_option("--case", options->case_file, "Replay a case file instead")
       ->type_name("FILE")
-      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--out");
+      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--out");
   CLI::Option* known = command
                            ->add_flag("--known-answers", options->known_answers,
                                       "Instead: forces known in closed form over resolutions, and identities (minutes)")
-                           ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--case");
+                           ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
   CLI::Option* budget =
       command
           ->add_flag("--error-budget", options->error_budget,
                      "Instead: rounding, discretisation and geometry error of smooth bodies over resolutions (minutes)")
           ->excludes(known)
-          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--case");
+          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
   command
       ->add_flag("--audits", options->audits,
                  "Instead: work left over, tangential force and jumps of the elastic force over closed loops of poses")
       ->excludes(known, budget)
-      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--case");
+      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
   command->add_flag("--quick", options->quick,
                     "Known answers or error budget on coarser meshes only, audits in coarser steps");
   command->callback([options, &run] {
@@ -320,7 +368,10 @@ void add_verify_command(CLI::App& program, Run& run) {
         throw BadInput("--quick goes with --known-answers, --error-budget or --audits");
       if (options->audits) return audits(*options);
       if (options->error_budget) return error_budget(*options);
-      return options->known_answers ? known_answers(*options) : verify(*options);
+      if (options->known_answers) return known_answers(*options);
+      const bool fast_alone = std::all_of(options->engines.begin(), options->engines.end(),
+                                          [](const std::string& word) { return word == name(Engine::fast); });
+      return fast_alone ? verify(*options) : compare_engines(*options);
     };
   });
 }

@@ -9,23 +9,23 @@
 
 namespace pcm::compare {
 
-Cell number_cell(double x, int digits) {
+TableCell number_cell(double x, int digits) {
   const int leading = x == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::fabs(x))));
   return {fmt::format("{:.{}f}", x, std::clamp(digits - 1 - leading, 0, 12)), x};
 }
 
-Cell count_cell(std::int64_t n) {
+TableCell count_cell(std::int64_t n) {
   return {fmt::format("{}", n), n};
 }
 
-Cell empty_cell() {
+TableCell empty_cell() {
   return {"-", nullptr};
 }
 
 std::string on_screen(const Table& table) {
   std::vector<std::size_t> widths;
   for (const Column& column : table.columns) widths.push_back(column.title.size());
-  for (const std::vector<Cell>& row : table.rows)
+  for (const std::vector<TableCell>& row : table.rows)
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].text.size());
 
   std::string text;
@@ -37,7 +37,7 @@ std::string on_screen(const Table& table) {
     text += line.erase(line.find_last_not_of(' ') + 1) + '\n';
   };
   add_line([&](std::size_t c) { return table.columns[c].title; });
-  for (const std::vector<Cell>& row : table.rows) add_line([&](std::size_t c) { return row[c].text; });
+  for (const std::vector<TableCell>& row : table.rows) add_line([&](std::size_t c) { return row[c].text; });
   return text;
 }
 
@@ -48,9 +48,9 @@ std::string markdown(const Table& table) {
     rule += column.is_number ? "--:|" : "---|";
   }
   text += '\n' + rule + '\n';
-  for (const std::vector<Cell>& row : table.rows) {
+  for (const std::vector<TableCell>& row : table.rows) {
     text += '|';
-    for (const Cell& cell : row) text += fmt::format(" {} |", cell.text);
+    for (const TableCell& cell : row) text += fmt::format(" {} |", cell.text);
     text += '\n';
   }
   return text;
@@ -65,7 +65,7 @@ std::string csv(const Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     text += fmt::format("{}{}", c == 0 ? "" : ",", table.columns[c].key);
   text += '\n';
-  for (const std::vector<Cell>& row : table.rows) {
+  for (const std::vector<TableCell>& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) text += fmt::format("{}{}", c == 0 ? "" : ",", field(row[c].value));
     text += '\n';
   }
@@ -74,7 +74,7 @@ std::string csv(const Table& table) {
 
 nlohmann::ordered_json json(const Table& table) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const std::vector<Cell>& row : table.rows) {
+  for (const std::vector<TableCell>& row : table.rows) {
     nlohmann::ordered_json object;
     for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c].key] = row[c].value;
     rows.push_back(std::move(object));

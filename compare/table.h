@@ -9,10 +9,10 @@
 namespace pcm::compare {
 
 /// One entry of a table, as people read it and as programs do.
-struct Cell {
-  Cell(std::string words) : text(std::move(words)), value(text) {}
-  Cell(const char* words) : Cell(std::string(words)) {}
-  Cell(std::string words, nlohmann::ordered_json exact) : text(std::move(words)), value(std::move(exact)) {}
+struct TableCell {
+  TableCell(std::string words) : text(std::move(words)), value(text) {}
+  TableCell(const char* words) : TableCell(std::string(words)) {}
+  TableCell(std::string words, nlohmann::ordered_json exact) : text(std::move(words)), value(std::move(exact)) {}
 
   std::string text;
   nlohmann::ordered_json value;  ///< null where there is none
@@ -27,14 +27,14 @@ struct Column {
 /// The same rows for a screen, in Markdown, CSV and JSON. Every row has as many cells as there are columns.
 struct Table {
   std::vector<Column> columns;
-  std::vector<std::vector<Cell>> rows;
+  std::vector<std::vector<TableCell>> rows;
 };
 
 /// A number with so many significant digits, never in powers of ten; its full value for programs.
-Cell number_cell(double x, int digits);
-Cell count_cell(std::int64_t n);
+TableCell number_cell(double x, int digits);
+TableCell count_cell(std::int64_t n);
 /// What has no value: "-".
-Cell empty_cell();
+TableCell empty_cell();
 
 /// Columns padded with blanks, numbers to the right.
 std::string on_screen(const Table& table);

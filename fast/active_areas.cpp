@@ -28,7 +28,8 @@ void settle(SideState& side, std::vector<Index>& stack, Index v, Index winding) 
 
 /// Spreads the winding number of a located vertex to all that it decides: to waiting vertices, whose edges say by how
 /// much it changes, and all over where it is not 0, whose uncrossed faces become inner (or pockets where it is
-/// negative, as it can be where the other surface intersects itself).
+/// negative, as it can be where the other surface intersects itself). All edges of an uncrossed face are uncrossed, so
+/// its vertices share their number; only vertices of intersected faces have other edges to look at.
 void spread(SideState& side, std::vector<Index>& stack, Index seed, Index seed_winding) {
   const Surface::Data& surface = side.surface();
   stack.clear();
@@ -37,18 +38,25 @@ void spread(SideState& side, std::vector<Index>& stack, Index seed, Index seed_w
     const Index v = stack.back();
     stack.pop_back();
     const Index winding = side.winding[v];
+    bool at_crossings = winding == 0;
+    if (winding != 0) {
+      for (const Index face : surface.vertex_faces[v]) {
+        if (side.is_inner.contains(face)) continue;
+        if (side.is_intersected.contains(face)) {
+          at_crossings = true;
+          continue;
+        }
+        side.is_inner[face] = true;
+        (winding >= 1 ? side.inner : side.pockets).push_back(face);
+        for (const Index u : surface.face(face)) {
+          if (side.winding.get(u, kWaiting) == kWaiting) settle(side, stack, u, winding);
+        }
+      }
+    }
+    if (!at_crossings) continue;
     for (const Index edge : surface.vertex_edges[v]) {
       const Index u = surface.other_end(edge, v);
-      const bool waiting = side.winding.get(u, 0) == kWaiting;
-      if (side.winding.contains(u) && !waiting) continue;
-      if (!waiting && winding == 0) continue;
-      settle(side, stack, u, winding + change_from(side, edge, v));
-    }
-    if (winding == 0) continue;
-    for (const Index face : surface.vertex_faces[v]) {
-      if (side.is_intersected.contains(face) || side.is_inner.contains(face)) continue;
-      side.is_inner[face] = true;
-      (winding >= 1 ? side.inner : side.pockets).push_back(face);
+      if (side.winding.get(u, 0) == kWaiting) settle(side, stack, u, winding + change_from(side, edge, v));
     }
   }
 }

@@ -15,11 +15,11 @@ namespace pcm::fast {
 /// The stack of the dual traversal; kept between evaluations.
 using NodePairs = std::vector<std::pair<Index, Index>>;
 
-/// Calls `visit(face of E, face of F)` for every pair of faces whose boxes may touch and neither of which surely lies
-/// on one side of the other's plane (PCM section 3), until it returns false. From the root pair down, each pair of
-/// nodes that may touch is replaced by the pairs of its wider node's children with the other node, or of both nodes'
-/// children where they are about as wide. Every crossing pair of the rounded problem is among those visited, and of any
-/// problem whose F has its vertices within their rounding; each once; their order means nothing.
+/// Calls `visit(face of E, face of F, PlaneSides)` for every pair of faces whose boxes may touch and neither of which
+/// surely lies on one side of the other's plane (PCM section 3), until it returns false. From the root pair down, each
+/// pair of nodes that may touch is replaced by the pairs of its wider node's children with the other node, or of both
+/// nodes' children where they are about as wide. Every crossing pair of the rounded problem is among those visited, and
+/// of any problem whose F has its vertices within their rounding; each once; their order means nothing.
 template <class Visit>
 void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& surface_F, const Placement& placement,
                         const WideTests& test, NodePairs& open, WorkCounters& work, const Visit& visit) {
@@ -38,11 +38,14 @@ void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& sur
     const WideNode& F = tree_F.node(j);
     if (E.bottom() && F.bottom()) {
       work.box_tests += std::int64_t{E.count} * F.count;
-      for (LanePairs pairs = test.faces(E, tree_E.group(E.group), F, tree_F.group(F.group), pose); pairs != 0;
-           pairs &= pairs - 1) {
-        const int bit = std::countr_zero(pairs);
+      const FacePairs pairs = test.faces(E, tree_E.group(E.group), F, tree_F.group(F.group), pose);
+      for (LanePairs possible = pairs.possible; possible != 0; possible &= possible - 1) {
+        const int bit = std::countr_zero(possible);
         ++work.candidate_pairs;
-        if (!visit(E.child[static_cast<std::size_t>(bit % 8)], F.child[static_cast<std::size_t>(bit / 8)])) return;
+        if (!visit(E.child[static_cast<std::size_t>(bit % 8)], F.child[static_cast<std::size_t>(bit / 8)],
+                   pairs.sides(bit))) {
+          return;
+        }
       }
       continue;
     }

@@ -24,7 +24,7 @@ constexpr double kMoved = 0x1p-26;        ///< 8 e, relative to the reach
 constexpr double kGreatestTurn = 0x1p-8;  ///< 16 e / h
 
 /// T of both cones. What K is wider by than the cone, 1 / 32 of the depth, pays for planes that are moved and tilted.
-constexpr std::array<double, 2> kTangent{0.81, 1.75};
+constexpr std::array<double, 2> kTangent{0.81, 1.2};
 static_assert(kConeCosine[0] * kConeCosine[0] * (1 + (kTangent[0] - 0x1p-5) * (kTangent[0] - 0x1p-5)) > 1);
 static_assert(kConeCosine[1] * kConeCosine[1] * (1 + (kTangent[1] - 0x1p-5) * (kTangent[1] - 0x1p-5)) > 1);
 

@@ -11,7 +11,7 @@ namespace pcm::fast {
 
 /// A line lies within a face's cone where the cosine of its angle with the face's normal exceeds this: within the
 /// narrow one, whose clearance is greater, or else the wide one.
-inline constexpr std::array<double, 2> kConeCosine{0.79, 0.503};
+inline constexpr std::array<double, 2> kConeCosine{0.79, 0.652};
 
 /// How far any coordinate of a surface's vertices may be moved, relative to its reach, with its clearances still true.
 inline constexpr double kClearanceTolerance = 0x1p-30;

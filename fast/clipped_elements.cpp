@@ -3,6 +3,7 @@
 #include "fast/clipped_elements.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -43,7 +44,7 @@ double farthest_off(const MasterPrism& prism, const Placement& placement) {
 void list_candidates(Workspace::Data& workspace, Side side, const MasterPrism& prism, double deepest,
                      const FaceBound* bound) {
   const Placement& placement = workspace.placement;
-  const BoxTree& tree = workspace.side(side).surface().tree;
+  const Surface::Data& surface = workspace.side(side).surface();
   // A box's point is off by the slack along each of three axes.
   const double slack =
       4 * placement.slack(side) + farthest_off(prism, placement) + (bound != nullptr ? bound->slack : 0);
@@ -53,17 +54,20 @@ void list_candidates(Workspace::Data& workspace, Side side, const MasterPrism& p
   std::vector<Index>& open = workspace.nodes;
   candidates.clear();
   open.assign(1, 0);
+  const WidePrism wide_prism(surface.wide_tree, tree_prism, deepest);
   while (!open.empty()) {
-    const BoxNode& node = tree.node(open.back());
+    const WideNode& node = surface.wide_tree.node(open.back());
     open.pop_back();
-    ++workspace.contact.work.box_tests;
-    if (!tree_prism.may_meet(node.box, deepest)) continue;
-    if (node.leaf()) {
-      candidates.push_back(node.face);
-    } else {
-      open.push_back(node.child);
-      open.push_back(node.child + 1);
+    workspace.contact.work.box_tests += node.count;
+    std::vector<Index>& children = node.bottom() ? candidates : open;
+    for (std::uint32_t lanes = workspace.wide_tests.boxes_in_prism(node, wide_prism); lanes != 0; lanes &= lanes - 1) {
+      children.push_back(node.child[static_cast<std::size_t>(std::countr_zero(lanes))]);
     }
+  }
+  if (bound != nullptr) {
+    // Bounds hear of every candidate: which those are is not left to single precision.
+    const auto is_far = [&](Index face) { return !tree_prism.may_meet(box_of_faces(surface.mesh, &face, 1), deepest); };
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_far), candidates.end());
   }
   std::sort(candidates.begin(), candidates.end());
 }

@@ -139,15 +139,25 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
     const Footprint& f = sight.footprint;
     if (!sight.may_carry) continue;
     if (f.facing == 0) {
+      find_side_shifts(error_, sight.footprint);
       sight.area_error = sliver(f, f, f.greatest, f.box).area;
       sight.volume_error = sight.area_error * f.greatest;
       continue;
     }
     find_outline(sight, slave);
-    std::array<bool, 3> inner;
-    for (std::size_t k = 0; k < 3; ++k) inner[k] = !sight.outline[k];
-    const SideStrips outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
-    const SideStrips smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, inner);
+    SideStrips outline, smooth;
+    if (sight.outline[0] || sight.outline[1] || sight.outline[2]) {
+      find_side_shifts(error_, sight.footprint);
+      outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
+    }
+    // Where nothing jumps, errors are of second order, and what passes is of no account where forces are linear.
+    if (continuous_) {
+      smooth.area = strip_along_border(f.box, f.shift.s, f.shift.t);
+      smooth.volume = smooth.area * f.greatest;
+    } else {
+      smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box,
+                                  {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
+    }
     const ZeroStrip zero = zero_strip(f.depth, f.depth_error, f.box);
     const ConvexPolygon* const seen =
         sight.projected >= 0 ? &projected.faces[static_cast<std::size_t>(sight.projected)].seen : nullptr;
@@ -181,6 +191,7 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
       }
       for (Sight* const sight : {&f, &g}) {
         if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
+        find_side_shifts(error_, sight->footprint);
       }
       if (f.may_carry) charge(f, g, box, overlap);
       if (g.may_carry) charge(g, f, box, overlap);

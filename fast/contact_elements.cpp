@@ -48,10 +48,12 @@ MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, co
   Index last = -1;
   for_each_active_face(side, [&](Index face) {
     const FaceGeometry geometry(side.posed.face_Me(face, contact.work));
+    const Eigen::Vector3d barycentre_Me = geometry.barycentre_Me();
     LineTrace* const trace = bound != nullptr ? bound->begin_face(face, geometry) : nullptr;
-    const Penetration penetration =
-        trace != nullptr ? find_penetration(workspace, master, face, geometry, trace)
-                         : find_penetration_from(workspace, master, face, geometry, slave_face_near(side, face, last));
+    const Penetration penetration = trace != nullptr
+                                        ? find_penetration(workspace, master, face, geometry, trace)
+                                        : find_penetration_from(workspace, master, face, geometry, barycentre_Me,
+                                                                slave_face_near(side, face, last));
     if (penetration.slave_face >= 0) side.slave_nearby[face] = last = penetration.slave_face;
     if (penetration.outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
     if (penetration.outcome != Penetration::Outcome::element) {
@@ -65,7 +67,7 @@ MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, co
     element.area = geometry.area;
     element.penetration = penetration.depth;
     element.normal_Me = -geometry.n_Me;
-    add_element(contact, problem, penetration.depth, geometry.barycentre_Me(), element, total);
+    add_element(contact, problem, penetration.depth, barycentre_Me, element, total);
     if (bound != nullptr) bound->add_element(geometry, element, total);
   });
   if (bound != nullptr) bound->add_inactive_faces();

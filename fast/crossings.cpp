@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 
 namespace pcm::fast {
@@ -47,40 +48,40 @@ struct PairCrossing {
 /// lone corner a meet the plane of f, and the two where edges of f at its lone corner p meet the plane of e. The signs
 /// s_ij = orientation(a, a_i, p, p_j) order those points along the line, and an edge of e passes through f where its
 /// point lies between the two of f: where its two signs differ. Likewise for the edges of f. So two of the four do, or
-/// none. At most 10 signs.
-bool cross(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f, double sure, PairCrossing& result,
-           WorkCounters& work) {
-  result.above_F = above(f, e, sure, work);
+/// none. At most 10 signs, of which `known` may spare 6.
+bool cross(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f, const PlaneSides& known,
+           double sure, PairCrossing& result, WorkCounters& work) {
+  result.above_F = known.sure_of_E ? known.above_of_E : above(f, e, sure, work);
   const int lone_E = lone_corner(result.above_F);
   if (lone_E < 0) return false;
-  result.above_E = above(e, f, sure, work);
+  result.above_E = known.sure_of_F ? known.above_of_F : above(e, f, sure, work);
   const int lone_F = lone_corner(result.above_E);
   if (lone_F < 0) return false;
 
-  const auto corner = [](int k) { return static_cast<std::size_t>(k % 3); };
+  const auto corner = [](int k) { return static_cast<std::size_t>(k < 3 ? k : k - 3); };
   const RankedPoint& a = e[corner(lone_E)];
   const RankedPoint& p = f[corner(lone_F)];
-  bool s[2][2];
+  unsigned s[2][2];
   for (int i = 0; i < 2; ++i) {
     const OrientedPlane through_p(a, e[corner(lone_E + 1 + i)], p, sure);
-    for (int j = 0; j < 2; ++j) s[i][j] = through_p.above(f[corner(lone_F + 1 + j)], work);
+    for (int j = 0; j < 2; ++j) s[i][j] = through_p.above(f[corner(lone_F + 1 + j)], work) ? 1 : 0;
   }
-  int found = 0;
-  const auto record = [&](Side side, int from, bool from_above) {
-    // Circulation: a directed edge of e from above to below f ends the segment, one of f that does so starts it.
-    const bool starts = (side == Side::E) != from_above;
-    (starts ? result.start : result.end) = {side, from};
-    ++found;
+  // Bit by bit: the edge of e from a, that to a, and the same of f. Circulation: a directed edge of e from above to
+  // below f ends the segment, one of f that does so starts it.
+  const unsigned crossed =
+      (s[0][0] ^ s[0][1]) | (s[1][0] ^ s[1][1]) << 1 | (s[0][0] ^ s[1][0]) << 2 | (s[0][1] ^ s[1][1]) << 3;
+  if (crossed == 0) return false;
+  const unsigned starting = (has(result.above_F, corner(lone_E)) ? 0b0010U : 0b0001U) |
+                            (has(result.above_E, corner(lone_F)) ? 0b0100U : 0b1000U);
+  assert(std::popcount(crossed & starting) == 1 && std::popcount(crossed & ~starting) == 1);
+  const auto passage = [&](unsigned edge) -> Passage {
+    const int number = std::countr_zero(edge);
+    const int lone = number < 2 ? lone_E : lone_F;
+    return {number < 2 ? Side::E : Side::F, number % 2 == 0 ? lone : static_cast<int>(corner(lone + 2))};
   };
-  for (int i = 0; i < 2; ++i) {
-    // The edges at the lone corner: from it to the next corner, and from the one before to it.
-    const int from_E = i == 0 ? lone_E : (lone_E + 2) % 3;
-    if (s[i][0] != s[i][1]) record(Side::E, from_E, has(result.above_F, corner(from_E)));
-    const int from_F = i == 0 ? lone_F : (lone_F + 2) % 3;
-    if (s[0][i] != s[1][i]) record(Side::F, from_F, has(result.above_E, corner(from_F)));
-  }
-  assert(found == 0 || found == 2);
-  return found != 0;
+  result.start = passage(crossed & starting);
+  result.end = passage(crossed & ~starting);
+  return true;
 }
 
 Index enter_crossing(Workspace::Data& workspace, const PairCrossing& pair, const Passage& passage, Index face_E,
@@ -151,28 +152,28 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_ca
   }
   const double sure = sure_determinant(workspace.placement.span);
   bool found = false;
-  for_each_candidate(
-      side_E.surface(), side_F.surface(), workspace.placement, workspace.wide_tests, workspace.node_pairs, work,
-      [&](Index face_E, Index face_F) {
-        if (keep_candidates) workspace.candidates.emplace_back(face_E, face_F);
-        PairCrossing pair;
-        if (!cross(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work), sure, pair, work)) {
-          return true;
-        }
-        ++work.crossing_pairs;
-        found = true;
-        if (stop_at_first) return false;
-        const Index start = enter_crossing(workspace, pair, pair.start, face_E, face_F);
-        const Index end = enter_crossing(workspace, pair, pair.end, face_E, face_F);
-        CrossingNode& first = workspace.crossings[static_cast<std::size_t>(start)];
-        assert(first.next < 0);
-        first.next = end;
-        first.segment_face = {face_E, face_F};
-        workspace.crossings[static_cast<std::size_t>(end)].has_previous = true;
-        mark_intersected(side_E, face_E);
-        mark_intersected(side_F, face_F);
-        return true;
-      });
+  for_each_candidate(side_E.surface(), side_F.surface(), workspace.placement, workspace.wide_tests,
+                     workspace.node_pairs, work, [&](Index face_E, Index face_F, const PlaneSides& sides) {
+                       if (keep_candidates) workspace.candidates.emplace_back(face_E, face_F);
+                       PairCrossing pair;
+                       if (!cross(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work), sides,
+                                  sure, pair, work)) {
+                         return true;
+                       }
+                       ++work.crossing_pairs;
+                       found = true;
+                       if (stop_at_first) return false;
+                       const Index start = enter_crossing(workspace, pair, pair.start, face_E, face_F);
+                       const Index end = enter_crossing(workspace, pair, pair.end, face_E, face_F);
+                       CrossingNode& first = workspace.crossings[static_cast<std::size_t>(start)];
+                       assert(first.next < 0);
+                       first.next = end;
+                       first.segment_face = {face_E, face_F};
+                       workspace.crossings[static_cast<std::size_t>(end)].has_previous = true;
+                       mark_intersected(side_E, face_E);
+                       mark_intersected(side_F, face_F);
+                       return true;
+                     });
   for (SideState& side : workspace.sides) std::sort(side.intersected.begin(), side.intersected.end());
   return found;
 }

@@ -57,8 +57,8 @@ bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& 
          all_below(kDepth, -shift.depth);
 }
 
-void take_greater(PrismShift& greatest, const PrismShift& shift) {
-  greatest = {std::max(greatest.s, shift.s), std::max(greatest.t, shift.t), std::max(greatest.depth, shift.depth)};
+PrismShift sum_of(const PrismShift& a, const PrismShift& b) {
+  return {a.s + b.s, a.t + b.t, a.depth + b.depth};
 }
 
 /// Points a + lambda way of the plane, lambda from `low` to `high`.
@@ -122,6 +122,18 @@ ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const P
   return part;
 }
 
+BoxST box_of(const PrismPoint* points, int count) {
+  BoxST box{points[0][kS], points[0][kS], points[0][kT], points[0][kT]};
+  for (int i = 1; i < count; ++i) {
+    const PrismPoint& x = points[i];
+    box.low_s = std::min(box.low_s, x[kS]);
+    box.high_s = std::max(box.high_s, x[kS]);
+    box.low_t = std::min(box.low_t, x[kT]);
+    box.high_t = std::max(box.high_t, x[kT]);
+  }
+  return box;
+}
+
 /// Whether a side of a has b on its far side when both faces are shifted: certainly, or but for what the shifts make.
 struct Separation {
   enum class Kind : std::uint8_t { none, near, certain } found = Kind::none;
@@ -153,6 +165,17 @@ void separate(const Footprint& a, const Footprint& b, double shift_s, double shi
       best = {Separation::Kind::near, {0, from[kS], from[kT], -side_t, side_s}, greatest_margin};
     }
   }
+}
+
+/// Two faces that look the same way, both surely, lie on either side of the side they share.
+bool share_a_side(const Footprint& a, const Footprint& b) {
+  if (a.own != b.own || a.facing == 0 || a.facing != b.facing) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (a.vertices[k] == b.vertices[(j + 1) % 3] && a.vertices[(k + 1) % 3] == b.vertices[j]) return true;
+    }
+  }
+  return false;
 }
 
 /// On which side of the plane of f the vertices of g certainly lie: 1 all above, -1 all below, 0 unsure. With lambda
@@ -215,11 +238,13 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
                     double twice_area_of_master, Footprint& f) {
   const double greatest_s = greatest_of(corners, kS), greatest_t = greatest_of(corners, kT);
   const double farthest_depth = greatest_of(corners, kDepth);
-  PrismShift noise, of_vertices;
-  for (std::size_t k = 0; k < 3; ++k) {
-    take_greater(noise, error.noise(corners[k]));
-    take_greater(of_vertices, error.of_vertex(corners[k], own));
-  }
+  const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
+  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
+  const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
+  if (surely_outside(corners, sum_of(error.of_vertices(error.greatest_noise(distance), own), widest_frame)))
+    return false;
+  const PrismShift noise = error.noise(corners);
+  const PrismShift of_vertices = error.of_vertices(noise, own);
   const PrismShift of_tilt = error.of_tilt(farthest_depth);
   f.vertex_shift = of_vertices;
   f.corner_shift = {of_vertices.s + of_tilt.s, of_vertices.t + of_tilt.t, 0};
@@ -227,7 +252,6 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   if (shared[0] || shared[1] || shared[2]) {
     const PrismShift frame = error.of_frame(farthest_depth);
     const double far = 1 + greatest_s + greatest_t;
-    const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
     f.hinge_shift = {of_vertices.s + far * frame.s, of_vertices.t + far * frame.t,
                      of_vertices.depth + far * frame.depth + far * distance * frame.s};
     if (surely_beside(corners, shared, f.hinge_shift.s, f.hinge_shift.t)) return false;
@@ -238,30 +262,24 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
     f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_shift.depth, 0.0) : 0;
   }
 
-  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
-  const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
-  const PrismShift widest{of_vertices.s + widest_frame.s, of_vertices.t + widest_frame.t,
-                          of_vertices.depth + widest_frame.depth};
-  if (surely_outside(corners, widest)) return false;
-  const ConvexPolygon part = part_over_master(corners, widest);
-  if (part.count == 0) return false;
-  f.box = {kInfinity, -kInfinity, kInfinity, -kInfinity};
-  f.greatest = 0;
-  for (int i = 0; i < part.count; ++i) {
-    f.box.low_s = std::min(f.box.low_s, part[i][kS]);
-    f.box.high_s = std::max(f.box.high_s, part[i][kS]);
-    f.box.low_t = std::min(f.box.low_t, part[i][kT]);
-    f.box.high_t = std::max(f.box.high_t, part[i][kT]);
-    f.greatest = std::max(f.greatest, part[i][kDepth]);
+  const PrismShift widest = sum_of(of_vertices, widest_frame);
+  f.box = box_of(corners.data(), 3);
+  f.greatest = deepest + widest.depth;
+  if (std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT), least_of(corners, kDepth)}) < 0) {
+    const ConvexPolygon part = part_over_master(corners, widest);
+    if (part.count == 0) return false;
+    f.box = box_of(part.points.data(), part.count);
+    f.greatest = part[0][kDepth];
+    for (int i = 1; i < part.count; ++i) f.greatest = std::max(f.greatest, part[i][kDepth]);
   }
-  // Both ways about what was enlarged.
+  // Both ways about what may be enlarged.
   f.box.low_s = std::max(f.box.low_s - 2 * widest.s, 0.0);
   f.box.low_t = std::max(f.box.low_t - 2 * widest.t, 0.0);
-  f.box.high_s = std::min(f.box.high_s, 1.0);
-  f.box.high_t = std::min(f.box.high_t, 1.0);
+  f.box.high_s = std::min(f.box.high_s + widest.s, 1.0);
+  f.box.high_t = std::min(f.box.high_t + widest.t, 1.0);
   if (f.box.empty()) return false;
   const PrismShift frame = error.of_frame(f.greatest);
-  f.shift = {of_vertices.s + frame.s, of_vertices.t + frame.t, of_vertices.depth + frame.depth};
+  f.shift = sum_of(of_vertices, frame);
   f.cuts = 0;
   for (int coordinate = 0; coordinate <= kDepth; ++coordinate) f.cuts += least_of(corners, coordinate) <= 0 ? 1 : 0;
   f.cut_shift = {kOffCut * u * f.cuts * greatest_s, kOffCut * u * f.cuts * greatest_t, 0};
@@ -271,27 +289,14 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   f.own = own;
   f.vertices = vertices;
   f.corners = corners;
-  std::array<bool, 3> fixed = shared;
+  f.noise = noise;
+  f.knows_sides = false;
+  f.fixed = shared;
   const double twice_area = cross_st(corners[0], corners[1], corners[2]);
   if (twice_area < 0) {
     std::swap(f.vertices[1], f.vertices[2]);
     std::swap(f.corners[1], f.corners[2]);
-    std::swap(fixed[1], fixed[2]);
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = (k + 1) % 3;
-    const PrismPoint& a = f.corners[k];
-    const PrismPoint& b = f.corners[next];
-    const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
-    // Either end may be the one that a cut is reckoned from.
-    const double from_s = std::max({std::abs(f.box.low_s - a[kS]), std::abs(f.box.high_s - a[kS]),
-                                    std::abs(f.box.low_s - b[kS]), std::abs(f.box.high_s - b[kS])});
-    const double from_t = std::max({std::abs(f.box.low_t - a[kT]), std::abs(f.box.high_t - a[kT]),
-                                    std::abs(f.box.low_t - b[kT]), std::abs(f.box.high_t - b[kT])});
-    f.side_shift[k] = kSideRoundings * u * (std::abs(side_t) * from_s + std::abs(side_s) * from_t);
-    f.side_cuts[k] = kOffPlane * u * f.cuts * (std::abs(side_t) * greatest_s + std::abs(side_s) * greatest_t);
-    // Corners that are the master's are where they are in both problems.
-    if (!(fixed[k] && fixed[next])) f.side_shift[k] += error.of_function({-side_t, side_s, 0}, f.greatest, noise, own);
+    std::swap(f.fixed[1], f.fixed[2]);
   }
   const PrismPoint a = f.corners[1] - f.corners[0], b = f.corners[2] - f.corners[0];
   const double width_s = std::abs(a[kS]) + std::abs(b[kS]), width_t = std::abs(a[kT]) + std::abs(b[kT]);
@@ -317,7 +322,7 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   f.field_error = kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, own) +
                   f.cuts * f.cut_noise;
   f.depth_error = f.field_error + 2 * f.cut_noise + f.relative_noise * farthest_depth;
-  f.greatest += f.depth_error;
+  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
   const auto length_of = [&error](const PrismPoint& edge) {
     return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
   };
@@ -325,7 +330,31 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   return true;
 }
 
+void find_side_shifts(const PrismError& error, Footprint& f) {
+  if (f.knows_sides) return;
+  f.knows_sides = true;
+  const double greatest_s = greatest_of(f.corners, kS), greatest_t = greatest_of(f.corners, kT);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const PrismPoint& a = f.corners[k];
+    const PrismPoint& b = f.corners[next];
+    const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
+    // Either end may be the one that a cut is reckoned from.
+    const double from_s = std::max({std::abs(f.box.low_s - a[kS]), std::abs(f.box.high_s - a[kS]),
+                                    std::abs(f.box.low_s - b[kS]), std::abs(f.box.high_s - b[kS])});
+    const double from_t = std::max({std::abs(f.box.low_t - a[kT]), std::abs(f.box.high_t - a[kT]),
+                                    std::abs(f.box.low_t - b[kT]), std::abs(f.box.high_t - b[kT])});
+    f.side_shift[k] = kSideRoundings * u * (std::abs(side_t) * from_s + std::abs(side_s) * from_t);
+    f.side_cuts[k] = kOffPlane * u * f.cuts * (std::abs(side_t) * greatest_s + std::abs(side_s) * greatest_t);
+    // Corners that are the master's are where they are in both problems.
+    if (!(f.fixed[k] && f.fixed[next])) {
+      f.side_shift[k] += error.of_function({-side_t, side_s, 0}, f.greatest, f.noise, f.own);
+    }
+  }
+}
+
 double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box) {
+  if (share_a_side(a, b)) return 0;
   const double s = std::max(a.corner_shift.s, b.corner_shift.s), t = std::max(a.corner_shift.t, b.corner_shift.t);
   Separation separation;
   separate(a, b, s, t, separation);
@@ -365,6 +394,14 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
     const double reach = std::abs(side_s) * (0.5 * box.width_t() + t) + std::abs(side_t) * (0.5 * box.width_s() + s);
     if (inward < -reach) strips.apart = true;
     if (!sides[k] || std::abs(inward) > reach) continue;
+    const double by_shift = std::abs(side_s) * t + std::abs(side_t) * s;
+    if (&carrier == &face && face.cuts == 0 && !face.knows_sides) {
+      // All of the side counts.
+      const double area = kBoundMargin * by_shift + 16 * s * t;
+      strips.area += area;
+      strips.volume += area * face.greatest;
+      continue;
+    }
     Stretch stretch{a[kS], a[kT], side_s, side_t};
     stretch.keep_in(box, 2 * s, 2 * t);
     if (&carrier != &face && carrier.facing != 0) stretch.keep_in(carrier, 2 * s, 2 * t);
@@ -376,8 +413,8 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
     double beyond = 1;
     if (s < std::abs(side_s)) beyond = s / std::abs(side_s);
     if (t < beyond * std::abs(side_t)) beyond = t / std::abs(side_t);
-    const double width = std::min(face.side_shift[k], std::abs(side_s) * t + std::abs(side_t) * s) +
-                         (&carrier == &face ? face.side_cuts[k] : 0);
+    double width = by_shift;
+    if (face.knows_sides) width = std::min(face.side_shift[k], by_shift) + (&carrier == &face ? face.side_cuts[k] : 0);
     const double area = width * (stretch.length() + 4 * beyond) + 4 * s * t;
     strips.area += area;
     strips.volume += area * stretch.greatest_depth(carrier, 2 * s, 2 * t);

@@ -61,6 +61,9 @@ struct Footprint {
   BoxST box;                         ///< holds all of it that is over the master face at a depth >= 0, in both problems
   PrismShift shift;                  ///< of its points over the master face
   PrismShift cut_shift;              ///< of its border, by roundings of the cuts that shape it alone
+  PrismShift noise;                  ///< roundings of its vertices as they are seen
+  std::array<bool, 3> fixed;         ///< corners that are the master's own
+  bool knows_sides;                  ///< find_side_shifts was called
   std::array<double, 3> side_shift;  ///< of side k over the master: (side k) x (displacement) in (s, t)
   std::array<double, 3> side_cuts;   ///< and by roundings where it is cut itself
   double third_side_shift;           ///< of the master's side where s + t = 1, as cuts have it: of s + t
@@ -108,6 +111,9 @@ struct SightScratch {
 bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
                     const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double twice_area,
                     Footprint& footprint);
+
+/// Fills side_shift and side_cuts, unless they are.
+void find_side_shifts(const PrismError& error, Footprint& footprint);
 
 /// The area within the box that two faces may have in common in either problem: 0 where a side of one certainly has the
 /// other on its far side, where vertices that both share lie on their sides; a strip along that side where it nearly

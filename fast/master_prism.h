@@ -93,6 +93,12 @@ class TreePrism {
     return true;
   }
 
+  const std::array<Eigen::Vector3d, 3>& inward() const { return inward_; }
+  const std::array<double, 3>& offset() const { return offset_; }
+  const Eigen::Vector3d& down() const { return down_; }
+  double top() const { return top_; }
+  double slack() const { return slack_; }
+
  private:
   std::array<Eigen::Vector3d, 3> inward_;  ///< of unit length in Me
   std::array<double, 3> offset_;           ///< m

@@ -193,12 +193,13 @@ bool is_no_needle(double area, const Eigen::Vector3d& side, const Eigen::Vector3
   return area > kLeastShare * (side.lpNorm<1>() * other_side.lpNorm<1>());
 }
 
-/// What thicker_than decides, for a face that is no needle.
+/// What thicker_than decides, for a face that is no needle: there the ray's direction is off by less than 2^-40.
 bool surely_thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
                          double distance) {
   const Surface::Data& surface = workspace.side(master).surface();
   if (!(distance < surface.thickness[static_cast<std::size_t>(face)])) return false;
-  return thickness_holds(surface, workspace.placement.slack(master), geometry);
+  const double slack = workspace.placement.slack(master), reach = surface.reach.maxCoeff();
+  return thickness_holds(surface, slack, geometry, (1 + 0x1p-10) * (slack + 8 * 0x1p-40 * reach));
 }
 
 /// The clearance of the line's cone about a face, given the squared cosine of its angle with the normal.
@@ -217,8 +218,8 @@ struct ConeClearance {
 
 /// Whether clearances and thickness settle what the line finds; fills `penetration` where they do. Else `left` may be a
 /// face through which the line surely leaves the slave, at a distance greater than 0.
-bool settle_by_walk(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry, Index start,
-                    Penetration& penetration, Index& left) {
+bool settle_by_walk(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                    const Eigen::Vector3d& C, Index start, Penetration& penetration, Index& left) {
   const Side slave = opposite(master);
   PosedSurface& posed = workspace.side(slave).posed;
   const Surface::Data& surface = posed.surface();
@@ -227,7 +228,6 @@ bool settle_by_walk(Workspace::Data& workspace, Side master, Index face, const F
   const auto& p = geometry.points_Me;
   if (start < 0 || !(placement.slack(slave) < kClearanceTolerance * reach)) return false;
   if (!is_no_needle(geometry.area, p[1] - p[0], p[2] - p[0])) return false;
-  const Eigen::Vector3d C = geometry.barycentre_Me();
   const AcrossLine line(p, C, placement.reach);
   if (!line.usable()) return false;
   const Index met = walk_to_face_left(posed, line, start, workspace.contact.work);
@@ -287,10 +287,10 @@ bool thicker_than(const Workspace::Data& workspace, Side master, Index face, con
 }
 
 Penetration find_penetration_from(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                                  Index start) {
+                                  const Eigen::Vector3d& barycentre_Me, Index start) {
   Penetration penetration;
   Index left = -1;
-  if (settle_by_walk(workspace, master, face, geometry, start, penetration, left)) return penetration;
+  if (settle_by_walk(workspace, master, face, geometry, barycentre_Me, start, penetration, left)) return penetration;
   return search_penetration(workspace, master, face, geometry, left, nullptr);
 }
 

@@ -30,7 +30,7 @@ Penetration find_penetration(Workspace::Data& workspace, Side master, Index face
 /// The same result but for `first_met`, by a walk over the slave from its face `start` (-1: none) where clearances and
 /// thickness known beforehand say that nothing else is met: near O(1). Else by find_penetration.
 Penetration find_penetration_from(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                                  Index start);
+                                  const Eigen::Vector3d& barycentre_Me, Index start);
 
 /// Whether the thickness computed beforehand already says that the face's penetration line meets no other face of the
 /// master as near as `distance`, in the rounded problem and in the exact one alike.

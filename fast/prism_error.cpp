@@ -85,26 +85,41 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   third_weight_tilt_ = kSecondOrder * sum.dot(n);
 }
 
-PrismShift PrismError::noise(const PrismPoint& x) const {
-  const double s = x[kS], t = x[kT], depth = std::abs(x[kDepth]);
-  // The distance from p0 + t_0 (p2 - p0); its square's terms may cancel.
-  const auto distance = [&](double t_0) {
-    const double ss = s * s * length_s_ * length_s_, tt = (t - t_0) * (t - t_0) * length_t_ * length_t_;
-    const double st = 2 * s * (t - t_0) * edges_st_;
-    return std::sqrt(ss + st + tt + depth * depth + 0x1p-40 * (ss + tt));
-  };
+PrismShift PrismError::noise(const std::array<PrismPoint, 3>& corners) const {
+  // Squares of the distances from p0 and p2; their terms may cancel.
+  double from_p0 = 0, from_p2 = 0, greatest_depth = 0;
+  bool exact = false;
+  const double ss = length_s_ * length_s_, tt = length_t_ * length_t_;
+  for (const PrismPoint& x : corners) {
+    const double s = x[kS], t = x[kT], dd = x[kDepth] * x[kDepth];
+    const auto square = [&](double t_from) {
+      return (s * s * ss + t_from * t_from * tt) * (1 + 0x1p-40) + 2 * s * t_from * edges_st_ + dd;
+    };
+    const double square_0 = square(t);
+    from_p0 = std::max(from_p0, square_0);
+    from_p2 = std::max(from_p2, square(t - 1));
+    greatest_depth = std::max(greatest_depth, std::abs(x[kDepth]));
+    exact = exact || dd < exact_depth_ * exact_depth_ * square_0;
+  }
   constexpr double k = kProductRoundings * u;
-  const double from_p0 = distance(0);
-  const double exact = depth < exact_depth_ * from_p0 ? exact_depth_noise_ : 0;
-  return {k * gradient_s_ * distance(1), k * gradient_t_ * from_p0,
-          kSecondOrder * (k + exact) * from_p0 + 4 * u * depth};
+  from_p0 = std::sqrt(from_p0);
+  from_p2 = std::sqrt(from_p2);
+  return {k * gradient_s_ * from_p2, k * gradient_t_ * from_p0,
+          kSecondOrder * (k + (exact ? exact_depth_noise_ : 0)) * from_p0 + 4 * u * greatest_depth};
 }
 
-PrismShift PrismError::of_vertex(const PrismPoint& x, bool own) const {
+// No point is farther from p2 than from p0 by more than the longest side.
+PrismShift PrismError::greatest_noise(double distance) const {
+  constexpr double k = kProductRoundings * u;
+  const double farther = kBoundMargin * (distance + length_t_);
+  return {k * gradient_s_ * farther, k * gradient_t_ * farther,
+          (kSecondOrder * (k + exact_depth_noise_) + 4 * u) * farther};
+}
+
+PrismShift PrismError::of_vertices(const PrismShift& noise, bool own) const {
   // Of both surfaces one is F's.
   const double moves = own == own_moves_ ? 1 : 0;
-  const PrismShift rounded = noise(x);
-  return {moves * moved_.s + rounded.s, moves * moved_.t + rounded.t, moves * moved_.depth + rounded.depth};
+  return {moves * moved_.s + noise.s, moves * moved_.t + noise.t, moves * moved_.depth + noise.depth};
 }
 
 PrismShift PrismError::of_frame(double depth) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "fast/element_error.h"
 #include "fast/footprint.h"
@@ -35,14 +36,14 @@ class PrismError {
 
   /// |x - p0| is no greater where no |coordinate| of x is, m.
   double distance(double s, double t, double depth) const { return length_s_ * s + length_t_ * t + depth; }
-  /// Roundings of what the prism makes of a vertex that it sees at x.
-  PrismShift noise(const PrismPoint& x) const;
-  /// By how much a rounded vertex displaces its coordinates.
-  const PrismShift& displacement() const { return moved_; }
-  /// And a function of them.
+  /// Roundings of what the prism makes of vertices that it sees at these corners.
+  PrismShift noise(const std::array<PrismPoint, 3>& corners) const;
+  /// And of what it makes of any as near to p0 as that.
+  PrismShift greatest_noise(double distance) const;
+  /// By how much a rounded vertex changes a function of its coordinates.
   double displacement_of(const PrismFunction& f) const;
-  /// The first step, for a vertex seen at x, of the slave or of the master's own faces.
-  PrismShift of_vertex(const PrismPoint& x, bool own) const;
+  /// The first step, for vertices with these roundings, of the slave or of the master's own faces.
+  PrismShift of_vertices(const PrismShift& noise, bool own) const;
   /// The second, for points over the master face no deeper than `depth`.
   PrismShift of_frame(double depth) const;
   /// Both steps for a function of points over the master face no deeper than `depth`, on a face whose vertices are seen

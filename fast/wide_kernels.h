@@ -173,14 +173,23 @@ inline Int8 apart(const Ends& a, const Ends& b) {
          (a.low.z > b.high.z) | (a.high.z < b.low.z);
 }
 
-/// Lanes where three points surely lie on one side of a plane.
-inline Int8 on_one_side(const Vector8& normal, const Vector8& point, const std::array<Vector8, 3>& x, float slack) {
+/// Three points and a plane.
+struct Sides {
+  Int8 on_one_side;           ///< all of them, surely
+  Int8 sure;                  ///< it is known of each where it lies
+  std::array<Int8, 3> above;  ///< in that case
+};
+
+inline Sides sides_of(const Vector8& normal, const Vector8& point, const std::array<Vector8, 3>& x, float slack) {
   const Float8 offset = dot(normal, point);
   const Float8 s0 = dot(normal, x[0]) - offset, s1 = dot(normal, x[1]) - offset, s2 = dot(normal, x[2]) - offset;
-  return (least(least(s0, s1), s2) > all(slack)) | (greatest(greatest(s0, s1), s2) < all(-slack));
+  const Float8 nearest = least(least(absolute(s0), absolute(s1)), absolute(s2));
+  return {(least(least(s0, s1), s2) > all(slack)) | (greatest(greatest(s0, s1), s2) < all(-slack)),
+          nearest > all(slack),
+          {s0 > all(0), s1 > all(0), s2 > all(0)}};
 }
 
-LanePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
+FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
                      const WidePose& pose) {
   std::array<Vector8, 3> x_F;
   for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -194,22 +203,34 @@ LanePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
                     widened(end([](const Float8& a, const Float8& b) { return greatest(a, b); }), pose.slack_E)};
   const Vector8 own_centre = all(E.own_centre), own_half = all(E.own_half);
   std::uint32_t of_F = ~bits_of(apart(ends_F, {own_centre - own_half, own_centre + own_half})) & F.used;
-  if (of_F == 0) return 0;
+  FacePairs pairs;
+  if (of_F == 0) return pairs;
 
   const Boxes boxes_E = children(E);
   const Ends ends_E{boxes_E.centre - boxes_E.half, boxes_E.centre + boxes_E.half};
   const Vector8 n_E = load(faces_E.normal), n_F = turned(pose.rotation, load(faces_F.normal));
   const std::array<Vector8, 3> x_E{load(faces_E.vertex[0]), load(faces_E.vertex[1]), load(faces_E.vertex[2])};
-  LanePairs pairs = 0;
   for (; of_F != 0; of_F &= of_F - 1) {
     const auto j = static_cast<unsigned>(__builtin_ctz(of_F));
     std::uint32_t of_E = ~bits_of(apart({all(ends_F.low, j), all(ends_F.high, j)}, ends_E)) & E.used;
     if (of_E == 0) continue;
     const std::array<Vector8, 3> x{all(x_F[0], j), all(x_F[1], j), all(x_F[2], j)};
-    of_E &= ~bits_of(on_one_side(n_E, x_E[0], x, pose.plane_slack));
+    const Sides sides_F = sides_of(n_E, x_E[0], x, pose.plane_slack);
+    of_E &= ~bits_of(sides_F.on_one_side);
     if (of_E == 0) continue;
-    of_E &= ~bits_of(on_one_side(all(n_F, j), x[0], x_E, pose.plane_slack));
-    pairs |= static_cast<LanePairs>(of_E) << (8 * j);
+    const Sides sides_E = sides_of(all(n_F, j), x[0], x_E, pose.plane_slack);
+    of_E &= ~bits_of(sides_E.on_one_side);
+    if (of_E == 0) continue;
+    const auto enter = [of_E, j](LanePairs& to, const Int8& lanes) {
+      to |= static_cast<LanePairs>(bits_of(lanes) & of_E) << (8 * j);
+    };
+    pairs.possible |= static_cast<LanePairs>(of_E) << (8 * j);
+    enter(pairs.sure_of_E, sides_E.sure);
+    enter(pairs.sure_of_F, sides_F.sure);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      enter(pairs.above_of_E[corner], sides_E.above[corner]);
+      enter(pairs.above_of_F[corner], sides_F.above[corner]);
+    }
   }
   return pairs;
 }
@@ -227,6 +248,19 @@ std::uint32_t test_boxes_met(const WideNode& node, const WideRay& ray, Lanes& en
       least(least(greatest(t_low.x, t_high.x), greatest(t_low.y, t_high.y)), greatest(t_low.z, t_high.z));
   __builtin_memcpy(entry.value.data(), &first, sizeof first);
   return ~bits_of(first > last) & node.used;
+}
+
+std::uint32_t test_boxes_in_prism(const WideNode& node, const WidePrism& prism) {
+  const Vector8 centre = load(node.centre), half = load(node.half);
+  const auto along = [](const std::array<float, 3>& axis, const Vector8& v) {
+    return axis[0] * v.x + axis[1] * v.y + axis[2] * v.z;
+  };
+  const Float8 depth = along(prism.axis[3], centre), depth_range = along(prism.axis_absolute[3], half);
+  Int8 outside = (depth + depth_range < all(prism.offset[3])) | (depth - depth_range > all(prism.deepest));
+  for (std::size_t k = 0; k < 3; ++k) {
+    outside |= along(prism.axis[k], centre) + along(prism.axis_absolute[k], half) < all(prism.offset[k]);
+  }
+  return ~bits_of(outside) & node.used;
 }
 
 /// v x w.
@@ -256,8 +290,8 @@ FacesMet test_faces_met(const FaceGroup& faces, const WideRay& ray) {
   return {~bits_of(some_left & some_right) & 0xffU, bits_of(all_left), bits_of(all_right)};
 }
 
-constexpr WideTests kTests{test_boxes, test_children_of_E, test_children_of_F,
-                           test_faces, test_boxes_met,     test_faces_met};
+constexpr WideTests kTests{test_boxes,     test_children_of_E,  test_children_of_F, test_faces,
+                           test_boxes_met, test_boxes_in_prism, test_faces_met};
 
 }  // namespace
 

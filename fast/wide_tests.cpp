@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fast/wide_kernels.h"
 
@@ -12,6 +13,13 @@ namespace pcm::fast {
 #if defined(PCM_WITH_AVX2)
 extern const WideTests kWideTestsAvx2;
 #endif
+
+namespace {
+
+/// In a tree's coordinates, beyond all that it holds.
+constexpr double kFarAway = 1024;
+
+}  // namespace
 
 WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placement) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -47,6 +55,25 @@ WideRay::WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const 
   }
   slack = static_cast<float>((1 + 0x1p-20) *
                              (64 * 0x1p-24 * (tree.radius() + from_tree.lpNorm<1>()) + 2 * distance / tree.unit()));
+}
+
+WidePrism::WidePrism(const WideTree& tree, const TreePrism& prism, double deepest_depth) {
+  constexpr double kUp = 1 + 0x1p-20;
+  const auto slack = [&](double x) {
+    return kUp * (16 * 0x1p-24 * (tree.radius() + std::abs(x)) + prism.slack() / tree.unit());
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Eigen::Vector3d& direction = k < 3 ? prism.inward()[k] : prism.down();
+    const double from_tree = ((k < 3 ? prism.offset()[k] : prism.top()) - direction.dot(tree.origin())) / tree.unit();
+    for (std::size_t i = 0; i < 3; ++i) {
+      axis[k][i] = static_cast<float>(direction[static_cast<Eigen::Index>(i)]);
+      axis_absolute[k][i] = std::abs(axis[k][i]);
+    }
+    offset[k] = static_cast<float>(from_tree - slack(from_tree));
+    if (k < 3) continue;
+    const double end = from_tree + deepest_depth / tree.unit();
+    deepest = std::abs(end) < kFarAway ? static_cast<float>(end + slack(end)) : std::numeric_limits<float>::infinity();
+  }
 }
 
 std::array<const WideTests*, 2> all_wide_tests() {

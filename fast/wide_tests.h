@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "fast/master_prism.h"
 #include "fast/placement.h"
 #include "fast/wide_tree.h"
 
@@ -52,8 +53,46 @@ struct WideRay {
           double distance);
 };
 
+/// A prism in the coordinates of a wide tree, in single precision: four half spaces axis . x >= offset, and the depth
+/// at which it ends.
+///
+/// Axes have unit length. With v = 2^-24 and G the tree's radius, the scalar product with a box's centre, that with its
+/// half widths and their sum are off by less than 12 v G, an offset by v times itself: 16 v (G + |offset|) covers them.
+struct WidePrism {
+  std::array<std::array<float, 3>, 4> axis{};  ///< inward from the three sides, then downward
+  std::array<std::array<float, 3>, 4> axis_absolute{};
+  std::array<float, 4> offset{};  ///< less the slack
+  float deepest = 0;              ///< greatest axis . x of the last, with the slack
+
+  /// `deepest` in m.
+  WidePrism(const WideTree& tree, const TreePrism& prism, double deepest_depth);
+};
+
 /// Which of E's children may touch which of F's: bit 8 j + i is child i of E with child j of F.
 using LanePairs = std::uint64_t;
+
+/// On which side of the other's plane the corners of two faces lie, where that is sure: corners above it, bit by bit.
+struct PlaneSides {
+  bool sure_of_E = false;  ///< of E's face against the plane of F's
+  bool sure_of_F = false;
+  unsigned above_of_E = 0;
+  unsigned above_of_F = 0;
+};
+
+/// Pairs of faces of two bottom nodes.
+struct FacePairs {
+  LanePairs possible = 0;  ///< all others surely do not cross
+  // The members of PlaneSides, of those that are possible.
+  LanePairs sure_of_E = 0, sure_of_F = 0;
+  std::array<LanePairs, 3> above_of_E{}, above_of_F{};  ///< by corner
+
+  PlaneSides sides(int pair) const {
+    const auto bit = [pair](LanePairs pairs) { return static_cast<unsigned>(pairs >> pair & 1U); };
+    return {bit(sure_of_E) != 0, bit(sure_of_F) != 0,
+            bit(above_of_E[0]) | bit(above_of_E[1]) << 1 | bit(above_of_E[2]) << 2,
+            bit(above_of_F[0]) | bit(above_of_F[1]) << 1 | bit(above_of_F[2]) << 2};
+  }
+};
 
 /// Faces and a line, bit by bit.
 struct FacesMet {
@@ -70,11 +109,13 @@ struct WideTests {
   /// The box of F itself against those of E's children (bits 0 to 7), and the reverse.
   std::uint32_t (*children_of_E)(const WideNode& E, const WideNode& F, const WidePose& pose);
   std::uint32_t (*children_of_F)(const WideNode& E, const WideNode& F, const WidePose& pose);
-  /// Faces of two bottom nodes: their boxes along E's axes, and whether one lies on one side of the other's plane.
-  LanePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
+  /// Faces of two bottom nodes: their boxes along E's axes, and on which side of the other's plane their corners lie.
+  FacePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
                      const WidePose& pose);
   /// Children whose boxes the ray may meet, and how far along it at least.
   std::uint32_t (*boxes_met)(const WideNode& node, const WideRay& ray, Lanes& entry);
+  /// Children whose boxes may have a point in the prism.
+  std::uint32_t (*boxes_in_prism)(const WideNode& node, const WidePrism& prism);
   /// Faces that the line, taken as infinite both ways, passes through.
   FacesMet (*faces_met)(const FaceGroup& faces, const WideRay& ray);
 };

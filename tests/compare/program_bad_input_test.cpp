@@ -182,6 +182,9 @@ TEST_F(BadInput, OptionsOfVerify) {
   expect_bad_input({"verify", "--case", scratch_.path("missing.json")}, "missing.json");
   expect_bad_input({"verify", "--case", scratch_.path("")}, "folder");
   expect_bad_input({"verify", "--case", surface_}, "no case file");
+  expect_bad_input({"verify", "--engine", "slow"}, "--engine");
+  expect_bad_input({"verify", "--engine", "published-2003", "--scheme", "clipped"}, "--engine");
+  expect_bad_input({"verify", "--audits", "--engine", "published-2003"}, "--audits");
   expect_bad_input({"verify", "--quick"}, "--quick goes with --known-answers, --error-budget or --audits");
   expect_bad_input({"verify", "--error-budget", "--known-answers"}, "--error-budget");
   expect_bad_input({"verify", "--error-budget", "--scheme", "clipped"}, "--error-budget");

@@ -128,6 +128,23 @@ TEST_F(Program, PublishedAlgorithmsAnswerWithoutAreas) {
   }
 }
 
+TEST_F(Program, VerifyHoldsSeveralEnginesSideBySide) {
+  const std::string folder = scratch_.path("engines");
+  const Outcome outcome = run_pcm({"verify", "--engine", "fast,published-2003,published-2023", "--poses", "60",
+                                   "--pair", box_, box_, "--jobs", "1", "--out", folder});
+  EXPECT_EQ(outcome.status, 1) << "published-2003 is wrong somewhere";
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("fast 0, published-2003"), std::string::npos) << outcome.out;
+  EXPECT_NE(read_text_file(folder + "/wrong_answers.md").find("| degenerate | 10 | 0 |"), std::string::npos);
+  const Json whole = Json::parse(read_text_file(folder + "/wrong_answers.json"));
+  EXPECT_EQ(whole["complete"], true);
+  EXPECT_EQ(whole["strata"].size(), 7u);  // six and all
+  EXPECT_EQ(whole["strata"].back()["fast_wrong"], 0);
+  EXPECT_GT(whole["strata"].back()["published_2003_polygons"], 0);
+  EXPECT_EQ(lines_of(read_text_file(folder + "/wrong_answers.csv")).size(), 8u);
+  EXPECT_EQ(run_pcm({"verify", "--engine", "fast", "--poses", "6", "--pair", box_, box_}).status, 0);
+}
+
 TEST_F(Program, EngineAndOracleAgree) {
   const std::string poses = std::string(kOverlap) +
                             "0.6 -0.8 0  0.8 0.6 0  0 0 1  0.1 0.2 0.9  0.5 -0.25 -1  0.1 0.2 0.3\n"

@@ -55,12 +55,15 @@ Footprint draw_face(Draw& draw, double shift, Index first_vertex) {
   f.depth = plane_of(f.corners);
   f.relative_noise = f.crossing_noise = 0;
   f.hinge_depth = 0;
+  f.cuts = 0;
+  f.knows_sides = true;
   f.depth_error = f.field_error = shift * (1 + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
   f.greatest = 3;
   for (std::size_t k = 0; k < 3; ++k) {
     const PrismPoint side = f.corners[(k + 1) % 3] - f.corners[k];
     f.side_shift[k] = shift * (std::abs(side[kS]) + std::abs(side[kT]));
     f.side_cuts[k] = 0;
+    f.fixed[k] = false;
   }
   f.box = {1, 0, 1, 0};
   for (const PrismPoint& c : f.corners) {

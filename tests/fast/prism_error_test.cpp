@@ -108,7 +108,7 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
     const Eigen::Vector3d rounding = Eigen::Vector3d::Constant(std::max(regime.stir_E, regime.stir_F));
     const FaceError face(geometry, Eigen::Vector3d::Constant(regime.stir_E));
     const PrismError error(prism, face, master, rounding);
-    const PrismShift vertices = error.of_vertex(seen, false);
+    const PrismShift vertices = error.of_vertices(error.noise({seen, seen, seen}), false);
     const PrismShift frame = error.of_frame(regime.depth);
     const std::array<RationalVector, 3> true_p{stirred(p[0], regime.stir_E, random),
                                                stirred(p[1], regime.stir_E, random),
@@ -125,7 +125,7 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
     of_vertices.expect({std::abs(mpq_class(far_map.weights[0] - far_seen[kS]).get_d()),
                         std::abs(mpq_class(far_map.weights[1] - far_seen[kT]).get_d()),
                         std::abs(mpq_class(far_map.depth - far_seen[kDepth]).get_d())},
-                       error.of_vertex(far_seen, false));
+                       error.of_vertices(error.noise({far_seen, far_seen, far_seen}), false));
   }
   std::printf(
       "  %s: greatest error over its bound, weights and depth: both %.3f %.3f, vertices %.3f %.3f, frame %.3f %.3f\n",

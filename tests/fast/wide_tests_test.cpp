@@ -99,10 +99,18 @@ class WideTestsOn : public testing::TestWithParam<Situation> {
 TEST_P(WideTestsOn, CandidatesHoldEveryCrossingPairOnce) {
   NodePairs open;
   std::set<FacePair> candidates;
-  for_each_candidate(E.data(), F.data(), placement, fastest_wide_tests(), open, work, [&](Index e, Index f) {
-    EXPECT_TRUE(candidates.emplace(e, f).second) << e << ' ' << f;
-    return true;
-  });
+  const auto expect_sides = [&](std::size_t side, Index face, Index plane, unsigned above) {
+    const auto x = posed[side].face_points(face, work), p = posed[1 - side].face_points(plane, work);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(orientation(p[0], p[1], p[2], x[k], work) > 0, (above >> k & 1U) != 0);
+  };
+  for_each_candidate(E.data(), F.data(), placement, fastest_wide_tests(), open, work,
+                     [&](Index e, Index f, const PlaneSides& sides) {
+                       EXPECT_TRUE(candidates.emplace(e, f).second) << e << ' ' << f;
+                       if (sides.sure_of_E) expect_sides(0, e, f, sides.above_of_E);
+                       if (sides.sure_of_F) expect_sides(1, f, e, sides.above_of_F);
+                       return true;
+                     });
   const auto faces_E = static_cast<Index>(GetParam().E.faces.size()),
              faces_F = static_cast<Index>(GetParam().F.faces.size());
   int crossing = 0;
@@ -153,6 +161,37 @@ TEST_P(WideTestsOn, LinesMeetWhatIsSureAndMissWhatIsNotPossible) {
   RecordProperty("sure", surely);
 }
 
+TEST_P(WideTestsOn, PrismsMeetEveryBoxThatDoublePrecisionFinds) {
+  int met = 0;
+  for (std::size_t slave = 0; slave < 2; ++slave) {
+    const WideTree& tree = surface(slave).wide_tree;
+    for (std::size_t m = 0; m < surface(1 - slave).mesh.faces.size(); m += 7) {
+      const FaceGeometry geometry(posed[1 - slave].face_Me(static_cast<Index>(m), work));
+      if (!(geometry.area > 0)) continue;
+      const MasterPrism prism(geometry);
+      const double slack = 4 * placement.slack(slave == 0 ? Side::E : Side::F);
+      const TreePrism tree_prism =
+          slave == 0 ? TreePrism(prism, slack) : TreePrism(prism, slack, placement.A, placement.r_Me);
+      const double infinity = std::numeric_limits<double>::infinity();
+      for (const double deepest : {infinity, 0.1 * surface(slave).reach.maxCoeff()}) {
+        const WidePrism wide(tree, tree_prism, deepest);
+        for (Index i = 0; i < tree.nodes(); ++i) {
+          const WideNode& node = tree.node(i);
+          if (!node.bottom()) continue;
+          const std::uint32_t lanes = fastest_wide_tests().boxes_in_prism(node, wide);
+          EXPECT_EQ(lanes, all_wide_tests()[0]->boxes_in_prism(node, wide));
+          for (std::size_t lane = 0; lane < static_cast<std::size_t>(node.count); ++lane) {
+            if (!tree_prism.may_meet(box_of_faces(surface(slave).mesh, &node.child[lane], 1), deepest)) continue;
+            ++met;
+            EXPECT_TRUE((lanes >> lane & 1U) != 0) << m << ' ' << node.child[lane];
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(met, 0);
+}
+
 TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
   const auto [portable, wide] = all_wide_tests();
   if (wide == nullptr) GTEST_SKIP() << "this processor or build has no wide instructions";
@@ -178,8 +217,13 @@ TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
       EXPECT_EQ(portable->children_of_E(e, f, pose), wide->children_of_E(e, f, pose));
       EXPECT_EQ(portable->children_of_F(e, f, pose), wide->children_of_F(e, f, pose));
       if (!e.bottom() || !f.bottom()) continue;
-      EXPECT_EQ(portable->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose),
-                wide->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose));
+      const FacePairs a = portable->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose),
+                      b = wide->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose);
+      EXPECT_EQ(a.possible, b.possible);
+      EXPECT_EQ(a.sure_of_E, b.sure_of_E);
+      EXPECT_EQ(a.sure_of_F, b.sure_of_F);
+      EXPECT_EQ(a.above_of_E, b.above_of_E);
+      EXPECT_EQ(a.above_of_F, b.above_of_F);
     }
   }
 }
