@@ -64,7 +64,7 @@ void MasterBound::add_element(const FaceGeometry& geometry, const Element& eleme
                        !workspace_.side(master_).undecided.contains(element.master_face) &&
                        element.penetration > 2 * error.penetration;
   if (decided) {
-    note_depth(depth - error.penetration, depth + error.penetration);
+    note_depth(depth - kBoundMargin * error.penetration, depth + kBoundMargin * error.penetration);
     const ElementForceError bound = force_error(problem_, element, error);
     sum_.force_Me += bound.force_Me;
     sum_.torque_Me += bound.torque_Me;
@@ -110,7 +110,7 @@ void MasterBound::add_possible_element(double area, double depth, const FaceGeom
                                        const Eigen::Vector3d& foot_error) {
   const GreatestForce greatest = greatest_force(problem_, area, depth, geometry.barycentre_Me(), foot_error);
   sum_.flipped = true;
-  note_depth(0, depth);
+  note_depth(0, kBoundMargin * depth);
   sum_.force_Me += Eigen::Vector3d::Constant(greatest.force);
   sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
 }
@@ -151,7 +151,7 @@ void MasterBound::end_clipped_face(const FaceGeometry& geometry, const SightErro
     return;
   }
   sum_.flipped = sum_.flipped || sight->flush();
-  note_depth(0, sight->greatest_depth());
+  note_depth(0, kBoundMargin * sight->greatest_depth());
   const SightError::Beside beside = sight->beside();
   passing_.add_elsewhere(twice_area * beside.passed_area, twice_area * beside.passed_volume);
   ElementForceError passed;
@@ -169,7 +169,8 @@ void MasterBound::end_clipped_face(const FaceGeometry& geometry, const SightErro
 
 ForceBound MasterBound::result() const {
   return {number_or_infinity(kBoundMargin * sum_.force_Me), number_or_infinity(kBoundMargin * sum_.torque_Me),
-          sum_.flipped, sum_.penetration_at_least / kBoundMargin, kBoundMargin * sum_.penetration_at_most};
+          sum_.flipped, (1 - 4 * kUnitRoundoff) * sum_.penetration_at_least,
+          (1 + 4 * kUnitRoundoff) * sum_.penetration_at_most};
 }
 
 ForceBound mean_bound(const MasterBound& on_E, const MasterBound& on_F, const Contact& contact) {
