@@ -14,6 +14,8 @@
 
 #include "compare/bench_peers.h"
 #include "compare/bench_scaling.h"
+#include "compare/bench_work_precision.h"
+#include "compare/svg_plot.h"
 #include "meshes/bad_input.h"
 #include "meshes/text_file.h"
 
@@ -29,7 +31,8 @@ struct PeersOptions {
   bool quick = false;
 };
 
-struct ScalingOptions {
+/// Of a benchmark whose poses and bodies are its own.
+struct FixedOptions {
   std::optional<std::string> out;
   bool quick = false;
 };
@@ -77,7 +80,7 @@ Exit bench_peers(const PeersOptions& options) {
   return Exit::success;
 }
 
-Exit bench_scaling(const ScalingOptions& options) {
+Exit bench_scaling(const FixedOptions& options) {
   const std::int64_t poses = options.quick ? 2 : 20;
   const std::optional<fs::path> folder = output_folder(options.out);
   const Machine machine = this_machine(stay_on_one_core());
@@ -98,6 +101,31 @@ Exit bench_scaling(const ScalingOptions& options) {
   return Exit::success;
 }
 
+Exit bench_work_precision(const FixedOptions& options) {
+  const Extent extent = options.quick ? Extent::quick : Extent::full;
+  const std::optional<fs::path> folder = output_folder(options.out);
+  show_progress("forces of the smooth bodies");
+  const std::vector<WorkPrecisionProblem> problems = work_precision_problems(extent);
+  const Machine machine = this_machine(stay_on_one_core());
+  std::vector<WorkPrecisionResult> results;
+  for (const WorkPrecisionProblem& problem : problems) results.push_back(run_work_precision(problem, show_progress));
+  show_progress("");
+  if (folder) {
+    write_text_file(*folder / "work_precision.md", work_precision_markdown(results, machine));
+    write_text_file(*folder / "work_precision.csv", csv(work_precision_table(results)));
+    const nlohmann::ordered_json whole{{"machine", machine_json(machine)},
+                                       {"orientations", results.front().orientations},
+                                       {"points", json(work_precision_table(results))},
+                                       {"barycentric_over_clipped", json(equal_time_table(results))}};
+    write_text_file(*folder / "work_precision.json", whole.dump(1) + "\n");
+    for (const WorkPrecisionResult& result : results)
+      write_text_file(*folder / fmt::format("work_precision_{}.svg", result.id),
+                      svg(work_precision_figure(result, machine)));
+  }
+  std::cout << work_precision_screen(results, machine);
+  return Exit::success;
+}
+
 void add_peers(CLI::App& bench, Run& run) {
   auto options = std::make_shared<PeersOptions>();
   CLI::App* command = bench.add_subcommand("peers", "This engine against others on the same surfaces and poses");
@@ -114,7 +142,7 @@ void add_peers(CLI::App& bench, Run& run) {
 }
 
 void add_scaling(CLI::App& bench, Run& run) {
-  auto options = std::make_shared<ScalingOptions>();
+  auto options = std::make_shared<FixedOptions>();
   CLI::App* command = bench.add_subcommand("scaling", "Time and memory over mesh size and patch size");
   command->footer(
       "Two spheres of 320 to 1,310,720 faces each.\n"
@@ -122,6 +150,21 @@ void add_scaling(CLI::App& bench, Run& run) {
   command->add_option("--out", options->out, "Folder for tables: scaling.md, .csv, .json, setup.csv");
   command->add_flag("--quick", options->quick, "2 poses, up to 5120 faces: to see it work");
   command->callback([options, &run] { run = [options] { return bench_scaling(*options); }; });
+}
+
+void add_work_precision(CLI::App& bench, Run& run) {
+  auto options = std::make_shared<FixedOptions>();
+  CLI::App* command = bench.add_subcommand(
+      "work-precision", "Force error over run time: mesh resolutions, both schemes, the published algorithms");
+  command->footer(
+      "Sphere on plane, sphere on sphere, ball in socket, bubble on bubble; error against the smooth bodies' force "
+      "and\n"
+      "against the exact integral on the same meshes. Both schemes compared on the same meshes and at equal time.\n"
+      "Example:\n  pcm bench work-precision --out bench");
+  command->add_option("--out", options->out,
+                      "Folder for tables and plots: work_precision.md, .csv, .json and one .svg a pair of bodies");
+  command->add_flag("--quick", options->quick, "Coarser meshes, 5 orientations: to see it work");
+  command->callback([options, &run] { run = [options] { return bench_work_precision(*options); }; });
 }
 
 }  // namespace
@@ -132,6 +175,7 @@ void add_bench_command(CLI::App& program, Run& run) {
   command->footer("Example:\n  pcm bench peers --bodies bubbles\n'pcm bench WHAT --help' describes one.");
   add_peers(*command, run);
   add_scaling(*command, run);
+  add_work_precision(*command, run);
 }
 
 }  // namespace pcm::compare

@@ -69,11 +69,11 @@ std::string contest_legend() {
       "touching: do the surfaces cross; open chains: polygons of closed surfaces that do not close; polygons: their\n"
       "number or their crossings; active faces: intersected or inner ones; elements: which master and slave faces; "
       "force:\n"
-      "force or torque beyond {:.0e} of the sum of the elements' (and {:.0e} S/p). no rule: nested, ambiguous or too "
-      "deep,\n"
-      "of which the published algorithms say nothing: there their elements are not held, and `differs` counts other "
-      "forces.\n",
-      kForceTolerance, kShallowTolerance);
+      "force or torque beyond {:.0e} of the sum of the elements' (where they are so shallow that doubles can't tell: "
+      "beyond\n"
+      "the rounding of a right evaluation). no rule: nested, ambiguous or too deep, of which the published algorithms\n"
+      "say nothing: there their elements are not held, and `differs` counts other forces.\n",
+      kForceTolerance);
 }
 
 std::string contest_shallow(const ContestResult& result) {

@@ -6,9 +6,6 @@
 #include <array>
 #include <tuple>
 
-#include "compare/rounded_vertices.h"
-#include "compare/verdict.h"
-
 namespace pcm::compare {
 namespace {
 
@@ -38,11 +35,13 @@ bool same_elements(const fast::Contact& subj, const reference::Answer& truth) {
 }
 
 bool same_force(const Question& question, const fast::Contact& subj, const reference::Answer& truth) {
-  const double S = coordinate_scale(question.E.mesh, question.F.mesh, question.pose);
-  const double p = mean_thickness(truth);
-  const double tolerance = p > 0 ? std::max(kForceTolerance, kShallowTolerance * S / p) : kForceTolerance;
-  return (subj.force_Me - truth.force_Me).stableNorm() <= tolerance * truth.force_scale &&
-         (subj.torque_Me - truth.torque_Me).stableNorm() <= tolerance * truth.torque_scale;
+  const double force_error = (subj.force_Me - truth.force_Me).stableNorm();
+  const double torque_error = (subj.torque_Me - truth.torque_Me).stableNorm();
+  if (force_error <= kForceTolerance * truth.force_scale && torque_error <= kForceTolerance * truth.torque_scale)
+    return true;
+  const ForceBounds rounding = RoundingBounds(question, truth).force();
+  return force_error <= std::max(kForceTolerance * truth.force_scale, rounding.force) &&
+         torque_error <= std::max(kForceTolerance * truth.torque_scale, rounding.torque);
 }
 
 }  // namespace

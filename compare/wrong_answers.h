@@ -33,11 +33,9 @@ std::string_view name(Wrong wrong);
 /// only.
 bool answers(Engine engine, Wrong wrong);
 
-/// Force and torque are wrong beyond this part of the sum of |F_k|, or of |C_k - r| |F_k|.
+/// Force and torque are wrong beyond this part of the sum of |F_k|, or of |C_k - r| |F_k|; where the contact is so
+/// shallow that doubles can't tell it that well, beyond the rounding bound of a right evaluation (rounding_bounds.h).
 inline constexpr double kForceTolerance = 1e-9;
-/// Where the contact is so shallow that the depth itself is rounded more coarsely than that: this times S/p (DESIGN
-/// section 3).
-inline constexpr double kShallowTolerance = 1e-13;
 
 using Wrongs = std::bitset<kWrongs>;
 

@@ -73,6 +73,7 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
 
 void SightError::see(Index face, bool own, const Triangle& vertices, const std::array<PrismPoint, 3>& corners,
                      const std::array<bool, 3>& shared) {
+  if (surely_unseen(error_, own, corners)) return;
   // Not a local variable: most of it stays unused where nothing is seen.
   scratch_->sights.emplace_back();
   Sight& sight = scratch_->sights.back();

@@ -228,6 +228,14 @@ BoxST BoxST::common(const BoxST& other) const {
           std::min(high_t, other.high_t)};
 }
 
+bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners) {
+  const double distance =
+      error.distance(greatest_of(corners, kS), greatest_of(corners, kT), greatest_of(corners, kDepth));
+  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth], 0.0});
+  return surely_outside(corners,
+                        sum_of(error.of_vertices(error.greatest_noise(distance), own), error.of_frame(deepest)));
+}
+
 // The two steps of PrismError move each corner by no more than corner_shift but for an affine map of the plane, which
 // leaves windings and sides as they are; and each point that is seen by no more than `shift`, its depth besides by
 // shift.depth. A depth at a fixed (s, t) is off by what depth - per_s s - per_t t is, a side by its cross product with
@@ -241,8 +249,6 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
   const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
   const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
-  if (surely_outside(corners, sum_of(error.of_vertices(error.greatest_noise(distance), own), widest_frame)))
-    return false;
   const PrismShift noise = error.noise(corners);
   const PrismShift of_vertices = error.of_vertices(noise, own);
   const PrismShift of_tilt = error.of_tilt(farthest_depth);
@@ -395,9 +401,11 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
     if (inward < -reach) strips.apart = true;
     if (!sides[k] || std::abs(inward) > reach) continue;
     const double by_shift = std::abs(side_s) * t + std::abs(side_t) * s;
-    if (&carrier == &face && face.cuts == 0 && !face.knows_sides) {
-      // All of the side counts.
-      const double area = kBoundMargin * by_shift + 16 * s * t;
+    if (&carrier == &face && !face.knows_sides) {
+      // Of the side's extent no more than the box's counts.
+      const double extent_s = std::min(std::abs(side_s), box.width_s() + 4 * s);
+      const double extent_t = std::min(std::abs(side_t), box.width_t() + 4 * t);
+      const double area = kBoundMargin * (extent_s * t + extent_t * s) + 16 * s * t;
       strips.area += area;
       strips.volume += area * face.greatest;
       continue;

@@ -107,6 +107,9 @@ struct SightScratch {
   std::vector<std::size_t> order;
 };
 
+/// Whether the face certainly lies beyond one of the master's sides or above it, in both problems: a first test.
+bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners);
+
 /// False where the face is certainly not seen, in neither problem. `shared`: which corners are the master face's own.
 bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
                     const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double twice_area,

@@ -15,10 +15,12 @@
 #include "compare/bench_bodies.h"
 #include "compare/bench_timing.h"
 #include "compare/bench_triangle_overlap.h"
+#include "compare/bench_work_precision.h"
 #include "compare/table.h"
 #include "fast/engine.h"
 #include "meshes/text_file.h"
 #include "tests/compare/run_pcm.h"
+#include "tests/compare/well_formed_xml.h"
 
 namespace pcm::compare {
 namespace {
@@ -133,6 +135,89 @@ TEST(BenchScaling, WorkGrowsAsTheMeshesDo) {
     EXPECT_FALSE(read_text_file(folder + "/" + name).empty());
 }
 
+/// A curve with error = factor / time and edges that halve as the time grows fourfold.
+WorkPrecisionCurve inverse_in_time(double factor, double first_us, int points) {
+  WorkPrecisionCurve curve;
+  for (int k = 0; k < points; ++k) {
+    const double time = first_us * std::pow(4.0, k);
+    curve.points.push_back({100, 1 / std::sqrt(time), time, factor / time, factor / time});
+  }
+  return curve;
+}
+
+TEST(BenchWorkPrecision, ErrorsAreComparedAtEqualTime) {
+  const WorkPrecisionCurve over = inverse_in_time(12, 10, 4), under = inverse_in_time(3, 30, 4);
+  const auto ratio = errors_at_equal_time(over, under, ErrorAgainst::smooth);
+  ASSERT_TRUE(ratio);
+  EXPECT_NEAR(ratio->from_us, 30, 1e-12);
+  EXPECT_NEAR(ratio->to_us, 640, 1e-10);
+  EXPECT_NEAR(ratio->least, 4, 1e-12);
+  EXPECT_NEAR(ratio->greatest, 4, 1e-12);
+  EXPECT_NEAR(*over.order(ErrorAgainst::smooth), 2, 1e-12);
+  EXPECT_FALSE(errors_at_equal_time(over, inverse_in_time(3, 1000, 4), ErrorAgainst::smooth)) << "no common time";
+  EXPECT_FALSE(errors_at_equal_time(over, {}, ErrorAgainst::smooth));
+  EXPECT_FALSE(inverse_in_time(12, 10, 1).order(ErrorAgainst::smooth));
+}
+
+TEST(BenchWorkPrecision, TheLeastAndTheGreatestRatioAreAtPointsOfEitherCurve) {
+  // A kink at 20 us lies between the ends of the times that both curves cover.
+  WorkPrecisionCurve kinked;
+  kinked.points = {{1, 1, 10, 1, 1}, {1, 1, 20, 0.01, 1}, {1, 1, 40, 0.01, 1}};
+  const auto ratio = errors_at_equal_time(kinked, inverse_in_time(1, 10, 2), ErrorAgainst::smooth);
+  ASSERT_TRUE(ratio);
+  EXPECT_NEAR(ratio->least, 0.2, 1e-12);
+  EXPECT_NEAR(ratio->greatest, 10, 1e-12);
+}
+
+TEST(BenchWorkPrecision, ErrorsAreOfSecondOrderAndThePlotsSayWhatTheyShow) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path("tables");
+  const Outcome outcome = run_pcm({"bench", "work-precision", "--quick", "--out", folder});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json all = Json::parse(read_text_file(folder + "/work_precision.json"));
+  EXPECT_EQ(all["orientations"], 5);
+
+  // By bodies, engine, scheme and meshes, from coarse to fine. What takes long is left out of the fine ones.
+  std::map<std::string, std::vector<Json>> curves;
+  for (const Json& row : all["points"]) {
+    EXPECT_GT(row["median_us"], 0) << row;
+    std::string curve;
+    for (const char* key : {"bodies", "engine", "scheme", "meshes"}) curve += row[key].get<std::string>() + '|';
+    curves[curve].push_back(row);
+  }
+  EXPECT_EQ(curves.size(), 4U * work_precision_methods().size());
+  for (const auto& [curve, points] : curves) {
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const auto order = [&coarse = points[k - 1], &fine = points[k]](const char* error) {
+        return std::log2(coarse[error].get<double>() / fine[error].get<double>()) /
+               std::log2(coarse["edge_m"].get<double>() / fine["edge_m"].get<double>());
+      };
+      EXPECT_NEAR(order("error_against_smooth"), 2, 0.6) << curve;
+      if (curve.find("barycentric") == std::string::npos) continue;
+      EXPECT_NEAR(order("error_against_integral"), 2, 0.8) << curve;
+    }
+    if (curve.find("clipped") == std::string::npos) continue;
+    for (const Json& point : points) EXPECT_LT(point["error_against_integral"], 1e-9) << point;
+  }
+  EXPECT_EQ(all["barycentric_over_clipped"].size(), 12U);
+  for (const Json& row : all["barycentric_over_clipped"]) {
+    if (row["against"] == "smooth bodies") continue;
+    EXPECT_GT(row["ratio_same_meshes"], 1e6) << row;
+  }
+
+  EXPECT_NE(read_text_file(folder + "/work_precision.md").find("| ball in socket | fast | clipped |"),
+            std::string::npos);
+  EXPECT_EQ(lines_of(read_text_file(folder + "/work_precision.csv")).size(), all["points"].size() + 1);
+  for (const char* pair : {"sphere-on-plane", "sphere-on-sphere", "ball-in-socket", "bubble-on-bubble"}) {
+    const std::string picture = read_text_file(folder + "/work_precision_" + pair + ".svg");
+    EXPECT_EQ(fault_in_xml(picture), "") << pair;
+    for (const char* words : {"time for one evaluation of force and torque", "relative error of the force",
+                              "Error against the smooth bodies", "At equal time the barycentric error is",
+                              "5 fixed orientations", "pcm, clipped scheme", "algorithm as published in 2003"})
+      EXPECT_NE(picture.find(words), std::string::npos) << pair << ": " << words;
+  }
+}
+
 TEST(BenchBadInput, IsRefusedInOneLine) {
   const ScratchFolder scratch;
   const std::string file = scratch.write("file", "");
@@ -151,6 +236,7 @@ TEST(BenchBadInput, IsRefusedInOneLine) {
   expect_bad_input({"bench", "peers", "--quick", "--out", file}, file);
   expect_bad_input({"bench", "scaling", "--quick", "--out", file}, file);
   expect_bad_input({"bench", "scaling", "--quick", "more"}, "more");
+  expect_bad_input({"bench", "work-precision", "--quick", "--out", file}, file);
 }
 
 }  // namespace

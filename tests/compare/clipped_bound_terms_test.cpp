@@ -62,10 +62,12 @@ Triangles slave_of(Scene scene) {
       sheet(0, -0.25, true);
       break;
     case Scene::upright:
-      slave.add({0, -w, -0.25}, {0, w, -0.25}, {0, 0, -0.25 - w});
+      // Shallow, so that what it might carry itself does not matter.
+      slave.add({0, -w, -w / 8}, {0, w, -w / 8}, {0, 0, -w / 4});
       break;
     case Scene::entry:
-      slave.add({w, -w, -w}, {w, w, -w}, {-w, 0, w});
+      // Flat, so that errors of its depth move the line where it comes through much farther than its sides.
+      slave.add({w, -w, -w / 32}, {w, w, -w / 32}, {-w, 0, w / 32});
       break;
     case Scene::order:
       slave.add({w, -w, -0.5 - w}, {w, w, -0.5 - w}, {-w, 0, -0.5 + w});

@@ -153,6 +153,16 @@ void PrintTo(const Regime& regime, std::ostream* out) {
   *out << regime.name;
 }
 
+// N's bound hides them where it is greater, as it is for nearly all faces.
+TEST(FaceError, CountsTheRoundingsThatFollowThoseOfN) {
+  const FaceGeometry face({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(0, 5, 0)});
+  const FaceError error(face, Eigen::Vector3d::Zero());
+  // The length of N: its square's three roundings count half, the root one, and the half none.
+  EXPECT_GE(error.area - 0.5 * error.N, 2.4 * kUnitRoundoff * face.area);
+  // That length again, and the division.
+  EXPECT_GE(error.normal - error.N / (2 * face.area), 3.4 * kUnitRoundoff);
+}
+
 class DepthErrorOf : public testing::TestWithParam<Regime> {};
 
 TEST_P(DepthErrorOf, HoldsAndIsNotLoose) {

@@ -48,8 +48,8 @@ ExactPoint error_of(const std::array<mpq_class, 2>& weights, const mpq_class& se
   const mpq_class square = dot(N, N);
   const mpq_class s = dot(cross(d, b), N) / square, t = dot(cross(a, d), N) / square;
   const mpf_class depth = -mpf_class(dot(d, N), 400) / sqrt(mpf_class(square, 400));
-  return {std::abs(mpq_class(s - weights[0]).get_d()), std::abs(mpq_class(t - weights[1]).get_d()),
-          std::abs(mpf_class(depth - mpf_class(seen_depth, 400)).get_d())};
+  return {mpq_class(s - weights[0]).get_d(), mpq_class(t - weights[1]).get_d(),
+          mpf_class(depth - mpf_class(seen_depth, 400)).get_d()};
 }
 
 /// The affine map with the prism's computed gradients, free of roundings.
@@ -69,11 +69,11 @@ struct Ratios {
   double weight = 0, depth = 0;
 
   void expect(const ExactPoint& off, const PrismShift& bound) {
-    EXPECT_LE(off.s_error, bound.s);
-    EXPECT_LE(off.t_error, bound.t);
-    EXPECT_LE(off.depth_error, bound.depth);
-    weight = std::max({weight, off.s_error / bound.s, off.t_error / bound.t});
-    depth = std::max(depth, off.depth_error / bound.depth);
+    EXPECT_LE(std::abs(off.s_error), bound.s);
+    EXPECT_LE(std::abs(off.t_error), bound.t);
+    EXPECT_LE(std::abs(off.depth_error), bound.depth);
+    weight = std::max({weight, std::abs(off.s_error) / bound.s, std::abs(off.t_error) / bound.t});
+    depth = std::max(depth, std::abs(off.depth_error) / bound.depth);
   }
 };
 
@@ -85,6 +85,7 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
   Doubles random(84);
   WorkCounters work;
   Ratios together, of_vertices, of_frame;
+  double function_ratio = 0, third_ratio = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     const Eigen::Matrix3d Q =
         Eigen::Quaterniond(random.unit(), random.unit(), random.unit(), 1).normalized().toRotationMatrix();
@@ -114,23 +115,38 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
                                                stirred(p[1], regime.stir_E, random),
                                                stirred(p[2], regime.stir_E, random)};
     const RationalVector true_x = stirred(x, regime.stir_F, random);
-    together.expect(error_of({mpq_class(seen[kS]), mpq_class(seen[kT])}, mpq_class(seen[kDepth]), true_p, true_x),
-                    {vertices.s + frame.s, vertices.t + frame.t, vertices.depth + frame.depth});
+    const ExactPoint off =
+        error_of({mpq_class(seen[kS]), mpq_class(seen[kT])}, mpq_class(seen[kDepth]), true_p, true_x);
+    together.expect(off, {vertices.s + frame.s, vertices.t + frame.t, vertices.depth + frame.depth});
+    // Any linear function of the three, as depths and sides of steep faces are.
+    const PrismFunction function{random.unit(), random.unit(), trial % 2 == 0 ? 0 : regime.width * random.unit()};
+    const double function_off =
+        std::abs(function.per_s * off.s_error + function.per_t * off.t_error + function.per_depth * off.depth_error);
+    const double function_bound = error.of_function(function, regime.depth, error.noise({seen, seen, seen}), false);
+    EXPECT_LE(function_off, function_bound * (1 + 1e-12));
+    function_ratio = std::max(function_ratio, function_off / function_bound);
+    const double third_off = std::abs(mpq_class(mpq_class(seen[0]) + seen[kS] + seen[kT] - 1).get_d());
+    const double third_bound = error.of_third_weight(regime.depth, error.noise({seen, seen, seen}));
+    EXPECT_LE(third_off, third_bound);
+    third_ratio = std::max(third_ratio, third_off / third_bound);
     // The second step alone, and the first alone, for which x may be anywhere.
     const ExactMap map(prism, true_x);
     of_frame.expect(error_of(map.weights, map.depth, true_p, true_x), frame);
     const Eigen::Vector3d far = x + regime.far * Q * Doubles::point([&] { return random.unit(); });
     const PrismPoint far_seen = prism.see(far, work);
     const ExactMap far_map(prism, stirred(far, regime.stir_F, random));
-    of_vertices.expect({std::abs(mpq_class(far_map.weights[0] - far_seen[kS]).get_d()),
-                        std::abs(mpq_class(far_map.weights[1] - far_seen[kT]).get_d()),
-                        std::abs(mpq_class(far_map.depth - far_seen[kDepth]).get_d())},
-                       error.of_vertices(error.noise({far_seen, far_seen, far_seen}), false));
+    of_vertices.expect(
+        {mpq_class(far_map.weights[0] - far_seen[kS]).get_d(), mpq_class(far_map.weights[1] - far_seen[kT]).get_d(),
+         mpq_class(far_map.depth - far_seen[kDepth]).get_d()},
+        error.of_vertices(error.noise({far_seen, far_seen, far_seen}), false));
   }
   std::printf(
       "  %s: greatest error over its bound, weights and depth: both %.3f %.3f, vertices %.3f %.3f, frame %.3f %.3f\n",
       regime.name, together.weight, together.depth, of_vertices.weight, of_vertices.depth, of_frame.weight,
       of_frame.depth);
+  std::printf("  %s: functions %.3f, third weight %.3f\n", regime.name, function_ratio, third_ratio);
+  EXPECT_GE(function_ratio, regime.least_weight_ratio);
+  EXPECT_GE(third_ratio, 0.01);
   EXPECT_GE(together.weight, regime.least_weight_ratio);
   EXPECT_GE(together.depth, regime.least_depth_ratio);
 }
@@ -139,6 +155,7 @@ INSTANTIATE_TEST_SUITE_P(Regimes, PrismErrorOf,
                          testing::Values(Regime{"Roundings", 1, 0.1, 0, 0, 10, 0.02, 0.02},
                                          Regime{"RoundingsOfANeedle", 1e-5, 0.1, 0, 0, 1, 0.02, 0.02},
                                          Regime{"RoundingsDeepBeneathANeedle", 1e-5, 10, 0, 0, 1, 0.01, 0.01},
+                                         Regime{"InThePlaneOfANeedle", 1e-3, 1e-18, 0, 0, 0, 0.02, 0},
                                          Regime{"MovedSlave", 1, 0.1, 0, 1e-9, 0, 0.5, 0.5},
                                          Regime{"MovedMaster", 1, 1e-3, 1e-9, 0, 0, 0.3, 0.3},
                                          Regime{"TurnedMaster", 1e-2, 10, 1e-9, 0, 0, 0.1, 0.0}),
