@@ -98,7 +98,7 @@ std::string reason(const MasterSummary& chosen, const std::array<MasterSummary, 
     if (master.mode == chosen.mode) continue;
     others += others.empty() ? "" : ", ";
     others += fmt::format("{} {}", name(master.mode), percent(master.median_error));
-    if (master.lost > 0) others += fmt::format(" and no force at {} poses", master.lost);
+    if (master.lost > 0) others += fmt::format(" and no force at {} pose{}", master.lost, master.lost == 1 ? "" : "s");
     if (master.too_deep > 0) others += fmt::format(" and {} faces too deep", master.too_deep);
   }
   const std::string deep = chosen.too_deep > 0 ? fmt::format(" and {} faces too deep", chosen.too_deep) : "";
@@ -197,8 +197,8 @@ Advice Adviser::advice() const {
 }
 
 std::string advice_text(const Advice& advice) {
-  std::string text = fmt::format("{} poses, {} in contact; barycentric scheme against the clipped integral\n\n",
-                                 advice.poses, advice.in_contact);
+  std::string text = fmt::format("{} pose{}, {} in contact; barycentric scheme against the clipped integral\n\n",
+                                 advice.poses, advice.poses == 1 ? "" : "s", advice.in_contact);
   text += fmt::format("{:>6} {:>9} {:>7} {:>10} {:>10} {:>9} {:>9} {:>7} {:>8} {:>7} {:>10}\n", "master", "elements",
                       "across", "error", "greatest", "one face", "too deep", "lost", "clamped", "us", "clipped us");
   for (const MasterSummary& m : advice.masters)

@@ -280,7 +280,7 @@ Exit replay(const std::string& file) {
   std::cout << posed.origin << '\n';
   for (const Disagreement& d : outcome.disagreements) std::cout << name(d.kind) << ": " << d.text << '\n';
   const bool agrees = outcome.disagreements.empty();
-  std::cout << fmt::format("{}: 1 poses, {} touching, {} disagreements\n", agrees ? "verified" : "NOT verified",
+  std::cout << fmt::format("{}: 1 pose, {} touching, {} disagreements\n", agrees ? "verified" : "NOT verified",
                            outcome.touching ? 1 : 0, agrees ? 0 : 1);
   return agrees ? Exit::success : Exit::negative;
 }

@@ -60,9 +60,13 @@ Json statistics_json(const fast::Statistics& statistics) {
 }
 
 /// JSON has no infinity: where nothing can be promised stands null.
+Json finite_or_null(double x) {
+  return std::isfinite(x) ? Json(x) : Json();
+}
+
 Json bound_json(const Eigen::Vector3d& bound) {
   Json json = Json::array();
-  for (int i = 0; i < 3; ++i) json.push_back(std::isfinite(bound[i]) ? Json(bound[i]) : Json());
+  for (int i = 0; i < 3; ++i) json.push_back(finite_or_null(bound[i]));
   return json;
 }
 
@@ -97,9 +101,11 @@ Json contact_json(const fast::Contact& contact) {
       common_json(contact, std::move(volume), static_cast<std::size_t>(contact.element_count), work_json(contact.work));
   json["statistics"] = statistics_json(contact.statistics);
   if (contact.bound)
-    json["bound"] = {{"force", bound_json(contact.bound->force_Me)},
-                     {"torque", bound_json(contact.bound->torque_Me)},
-                     {"flipped", contact.bound->flipped}};
+    json["bound"] = {
+        {"force", bound_json(contact.bound->force_Me)},
+        {"torque", bound_json(contact.bound->torque_Me)},
+        {"flipped", contact.bound->flipped},
+        {"max_penetration", {contact.bound->penetration_at_least, finite_or_null(contact.bound->penetration_at_most)}}};
   return json;
 }
 

@@ -270,6 +270,11 @@ std::vector<Disagreement> broken_bounds(const Question& question, const fast::Co
       findings.add(Kind::bound, "torque component {}: engine {} within {:.3g}, oracle {}", i, subj.torque_Me[i],
                    subj.bound->torque_Me[i], true_exact.torque_Me[i]);
   }
+  const double half_ulp = 0x1p-53 * true_exact.max_penetration;
+  if (!(subj.bound->penetration_at_least <= true_exact.max_penetration + half_ulp &&
+        true_exact.max_penetration <= subj.bound->penetration_at_most + half_ulp))
+    findings.add(Kind::bound, "greatest penetration: engine {} to {}, oracle {}", subj.bound->penetration_at_least,
+                 subj.bound->penetration_at_most, true_exact.max_penetration);
   if (question.scheme == Scheme::barycentric && !subj.bound->flipped &&
       !same_elements(true_rounded.elements, true_exact.elements))
     findings.add(Kind::bound, "the exact problem has other elements, the engine calls them certain");

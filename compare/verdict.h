@@ -59,9 +59,9 @@ struct Disagreement {
 std::vector<Disagreement> disagreements(const Question& question, const fast::Contact& subj,
                                         const reference::Answer& true_rounded);
 
-/// Breaches of the engine's own bounds, where it gave any: by a component of force or torque, or by an element that the
-/// exact problem has and the rounded one has not (or the reverse) while the engine calls its elements certain. At most
-/// one, of kind `bound`.
+/// Breaches of the engine's own bounds, where it gave any: by a component of force or torque, by the greatest
+/// penetration, or by an element that the exact problem has and the rounded one has not (or the reverse) while the
+/// engine calls its elements certain. At most one, of kind `bound`.
 std::vector<Disagreement> broken_bounds(const Question& question, const fast::Contact& subj,
                                         const reference::Answer& true_rounded, const reference::Answer& true_exact);
 

@@ -34,13 +34,20 @@ struct FaceBound {
   FaceBound& operator=(const FaceBound&) = delete;
 };
 
+/// How far off the prism's lines may be wherever any surface reaches, and so depths: no point is farther from p0 than 4
+/// times the reach, m.
+double farthest_off(const MasterPrism& prism, const Placement& placement) {
+  return prism.tilt() * (4 * placement.reach);
+}
+
 /// Lists the faces of a side that may meet the prism at a depth from 0 to `deepest`, ascending.
 void list_candidates(Workspace::Data& workspace, Side side, const MasterPrism& prism, double deepest,
                      const FaceBound* bound) {
   const Placement& placement = workspace.placement;
   const Surface::Data& surface = workspace.side(side).surface();
   // A box's point is off by the slack along each of three axes.
-  const double slack = 4 * placement.slack(side) + (bound != nullptr ? bound->slack : 0);
+  const double slack =
+      4 * placement.slack(side) + farthest_off(prism, placement) + (bound != nullptr ? bound->slack : 0);
   const TreePrism tree_prism =
       side == Side::E ? TreePrism(prism, slack) : TreePrism(prism, slack, placement.A, placement.r_Me);
   std::vector<Index>& candidates = workspace.projection.candidates;
@@ -65,11 +72,15 @@ void list_candidates(Workspace::Data& workspace, Side side, const MasterPrism& p
   std::sort(candidates.begin(), candidates.end());
 }
 
-/// Whether the line of the barycentre may meet the face: decided with room to spare for roundings.
-bool near_barycentre(const std::array<PrismPoint, 3>& corners) {
+/// Whether the line of the barycentre may meet the face: decided with room to spare. Where it does, the weights of the
+/// place, the same mean of the corners', are 1/3 each; they are off by no more than the corners' are.
+bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& corners) {
   for (int weight = 0; weight < 3; ++weight) {
+    const std::size_t side = static_cast<std::size_t>(weight + 1) % 3;
     const double a = corners[0][weight], b = corners[1][weight], c = corners[2][weight];
-    const double room = 0x1p-20 * (1 + std::abs(a) + std::abs(b) + std::abs(c));
+    const double room = 0x1p-20 * (1 + std::abs(a) + std::abs(b) + std::abs(c)) +
+                        std::max({prism.weight_error(side, corners[0]), prism.weight_error(side, corners[1]),
+                                  prism.weight_error(side, corners[2])});
     if (std::min({a, b, c}) > 1.0 / 3 + room || std::max({a, b, c}) < 1.0 / 3 - room) return false;
   }
   return true;
@@ -99,7 +110,7 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
     const bool is_seen = project_face(vertices, corners, projected);
     const bool is_certain = is_seen && certain(projected.seen, view.uncertainty);
     // A line may leave the slave through a sliver whose side it sees is not certain.
-    if (near_barycentre(corners) && !(is_certain && !projected.leaves)) {
+    if (near_barycentre(prism, corners) && !(is_certain && !projected.leaves)) {
       view.slave_at_barycentre = true;
       view.deepest = std::max(view.deepest, deepest);
     }
@@ -137,7 +148,7 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
     }
     if (bound != nullptr) bound->sight.see(face, true, vertices, corners, is_shared);
     if (only_bound) continue;
-    view.own_at_barycentre = view.own_at_barycentre || near_barycentre(corners);
+    view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     ProjectedFace projected;
     if (!project_face(vertices, corners, projected)) continue;
     projected.face = face;
@@ -197,12 +208,24 @@ bool thick_enough(const Workspace::Data& workspace, Side master, Index face, con
          thickness_holds(surface, workspace.placement.slack(master), geometry);
 }
 
+/// Whether depths below the face may be lost to underflow, and its area: their signs then tell nothing.
+bool underflows(const FaceGeometry& geometry) {
+  const auto& p = geometry.points_Me;
+  return std::max((p[1] - p[0]).lpNorm<Eigen::Infinity>(), (p[2] - p[0]).lpNorm<Eigen::Infinity>()) < kLeastDetail;
+}
+
 /// Enters the elements of one master face into the answer `contact` and the total. `bound`, where given, hears of them.
 void add_elements_of(Workspace::Data& workspace, Side master, Index face, const ForceProblem& problem,
                      MasterBound* master_bound, Contact& contact, MasterForce& total) {
   ProjectionScratch& scratch = workspace.projection;
-  const FaceGeometry geometry(workspace.side(master).posed.face_Me(face, workspace.contact.work));
+  const FaceGeometry geometry =
+      face_with_sure_normal(workspace.side(master).posed.face_Me(face, workspace.contact.work));
   if (master_bound != nullptr) master_bound->begin_clipped_face(face, geometry);
+  const bool only_line_tells = underflows(geometry);
+  if (only_line_tells &&
+      find_penetration(workspace, master, face, geometry).outcome == Penetration::Outcome::too_deep) {
+    ++contact.too_deep;
+  }
   if (!(geometry.area > 0)) {
     if (master_bound != nullptr) master_bound->end_clipped_face(geometry, nullptr);
     return;
@@ -219,12 +242,13 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
   scratch.faces.clear();
   View view{prism.uncertainty(workspace.placement.reach)};
   project_slave(workspace, opposite(master), prism, bound, view);
-  const bool thick = view.deepest < 0 || thick_enough(workspace, master, face, geometry, view.deepest);
+  const double deepest = view.deepest + farthest_off(prism, workspace.placement);
+  const bool thick = view.deepest < 0 || thick_enough(workspace, master, face, geometry, deepest);
   const bool bound_needs_own = bound != nullptr && bound->sight.greatest_depth() >= 0 &&
                                !(workspace.side(master).surface().clear_of_neighbours[static_cast<std::size_t>(face)] &&
                                  thick_enough(workspace, master, face, geometry, bound->sight.greatest_depth()));
   if (!thick || bound_needs_own) project_own(workspace, master, face, prism, thick, bound, view);
-  if (!thick && view.slave_at_barycentre && view.own_at_barycentre &&
+  if (!only_line_tells && !thick && view.slave_at_barycentre && view.own_at_barycentre &&
       find_penetration(workspace, master, face, geometry).outcome == Penetration::Outcome::too_deep) {
     ++contact.too_deep;
   }

@@ -78,6 +78,11 @@ struct ForceBound {
   /// scheme: it may have other elements. Clipped scheme: a master face with elements may not be active or the reverse,
   /// a face is seen nearly flush, or a master face's normal is not known.
   bool flipped = false;
+  /// The exact problem's greatest penetration lies between these, m. Whether it exceeds the law's bound is certain
+  /// where that does not. The upper one may be infinite, and is too great where what lies deepest is hidden; the lower
+  /// one of the clipped scheme is that of the deepest mean over an element.
+  double penetration_at_least = 0;
+  double penetration_at_most = 0;
 };
 
 /// How much work an evaluation did, and how much it was spared.
@@ -110,6 +115,8 @@ struct Contact {
   Index element_count = 0;        ///< over all masters evaluated
   Index too_deep = 0;             ///< active faces whose penetration line leaves the master first
   double max_penetration = 0;     ///< greatest u (clipped: anywhere) over all masters evaluated, before clamping, m
+  /// max_penetration > that of the law. Either hangs on an ulp where only parts of rounding size lie so deep:
+  /// ForceBound tells what is certain.
   bool penetration_exceeded = false;
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m

@@ -8,6 +8,7 @@
 
 #include "fast/certain_activity.h"
 #include "fast/certain_line.h"
+#include "fast/depth.h"
 #include "fast/element_error.h"
 #include "fast/force_error.h"
 #include "fast/vertex_rounding.h"
@@ -57,10 +58,13 @@ void MasterBound::add_element(const FaceGeometry& geometry, const Element& eleme
       geometry, face_, workspace_.side(slave).posed.face_Me(element.slave_face, workspace_.contact.work), rounding_Me);
   const CertainLine line = follow_certainly(workspace_, master_, element.master_face, geometry, face_,
                                             element.slave_face, workspace_.line_trace, rounding_Me_);
+  const double depth =
+      DepthBelow(geometry, workspace_.side(slave).posed.face_Me(element.slave_face, workspace_.contact.work)).value();
   const bool decided = line.finding == Finding::element &&
                        !workspace_.side(master_).undecided.contains(element.master_face) &&
                        element.penetration > 2 * error.penetration;
   if (decided) {
+    note_depth(depth - kBoundMargin * error.penetration, depth + kBoundMargin * error.penetration);
     const ElementForceError bound = force_error(problem_, element, error);
     sum_.force_Me += bound.force_Me;
     sum_.torque_Me += bound.torque_Me;
@@ -89,6 +93,12 @@ void MasterBound::add_inactive_faces() {
   }
 }
 
+void MasterBound::note_depth(double at_least, double at_most) {
+  sum_.penetration_at_least = std::max(sum_.penetration_at_least, at_least);
+  sum_.penetration_at_most = at_most >= 0 || at_most < 0 ? std::max(sum_.penetration_at_most, at_most)
+                                                         : std::numeric_limits<double>::infinity();
+}
+
 void MasterBound::add_whole_force(const Element& element) {
   const Eigen::Vector3d lever = element.position_Me - problem_.pose.r;
   sum_.flipped = true;
@@ -100,6 +110,7 @@ void MasterBound::add_possible_element(double area, double depth, const FaceGeom
                                        const Eigen::Vector3d& foot_error) {
   const GreatestForce greatest = greatest_force(problem_, area, depth, geometry.barycentre_Me(), foot_error);
   sum_.flipped = true;
+  note_depth(0, kBoundMargin * depth);
   sum_.force_Me += Eigen::Vector3d::Constant(greatest.force);
   sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
 }
@@ -118,6 +129,9 @@ void MasterBound::add_clipped_element(const Element& element, const ElementError
   if (error != nullptr) {
     ElementForceError passed;
     ElementError all = *error;
+    // The element surely exists.
+    if (!undecided_ && element.area > kBoundMargin * (all.area + all.passed_area))
+      note_depth(element.penetration - kBoundMargin * all.penetration, 0);
     passing_.add(problem_, element, all, passed);
     const ElementForceError bound = force_error(problem_, element, all);
     sum_.force_Me += passed.force_Me + PassingError::kGrowth * bound.force_Me;
@@ -137,6 +151,7 @@ void MasterBound::end_clipped_face(const FaceGeometry& geometry, const SightErro
     return;
   }
   sum_.flipped = sum_.flipped || sight->flush();
+  note_depth(0, kBoundMargin * sight->greatest_depth());
   const SightError::Beside beside = sight->beside();
   passing_.add_elsewhere(twice_area * beside.passed_area, twice_area * beside.passed_volume);
   ElementForceError passed;
@@ -154,7 +169,8 @@ void MasterBound::end_clipped_face(const FaceGeometry& geometry, const SightErro
 
 ForceBound MasterBound::result() const {
   return {number_or_infinity(kBoundMargin * sum_.force_Me), number_or_infinity(kBoundMargin * sum_.torque_Me),
-          sum_.flipped};
+          sum_.flipped, (1 - 4 * kUnitRoundoff) * sum_.penetration_at_least,
+          (1 + 4 * kUnitRoundoff) * sum_.penetration_at_most};
 }
 
 ForceBound mean_bound(const MasterBound& on_E, const MasterBound& on_F, const Contact& contact) {
@@ -163,7 +179,8 @@ ForceBound mean_bound(const MasterBound& on_E, const MasterBound& on_F, const Co
                              kBoundMargin * kUnitRoundoff * (contact.force_Me.cwiseAbs() + E.force_Me + F.force_Me)),
           number_or_infinity(0.5 * (E.torque_Me + F.torque_Me) +
                              kBoundMargin * kUnitRoundoff * (contact.torque_Me.cwiseAbs() + E.torque_Me + F.torque_Me)),
-          E.flipped || F.flipped};
+          E.flipped || F.flipped, std::max(E.penetration_at_least, F.penetration_at_least),
+          std::max(E.penetration_at_most, F.penetration_at_most)};
 }
 
 }  // namespace pcm::fast

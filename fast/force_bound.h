@@ -58,6 +58,8 @@ class MasterBound {
  private:
   Eigen::Vector3d rounding_of(Side side, Index face) const;
   void add_whole_force(const Element& element);
+  /// The exact problem has a point at least as deep as the one, and none of this element or face deeper than the other.
+  void note_depth(double at_least, double at_most);
   void add_possible_element(double area, double depth, const FaceGeometry& geometry, const Eigen::Vector3d& foot_error);
 
   Workspace::Data& workspace_;

@@ -11,9 +11,10 @@ namespace pcm::fast {
 
 /// The greatest |coordinate| a surface may have, and the least that it must reach, m: between them a volume, the
 /// product of three lengths, keeps its digits, and so does every product of two or three that is not a decision, down
-/// to details of some 2^-340 m. Smaller ones may lose depths and areas to underflow, never a decision.
+/// to details of kLeastDetail, m. Smaller ones may lose depths and areas to underflow, never a decision.
 inline constexpr double kGreatestReach = 0x1p300;
 inline constexpr double kLeastReach = 0x1p-300;
+inline constexpr double kLeastDetail = 0x1p-340;
 
 /// The length of v, correct also where its square would overflow or underflow. Scales exactly with powers of two.
 inline double length(const Eigen::Vector3d& v) {
@@ -35,7 +36,10 @@ struct FaceGeometry {
   double area;           ///< m^2
 
   explicit FaceGeometry(const std::array<Eigen::Vector3d, 3>& points)
-      : points_Me(points), N_Me((points[1] - points[0]).cross(points[2] - points[0])) {
+      : FaceGeometry(points, (points[1] - points[0]).cross(points[2] - points[0])) {}
+  /// With N as it is known better.
+  FaceGeometry(const std::array<Eigen::Vector3d, 3>& points, const Eigen::Vector3d& known_N_Me)
+      : points_Me(points), N_Me(known_N_Me) {
     const double twice_area = length(N_Me);
     area = 0.5 * twice_area;
     n_Me = twice_area > 0 ? Eigen::Vector3d(N_Me / twice_area) : Eigen::Vector3d::Zero();

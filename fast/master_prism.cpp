@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/master_prism.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fast/number_vector.h"
@@ -18,16 +19,40 @@ Eigen::Vector3d magnitude_of_normal(const std::array<Eigen::Vector3d, 3>& p) {
           a[0] * b[1] + a[1] * b[0] + kFilterUnderflow};
 }
 
-/// N . (x - p0) to a few ulps of itself, 0 only where it is 0: exact but for the last step. `size` is a length of the
-/// face, so that scaling everything by 2^k scales the result exactly: the exact numbers' limbs have 64 bits.
-double exact_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x, double size) {
+/// A power of two such that scaling everything by 2^k scales what is made of exact numbers in that unit exactly, too:
+/// their limbs have 64 bits. `size` is a length of the face.
+double unit_for(double size) {
   const int exponent = std::ilogb(size) % 64;
-  const double unit = std::ldexp(1, exponent < 0 ? -exponent : 64 - exponent);
+  return std::ldexp(1, exponent < 0 ? -exponent : 64 - exponent);
+}
+
+/// N . (x - p0) to a few ulps of itself, 0 only where it is 0: exact but for the last step.
+double exact_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x, double size) {
+  const double unit = unit_for(size);
   const auto from_p0 = [&](const Eigen::Vector3d& point) {
     const Eigen::Vector3d to = unit * point, from = unit * p[0];
     return difference<Dyadic>(to.data(), from.data());
   };
   return dot(cross(from_p0(p[1]), from_p0(p[2])), from_p0(x)).approximate() / (unit * unit * unit);
+}
+
+/// N to a few ulps of itself, component by component.
+Eigen::Vector3d exact_normal(const std::array<Eigen::Vector3d, 3>& p, double size) {
+  const double unit = unit_for(size);
+  const auto from_p0 = [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d to = unit * point, from = unit * p[0];
+    return difference<Dyadic>(to.data(), from.data());
+  };
+  const NumberVector<Dyadic> N = cross(from_p0(p[1]), from_p0(p[2]));
+  return Eigen::Vector3d(N.x.approximate(), N.y.approximate(), N.z.approximate()) / (unit * unit);
+}
+
+/// A face is a needle where |N| is less than this part of the product of two sides. Each component of N is off by at
+/// most 4 u of what its terms add up to, so |N| by 4 u of that product.
+constexpr double kNeedle = 0x1p-16;
+
+double product_of_sides(const std::array<Eigen::Vector3d, 3>& p) {
+  return (p[1] - p[0]).lpNorm<1>() * (p[2] - p[0]).lpNorm<1>();
 }
 
 /// N . (x - p0), exactly where its sign would not be sure. It is the determinant of orient3d(p0, p1, p2, x), term by
@@ -45,11 +70,22 @@ double height_along(const Eigen::Vector3d& N, const Eigen::Vector3d& N_magnitude
 
 }  // namespace
 
+FaceGeometry face_with_sure_normal(const std::array<Eigen::Vector3d, 3>& points_Me) {
+  const FaceGeometry plain(points_Me);
+  if (2 * plain.area >= kNeedle * product_of_sides(points_Me)) return plain;
+  const double size = std::max((points_Me[1] - points_Me[0]).cwiseAbs().maxCoeff(),
+                               (points_Me[2] - points_Me[0]).cwiseAbs().maxCoeff());
+  return size > 0 ? FaceGeometry(points_Me, exact_normal(points_Me, size)) : plain;
+}
+
 MasterPrism::MasterPrism(const FaceGeometry& face)
     : face_(face),
       edge_s_Me_(face.points_Me[1] - face.points_Me[0]),
       edge_t_Me_(face.points_Me[2] - face.points_Me[0]),
-      inverse_twice_area_(1 / (2 * face.area)) {
+      inverse_twice_area_(1 / (2 * face.area)),
+      longest_(2 * (edge_s_Me_.cwiseAbs() + edge_t_Me_.cwiseAbs()).maxCoeff()),
+      // 4 u for the roundings of n itself, twice all of it to be safe; a needle's normal is no worse than others'.
+      tilt_(8 * 0x1p-53 * (1 + std::min(product_of_sides(face.points_Me) * inverse_twice_area_, 1 / kNeedle))) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d side = face.points_Me[(k + 1) % 3] - face.points_Me[k];
     inward_Me_[k] = inverse_twice_area_ * face.n_Me.cross(side);

@@ -12,11 +12,15 @@
 
 namespace pcm::fast {
 
+/// A face with N to a few ulps of itself also where it is a needle: there the cross product of rounded differences
+/// loses its digits, and with them the direction of the penetration lines, so it is computed exactly.
+FaceGeometry face_with_sure_normal(const std::array<Eigen::Vector3d, 3>& points_Me);
+
 /// The penetration lines of all points of a master face: a prism over the face, along -n (PCM section 6, clipped
 /// scheme). Turns points into the face's coordinates. Scaling all lengths by 2^k changes no weight.
 class MasterPrism {
  public:
-  /// Only for faces of area > 0.
+  /// Only for faces of area > 0, their normals sure.
   explicit MasterPrism(const FaceGeometry& face);
 
   /// What the face sees of x. Each weight is taken from an end of the side where it is 0, so its error is a few ulps of
@@ -26,11 +30,23 @@ class MasterPrism {
 
   /// How far lines through points seen by the prism may be off from each other, where no |coordinate| exceeds `reach`.
   /// A vertex of F is off by 4 u reach a coordinate (u = 2^-53); no distance from p0 is greater than 4 reach, and 16 u
-  /// of it cover the roundings of a distance and of a cut. An error of the lines' common direction, great for a needle,
-  /// moves all of them alike and makes no sliver.
+  /// of it cover the roundings of a distance and of a cut. An error of the lines' common direction moves all of them
+  /// alike and makes no sliver: `tilt` bounds it.
   Uncertainty uncertainty(double reach) const {
     const double distance = 64 * 0x1p-53 * reach;
     return {distance * length(inward_Me_[2]), distance * length(inward_Me_[0])};
+  }
+
+  /// The angle between the lines of the face, without any rounding, and those computed, at most; less than 2^-32.
+  double tilt() const { return tilt_; }
+
+  /// How far the weight that is 0 on side k of a point seen by the prism may be off, its own relative error of 2^-30
+  /// aside. A turn of the lines by an angle moves a point by that times its depth, and no more but relative to itself;
+  /// 16 u of its distance cover the roundings. Both count over the height above that side.
+  double weight_error(std::size_t side, const PrismPoint& point) const {
+    const double distance = longest_ * (1 + std::abs(point[0]) + std::abs(point[1]) + std::abs(point[2]));
+    const double depth = std::abs(point[kDepth]);
+    return length(inward_Me_[side]) * (2 * tilt_ * depth + 16 * 0x1p-53 * (distance + depth));
   }
 
   /// The face's own corner k, exactly.
@@ -54,6 +70,8 @@ class MasterPrism {
   std::array<Eigen::Vector3d, 3> inward_Me_;  ///< 1 / m
   Eigen::Vector3d N_magnitude_;               ///< N with every term taken absolutely, m^2
   double inverse_twice_area_;                 ///< 1 / m^2
+  double longest_;  ///< twice the greatest |coordinate difference| of a side from p0, at least a side, m
+  double tilt_;
 };
 
 /// A master prism in the frame of a surface's tree: half spaces direction . x >= offset.

@@ -86,6 +86,25 @@ TEST(ForceBound, ImpliesTheForce) {
   EXPECT_TRUE(contact.bound.has_value());
 }
 
+TEST(ForceBound, HoldsTheGreatestPenetrationBetweenTwoNumbers) {
+  const TriangleMesh E = generate::icosphere(1, 2), F = generate::icosphere(1, 2);
+  const Pose pose = turned(0.4, {0.3, 0.4, 1.7});
+  for (const Mode mode : {Mode::E, Mode::both}) {
+    const Contact once = answer(E, F, pose, stiffness(1), mode, {}, with_bound());
+    EXPECT_GT(once.max_penetration, 0.05);
+    EXPECT_LE(once.bound->penetration_at_least, once.max_penetration);
+    EXPECT_GE(once.bound->penetration_at_most, once.max_penetration);
+    EXPECT_NEAR(once.bound->penetration_at_least, once.bound->penetration_at_most, 1e-12);
+  }
+  // The deepest of all elements, clamped or not.
+  ContactLaw law = stiffness(1);
+  law.max_penetration = 0.01;
+  const Contact clamped = answer(E, F, pose, law, Mode::E, {}, with_bound());
+  EXPECT_TRUE(clamped.penetration_exceeded);
+  EXPECT_GT(clamped.bound->penetration_at_least, law.max_penetration);
+  EXPECT_GE(clamped.bound->penetration_at_most, clamped.max_penetration);
+}
+
 TEST(ForceBound, IsZeroWhereTheSurfacesAreApart) {
   const TriangleMesh box = generate::box({2, 2, 2});
   for (const Mode mode : {Mode::E, Mode::both}) {
@@ -93,6 +112,7 @@ TEST(ForceBound, IsZeroWhereTheSurfacesAreApart) {
     EXPECT_EQ(contact.bound->force_Me, Eigen::Vector3d::Zero());
     EXPECT_EQ(contact.bound->torque_Me, Eigen::Vector3d::Zero());
     EXPECT_FALSE(contact.bound->flipped);
+    EXPECT_EQ(contact.bound->penetration_at_most, 0);
   }
 }
 

@@ -161,5 +161,24 @@ INSTANTIATE_TEST_SUITE_P(Regimes, PrismErrorOf,
                                          Regime{"TurnedMaster", 1e-2, 10, 1e-9, 0, 0, 0.1, 0.0}),
                          [](const testing::TestParamInfo<Regime>& test) { return std::string(test.param.name); });
 
+TEST(FaceWithSureNormal, IsExactForANeedleWhoseCrossProductLosesItsDigits) {
+  // Three points nearly on a line: the normal is that of the integers they are multiples of.
+  const double ulp = 0x1p-52;
+  const std::array<Eigen::Vector3d, 3> p = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1 + ulp, 0x1p-3),
+                                            Eigen::Vector3d(1 + ulp, 1 + 2 * ulp, 0x1p-3)};
+  // (1, 1 + d, 1/8) x (1 + d, 1 + 2 d, 1/8) = (-d/8, d/8, (1 + 2 d) - (1 + d)^2 = -d^2).
+  const FaceGeometry face = face_with_sure_normal(p);
+  EXPECT_EQ(face.N_Me, Eigen::Vector3d(-ulp / 8, ulp / 8, -ulp * ulp));
+  EXPECT_NE(FaceGeometry(p).N_Me, face.N_Me);
+  EXPECT_LT(MasterPrism(face).tilt(), 0x1p-32);
+}
+
+TEST(FaceWithSureNormal, IsThePlainOneOtherwise) {
+  const std::array<Eigen::Vector3d, 3> p = {Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d(1.1, 0.7, 0.4),
+                                            Eigen::Vector3d(0.2, 1.3, 0.9)};
+  EXPECT_EQ(face_with_sure_normal(p).N_Me, FaceGeometry(p).N_Me);
+  EXPECT_LT(MasterPrism(FaceGeometry(p)).tilt(), 0x1p-45);
+}
+
 }  // namespace
 }  // namespace pcm::fast
