@@ -52,8 +52,8 @@ struct Wandering {
     for (int b = 0; b < 8; ++b) {
       const double phase = 0.7 * b, t = time;
       BodyState& state = states[static_cast<std::size_t>(b)];
-      state.pose = test::turned(
-          phase + t, {0.35 * std::cos(phase + t), 0.35 * std::sin(2 * phase - 0.7 * t), 0.2 * std::sin(phase + 1.3 * t)});
+      state.pose = test::turned(phase + t, {0.35 * std::cos(phase + t), 0.35 * std::sin(2 * phase - 0.7 * t),
+                                            0.2 * std::sin(phase + 1.3 * t)});
       state.velocity = {{0.1 * b, -0.2, 0.3}, {0.4, 0.1 * b, -0.2}};
     }
     return states;
