@@ -156,7 +156,8 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_ca
                      workspace.node_pairs, work, [&](Index face_E, Index face_F, const PlaneSides& sides) {
                        if (keep_candidates) workspace.candidates.emplace_back(face_E, face_F);
                        PairCrossing pair;
-                       if (!cross(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work), sides,
+                       const PlaneSides known = filtered ? sides : PlaneSides{};
+                       if (!cross(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work), known,
                                   sure, pair, work)) {
                          return true;
                        }
