@@ -19,6 +19,7 @@
 #include "meshes/generate_round.h"
 #include "meshes/text_file.h"
 #include "meshes/write_obj.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
@@ -437,12 +438,6 @@ TEST(Sha256, KnownDigests) {
 
 class CaseFiles : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "pcm_case_files";
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   static Case posed() {
     SurfacePair pair = small_pair();
     const FeaturePair features(pair.E, pair.F);
@@ -459,7 +454,9 @@ class CaseFiles : public testing::Test {
     return posed;
   }
 
-  std::filesystem::path folder_;
+  // Its own, since ctest runs these tests side by side.
+  const TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
 };
 
 void expect_same_question(const Case& a, const Case& b) {
