@@ -26,6 +26,7 @@ struct Placement {
   double reach = 0;            ///< M: no |coordinate| in Me of E, of F or of r exceeds it, m
   double slack_E = 0;          ///< error of points and boxes in Me, m
   double slack_F = 0;          ///< the same in Mf, where A^T stands for the inverse of A, m
+  double skew = 0;             ///< |A^T A - I|, entry by entry, at most
   double span = 0;  ///< no two vertices of either are farther apart along an axis of Me, if the hulls touch, m
 
   Placement() = default;
@@ -34,7 +35,7 @@ struct Placement {
     const Eigen::Vector3d reach_F = A_absolute * surface_F.reach + pose.r.cwiseAbs();
     reach = std::fmax(reach_F.maxCoeff(), surface_E.reach.maxCoeff());
     // |A^T A - I|, entry by entry; three entries meet a point's coordinates, or a box's half widths.
-    const double skew = (pose.A.transpose() * pose.A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    skew = (pose.A.transpose() * pose.A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     slack_E = kPlacementSlack * reach;
     slack_F = 4 * slack_E + 12 * skew * surface_F.reach.maxCoeff();
     span =

@@ -311,6 +311,24 @@ TEST(Verdict, SlaveNearlyParallelToTheLineOfAClampedElementAtRestHasABound) {
   FAIL() << "no such pair";
 }
 
+TEST(Verdict, FacesUprightInAShearedBodysOwnFrameHideWhatTheyLeanOver) {
+  // A may be a rotation to 1e-9 only: F's sides then lean over strips that wide beneath its other sides.
+  const TriangleMesh E = generate::icosphere(1, 2), F = generate::box({1, 1, 1});
+  const Scene scene(E, F, ContactLaw{}, Scene::Modes{Mode::E, Mode::F, Mode::both}, Scheme::clipped);
+  fast::Workspace workspace;
+  for (const double shear : {-2e-10, -1e-12, 0.0, 1e-14, 1e-12, 2e-10}) {
+    Pose pose;
+    pose.A = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    pose.A(0, 1) += shear;
+    pose.A(2, 0) -= 0.5 * shear;
+    pose.r = {0.3, 0.2, 0.9};
+    for (const PoseOutcome& outcome : scene.hold(pose, Velocity{}, workspace)) {
+      EXPECT_TRUE(outcome.disagreements.empty()) << shear << ": " << outcome.disagreements.front().text;
+      EXPECT_LT(*outcome.errors.force, 1e-15) << shear;
+    }
+  }
+}
+
 TEST(Verdict, NotANumberIsFlagged) {
   expect_always_flagged(Kind::volume, [](fast::Contact& subj) {
     subj.volume = std::numeric_limits<double>::quiet_NaN();
