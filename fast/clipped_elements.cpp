@@ -92,7 +92,6 @@ struct View {
   double deepest = -1;               ///< greatest depth at which the slave may be left, whatever lies before, m
   bool slave_at_barycentre = false;  ///< the line of the barycentre may leave the slave
   bool own_at_barycentre = false;    ///< it may meet another face of the master
-  double own_area = 0;               ///< that faces of the master hide at most, though they are not asked, in (s, t)
 };
 
 void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& prism, FaceBound* bound, View& view) {
@@ -148,12 +147,7 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
                        : prism.see(posed.vertex_Me(vertices[k], work), work);
     }
     if (bound != nullptr) bound->sight.see(face, true, vertices, corners, is_shared);
-    if (only_bound) {
-      if (ProjectedFace skipped; project_face(vertices, corners, skipped)) {
-        view.own_area += std::abs(twice_area(skipped.seen)) / 2;
-      }
-      continue;
-    }
+    if (only_bound) continue;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     ProjectedFace projected;
     if (!project_face(vertices, corners, projected)) continue;
@@ -278,7 +272,6 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
       continue;
     }
     Neglect neglect;
-    neglect.area = std::min(view.own_area, 0.5 * std::abs(twice_area(scratch.faces[i].seen)));
     const Moments moments = moments_of_visible_part(workspace, master, view.uncertainty, i, overlap, neglect);
     const double area = moments.area * (2 * geometry.area);
     const double mean = std::min(moments.depth / moments.area, moments.greatest);

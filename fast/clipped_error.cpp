@@ -254,6 +254,11 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
     }
     area = std::min(outline.area + one_depth.area + zero.area, overlap);
     volume = std::min(outline.volume + one_depth.volume + zero.volume, area * greatest);
+    if (g.own && hider.projected < 0) {
+      // The elements were made without it, the master being thick enough: whatever it may hide is missing.
+      area = std::min(greatest_area(g), overlap);
+      volume = area * greatest;
+    }
     flush_ = flush_ || ((one_depth.everywhere || zero.everywhere) && overlap == box.area() &&
                         greatest > 4 * f.depth_error && area > 4 * strip_along_border(box, g.shift.s, g.shift.t));
   }

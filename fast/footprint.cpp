@@ -370,6 +370,14 @@ double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box
   return std::min(box.area(), 2 * zero_strip(separation.side, 3 * separation.margin, box).area);
 }
 
+// That of all that shifts may bring over the master, and what its border may pass over then.
+double greatest_area(const Footprint& face) {
+  const ConvexPolygon part = part_over_master(face.corners, face.shift);
+  return std::min(face.box.area(),
+                  (1 + 0x1p-40) * (0.5 * std::abs(twice_area(part))) +
+                      strip_along_border(face.box, face.shift.s + face.cut_shift.s, face.shift.t + face.cut_shift.t));
+}
+
 // Its computed area, and what its sides may pass over.
 SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth, const BoxST& box) {
   PrismShift shift = face.shift;

@@ -134,6 +134,9 @@ struct SideStrips {
 SideStrips strips_along_sides(const Footprint& face, double s, double t, const Footprint& carrier, const BoxST& box,
                               const std::array<bool, 3>& sides = {true, true, true});
 
+/// No more than this area of the master is covered by the face, in either problem.
+double greatest_area(const Footprint& face);
+
 /// The area within the box that a face whose facing is not sure has in either problem, down to the greatest depth of
 /// the carrier there, and the integral of that.
 SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth, const BoxST& box);
