@@ -203,14 +203,23 @@ Eigen::Vector3d foot_Me(const MasterPrism& prism, const Moments& moments) {
 /// A pose that shears F by more than this makes faces that stand upright on others lean by more than roundings do.
 constexpr double kGreatestSkew = 0x1p-48;
 
-/// Whether no other face of the master lies before what may be seen, as the thickness computed beforehand says.
-bool thick_enough(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                  double deepest) {
+/// Whether other faces of the master may lie before what is seen, as the thickness computed beforehand says.
+enum class Before : std::uint8_t {
+  none,     ///< surely none
+  leaning,  ///< only as faces that stand upright on the border of the prism lean over it in the exact problem
+  some
+};
+Before own_faces_before(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+                        double deepest) {
   const Surface::Data& surface = workspace.side(master).surface();
-  const bool leaning = master == Side::F && workspace.placement.skew > kGreatestSkew &&
-                       !surface.clear_of_neighbours[static_cast<std::size_t>(face)];
-  return !leaning && deepest < surface.thickness_everywhere[static_cast<std::size_t>(face)] &&
-         thickness_holds(surface, workspace.placement.slack(master), geometry);
+  const auto i = static_cast<std::size_t>(face);
+  const ThicknessEverywhere& thickness = surface.thickness_everywhere;
+  if (!(deepest < thickness.exact[i] && thickness_holds(surface, workspace.placement.slack(master), geometry))) {
+    return Before::some;
+  }
+  if (surface.clear_of_neighbours[i] && deepest < thickness.tolerant[i]) return Before::none;
+  if (master == Side::E) return Before::none;
+  return workspace.placement.skew > kGreatestSkew ? Before::some : Before::leaning;
 }
 
 /// Whether depths below the face may be lost to underflow, and its area: their signs then tell nothing.
@@ -248,10 +257,13 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
   View view{prism.uncertainty(workspace.placement.reach)};
   project_slave(workspace, opposite(master), prism, bound, view);
   const double deepest = view.deepest + farthest_off(prism, workspace.placement);
-  const bool thick = view.deepest < 0 || thick_enough(workspace, master, face, geometry, deepest);
-  const bool bound_needs_own = bound != nullptr && bound->sight.greatest_depth() >= 0 &&
-                               !(workspace.side(master).surface().clear_of_neighbours[static_cast<std::size_t>(face)] &&
-                                 thick_enough(workspace, master, face, geometry, bound->sight.greatest_depth()));
+  const bool thick = view.deepest < 0 || own_faces_before(workspace, master, face, geometry, deepest) != Before::some;
+  bool bound_needs_own = false;
+  if (bound != nullptr && bound->sight.greatest_depth() >= 0) {
+    const Before before = own_faces_before(workspace, master, face, geometry, bound->sight.greatest_depth());
+    bound_needs_own = before == Before::some;
+    if (thick && before == Before::leaning) bound->sight.may_lean(workspace.placement.greatest_lean());
+  }
   if (!thick || bound_needs_own) project_own(workspace, master, face, prism, thick, bound, view);
   if (!only_line_tells && !thick && view.slave_at_barycentre && view.own_at_barycentre &&
       find_penetration(workspace, master, face, geometry).outcome == Penetration::Outcome::too_deep) {

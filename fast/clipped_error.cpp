@@ -121,6 +121,18 @@ void SightError::find_outline(Sight& sight, const Surface::Data& surface) {
   }
 }
 
+// Within that distance of the master's sides.
+double SightError::area_leant_over(const Footprint& f) const {
+  const double distance = kBoundMargin * lean_ * f.greatest;
+  const double s = distance * prism_.inward_Me(2).norm(), t = distance * prism_.inward_Me(0).norm();
+  const double third = distance * prism_.inward_Me(1).norm();
+  double area = 0;
+  if (f.box.low_s <= s) area += s * f.box.width_t();
+  if (f.box.low_t <= t) area += t * f.box.width_s();
+  if (1 - f.box.high_s - f.box.high_t <= third) area += third * std::min(f.box.width_s(), f.box.width_t());
+  return std::min(area, f.box.area());
+}
+
 void SightError::is_projected(bool own, Index face, std::size_t place) {
   std::vector<Sight>& sights = scratch_->sights;
   if (!sights.empty() && sights.back().footprint.face == face && sights.back().footprint.own == own) {
@@ -162,7 +174,10 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
     const ZeroStrip zero = zero_strip(f.depth, f.depth_error, f.box);
     const ConvexPolygon* const seen =
         sight.projected >= 0 ? &projected.faces[static_cast<std::size_t>(sight.projected)].seen : nullptr;
-    const AreaAndVolume cuts = errors_of_cuts(f, seen);
+    AreaAndVolume cuts = errors_of_cuts(f, seen);
+    const double leant_over = lean_ > 0 ? area_leant_over(f) : 0;
+    cuts.area += leant_over;
+    cuts.volume += leant_over * f.greatest;
     sight.area_error = outline.area + cuts.area + zero.area;
     sight.volume_error =
         outline.volume + cuts.volume + zero.area * 2 * f.depth_error + smooth.area * 4 * sight.sheet_error;

@@ -37,6 +37,9 @@ class SightError {
            const std::array<bool, 3>& shared);
   /// No part is seen deeper in either problem; less than 0 where no face may carry anything, m.
   double greatest_depth() const { return greatest_depth_; }
+  /// No face of the master itself need be entered, but its lines deviate from where it would be so by up to this times
+  /// the depth: upright faces beside its prism may hide as much.
+  void may_lean(double lean) { lean_ = lean; }
   /// To be called once all faces are entered.
   /// `projected`: of all faces entered those that the engine sees. Finds their overlaps on the way, as find_overlaps
   /// does.
@@ -65,6 +68,7 @@ class SightError {
  private:
   /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
   void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
+  double area_leant_over(const Footprint& f) const;
   void find_outline(Sight& sight, const Surface::Data& surface);
   const Footprint* find(bool own, Index face) const;
   Sight* find(Index slave_face);
@@ -73,6 +77,7 @@ class SightError {
   const MasterPrism& prism_;
   const PrismError& error_;
   bool continuous_;
+  double lean_ = 0;
   std::size_t next_ = 0;
   double greatest_depth_ = -1;
   bool all_entered_ = true;  ///< that the engine sees

@@ -178,4 +178,15 @@ int compare_distance(const PenetrationLine& line, const FacePoints& f, const Fac
   return sign * denominators;
 }
 
+int side_of_prism(const FacePoints& master, std::size_t k, const Eigen::Vector3d& x, WorkCounters& work) {
+  constexpr RoundingCount kRoundedSideOfPrism = dot(kRoundedNormal, cross(kRoundedDifference, kRoundedDifference));
+  const std::size_t next = (k + 1) % 3;
+  return sign_of<kRoundedSideOfPrism.count>(
+      [&]<class Number>() {
+        return dot(normal<Number>(master),
+                   cross(difference<Number>(master[next], master[k]), difference<Number>(x, master[k])));
+      },
+      work);
+}
+
 }  // namespace pcm::fast

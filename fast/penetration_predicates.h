@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 
 #include "fast/bounded.h"
 #include "fast/contact.h"
@@ -48,5 +49,9 @@ int distance_sign(const PenetrationLine& line, const FacePoints& f, WorkCounters
 /// p1 - p0, then along p2 - p0; 0 where they are still tied, as for faces in one plane. Degree 7. Only for faces with
 /// facing != 0.
 int compare_distance(const PenetrationLine& line, const FacePoints& f, const FacePoints& g, WorkCounters& work);
+
+/// On which side of a face's side k, from its corner k to the next, its penetration lines through x lie: 1 on the
+/// face's, 0 on it, -1 beyond, exactly. The sign of N . ((p_k+1 - p_k) x (x - p_k)), degree 4.
+int side_of_prism(const FacePoints& master, std::size_t k, const Eigen::Vector3d& x, WorkCounters& work);
 
 }  // namespace pcm::fast

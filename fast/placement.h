@@ -42,6 +42,11 @@ struct Placement {
         2 * (1 + 0x1p-20) * (surface_E.tree.root().box.half.sum() + surface_F.tree.root().box.half.sum()) + 2 * slack_E;
   }
 
+  /// The exact problem's lines along the normals of F's faces are lines of F's own frame that deviate from the normals
+  /// there by no more than this times the depth, for small skews: with A^T A = I + K their direction is (I + K)^-1 n,
+  /// and |K| is at most three times its greatest entry, which is computed to 4 u.
+  double greatest_lean() const { return 3.01 * (skew + 4 * 0x1p-53); }
+
   double slack(Side side) const { return side == Side::E ? slack_E : slack_F; }
 
   /// A point given in Me, in the frame of a side's surface: off by at most slack(side) for points within 4 M.

@@ -37,6 +37,17 @@ struct Clearance {
   std::array<bool, 2> above{};     ///< whether nothing is met on the side of the normal, however far
 };
 
+/// Lower bounds of the distance from any point of a face along its inward normal to the next face of the same surface
+/// (fast/thickness.h), by face, m; infinite where nothing lies beneath.
+struct ThicknessEverywhere {
+  /// What lies beneath the face is no nearer, but for slivers of rounding size beside faces that share a vertex with it
+  /// and stand upright on it. 0 where a neighbour folds back beneath the face. Holds for lines that are a little off.
+  std::vector<double> tolerant;
+  /// No other face has a point strictly within the prism beneath the face, and nearer, exactly in the surface's own
+  /// frame: what stands upright on the prism's border does not count. At least as much as `tolerant`.
+  std::vector<double> exact;
+};
+
 /// What is derived from a mesh once, in the surface's own frame; read by every step of the evaluation.
 struct Surface::Data {
   explicit Data(TriangleMesh surface_mesh);
@@ -58,7 +69,7 @@ struct Surface::Data {
   /// Lower bound of the distance from each face's barycentre along its inward normal to the next face of the same
   /// surface, m; see fast/thickness.h.
   std::vector<double> thickness;
-  std::vector<double> thickness_everywhere;  ///< the same over all points of each face
+  ThicknessEverywhere thickness_everywhere;  ///< the same over all points of each face
   std::vector<bool> clear_of_neighbours;     ///< by face; see fast/thickness.h
   std::vector<Clearance> clearance;          ///< by face
 

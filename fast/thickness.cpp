@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/penetration_predicates.h"
 #include "fast/projected_face.h"
 
 namespace pcm::fast {
@@ -82,6 +83,47 @@ double least_depth_of_neighbour(const Triangle& vertices, const std::array<Prism
   return at_border && moments.area < 0x1p-50 ? kInfinity : least;
 }
 
+/// Another face as a master face sees it.
+struct SeenFace {
+  const Triangle& vertices;
+  std::array<PrismPoint, 3> corners;
+  std::array<int, 3> shared;  ///< which corner of the master it is, or -1
+
+  SeenFace(const MasterPrism& prism, const Surface::Data& surface, const Triangle& master, Index face,
+           WorkCounters& work)
+      : vertices(surface.face(face)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto found = std::find(master.begin(), master.end(), vertices[k]);
+      shared[k] = found != master.end() ? static_cast<int>(found - master.begin()) : -1;
+      corners[k] = shared[k] >= 0 ? MasterPrism::corner(shared[k]) : prism.see(surface.vertex(vertices[k]), work);
+    }
+  }
+
+  bool is_neighbour() const { return shared[0] >= 0 || shared[1] >= 0 || shared[2] >= 0; }
+
+  /// Whether one of the prism's sides, or the master's plane, has all of the face on its far side or in it, exactly.
+  bool lies_beside(const MasterPrism& prism, const Surface::Data& surface, WorkCounters& work) const {
+    const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
+    if (std::max({depths[0], depths[1], depths[2]}) <= 0 && std::min({depths[0], depths[1], depths[2]}) < 0)
+      return true;
+    for (std::size_t weight = 0; weight < 3; ++weight) {
+      const std::size_t side = (weight + 1) % 3;
+      const auto may_lie_beyond = [&](std::size_t k) {
+        return shared[k] >= 0 ? shared[k] != static_cast<int>(weight)
+                              : corners[k][static_cast<Index>(weight)] <= prism.weight_error(side, corners[k]);
+      };
+      const auto lies_beyond = [&](std::size_t k) {
+        return shared[k] >= 0 || side_of_prism(prism.face().points_Me, side, surface.vertex(vertices[k]), work) <= 0;
+      };
+      if (may_lie_beyond(0) && may_lie_beyond(1) && may_lie_beyond(2) && lies_beyond(0) && lies_beyond(1) &&
+          lies_beyond(2)) {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
 /// Whether all faces at a corner of the master face, whose prism it is, surely face its way, and go round that corner
 /// no more than once. Then they lie side by side as the master sees them.
 bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index corner, double tolerance) {
@@ -128,6 +170,15 @@ bool all_lie_beside(const MasterPrism& prism, const Surface::Data& surface, Inde
   return true;
 }
 
+/// Whether the face goes round a corner that it shares with the master beside it.
+bool is_beside_at_corners(const MasterPrism& prism, const Surface::Data& surface, const SeenFace& seen,
+                          double tolerance) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (seen.shared[k] >= 0 && is_spread_out(prism, surface, seen.vertices[k], tolerance)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface) {
@@ -158,42 +209,43 @@ std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface) {
   return bounds;
 }
 
-std::vector<double> lower_bounds_of_thickness_everywhere(const Surface::Data& surface) {
+ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& surface) {
   const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
-  std::vector<double> bounds(surface.mesh.faces.size(), 0.0);
+  ThicknessEverywhere bounds{std::vector<double>(surface.mesh.faces.size(), 0.0),
+                             std::vector<double>(surface.mesh.faces.size(), 0.0)};
   std::vector<Index> open;
   WorkCounters work;
-  for (Index face = 0; face < static_cast<Index>(bounds.size()); ++face) {
+  for (Index face = 0; face < static_cast<Index>(bounds.exact.size()); ++face) {
     const Triangle& master = surface.face(face);
     const FaceGeometry geometry(points_of(surface, face));
     if (!thickness_holds(surface, 0, geometry)) continue;
     const MasterPrism prism(geometry);
     const TreePrism tree_prism(prism, 2 * tolerance);
-    double nearest = kInfinity;
+    double nearest = kInfinity, nearest_within = kInfinity;
     open.assign(1, 0);
-    while (!open.empty() && nearest > 0) {
+    while (!open.empty() && nearest_within > 0) {
       const BoxNode& node = surface.tree.node(open.back());
       open.pop_back();
-      if (!tree_prism.may_meet(node.box, nearest)) continue;
+      if (!tree_prism.may_meet(node.box, nearest_within)) continue;
       if (!node.leaf()) {
         open.push_back(node.child);
         open.push_back(node.child + 1);
         continue;
       }
       if (node.face == face) continue;
-      const Triangle& vertices = surface.face(node.face);
-      std::array<PrismPoint, 3> corners;
-      bool neighbour = false;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto shared = std::find(master.begin(), master.end(), vertices[k]);
-        neighbour = neighbour || shared != master.end();
-        corners[k] = shared != master.end() ? MasterPrism::corner(static_cast<int>(shared - master.begin()))
-                                            : prism.see(surface.vertex(vertices[k]), work);
+      const SeenFace seen(prism, surface, master, node.face, work);
+      const double least = seen.is_neighbour() ? least_depth_of_neighbour(seen.vertices, seen.corners)
+                                               : least_depth(prism, seen.corners, tolerance);
+      nearest = std::min(nearest, least);
+      // Only where something is near is it asked whether it is within the prism.
+      if (seen.is_neighbour() || least < nearest_within) {
+        if (!seen.lies_beside(prism, surface, work) && !is_beside_at_corners(prism, surface, seen, tolerance)) {
+          nearest_within = seen.is_neighbour() ? 0 : std::min(nearest_within, least);
+        }
       }
-      nearest = std::min(
-          nearest, neighbour ? least_depth_of_neighbour(vertices, corners) : least_depth(prism, corners, tolerance));
     }
-    bounds[static_cast<std::size_t>(face)] = std::max(nearest, 0.0);
+    bounds.tolerant[static_cast<std::size_t>(face)] = std::max(nearest, 0.0);
+    bounds.exact[static_cast<std::size_t>(face)] = std::max(nearest_within, 0.0);
   }
   return bounds;
 }

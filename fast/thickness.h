@@ -20,10 +20,8 @@ inline constexpr double kThicknessTolerance = 0x1p-30;
 /// needs no search of the master's own faces. O(n log n).
 std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface);
 
-/// For each face a lower bound of the same distance over all its points: what lies beneath the face is no nearer, but
-/// for slivers of rounding size beside faces that share a vertex with it and stand upright on it. 0 where a neighbour
-/// folds back beneath the face. Holds under the same tolerance. O(n log n).
-std::vector<double> lower_bounds_of_thickness_everywhere(const Surface::Data& surface);
+/// Lower bounds of the same distance over all points of each face. O(n log n).
+ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& surface);
 
 /// The faces beneath which no face that shares a vertex with them reaches, by more than the tolerance: at each of their
 /// corners either all faces look their way, or each lies beside one of their sides. Not where a face stands upright.
