@@ -27,7 +27,7 @@ struct FaceBound {
   double slack;  ///< how far from the computed prism the exact problem's may be, m
 
   FaceBound(Workspace::Data& workspace, const MasterPrism& prism, const MasterBound& bound, bool continuous)
-      : prism_error(prism, bound.face_error(), bound.master(), bound.rounding_Me()),
+      : prism_error(prism, bound.face_error(), bound.master(), bound.own_rounding_Me(), bound.rounding_Me()),
         sight(workspace.sight, prism, prism_error, continuous),
         slack(bound.slack()) {}
   FaceBound(const FaceBound&) = delete;
@@ -103,7 +103,7 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
     const std::array<PrismPoint, 3> corners{prism.see(posed.vertex_Me(vertices[0], work), work),
                                             prism.see(posed.vertex_Me(vertices[1], work), work),
                                             prism.see(posed.vertex_Me(vertices[2], work), work)};
-    if (bound != nullptr) bound->sight.see(face, false, vertices, corners, {});
+    if (bound != nullptr) bound->sight.see(posed, face, false, corners, {});
     const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
     if (deepest < 0) continue;
     ProjectedFace projected;
@@ -146,7 +146,7 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
                        ? MasterPrism::corner(static_cast<int>(shared - master_vertices.begin()))
                        : prism.see(posed.vertex_Me(vertices[k], work), work);
     }
-    if (bound != nullptr) bound->sight.see(face, true, vertices, corners, is_shared);
+    if (bound != nullptr) bound->sight.see(posed, face, true, corners, is_shared);
     if (only_bound) continue;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     ProjectedFace projected;

@@ -71,14 +71,15 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
 
 }  // namespace
 
-void SightError::see(Index face, bool own, const Triangle& vertices, const std::array<PrismPoint, 3>& corners,
+void SightError::see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
                      const std::array<bool, 3>& shared) {
   if (surely_unseen(error_, own, corners)) return;
   // Not a local variable: most of it stays unused where nothing is seen.
   scratch_->sights.emplace_back();
   Sight& sight = scratch_->sights.back();
   Footprint& f = sight.footprint;
-  if (!find_footprint(error_, face, own, vertices, corners, shared, 2 * prism_.face().area, f)) {
+  if (!find_footprint(error_, face, own, surface.surface().face(face), corners, shared, surface.face_rounding_Me(face),
+                      2 * prism_.face().area, f)) {
     scratch_->sights.pop_back();
     return;
   }
@@ -171,7 +172,7 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
       smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box,
                                   {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
     }
-    const ZeroStrip zero = zero_strip(f.depth, f.depth_error, f.box);
+    const ZeroStrip zero = zero_strip(f.depth, {f.line_error, f.depth_error}, f.box);
     const ConvexPolygon* const seen =
         sight.projected >= 0 ? &projected.faces[static_cast<std::size_t>(sight.projected)].seen : nullptr;
     AreaAndVolume cuts = errors_of_cuts(f, seen);
@@ -249,9 +250,9 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
       beyond.t_0 = 0.5 * (box.low_t + box.high_t);
       beyond.per_s = f.depth.per_s - g.depth.per_s;
       beyond.per_t = f.depth.per_t - g.depth.per_t;
-      const double error = f.depth_error + noise_of_crossing(f, g, error_);
+      const double noise = noise_of_crossing(f, g, error_), error = f.depth_error + noise;
       if (beyond.value + beyond.reach(box) < -(error + beside_error)) return;  // g certainly lies after f.
-      one_depth = strip_along_line(beyond, error + g.depth_error, f, g, box);
+      one_depth = strip_along_line(beyond, {f.line_error + g.line_error + noise, error + g.depth_error}, f, g, box);
       if (beyond.value - beyond.reach(box) <= error + beside_error) {
         const double beside = zero_strip_at_sides(g, inner, beyond, error + beside_error, box);
         one_depth.area += beside;
@@ -260,7 +261,7 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
     }
     // A face that hangs from the master's corners is at depth 0 only there, in both problems.
     if (!(g.hinge_depth > 0)) {
-      zero = strip_along_line(g.depth, g.depth_error, f, g, box);
+      zero = strip_along_line(g.depth, {g.line_error, g.depth_error}, f, g, box);
       if (std::abs(g.depth.middle(box)) - g.depth.reach(box) <= beside_error) {
         const double beside = zero_strip_at_sides(g, inner, g.depth, beside_error, box);
         zero.area += beside;

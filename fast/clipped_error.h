@@ -5,6 +5,7 @@
 #include "fast/footprint.h"
 #include "fast/prism_error.h"
 #include "fast/surface.h"
+#include "fast/transform.h"
 #include "fast/visible_parts.h"
 
 namespace pcm::fast {
@@ -33,7 +34,7 @@ class SightError {
   }
 
   /// Any face that the master's prism may meet, ascending, the slave's first. `shared`: corners that are the master's.
-  void see(Index face, bool own, const Triangle& vertices, const std::array<PrismPoint, 3>& corners,
+  void see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
            const std::array<bool, 3>& shared);
   /// No part is seen deeper in either problem; less than 0 where no face may carry anything, m.
   double greatest_depth() const { return greatest_depth_; }

@@ -233,7 +233,7 @@ bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoin
       error.distance(greatest_of(corners, kS), greatest_of(corners, kT), greatest_of(corners, kDepth));
   const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth], 0.0});
   return surely_outside(corners,
-                        sum_of(error.of_vertices(error.greatest_noise(distance), own), error.of_frame(deepest)));
+                        sum_of(error.of_any_vertices(error.greatest_noise(distance), own), error.of_frame(deepest)));
 }
 
 // The two steps of PrismError move each corner by no more than corner_shift but for an affine map of the plane, which
@@ -243,14 +243,14 @@ bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoin
 // 4 (s width_t + t width_s + 2 s t).
 bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
                     const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared,
-                    double twice_area_of_master, Footprint& f) {
+                    const Eigen::Vector3d& rounding_Me, double twice_area_of_master, Footprint& f) {
   const double greatest_s = greatest_of(corners, kS), greatest_t = greatest_of(corners, kT);
   const double farthest_depth = greatest_of(corners, kDepth);
   const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
   const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
   const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
   const PrismShift noise = error.noise(corners);
-  const PrismShift of_vertices = error.of_vertices(noise, own);
+  const PrismShift of_vertices = error.of_vertices(noise, rounding_Me);
   const PrismShift of_tilt = error.of_tilt(farthest_depth);
   f.vertex_shift = of_vertices;
   f.corner_shift = {of_vertices.s + of_tilt.s, of_vertices.t + of_tilt.t, 0};
@@ -293,6 +293,7 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
 
   f.face = face;
   f.own = own;
+  f.rounding_Me = rounding_Me;
   f.vertices = vertices;
   f.corners = corners;
   f.noise = noise;
@@ -313,7 +314,7 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
     f.facing = 0;
     f.sliver = 0.5 * std::abs(twice_area);
     f.depth = {0, 0, 0};
-    f.field_error = f.depth_error = kInfinity;
+    f.field_error = f.line_error = f.depth_error = kInfinity;
     f.cut_noise = f.relative_noise = f.crossing_noise = 0;
     return true;
   }
@@ -325,9 +326,11 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   f.relative_noise = 16 * u * width_s * width_t * inverse;
   f.cut_noise =
       kOffPlane * u * (farthest_depth + std::abs(f.depth.per_s) * greatest_s + std::abs(f.depth.per_t) * greatest_t);
-  f.field_error = kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, own) +
-                  f.cuts * f.cut_noise;
-  f.depth_error = f.field_error + 2 * f.cut_noise + f.relative_noise * farthest_depth;
+  f.field_error =
+      kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, rounding_Me) +
+      f.cuts * f.cut_noise;
+  f.line_error = f.field_error + 2 * f.cut_noise;
+  f.depth_error = f.line_error + f.relative_noise * farthest_depth;
   f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
   const auto length_of = [&error](const PrismPoint& edge) {
     return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
@@ -354,7 +357,7 @@ void find_side_shifts(const PrismError& error, Footprint& f) {
     f.side_cuts[k] = kOffPlane * u * f.cuts * (std::abs(side_t) * greatest_s + std::abs(side_s) * greatest_t);
     // Corners that are the master's are where they are in both problems.
     if (!(f.fixed[k] && f.fixed[next])) {
-      f.side_shift[k] += error.of_function({-side_t, side_s, 0}, f.greatest, f.noise, f.own);
+      f.side_shift[k] += error.of_function({-side_t, side_s, 0}, f.greatest, f.noise, f.rounding_Me);
     }
   }
 }
@@ -367,7 +370,8 @@ double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box
   if (separation.found != Separation::Kind::certain) separate(b, a, s, t, separation);
   if (separation.found == Separation::Kind::certain) return 0;
   if (separation.found == Separation::Kind::none) return box.area();
-  return std::min(box.area(), 2 * zero_strip(separation.side, 3 * separation.margin, box).area);
+  const double margin = 3 * separation.margin;
+  return std::min(box.area(), 2 * zero_strip(separation.side, {margin, margin}, box).area);
 }
 
 // That of all that shifts may bring over the master, and what its border may pass over then.
@@ -439,9 +443,8 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
   return strips;
 }
 
-// At each s, or t, the zeros of both functions are no farther apart than the error over the slope; points between them
-// no farther from the line where the given one is 0.
-LineStrip strip_along_line(const LinearDepth& function, double error, const Footprint& f, const Footprint& g,
+// Points between the zeros of both functions are no farther from the line where the given one is 0 than either.
+LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const Footprint& f, const Footprint& g,
                            const BoxST& box) {
   const double greatest = std::max(f.greatest, 0.0);
   const ZeroStrip strip = zero_strip(function, error, box);
@@ -449,25 +452,27 @@ LineStrip strip_along_line(const LinearDepth& function, double error, const Foot
   const bool across_s = std::abs(function.per_s) * box.width_s() >= std::abs(function.per_t) * box.width_t();
   const double at_corner = function.at(box.low_s, box.low_t);
   Stretch stretch;
-  double away, wide;
+  double away, wide, slope;
   if (across_s) {
     stretch = {box.low_s - at_corner / function.per_s, box.low_t, -function.per_t / function.per_s * box.width_t(),
                box.width_t()};
-    away = error / std::abs(function.per_s);
+    slope = std::abs(function.per_s) - 2 * error.off / box.width_s();
     wide = box.width_t();
   } else {
     stretch = {box.low_s, box.low_t - at_corner / function.per_t, box.width_s(),
                -function.per_s / function.per_t * box.width_s()};
-    away = error / std::abs(function.per_t);
+    slope = std::abs(function.per_t) - 2 * error.off / box.width_t();
     wide = box.width_s();
   }
+  if (!(slope > 0)) return {strip.area, strip.area * greatest, false};
+  away = error.off / slope;
   const double s = (across_s ? 2 * away : 0) + 2 * f.shift.s + 2 * g.shift.s;
   const double t = (across_s ? 0 : 2 * away) + 2 * f.shift.t + 2 * g.shift.t;
   stretch.keep_in(box, s, t);
   if (f.facing != 0) stretch.keep_in(f, s, t);
   if (g.facing != 0) stretch.keep_in(g, s, t);
   if (stretch.empty()) return {};
-  const double area = std::min(strip.area, away * wide * stretch.length() * kBoundMargin);
+  const double area = std::min(strip.area, error.apart / slope * wide * stretch.length() * kBoundMargin);
   return {area, area * stretch.greatest_depth(f, s, t), false};
 }
 
@@ -492,12 +497,17 @@ double strip_along_border(const BoxST& box, double s, double t) {
   return std::min(box.area(), 2 * (box.width_s() * t + box.width_t() * s) + 48 * s * t);
 }
 
-ZeroStrip zero_strip(const LinearDepth& function, double error, const BoxST& box) {
+// At each s, or t, the zeros of both functions are no farther apart than what they differ by over the slope of either;
+// over the width of the box that is off by twice what the function is.
+ZeroStrip zero_strip(const LinearDepth& function, const LineError& error, const BoxST& box) {
   const double middle = std::abs(function.middle(box)), reach = function.reach(box);
-  if (middle - reach > error) return {};
-  if (middle + reach <= error) return {box.area(), true};
-  const double across_s = std::min(box.width_s(), error / std::abs(function.per_s));
-  const double across_t = std::min(box.width_t(), error / std::abs(function.per_t));
+  if (middle - reach > error.off) return {};
+  if (middle + reach <= error.off) return {box.area(), true};
+  const auto across = [&error](double slope, double width) {
+    const double least_rise = std::abs(slope) * width - 2 * error.off;
+    return least_rise > error.apart ? width * (kBoundMargin * error.apart / least_rise) : width;
+  };
+  const double across_s = across(function.per_s, box.width_s()), across_t = across(function.per_t, box.width_t());
   return {std::min(across_s * box.width_t(), across_t * box.width_s()), false};
 }
 

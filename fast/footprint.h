@@ -54,8 +54,9 @@ struct LinearDepth {
 /// `depth_error` of `depth`.
 struct Footprint {
   Index face;
-  bool own;    ///< of the master
-  int facing;  ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
+  bool own;                     ///< of the master
+  Eigen::Vector3d rounding_Me;  ///< how far its vertices may be from the exact problem's, m
+  int facing;                   ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
   std::array<Index, 3> vertices;
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
   BoxST box;                         ///< holds all of it that is over the master face at a depth >= 0, in both problems
@@ -71,6 +72,7 @@ struct Footprint {
   PrismShift corner_shift;           ///< of its corners, in s and t, but for an affine map of the plane
   LinearDepth depth;                 ///< its plane, where facing is sure
   double field_error;                ///< of the depth at its points, m
+  double line_error;                 ///< of the depth where faces are cut along it, m
   double depth_error;                ///< of the plane as it is computed here, m
   double greatest;                   ///< it is seen nowhere deeper, m
   /// Of a face that stands on corners of the master: the height of its other corners beneath, m, and how far these may
@@ -110,10 +112,11 @@ struct SightScratch {
 /// Whether the face certainly lies beyond one of the master's sides or above it, in both problems: a first test.
 bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners);
 
-/// False where the face is certainly not seen, in neither problem. `shared`: which corners are the master face's own.
+/// False where the face is certainly not seen, in neither problem. `shared`: which corners are the master face's own;
+/// `rounding_Me`: how far its vertices may be from the exact problem's, m.
 bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
-                    const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double twice_area,
-                    Footprint& footprint);
+                    const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared,
+                    const Eigen::Vector3d& rounding_Me, double twice_area, Footprint& footprint);
 
 /// Fills side_shift and side_cuts, unless they are.
 void find_side_shifts(const PrismError& error, Footprint& footprint);
@@ -141,6 +144,12 @@ double greatest_area(const Footprint& face);
 /// the carrier there, and the integral of that.
 SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth, const BoxST& box);
 
+/// How far two linear functions, of which the areas between their zeros are asked, are from each other, and how far
+/// either is from the one they are given by, which is rounded itself.
+struct LineError {
+  double apart, off;
+};
+
 /// The same for the line where the planes of two faces have one depth, or where `g` is at depth 0: within the box and
 /// both faces.
 struct LineStrip {
@@ -148,7 +157,7 @@ struct LineStrip {
   double volume = 0;        ///< of the depth of f, m
   bool everywhere = false;  ///< nowhere in the box is the sign sure
 };
-LineStrip strip_along_line(const LinearDepth& function, double error, const Footprint& f, const Footprint& g,
+LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const Footprint& f, const Footprint& g,
                            const BoxST& box);
 
 /// What is certain, in both problems, of the order in which the lines meet two faces wherever they meet both.
@@ -160,13 +169,12 @@ CertainOrder certain_order(const Footprint& g, const Footprint& f);
 /// The area within the box that the border of a convex polygon, shifted by up to (s, t) either way, may pass over.
 double strip_along_border(const BoxST& box, double s, double t);
 
-/// The area within the box between the places where a linear function is 0 and where another one is that is nowhere
-/// farther than `error` from it.
+/// The area within the box between the places where two linear functions are 0, both near the given one.
 struct ZeroStrip {
   double area = 0;
   bool everywhere = false;  ///< nowhere in the box is its sign sure
 };
-ZeroStrip zero_strip(const LinearDepth& function, double error, const BoxST& box);
+ZeroStrip zero_strip(const LinearDepth& function, const LineError& error, const BoxST& box);
 /// The area where a function lies within `error` of 0 beside those sides of a face, as near as they may be shifted.
 double zero_strip_at_sides(const Footprint& face, const std::array<bool, 3>& sides, const LinearDepth& function,
                            double error, const BoxST& box);

@@ -49,8 +49,9 @@ class MasterBound {
   void end_clipped_face(const FaceGeometry& geometry, const SightError* sight);
 
   Side master() const { return master_; }
-  const Eigen::Vector3d& rounding_Me() const { return rounding_Me_; }  ///< of any vertex of F
-  const FaceError& face_error() const { return face_; }                ///< of the face begun
+  const Eigen::Vector3d& rounding_Me() const { return rounding_Me_; }          ///< of any vertex of F
+  const Eigen::Vector3d& own_rounding_Me() const { return own_rounding_Me_; }  ///< of the vertices of the face begun
+  const FaceError& face_error() const { return face_; }                        ///< of the face begun
   double slack() const;  ///< how far off the face's lines may be wherever any surface reaches, m
 
   ForceBound result() const;
@@ -65,10 +66,11 @@ class MasterBound {
   Workspace::Data& workspace_;
   const ForceProblem& problem_;
   Side master_;
-  Eigen::Vector3d rounding_Me_;  ///< of any vertex of F
-  FaceError face_;               ///< of the face begun
-  bool undecided_ = false;       ///< whether it is active
-  PassingError passing_;         ///< between its elements
+  Eigen::Vector3d rounding_Me_;                                ///< of any vertex of F
+  Eigen::Vector3d own_rounding_Me_ = Eigen::Vector3d::Zero();  ///< clipped scheme: of the face's vertices
+  FaceError face_;                                             ///< of the face begun
+  bool undecided_ = false;                                     ///< whether it is active
+  PassingError passing_;                                       ///< between its elements
   ForceBound sum_;
 };
 

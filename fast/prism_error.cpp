@@ -29,11 +29,12 @@ constexpr double kSecondOrder = 1.04;
 // n, so that its product is no more than h sum |g . g_k|; and |g . n| is computed as well, n being off by 4 u q + 9 u,
 // where |N| q is N with every term taken absolutely. Depth: N . (p_k - p_0) is computed; d' (1 - n . n') <= d' |n' -
 // n|^2, and |N| and its inverse have 8 roundings.
-PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& rounding_Me)
+PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side master,
+                       const Eigen::Vector3d& own_rounding_Me, const Eigen::Vector3d& rounding_Me)
     : g_s_Me_(prism.inward_Me(2)),
       g_t_Me_(prism.inward_Me(0)),
       n_Me_(prism.face().n_Me),
-      rounding_Me_(rounding_Me),
+      own_rounding_Me_(own_rounding_Me),
       ss_(g_s_Me_.squaredNorm()),
       st_(g_s_Me_.dot(g_t_Me_)),
       tt_(g_t_Me_.squaredNorm()),
@@ -51,9 +52,9 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   gradient_s_ = kSecondOrder * std::sqrt(ss_);
   gradient_t_ = kSecondOrder * std::sqrt(tt_);
   gradient_0_ = kSecondOrder * g_0_Me.norm();
-  moved_ = {kSecondOrder * g_s.dot(rounding_Me), kSecondOrder * g_t.dot(rounding_Me),
-            kSecondOrder * n.dot(rounding_Me)};
-  height_ = moved_.depth;
+  any_moved_ = displacement(rounding_Me);
+  const PrismShift moved = displacement(own_rounding_Me);
+  height_ = moved.depth;
   // A product N . (x - p0) has 4 roundings, its quotient by |N| three more. Where its sign is not sure, it is taken
   // exactly and may differ by the 4 u q of N; not where it is more than 9 u q.
   exact_depth_noise_ = 4 * q * u;
@@ -73,9 +74,9 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   frame_ = frame_noise_;
   tilt_ = tilt_noise_;
   if (own_moves_) {
-    frame_.s += moved_.s;
-    frame_.t += moved_.t;
-    frame_.depth += moved_.depth;
+    frame_.s += moved.s;
+    frame_.t += moved.t;
+    frame_.depth += moved.depth;
     tilt_.s += tilt_of({1, 0, 0});
     tilt_.t += tilt_of({0, 1, 0});
   }
@@ -116,18 +117,24 @@ PrismShift PrismError::greatest_noise(double distance) const {
           (kSecondOrder * (k + exact_depth_noise_) + 4 * u) * farther};
 }
 
-PrismShift PrismError::of_vertices(const PrismShift& noise, bool own) const {
+PrismShift PrismError::displacement(const Eigen::Vector3d& rounding_Me) const {
+  return {kSecondOrder * g_s_Me_.cwiseAbs().dot(rounding_Me), kSecondOrder * g_t_Me_.cwiseAbs().dot(rounding_Me),
+          kSecondOrder * n_Me_.cwiseAbs().dot(rounding_Me)};
+}
+
+PrismShift PrismError::of_vertices(const PrismShift& noise, const Eigen::Vector3d& rounding_Me) const {
+  const PrismShift moved = displacement(rounding_Me);
+  return {moved.s + noise.s, moved.t + noise.t, moved.depth + noise.depth};
+}
+
+PrismShift PrismError::of_any_vertices(const PrismShift& noise, bool own) const {
   // Of both surfaces one is F's.
   const double moves = own == own_moves_ ? 1 : 0;
-  return {moves * moved_.s + noise.s, moves * moved_.t + noise.t, moves * moved_.depth + noise.depth};
+  return {moves * any_moved_.s + noise.s, moves * any_moved_.t + noise.t, moves * any_moved_.depth + noise.depth};
 }
 
 PrismShift PrismError::of_frame(double depth) const {
   return {frame_.s + tilt_.s * depth, frame_.t + tilt_.t * depth, frame_.depth + tilt_.depth * depth};
-}
-
-double PrismError::displacement_of(const PrismFunction& f) const {
-  return kSecondOrder * (f.per_s * g_s_Me_ + f.per_t * g_t_Me_ - f.per_depth * n_Me_).cwiseAbs().dot(rounding_Me_);
 }
 
 // With G = per_s g_s + per_t g_t and g_0 = -(g_s + g_t): h (|G . g_0| + |G . g_s| + |G . g_t|).
@@ -138,9 +145,11 @@ double PrismError::tilt_of(const PrismFunction& f) const {
   return kSecondOrder * height_ * (std::abs(G_s) + std::abs(G_t) + std::abs(G_s + G_t) + 16 * u * (size_s + size_t));
 }
 
-double PrismError::of_function(const PrismFunction& f, double depth, const PrismShift& noise, bool own) const {
-  const double moves = (own_moves_ ? 1 : 0) + (own == own_moves_ ? 1 : 0);
-  double off = moves * displacement_of(f);
+double PrismError::of_function(const PrismFunction& f, double depth, const PrismShift& noise,
+                               const Eigen::Vector3d& rounding_Me) const {
+  // Vertices are moved in space, so the function changes by its gradient's product with that; likewise the frame.
+  const Eigen::Vector3d gradient_Me = f.per_s * g_s_Me_ + f.per_t * g_t_Me_ - f.per_depth * n_Me_;
+  double off = kSecondOrder * gradient_Me.cwiseAbs().dot(rounding_Me + own_rounding_Me_);
   if (own_moves_) off += depth * tilt_of(f);
   return off + std::abs(f.per_s) * (noise.s + frame_noise_.s + tilt_noise_.s * depth) +
          std::abs(f.per_t) * (noise.t + frame_noise_.t + tilt_noise_.t * depth) +

@@ -31,8 +31,10 @@ struct PrismFunction {
 /// problems.
 class PrismError {
  public:
-  /// `rounding_Me`: how far each coordinate of F's vertices may be off; the master may be E's or F's.
-  PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& rounding_Me);
+  /// `own_rounding_Me`: how far each coordinate of the master face's vertices may be off, 0 for E's; `rounding_Me`: of
+  /// any vertex of F.
+  PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& own_rounding_Me,
+             const Eigen::Vector3d& rounding_Me);
 
   /// |x - p0| is no greater where no |coordinate| of x is, m.
   double distance(double s, double t, double depth) const { return length_s_ * s + length_t_ * t + depth; }
@@ -40,15 +42,16 @@ class PrismError {
   PrismShift noise(const std::array<PrismPoint, 3>& corners) const;
   /// And of what it makes of any as near to p0 as that.
   PrismShift greatest_noise(double distance) const;
-  /// By how much a rounded vertex changes a function of its coordinates.
-  double displacement_of(const PrismFunction& f) const;
-  /// The first step, for vertices with these roundings, of the slave or of the master's own faces.
-  PrismShift of_vertices(const PrismShift& noise, bool own) const;
+  /// The first step, for vertices with these roundings, that are themselves off by up to `rounding_Me`.
+  PrismShift of_vertices(const PrismShift& noise, const Eigen::Vector3d& rounding_Me) const;
+  /// The same for any vertices of the slave, or of the master.
+  PrismShift of_any_vertices(const PrismShift& noise, bool own) const;
   /// The second, for points over the master face no deeper than `depth`.
   PrismShift of_frame(double depth) const;
   /// Both steps for a function of points over the master face no deeper than `depth`, on a face whose vertices are seen
-  /// with these roundings.
-  double of_function(const PrismFunction& f, double depth, const PrismShift& noise, bool own) const;
+  /// with these roundings and are off by up to `rounding_Me`.
+  double of_function(const PrismFunction& f, double depth, const PrismShift& noise,
+                     const Eigen::Vector3d& rounding_Me) const;
   /// The second step's part that turns depth into s and t, for points as far as `depth` from the master's plane,
   /// wherever they are: the rest maps lines in (s, t) to lines, and says nothing new of sides and windings.
   PrismShift of_tilt(double depth) const { return {tilt_.s * depth, tilt_.t * depth, 0}; }
@@ -57,13 +60,14 @@ class PrismError {
 
  private:
   double tilt_of(const PrismFunction& f) const;
+  PrismShift displacement(const Eigen::Vector3d& rounding_Me) const;
 
-  Eigen::Vector3d g_s_Me_, g_t_Me_, n_Me_, rounding_Me_;
+  Eigen::Vector3d g_s_Me_, g_t_Me_, n_Me_, own_rounding_Me_;
   double ss_, st_, tt_;                          ///< scalar products of the gradients, 1 / m^2
   double length_s_, length_t_;                   ///< of p1 - p0 and p2 - p0, m
   double edges_st_;                              ///< their scalar product, m^2
   double gradient_s_, gradient_t_, gradient_0_;  ///< length of the gradients of the weights, 1 / m
-  PrismShift moved_;                             ///< by a vertex of F that is off by its rounding
+  PrismShift any_moved_;                         ///< by any vertex of F that is off by its rounding
   bool own_moves_;                               ///< the master is F's
   double height_;                                ///< how far such a vertex may be off along n, m
   double exact_depth_noise_;                     ///< what is added to a depth's roundings where

@@ -9,6 +9,7 @@
 #include "fast/orientation.h"
 #include "fast/stamped_array.h"
 #include "fast/surface.h"
+#include "fast/vertex_rounding.h"
 
 namespace pcm::fast {
 
@@ -32,11 +33,16 @@ class PosedSurface {
     moved_ = false;
     first_rank_ = 0;
   }
-  void place_F(const Surface::Data& surface, const Pose& pose, std::size_t vertices_of_E) {
+  /// `with_roundings`: whether rounding_Me will be asked for.
+  void place_F(const Surface::Data& surface, const Pose& pose, std::size_t vertices_of_E, bool with_roundings) {
     surface_ = &surface;
     if (transformed_Me_.size() < surface.mesh.vertices.size()) transformed_Me_.resize(surface.mesh.vertices.size());
     vertices_Me_ = transformed_Me_.data();
     done_.start(surface.mesh.vertices.size());
+    if (with_roundings) {
+      if (rounding_Me_.size() < surface.mesh.vertices.size()) rounding_Me_.resize(surface.mesh.vertices.size());
+      has_rounding_.start(surface.mesh.vertices.size());
+    }
     pose_ = pose;
     moved_ = true;
     first_rank_ = static_cast<std::int64_t>(vertices_of_E);
@@ -58,6 +64,21 @@ class PosedSurface {
     }
     return vertices_Me_[i];
   }
+  /// How far the vertex may be from the exact problem's (PCM section 1), component by component, m; 0 for E's.
+  Eigen::Vector3d rounding_Me(Index v) {
+    if (!moved_) return Eigen::Vector3d::Zero();
+    const auto i = static_cast<std::size_t>(v);
+    if (!has_rounding_.contains(i)) {
+      has_rounding_[i] = true;
+      rounding_Me_[i] = sharp_vertex_rounding(pose_, surface_->mesh.vertices[i]);
+    }
+    return rounding_Me_[i];
+  }
+  /// The greatest of a face's vertices.
+  Eigen::Vector3d face_rounding_Me(Index f) {
+    const Triangle& triangle = surface_->face(f);
+    return rounding_Me(triangle[0]).cwiseMax(rounding_Me(triangle[1])).cwiseMax(rounding_Me(triangle[2]));
+  }
   RankedPoint point(Index v, WorkCounters& work) { return {vertex_Me(v, work).data(), first_rank_ + v}; }
 
   std::array<RankedPoint, 3> face_points(Index f, WorkCounters& work) {
@@ -74,6 +95,8 @@ class PosedSurface {
   const Eigen::Vector3d* vertices_Me_ = nullptr;
   std::vector<Eigen::Vector3d> transformed_Me_;
   StampedArray<bool> done_;
+  std::vector<Eigen::Vector3d> rounding_Me_;
+  StampedArray<bool> has_rounding_;
   Pose pose_;
   bool moved_ = false;
   std::int64_t first_rank_ = 0;

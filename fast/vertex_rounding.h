@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "fast/surface.h"
@@ -45,6 +46,30 @@ inline Eigen::Vector3d vertex_rounding(const Pose& pose, const Eigen::Vector3d& 
         kBoundMargin * kUnitRoundoff *
             (std::abs(first) + std::abs(second) + std::abs(two) + std::abs(third) + std::abs(three) + std::abs(all)) +
         0x1p-1072;
+  }
+  return bound;
+}
+
+/// The same for one vertex, sharp: what each operation rounds off is itself a floating-point number (Dekker 1971,
+/// Knuth), so that their sum is known but for its own roundings. Products that underflow err by 2^-1074 each.
+inline Eigen::Vector3d sharp_vertex_rounding(const Pose& pose, const Eigen::Vector3d& x_Mf) {
+  const auto rounded_off = [](double a, double b, double sum) {
+    const double b_part = sum - a;
+    return (a - (sum - b_part)) + (b - b_part);
+  };
+  Eigen::Vector3d bound;
+  for (int i = 0; i < 3; ++i) {
+    const double first = pose.A(i, 0) * x_Mf[0], second = pose.A(i, 1) * x_Mf[1], third = pose.A(i, 2) * x_Mf[2];
+    const double two = first + second, three = two + third, all = three + pose.r[i];
+    const std::array<double, 6> off{std::fma(pose.A(i, 0), x_Mf[0], -first), std::fma(pose.A(i, 1), x_Mf[1], -second),
+                                    std::fma(pose.A(i, 2), x_Mf[2], -third), rounded_off(first, second, two),
+                                    rounded_off(two, third, three),          rounded_off(three, pose.r[i], all)};
+    double sum = 0, size = 0;
+    for (const double part : off) {
+      sum += part;
+      size += std::abs(part);
+    }
+    bound[i] = kBoundMargin * (std::abs(sum) + 8 * kUnitRoundoff * size) + 0x1p-1072;
   }
   return bound;
 }

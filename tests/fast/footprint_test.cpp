@@ -139,7 +139,7 @@ TEST(Footprint, ZeroStripHoldsWhatAnErrorOfTheFunctionDecides) {
     moved.value += error;
     const double between =
         positive(lower, moved) + positive(upper, moved) - positive(lower, function) - positive(upper, function);
-    const ZeroStrip strip = zero_strip(function, error, box);
+    const ZeroStrip strip = zero_strip(function, {error, error}, box);
     ASSERT_LE(between, strip.area + 1e-12);
     if (strip.area > 1e-6) greatest = std::max(greatest, between / strip.area);
     const double least = std::abs(function.middle(box)) - function.reach(box);

@@ -106,10 +106,11 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
     const Eigen::Vector3d x = p[0] + s * (p[1] - p[0]) + t * (p[2] - p[0]) - regime.depth * geometry.n_Me;
     const PrismPoint seen = prism.see(x, work);
 
-    const Eigen::Vector3d rounding = Eigen::Vector3d::Constant(std::max(regime.stir_E, regime.stir_F));
-    const FaceError face(geometry, Eigen::Vector3d::Constant(regime.stir_E));
-    const PrismError error(prism, face, master, rounding);
-    const PrismShift vertices = error.of_vertices(error.noise({seen, seen, seen}), false);
+    const Eigen::Vector3d rounding_E = Eigen::Vector3d::Constant(regime.stir_E);
+    const Eigen::Vector3d rounding_F = Eigen::Vector3d::Constant(regime.stir_F);
+    const FaceError face(geometry, rounding_E);
+    const PrismError error(prism, face, master, rounding_E, rounding_E.cwiseMax(rounding_F));
+    const PrismShift vertices = error.of_vertices(error.noise({seen, seen, seen}), rounding_F);
     const PrismShift frame = error.of_frame(regime.depth);
     const std::array<RationalVector, 3> true_p{stirred(p[0], regime.stir_E, random),
                                                stirred(p[1], regime.stir_E, random),
@@ -122,7 +123,8 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
     const PrismFunction function{random.unit(), random.unit(), trial % 2 == 0 ? 0 : regime.width * random.unit()};
     const double function_off =
         std::abs(function.per_s * off.s_error + function.per_t * off.t_error + function.per_depth * off.depth_error);
-    const double function_bound = error.of_function(function, regime.depth, error.noise({seen, seen, seen}), false);
+    const double function_bound =
+        error.of_function(function, regime.depth, error.noise({seen, seen, seen}), rounding_F);
     EXPECT_LE(function_off, function_bound * (1 + 1e-12));
     function_ratio = std::max(function_ratio, function_off / function_bound);
     const double third_off = std::abs(mpq_class(mpq_class(seen[0]) + seen[kS] + seen[kT] - 1).get_d());
@@ -138,7 +140,7 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
     of_vertices.expect(
         {mpq_class(far_map.weights[0] - far_seen[kS]).get_d(), mpq_class(far_map.weights[1] - far_seen[kT]).get_d(),
          mpq_class(far_map.depth - far_seen[kDepth]).get_d()},
-        error.of_vertices(error.noise({far_seen, far_seen, far_seen}), false));
+        error.of_vertices(error.noise({far_seen, far_seen, far_seen}), rounding_F));
   }
   std::printf(
       "  %s: greatest error over its bound, weights and depth: both %.3f %.3f, vertices %.3f %.3f, frame %.3f %.3f\n",

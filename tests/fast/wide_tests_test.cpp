@@ -75,7 +75,7 @@ class WideTestsOn : public testing::TestWithParam<Situation> {
  protected:
   WideTestsOn() : E(GetParam().E), F(GetParam().F), placement(E.data(), F.data(), GetParam().pose) {
     posed[0].place_E(E.data());
-    posed[1].place_F(F.data(), GetParam().pose, GetParam().E.vertices.size());
+    posed[1].place_F(F.data(), GetParam().pose, GetParam().E.vertices.size(), false);
   }
 
   const Surface::Data& surface(std::size_t side) const { return side == 0 ? E.data() : F.data(); }
