@@ -287,7 +287,9 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   const PrismShift frame = error.of_frame(f.greatest);
   f.shift = sum_of(of_vertices, frame);
   f.cuts = 0;
-  for (int coordinate = 0; coordinate <= kDepth; ++coordinate) f.cuts += least_of(corners, coordinate) <= 0 ? 1 : 0;
+  for (int coordinate = 0; coordinate < kDepth; ++coordinate) f.cuts += least_of(corners, coordinate) <= 0 ? 1 : 0;
+  const int side_cuts = f.cuts;
+  f.cuts += least_of(corners, kDepth) <= 0 ? 1 : 0;
   f.cut_shift = {kOffCut * u * f.cuts * greatest_s, kOffCut * u * f.cuts * greatest_t, 0};
   f.third_side_shift = error.of_third_weight(f.greatest, noise);
 
@@ -326,10 +328,13 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
   f.relative_noise = 16 * u * width_s * width_t * inverse;
   f.cut_noise =
       kOffPlane * u * (farthest_depth + std::abs(f.depth.per_s) * greatest_s + std::abs(f.depth.per_t) * greatest_t);
+  // At depth 0 it is cut last: what is left then lies over the master.
+  const double slopes = std::abs(f.depth.per_s) + std::abs(f.depth.per_t);
+  const double last_cut = std::min(f.cut_noise, kOffPlane * u * (std::abs(f.depth.at(0, 0)) + 2 * slopes));
   f.field_error =
       kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, rounding_Me) +
-      f.cuts * f.cut_noise;
-  f.line_error = f.field_error + 2 * f.cut_noise;
+      side_cuts * f.cut_noise + (f.cuts - side_cuts) * last_cut;
+  f.line_error = f.field_error + 2 * last_cut;
   f.depth_error = f.line_error + f.relative_noise * farthest_depth;
   f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
   const auto length_of = [&error](const PrismPoint& edge) {

@@ -16,6 +16,19 @@ constexpr double u = kUnitRoundoff;
 /// Roundings of a scalar product with a difference of points: the difference, the products, two sums.
 constexpr double kProductRoundings = 4;
 
+/// A bound on |g . (p - q) - c|, sharp where the terms cancel: what the operations round off is taken along (Ogita,
+/// Rump and Oishi 2005), so that only what is rounded off in turn counts.
+double residual(const Eigen::Vector3d& g, const Eigen::Vector3d& p, const Eigen::Vector3d& q, double c) {
+  double sum = -c, off = 0, size = std::abs(c);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const double d = p[i] - q[i], product = g[i] * d, next = sum + product;
+    off += g[i] * rounded_off(p[i], -q[i], d) + std::fma(g[i], d, -product) + rounded_off(sum, product, next);
+    size += std::abs(product);
+    sum = next;
+  }
+  return std::abs(sum + off) * (1 + 2 * u) + 64 * u * u * size + 0x1p-1070;
+}
+
 /// Terms of second order in the shifts, which are less than 2^-6 wherever they are used.
 constexpr double kSecondOrder = 1.04;
 
@@ -24,7 +37,7 @@ constexpr double kSecondOrder = 1.04;
 // Frame. Let x' = sum lambda_k p'_k - d' n' be a point of the exact problem. With g the computed gradient of weight w,
 // j the corner it is measured from, where w = 0, and p_k the corners of the rounded problem,
 //     M_w(x') - lambda_w = sum lambda_k (g . (p_k - p_j) - delta_kw) + g . sum lambda_k (p'_k - p_k) - d' g . n'.
-// The first bracket is computed, with the roundings of a scalar product added. The second is a displacement of a vertex
+// The first bracket is computed. The second is a displacement of a vertex
 // of F. In the last, n' is off the rounded problem's normal n by - sum h_k g_k, h_k the displacement of corner k along
 // n, so that its product is no more than h sum |g . g_k|; and |g . n| is computed as well, n being off by 4 u q + 9 u,
 // where |N| q is N with every term taken absolutely. Depth: N . (p_k - p_0) is computed; d' (1 - n . n') <= d' |n' -
@@ -61,12 +74,14 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   exact_depth_ = 16 * q * u;
 
   constexpr double k = kProductRoundings * u;
-  const double s_a = std::abs(g_s_Me_.dot(a_Me) - 1) + k * g_s.dot(a),
-               s_b = std::abs(g_s_Me_.dot(b_Me)) + k * g_s.dot(b);
-  const double t_a = std::abs(g_t_Me_.dot(a_Me)) + k * g_t.dot(a),
-               t_b = std::abs(g_t_Me_.dot(b_Me) - 1) + k * g_t.dot(b);
-  const double n_a = std::abs(n_Me_.dot(a_Me)) + 2 * k * n.dot(a), n_b = std::abs(n_Me_.dot(b_Me)) + 2 * k * n.dot(b);
-  frame_noise_ = {kSecondOrder * (s_a + s_b), kSecondOrder * std::max(t_a, t_b), kSecondOrder * std::max(n_a, n_b)};
+  const auto& p = prism.face().points_Me;
+  const Eigen::Vector3d& N_Me = prism.face().N_Me;
+  // s is measured from p2, t from p0; heights over the face are divided by |N|.
+  const double s_0 = residual(g_s_Me_, p[0], p[2], 0), s_1 = residual(g_s_Me_, p[1], p[2], 1);
+  const double t_1 = residual(g_t_Me_, p[1], p[0], 0), t_2 = residual(g_t_Me_, p[2], p[0], 1);
+  const double n_1 = residual(N_Me, p[1], p[0], 0), n_2 = residual(N_Me, p[2], p[0], 0);
+  frame_noise_ = {kSecondOrder * std::max(s_0, s_1), kSecondOrder * std::max(t_1, t_2),
+                  kSecondOrder * std::max(n_1, n_2) / (2 * prism.face().area)};
   const double n_noise = (4 * q + 9) * u;
   tilt_noise_ = {kSecondOrder * (std::abs(g_s_Me_.dot(n_Me_)) + k * g_s.dot(n) + gradient_s_ * n_noise),
                  kSecondOrder * (std::abs(g_t_Me_.dot(n_Me_)) + k * g_t.dot(n) + gradient_t_ * n_noise),

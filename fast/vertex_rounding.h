@@ -50,13 +50,15 @@ inline Eigen::Vector3d vertex_rounding(const Pose& pose, const Eigen::Vector3d& 
   return bound;
 }
 
-/// The same for one vertex, sharp: what each operation rounds off is itself a floating-point number (Dekker 1971,
-/// Knuth), so that their sum is known but for its own roundings. Products that underflow err by 2^-1074 each.
+/// What a sum of two numbers rounds off, exactly (Knuth).
+inline double rounded_off(double a, double b, double sum) {
+  const double b_part = sum - a;
+  return (a - (sum - b_part)) + (b - b_part);
+}
+
+/// The same for one vertex, sharp: what each operation rounds off is itself a floating-point number (Dekker 1971),
+/// so that their sum is known but for its own roundings. Products that underflow err by 2^-1074 each.
 inline Eigen::Vector3d sharp_vertex_rounding(const Pose& pose, const Eigen::Vector3d& x_Mf) {
-  const auto rounded_off = [](double a, double b, double sum) {
-    const double b_part = sum - a;
-    return (a - (sum - b_part)) + (b - b_part);
-  };
   Eigen::Vector3d bound;
   for (int i = 0; i < 3; ++i) {
     const double first = pose.A(i, 0) * x_Mf[0], second = pose.A(i, 1) * x_Mf[1], third = pose.A(i, 2) * x_Mf[2];
