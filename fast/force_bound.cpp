@@ -111,7 +111,7 @@ void MasterBound::add_possible_element(double area, double depth, const FaceGeom
   const GreatestForce greatest = greatest_force(problem_, area, depth, geometry.barycentre_Me(), foot_error);
   sum_.flipped = true;
   note_depth(0, kBoundMargin * depth);
-  sum_.force_Me += Eigen::Vector3d::Constant(greatest.force);
+  sum_.force_Me += Eigen::Vector3d::Constant(greatest.force());
   sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
 }
 
@@ -164,7 +164,8 @@ void MasterBound::end_clipped_face(const FaceGeometry& geometry, const SightErro
   const Eigen::Vector3d foot_error = face_.barycentre_Me + anywhere + Eigen::Vector3d::Constant(beside.depth);
   const GreatestForce greatest = greatest_force(problem_, twice_area * beside.area, beside.volume / beside.area,
                                                 geometry.barycentre_Me(), foot_error);
-  sum_.force_Me += Eigen::Vector3d::Constant(greatest.force);
+  sum_.force_Me += greatest.normal * geometry.n_Me.cwiseAbs() +
+                   Eigen::Vector3d::Constant(greatest.normal * face_.normal + greatest.friction);
   sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
 }
 

@@ -173,8 +173,8 @@ GreatestForce greatest_force(const ForceProblem& problem, double area, double de
     const double fade = u_k < law.transition_depth ? u_k / law.transition_depth : 1;
     F_n += law.damping * area * speed * fade;
   }
-  const double force = kBoundMargin * (F_n + law.friction * F_n) + 0x1p-1060;
-  return {force, kBoundMargin * lever * force + 0x1p-1060};
+  const double normal = kBoundMargin * F_n + 0x1p-1060, friction = kBoundMargin * law.friction * F_n + 0x1p-1060;
+  return {normal, friction, kBoundMargin * lever * (normal + friction) + 0x1p-1060};
 }
 
 }  // namespace pcm::fast

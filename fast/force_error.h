@@ -21,8 +21,11 @@ ElementForceError force_error(const ForceProblem& problem, const Element& elemen
 /// The greatest |force| and |torque| (both components and lengths) of an element of this area, at most this deep, whose
 /// foot lies within `foot_error` of `foot_Me`, whatever its normal: what an element that may or may not exist can add.
 struct GreatestForce {
-  double force = 0;   ///< N
-  double torque = 0;  ///< N m
+  double normal = 0;    ///< along the normal, N
+  double friction = 0;  ///< across, N
+  double torque = 0;    ///< N m
+
+  double force() const { return normal + friction; }
 };
 GreatestForce greatest_force(const ForceProblem& problem, double area, double depth, const Eigen::Vector3d& foot_Me,
                              const Eigen::Vector3d& foot_error);

@@ -151,7 +151,7 @@ TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
     }
     const GreatestForce most =
         greatest_force(problem, element.area + error.area, depth + error.penetration, foot, error.foot_Me);
-    ASSERT_LE(static_cast<double>(truth.force.norm()), most.force);
+    ASSERT_LE(static_cast<double>(truth.force.norm()), most.force());
     ASSERT_LE(static_cast<double>(truth.torque.norm()), most.torque);
   }
   std::printf("  %s: greatest error over its bound %.3f\n", example.name, greatest);
