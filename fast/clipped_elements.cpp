@@ -78,10 +78,12 @@ bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& 
   for (int weight = 0; weight < 3; ++weight) {
     const std::size_t side = static_cast<std::size_t>(weight + 1) % 3;
     const double a = corners[0][weight], b = corners[1][weight], c = corners[2][weight];
+    const double least = std::min({a, b, c}), greatest = std::max({a, b, c});
+    if (least <= 1.0 / 3 && greatest >= 1.0 / 3) continue;
     const double room = 0x1p-20 * (1 + std::abs(a) + std::abs(b) + std::abs(c)) +
                         std::max({prism.weight_error(side, corners[0]), prism.weight_error(side, corners[1]),
                                   prism.weight_error(side, corners[2])});
-    if (std::min({a, b, c}) > 1.0 / 3 + room || std::max({a, b, c}) < 1.0 / 3 - room) return false;
+    if (least > 1.0 / 3 + room || greatest < 1.0 / 3 - room) return false;
   }
   return true;
 }
@@ -110,7 +112,7 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
     const bool is_seen = project_face(vertices, corners, projected);
     const bool is_certain = is_seen && certain(projected.seen, view.uncertainty);
     // A line may leave the slave through a sliver whose side it sees is not certain.
-    if (near_barycentre(prism, corners) && !(is_certain && !projected.leaves)) {
+    if (!(is_certain && !projected.leaves) && near_barycentre(prism, corners)) {
       view.slave_at_barycentre = true;
       view.deepest = std::max(view.deepest, deepest);
     }

@@ -89,6 +89,7 @@ MasterPrism::MasterPrism(const FaceGeometry& face)
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d side = face.points_Me[(k + 1) % 3] - face.points_Me[k];
     inward_Me_[k] = inverse_twice_area_ * face.n_Me.cross(side);
+    inward_length_[k] = length(inward_Me_[k]);
   }
   N_magnitude_ = magnitude_of_normal(face.points_Me);
 }
@@ -104,7 +105,7 @@ PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) con
 TreePrism::TreePrism(const MasterPrism& prism, double slack)
     : down_(-prism.face().n_Me), top_(down_.dot(prism.p0_Me())), slack_(slack) {
   for (std::size_t k = 0; k < 3; ++k) {
-    inward_[k] = prism.inward_Me(k) / length(prism.inward_Me(k));
+    inward_[k] = prism.inward_Me(k) / prism.inward_length(k);
     offset_[k] = inward_[k].dot(prism.face().points_Me[k]);
   }
 }

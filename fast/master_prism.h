@@ -34,7 +34,7 @@ class MasterPrism {
   /// alike and makes no sliver: `tilt` bounds it.
   Uncertainty uncertainty(double reach) const {
     const double distance = 64 * 0x1p-53 * reach;
-    return {distance * length(inward_Me_[2]), distance * length(inward_Me_[0])};
+    return {distance * inward_length_[2], distance * inward_length_[0]};
   }
 
   /// The angle between the lines of the face, without any rounding, and those computed, at most; less than 2^-32.
@@ -46,7 +46,7 @@ class MasterPrism {
   double weight_error(std::size_t side, const PrismPoint& point) const {
     const double distance = longest_ * (1 + std::abs(point[0]) + std::abs(point[1]) + std::abs(point[2]));
     const double depth = std::abs(point[kDepth]);
-    return length(inward_Me_[side]) * (2 * tilt_ * depth + 16 * 0x1p-53 * (distance + depth));
+    return inward_length_[side] * (2 * tilt_ * depth + 16 * 0x1p-53 * (distance + depth));
   }
 
   /// The face's own corner k, exactly.
@@ -62,12 +62,14 @@ class MasterPrism {
   const Eigen::Vector3d& edge_t_Me() const { return edge_t_Me_; }  ///< p2 - p0
   /// Gradient of the weight of p2, p0 and p1, that is inward from side 0, 1 and 2; side k joins corners k and k + 1.
   const Eigen::Vector3d& inward_Me(std::size_t side) const { return inward_Me_[side]; }
+  double inward_length(std::size_t side) const { return inward_length_[side]; }
 
  private:
   FaceGeometry face_;
   Eigen::Vector3d edge_s_Me_;
   Eigen::Vector3d edge_t_Me_;
   std::array<Eigen::Vector3d, 3> inward_Me_;  ///< 1 / m
+  std::array<double, 3> inward_length_;       ///< of these, 1 / m
   Eigen::Vector3d N_magnitude_;               ///< N with every term taken absolutely, m^2
   double inverse_twice_area_;                 ///< 1 / m^2
   double longest_;  ///< twice the greatest |coordinate difference| of a side from p0, at least a side, m

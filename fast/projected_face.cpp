@@ -43,6 +43,8 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
   seen.count = seen.cuts = 0;
   for (const PrismPoint& corner : face.corners) seen.add(corner);
   for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
+    // A polygon of no corner beyond a side stays beyond none.
+    if (std::min({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]}) >= 0) continue;
     keep_where_not_negative(seen, coordinate);
     if (seen.empty()) return false;
   }

@@ -142,7 +142,9 @@ bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index
     if (!(winding > turn)) return false;
     angle += std::atan2(winding, a[kS] * b[kS] + a[kT] * b[kT]);
   }
-  return angle < 7;  // 2 pi, and not 4 pi.
+  // A closed fan goes round once, 2 pi, or at least twice; an open one may go round once and a little more.
+  const bool closed = surface.vertex_edges[corner].size() == surface.vertex_faces[corner].size();
+  return angle < (closed ? 7 : 5);
 }
 
 /// Whether all other faces at a corner of the master face lie beside it: on the far side of one of its sides each, but

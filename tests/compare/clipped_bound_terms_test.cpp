@@ -13,6 +13,7 @@
 
 #include "compare/random.h"
 #include "fast/engine.h"
+#include "meshes/generate_boxes.h"
 #include "reference/oracle.h"
 
 namespace pcm::compare {
@@ -161,6 +162,53 @@ INSTANTIATE_TEST_SUITE_P(Terms, ClippedBoundTerm,
                                          Case{"OrderOfTwoSheets", Scene::order, false, Mode::E},
                                          Case{"TurnedMaster", Scene::whole, false, Mode::F}),
                          [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
+
+/// An open surface that winds about a vertex once and `beyond` further, down a spiral staircase of one step a face, so
+/// that its last step lies beneath its first. All of it looks up.
+TriangleMesh spiral(double beyond) {
+  constexpr int kSteps = 11;
+  constexpr double kDrop = 0.05;  // m a radian
+  constexpr double kWholeTurn = 6.283185307179586;
+  TriangleMesh mesh;
+  mesh.vertices.emplace_back(0, 0, 0);
+  for (int i = 0; i <= kSteps; ++i) {
+    const double angle = i * (kWholeTurn + beyond) / kSteps;
+    mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), -kDrop * angle);
+  }
+  for (Index i = 1; i <= kSteps; ++i) mesh.faces.push_back({0, i, i + 1});
+  return mesh;
+}
+
+TEST(ClippedBound, CountsWhatAnOpenSurfaceHidesWhereItWindsAboutAVertexMoreThanOnce) {
+  // The first step sees the last one in part from a little less than a whole turn on, since its lines are not upright.
+  const TriangleMesh box = generate::box({6, 6, 6});
+  ContactLaw law;
+  law.stiffness = 1;
+  Pose pose;
+  pose.A = Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  pose.r = {0.1, 0.2, 0.3};
+  for (const double beyond : {-0.3, -0.01, 0.01, 0.1, 0.2, 0.3, 0.5}) {
+    SCOPED_TRACE(beyond);
+    for (const Mode mode : {Mode::E, Mode::F}) {
+      const TriangleMesh E = mode == Mode::E ? spiral(beyond) : box, F = mode == Mode::E ? box : spiral(beyond);
+      fast::Workspace workspace;
+      Wanted wanted{false, false, true, true, true};
+      const fast::Pairing pairing(fast::Surface(E), fast::Surface(F), law, mode, Scheme::clipped);
+      const fast::Contact& contact = evaluate(pairing, pose, Velocity{}, wanted, workspace);
+      ASSERT_GE(contact.element_count, 10);
+      wanted.bound = false;
+      const reference::Answer truth =
+          reference::Oracle(E, F, law, mode, Scheme::clipped).answer(reference::Problem::exact, pose, {}, wanted);
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_LE(std::abs(contact.force_Me[k] - truth.force_Me[k]),
+                  contact.bound->force_Me[k] + 0x1p-53 * std::abs(truth.force_Me[k]));
+        EXPECT_LE(std::abs(contact.torque_Me[k] - truth.torque_Me[k]),
+                  contact.bound->torque_Me[k] + 0x1p-53 * std::abs(truth.torque_Me[k]));
+      }
+      EXPECT_LT(contact.bound->force_Me.norm(), 1e-12);
+    }
+  }
+}
 
 }  // namespace
 }  // namespace pcm::compare
