@@ -13,6 +13,7 @@
 #include "reference/contact_elements.h"
 #include "reference/contact_force.h"
 #include "reference/exact_pose.h"
+#include "reference/proximity.h"
 #include "reference/report.h"
 #include "reference/surface.h"
 #include "reference/validate.h"
@@ -46,14 +47,16 @@ struct Oracle::Data {
   ContactLaw law;
   Mode mode;
   Scheme scheme;
+  CandidateRegion region;
 };
 
-Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mode, Scheme scheme) {
+Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mode, Scheme scheme,
+               CandidateRegion region) {
   require_fit(law);
   require_fit(mesh_E);
   require_fit(mesh_F);
   data_ = std::make_unique<const Data>(
-      Data{make_surface(std::move(mesh_E)), make_surface(std::move(mesh_F)), law, mode, scheme});
+      Data{make_surface(std::move(mesh_E)), make_surface(std::move(mesh_F)), law, mode, scheme, region});
 }
 
 Oracle::~Oracle() = default;
@@ -106,7 +109,9 @@ Solution& Inquiry::Data::solve(Problem problem) {
   if (solution) return *solution;
   const Solution* known = solutions[index_of(other(problem))].get();
   ExactPose exact_pose(problem, oracle.E, oracle.F, pose);
-  Combinatorics found = known ? find_combinatorics(exact_pose, known->found.near) : find_combinatorics(exact_pose);
+  const std::shared_ptr<Proximity> near =
+      known ? known->found.near : std::make_shared<Proximity>(exact_pose, oracle.region);
+  Combinatorics found = find_combinatorics(exact_pose, near);
   solution = std::make_unique<Solution>(Solution{std::move(exact_pose), std::move(found), {}, {}, {}});
 
   const Combinatorics& facts = solution->found;
@@ -173,6 +178,10 @@ Answer Inquiry::facts(Problem problem, Mode mode) {
     if (data_->oracle.scheme == Scheme::barycentric) answer.certified = answer.certified && pairs.certified;
   }
   return answer;
+}
+
+std::size_t Inquiry::candidate_pairs(Problem problem) {
+  return data_->solve(problem).found.near->candidates().size();
 }
 
 Answer Inquiry::answer(Problem problem, Mode mode) {

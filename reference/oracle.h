@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "fast/inputs.h"
 #include "meshes/triangle_mesh.h"
 #include "reference/answer.h"
+#include "reference/candidate_region.h"
 
 /// The oracle: the same computation as the engine, over exact numbers, in code and method of its own.
 namespace pcm::reference {
@@ -14,9 +16,10 @@ namespace pcm::reference {
 /// A pairing as the oracle sees it. Immutable; `answer` may be called from any number of threads at once.
 class Oracle {
  public:
-  /// Throws BadInput where a mesh is unfit for contact or a parameter of the law is out of its range.
+  /// Throws BadInput where a mesh is unfit for contact or a parameter of the law is out of its range. `region` changes
+  /// no answer, only what it costs.
   Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law = {}, Mode mode = Mode::E,
-         Scheme scheme = Scheme::barycentric);
+         Scheme scheme = Scheme::barycentric, CandidateRegion region = CandidateRegion::near);
   ~Oracle();
 
   /// Throws BadInput where the pose is no rotation or anything is not finite.
@@ -46,6 +49,8 @@ class Inquiry {
   Answer answer(Problem problem, Mode mode);
   /// The same but for the elements and all that is summed over them; of these only how many lines are too deep.
   Answer facts(Problem problem, Mode mode);
+  /// How many pairs of faces got an exact look for crossings.
+  std::size_t candidate_pairs(Problem problem);
 
  private:
   struct Data;

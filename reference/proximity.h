@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/box_tree.h"
+#include "reference/candidate_region.h"
 #include "reference/candidates.h"
 
 namespace pcm::reference {
@@ -13,7 +14,7 @@ namespace pcm::reference {
 /// What is near what in a pose, by boxes that hold all features as both problems have them: one for both.
 class Proximity {
  public:
-  explicit Proximity(const ExactPose& pose);
+  explicit Proximity(const ExactPose& pose, CandidateRegion region = CandidateRegion::near);
 
   /// Face pairs (e, f) whose boxes meet, ascending.
   const std::vector<IndexPair>& candidates() const { return candidates_; }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "compare/contact_json.h"
 #include "compare/pairs.h"
 #include "compare/strata.h"
 #include "fast/engine.h"
@@ -16,6 +17,7 @@
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_round.h"
+#include "reference/oracle.h"
 #include "tests/fast/same_answer.h"
 
 namespace pcm::compare {
@@ -118,6 +120,48 @@ TEST_P(SavingsOverStrata, EachSwitchedOffChangesNoBitOfAnyAnswer) {
   if (GetParam() != Stratum::separated && GetParam() != Stratum::nested) {
     EXPECT_GT(touching, 50);
   }
+}
+
+TEST_P(SavingsOverStrata, OracleLiftsFacesNearAndEverywhereWithTheSameBits) {
+  struct Bodies {
+    TriangleMesh E, F;
+  };
+  const std::array<Bodies, 3> pairs{{{generate::pyramid(2, 1), generate::icosphere(0.5, 1)},
+                                     {generate::box({1, 1, 1}), generate::gridded_box(1, 2)},
+                                     {generate::rectangle(1, 1, 2, 2), generate::torus(0.5, 0.25, 6, 4)}}};
+  std::size_t near_pairs = 0, all_pairs = 0;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    Bodies bodies = pairs[p];
+    std::optional<NestedMeshes> nested;
+    if (GetParam() == Stratum::nested) {
+      nested = nested_meshes(bodies.E, bodies.F);
+      if (!nested) continue;
+      bodies = {nested->E, nested->F};
+    }
+    FeaturePair features(bodies.E, bodies.F);
+    if (nested) {
+      features.ball = nested->ball;
+      features.host = nested->host;
+    }
+    for (std::size_t pose = 0; pose < 4; ++pose) {
+      const DrawnPose drawn =
+          draw_pose(GetParam(), features, PoseRandom(33, static_cast<std::uint64_t>(GetParam()), p, pose));
+      const ContactLaw law = verification_law(pose, bodies.E, bodies.F);
+      const Scheme scheme = pose % 2 == 0 ? Scheme::barycentric : Scheme::clipped;
+      using reference::CandidateRegion;
+      const reference::Oracle near(bodies.E, bodies.F, law, Mode::both, scheme);
+      const reference::Oracle everywhere(bodies.E, bodies.F, law, Mode::both, scheme, CandidateRegion::everywhere);
+      reference::Inquiry one(near, drawn.pose, drawn.velocity), other(everywhere, drawn.pose, drawn.velocity);
+      for (const reference::Problem problem : {reference::Problem::rounded, reference::Problem::exact}) {
+        EXPECT_EQ(contact_json(one.answer(problem)).dump(), contact_json(other.answer(problem)).dump())
+            << name(GetParam()) << ", pair " << p << ", pose " << pose;
+        near_pairs += one.candidate_pairs(problem);
+        all_pairs += other.candidate_pairs(problem);
+      }
+      EXPECT_EQ(other.candidate_pairs(reference::Problem::exact), bodies.E.faces.size() * bodies.F.faces.size());
+    }
+  }
+  EXPECT_LT(2 * near_pairs, all_pairs);
 }
 
 INSTANTIATE_TEST_SUITE_P(Strata, SavingsOverStrata, testing::ValuesIn(kStrata),
