@@ -13,6 +13,7 @@
 #include "compare/random.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_round.h"
+#include "reference/oracle.h"
 
 namespace pcm::compare {
 namespace {
@@ -169,6 +170,40 @@ SavingResult measure(const Question& question, std::int64_t poses) {
   return result;
 }
 
+/// The oracle looks exactly at pairs of faces whose boxes meet, or at all.
+SavingResult measure_candidate_region(std::int64_t poses) {
+  using reference::CandidateRegion;
+  const TriangleMesh sphere = generate::icosphere(1, 2);
+  const auto oracle = [&](CandidateRegion region) {
+    return reference::Oracle(sphere, sphere, bench_law(), Mode::E, Scheme::barycentric, region);
+  };
+  const reference::Oracle near = oracle(CandidateRegion::near), everywhere = oracle(CandidateRegion::everywhere);
+  SavingResult result{"oracle's candidate region",
+                      "force on two spheres of 320 faces, 10 % deep, exactly",
+                      0,
+                      0,
+                      "face pairs looked at",
+                      0,
+                      0};
+  std::vector<double> on, off;
+  for (std::int64_t p = 0; p < poses; ++p) {
+    PoseRandom random(kSeed, 2, 0, static_cast<std::uint64_t>(p));
+    Pose pose;
+    pose.A = random.rotation();
+    pose.r = 1.8 * random.direction();
+    const auto ask = [&](const reference::Oracle& asked, std::vector<double>& times, std::int64_t& work) {
+      reference::Inquiry inquiry(asked, pose, bench_velocity());
+      times.push_back(time_us([&] { inquiry.answer(reference::Problem::exact); }));
+      work += static_cast<std::int64_t>(inquiry.candidate_pairs(reference::Problem::exact));
+    };
+    ask(near, on, result.work_on);
+    ask(everywhere, off, result.work_off);
+  }
+  result.on_us = quantile(on, 0.5);
+  result.off_us = quantile(off, 0.5);
+  return result;
+}
+
 /// Many bubbles and one of them paired with all others, none touching.
 struct Apart {
   static constexpr Index kBodies = 1000;
@@ -229,6 +264,8 @@ SkipResult run_skip(int bubbles, std::int64_t steps, std::int64_t poses,
     progress(question.saving);
     result.savings.push_back(measure(question, poses));
   }
+  progress("the oracle");
+  result.savings.push_back(measure_candidate_region(poses));
   return result;
 }
 
