@@ -3,8 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
 
 #include "fast/geometry.h"
@@ -27,32 +25,15 @@ struct DepthBelow {
         height(std::numeric_limits<double>::infinity()),
         slope(master.n_Me.dot(N_f)) {
     const auto& p = master.points_Me;
-    std::array<Eigen::Vector3d, 3> three_times;
-    std::array<double, 3> squares;
-    for (std::size_t k = 0; k < 3; ++k) {
-      three_times[k] = (f[k] - p[0]) + (f[k] - p[1]) + (f[k] - p[2]);
-      squares[k] = three_times[k].dot(three_times[k]);
-    }
-    const auto take = [&](std::size_t k, const Eigen::Vector3d& offset) {
-      corner = f[k];
-      from_C = offset;
-      height = offset.dot(N_f);
-    };
-    // Mostly one corner is the nearest by far, whatever the division by three rounds.
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double others = std::min(squares[(k + 1) % 3], squares[(k + 2) % 3]);
-      if (squares[k] < (1 - 0x1p-40) * others && squares[k] > 0x1p-900) {
-        take(k, three_times[k] / 3);
-        return;
-      }
-    }
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector3d offset = three_times[k] / 3;
+    for (const Eigen::Vector3d& candidate : f) {
+      const Eigen::Vector3d offset = ((candidate - p[0]) + (candidate - p[1]) + (candidate - p[2])) / 3;
       const double square = offset.dot(offset);
       if (square >= nearest) continue;
       nearest = square;
-      take(k, offset);
+      corner = candidate;
+      from_C = offset;
+      height = offset.dot(N_f);
     }
   }
 

@@ -24,9 +24,10 @@ class AcrossLine {
     double x, y, width;
   };
 
-  AcrossLine(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double reach)
+  /// `a` and `b`: |a| and |b|, each within a few roundings.
+  AcrossLine(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double a, double b,
+             double reach)
       : C_(barycentre), a_(p[1] - p[0]), b_(p[2] - p[0]) {
-    const double a = a_.lpNorm<1>(), b = b_.lpNorm<1>();
     room_ = 128 * 0x1p-53 * reach * a * b;
     usable_ = reach * a > 0x1p-500 && reach * b > 0x1p-500;
   }

@@ -18,6 +18,7 @@
 #include "fast/separation.h"
 #include "fast/stamped_array.h"
 #include "fast/transform.h"
+#include "fast/wide_elements.h"
 
 namespace pcm::fast {
 
@@ -115,6 +116,8 @@ struct Workspace::Data {
   std::array<SideState, 2> sides;
   Placement placement;
   const WideTests& wide_tests = fastest_wide_tests();
+  const WideElements& wide_elements = fastest_wide_elements();
+  ElementLanes element_lanes;
   NodePairs node_pairs;
   std::vector<Index> nodes;          ///< stack of the traversals of one tree
   LineNodes line_nodes;              ///< of the searches along lines
