@@ -7,6 +7,7 @@
 
 #include "fast/clipped_elements.h"
 #include "fast/contact_force.h"
+#include "fast/face_lanes.h"
 #include "fast/force_bound.h"
 #include "fast/geometry.h"
 #include "fast/penetration.h"
@@ -94,15 +95,7 @@ class ElementBatch {
   void form_elements() {
     ElementLanes& lanes = workspace_.element_lanes;
     Contact& contact = workspace_.contact;
-    SideState& side = workspace_.side(master_);
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-      const FacePoints p = side.posed.face_Me(faces_[lane], contact.work);
-      for (std::size_t k = 0; k < 3; ++k) lanes.p_Me[k].set(lane, p[k]);
-    }
-    const LaneBits known = workspace_.wide_elements.geometry(lanes);
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-      if (!has_lane(known, lane)) set_geometry(lanes, lane);
-    }
+    find_geometry(workspace_, master_, faces_, count_);
     std::array<Penetration, kElementLanes> found;
     find_penetrations(workspace_, master_, faces_, count_, lanes, last_, found);
     bool any = false;
@@ -118,13 +111,6 @@ class ElementBatch {
       add_lane(lane, found[lane], has_lane(forced, lane));
     }
     count_ = 0;
-  }
-
-  /// Where squares of numbers would overflow or underflow.
-  static void set_geometry(ElementLanes& lanes, std::size_t lane) {
-    const FaceGeometry geometry({lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]});
-    lanes.area.value[lane] = geometry.area;
-    lanes.n_Me.set(lane, geometry.n_Me);
   }
 
   void add_lane(std::size_t lane, const Penetration& penetration, bool forced) {
@@ -155,7 +141,7 @@ class ElementBatch {
   Side master_;
   const ForceProblem& problem_;
   ForceLimits limits_;
-  std::array<Index, kElementLanes> faces_{};
+  FaceBatch faces_{};
   std::size_t count_ = 0;
   Index last_ = -1;  ///< face of the slave near the last penetration line
   MasterForce total_;

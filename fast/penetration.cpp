@@ -9,6 +9,7 @@
 
 #include "fast/clearance.h"
 #include "fast/depth.h"
+#include "fast/face_lanes.h"
 #include "fast/line_search.h"
 #include "fast/line_walk.h"
 #include "fast/penetration_predicates.h"
@@ -280,9 +281,8 @@ bool thicker_than(const Workspace::Data& workspace, Side master, Index face, con
          thickness_holds(surface, workspace.placement.slack(master), geometry);
 }
 
-void find_penetrations(Workspace::Data& workspace, Side master, const std::array<Index, kElementLanes>& faces,
-                       std::size_t count, ElementLanes& lanes, Index& last,
-                       std::array<Penetration, kElementLanes>& penetrations) {
+void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch& faces, std::size_t count,
+                       ElementLanes& lanes, Index& last, std::array<Penetration, kElementLanes>& penetrations) {
   const Side slave = opposite(master);
   const Surface::Data& surface = workspace.side(slave).surface();
   const bool walks = workspace.placement.slack(slave) < kClearanceTolerance * surface.reach.maxCoeff();
@@ -308,7 +308,7 @@ void find_penetrations(Workspace::Data& workspace, Side master, const std::array
       penetration = {Penetration::Outcome::element, met[lane], lanes.depth.value[lane], -1};
       continue;
     }
-    const FaceGeometry geometry({lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]});
+    const FaceGeometry geometry = geometry_of(lanes, lane);
     if (element) {
       const FacePoints f{lanes.f_Me[0][lane], lanes.f_Me[1][lane], lanes.f_Me[2][lane]};
       penetration = {Penetration::Outcome::element, met[lane], DepthBelow(geometry, f).value(), -1};

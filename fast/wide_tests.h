@@ -100,6 +100,14 @@ class SureSigns {
   std::uint32_t bits_ = 0;
 };
 
+/// The faces of a bottom node of F where a pose has placed them, in E's coordinates.
+struct PlacedFaces {
+  std::array<std::array<Lanes, 3>, 3> vertex;
+  std::array<Lanes, 3> normal;
+  std::array<Lanes, 3> low, high;  ///< ends of their boxes along E's axes, with the slack there
+  Lanes edge;                      ///< no less than the 1-norm of any edge
+};
+
 /// Pairs of faces of two bottom nodes.
 struct FacePairs {
   LanePairs possible = 0;  ///< all others have boxes that are apart, or one surely is on one side of the other's plane
@@ -125,8 +133,10 @@ struct WideTests {
   std::uint32_t (*children_of_F)(const WideNode& E, const WideNode& F, const WidePose& pose);
   /// Faces of two bottom nodes: their boxes along E's axes, on which side of the other's plane their corners lie, and
   /// which edges pass through the other face.
-  FacePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
+  FacePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const PlacedFaces& faces_F,
                      const WidePose& pose);
+  /// What the one before needs of F's faces.
+  void (*place_faces)(const FaceGroup& faces_F, const WidePose& pose, PlacedFaces& placed);
   /// Children whose boxes the ray may meet, and how far along it at least.
   std::uint32_t (*boxes_met)(const WideNode& node, const WideRay& ray, Lanes& entry);
   /// Children whose boxes may have a point in the prism.

@@ -232,8 +232,11 @@ TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
       EXPECT_EQ(portable->children_of_E(e, f, pose), wide->children_of_E(e, f, pose));
       EXPECT_EQ(portable->children_of_F(e, f, pose), wide->children_of_F(e, f, pose));
       if (!e.bottom() || !f.bottom()) continue;
-      const FacePairs a = portable->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose),
-                      b = wide->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose);
+      PlacedFaces placed, wide_placed;
+      portable->place_faces(tree_F.group(f.group), pose, placed);
+      wide->place_faces(tree_F.group(f.group), pose, wide_placed);
+      const FacePairs a = portable->faces(e, tree_E.group(e.group), f, placed, pose),
+                      b = wide->faces(e, tree_E.group(e.group), f, wide_placed, pose);
       EXPECT_EQ(a.possible, b.possible);
       for (LanePairs possible = a.possible; possible != 0; possible &= possible - 1) {
         const auto pair = static_cast<std::size_t>(std::countr_zero(possible));
