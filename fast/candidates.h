@@ -30,8 +30,7 @@ void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& sur
   const WidePose pose(tree_E, tree_F, placement);
   // Eight surface boxes are nearly three times narrower than the one around them.
   constexpr float kMuchWider = 2;
-  PlacedFaces faces_F;
-  Index placed = -1;  // The node of F whose faces they are: pairs with the same one mostly follow each other.
+  PlacedFaces placed_F;
   open.assign(1, {0, 0});
   while (!open.empty()) {
     const auto [i, j] = open.back();
@@ -40,9 +39,7 @@ void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& sur
     const WideNode& F = tree_F.node(j);
     if (E.bottom() && F.bottom()) {
       work.box_tests += std::int64_t{E.count} * F.count;
-      if (placed != j) test.place_faces(tree_F.group(F.group), pose, faces_F);
-      placed = j;
-      const FacePairs pairs = test.faces(E, tree_E.group(E.group), F, faces_F, pose);
+      const FacePairs pairs = test.faces(E, tree_E.group(E.group), F, tree_F.group(F.group), pose, placed_F);
       for (LanePairs possible = pairs.possible; possible != 0; possible &= possible - 1) {
         const int bit = std::countr_zero(possible);
         ++work.candidate_pairs;

@@ -28,10 +28,18 @@ inline Float8 load(const Lanes& lanes) {
 inline Vector8 load(const std::array<Lanes, 3>& lanes) {
   return {load(lanes[0]), load(lanes[1]), load(lanes[2])};
 }
-inline void store(const Float8& value, Lanes& lanes) {
-  __builtin_memcpy(lanes.value.data(), &value, sizeof value);
+inline Float8 load(const std::array<float, kLanes>& lanes) {
+  Float8 result;
+  __builtin_memcpy(&result, lanes.data(), sizeof result);
+  return result;
 }
-inline void store(const Vector8& v, std::array<Lanes, 3>& lanes) {
+inline Vector8 load(const PlacedFaces::Vectors& lanes) {
+  return {load(lanes[0]), load(lanes[1]), load(lanes[2])};
+}
+inline void store(const Float8& value, std::array<float, kLanes>& lanes) {
+  __builtin_memcpy(lanes.data(), &value, sizeof value);
+}
+inline void store(const Vector8& v, PlacedFaces::Vectors& lanes) {
   store(v.x, lanes[0]);
   store(v.y, lanes[1]);
   store(v.z, lanes[2]);
@@ -240,27 +248,36 @@ inline Float8 edge_length(const Vector8& widths, const WidePose& pose) {
   return widths.x + widths.y + widths.z + 6 * pose.slack_E;
 }
 
-void place_faces(const FaceGroup& faces_F, const WidePose& pose, PlacedFaces& placed) {
+/// PlacedFaces in registers.
+struct FacesOfF {
   std::array<Vector8, 3> x;
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    x[corner] = turned(pose.rotation, pose.scale * load(faces_F.vertex[corner])) + all(pose.shift);
-    store(x[corner], placed.vertex[corner]);
-  }
-  const auto end = [&x](auto&& choose) {
-    return Vector8{choose(choose(x[0].x, x[1].x), x[2].x), choose(choose(x[0].y, x[1].y), x[2].y),
-                   choose(choose(x[0].z, x[1].z), x[2].z)};
-  };
-  const Vector8 low = widened(end([](const Float8& a, const Float8& b) { return least(a, b); }), -pose.slack_E);
-  const Vector8 high = widened(end([](const Float8& a, const Float8& b) { return greatest(a, b); }), pose.slack_E);
-  store(low, placed.low);
-  store(high, placed.high);
-  store(edge_length(high - low, pose), placed.edge);
-  store(turned(pose.rotation, load(faces_F.normal)), placed.normal);
-}
+  Ends ends;
 
-FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const PlacedFaces& faces_F,
-                     const WidePose& pose) {
-  const Ends ends_F{load(faces_F.low), load(faces_F.high)};
+  explicit FacesOfF(const PlacedFaces& placed)
+      : x{load(placed.vertex[0]), load(placed.vertex[1]), load(placed.vertex[2])},
+        ends{load(placed.low), load(placed.high)} {}
+  FacesOfF(const FaceGroup& faces, const WidePose& pose, PlacedFaces& placed) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      x[corner] = turned(pose.rotation, pose.scale * load(faces.vertex[corner])) + all(pose.shift);
+      store(x[corner], placed.vertex[corner]);
+    }
+    const auto end = [this](auto&& choose) {
+      return Vector8{choose(choose(x[0].x, x[1].x), x[2].x), choose(choose(x[0].y, x[1].y), x[2].y),
+                     choose(choose(x[0].z, x[1].z), x[2].z)};
+    };
+    ends = {widened(end([](const Float8& a, const Float8& b) { return least(a, b); }), -pose.slack_E),
+            widened(end([](const Float8& a, const Float8& b) { return greatest(a, b); }), pose.slack_E)};
+    store(ends.low, placed.low);
+    store(ends.high, placed.high);
+    placed.group = &faces;
+  }
+};
+
+FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
+                     const WidePose& pose, PlacedFaces& placed) {
+  const FacesOfF posed_F = placed.group == &faces_F ? FacesOfF(placed) : FacesOfF(faces_F, pose, placed);
+  const std::array<Vector8, 3>& x_F = posed_F.x;
+  const Ends& ends_F = posed_F.ends;
   const Vector8 own_centre = all(E.own_centre), own_half = all(E.own_half);
   std::uint32_t of_F = ~bits_of(apart(ends_F, {own_centre - own_half, own_centre + own_half})) & F.used;
   FacePairs pairs;
@@ -268,9 +285,8 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
 
   const Boxes boxes_E = children(E);
   const Ends ends_E{boxes_E.centre - boxes_E.half, boxes_E.centre + boxes_E.half};
-  const Float8 length_E = edge_length(2 * boxes_E.half, pose), length_F = load(faces_F.edge);
-  const Vector8 n_E = load(faces_E.normal), n_F = load(faces_F.normal);
-  const std::array<Vector8, 3> x_F{load(faces_F.vertex[0]), load(faces_F.vertex[1]), load(faces_F.vertex[2])};
+  const Float8 length_E = edge_length(2 * boxes_E.half, pose), length_F = edge_length(ends_F.high - ends_F.low, pose);
+  const Vector8 n_E = load(faces_E.normal), n_F = turned(pose.rotation, load(faces_F.normal));
   const std::array<Vector8, 3> x_E{load(faces_E.vertex[0]), load(faces_E.vertex[1]), load(faces_E.vertex[2])};
   for (; of_F != 0; of_F &= of_F - 1) {
     const auto j = static_cast<unsigned>(__builtin_ctz(of_F));
@@ -355,8 +371,8 @@ FacesMet test_faces_met(const FaceGroup& faces, const WideRay& ray) {
   return {~bits_of(some_left & some_right) & 0xffU, bits_of(all_left), bits_of(all_right)};
 }
 
-constexpr WideTests kTests{test_boxes,  test_children_of_E, test_children_of_F,  test_faces,
-                           place_faces, test_boxes_met,     test_boxes_in_prism, test_faces_met};
+constexpr WideTests kTests{test_boxes,     test_children_of_E,  test_children_of_F, test_faces,
+                           test_boxes_met, test_boxes_in_prism, test_faces_met};
 
 }  // namespace
 

@@ -100,12 +100,13 @@ class SureSigns {
   std::uint32_t bits_ = 0;
 };
 
-/// The faces of a bottom node of F where a pose has placed them, in E's coordinates.
+/// The faces of a bottom node of F where a pose has placed them, in E's coordinates; kept for the next test, which
+/// mostly is about the same ones.
 struct PlacedFaces {
-  std::array<std::array<Lanes, 3>, 3> vertex;
-  std::array<Lanes, 3> normal;
-  std::array<Lanes, 3> low, high;  ///< ends of their boxes along E's axes, with the slack there
-  Lanes edge;                      ///< no less than the 1-norm of any edge
+  using Vectors = std::array<std::array<float, kLanes>, 3>;  // Not filled in advance, as Lanes would be.
+  const FaceGroup* group = nullptr;                          ///< whose they are
+  alignas(32) std::array<Vectors, 3> vertex;                 ///< by corner
+  alignas(32) Vectors low, high;  ///< ends of their boxes along E's axes, with the slack there
 };
 
 /// Pairs of faces of two bottom nodes.
@@ -133,10 +134,8 @@ struct WideTests {
   std::uint32_t (*children_of_F)(const WideNode& E, const WideNode& F, const WidePose& pose);
   /// Faces of two bottom nodes: their boxes along E's axes, on which side of the other's plane their corners lie, and
   /// which edges pass through the other face.
-  FacePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const PlacedFaces& faces_F,
-                     const WidePose& pose);
-  /// What the one before needs of F's faces.
-  void (*place_faces)(const FaceGroup& faces_F, const WidePose& pose, PlacedFaces& placed);
+  FacePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
+                     const WidePose& pose, PlacedFaces& placed);
   /// Children whose boxes the ray may meet, and how far along it at least.
   std::uint32_t (*boxes_met)(const WideNode& node, const WideRay& ray, Lanes& entry);
   /// Children whose boxes may have a point in the prism.
