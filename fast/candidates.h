@@ -30,7 +30,6 @@ void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& sur
   const WidePose pose(tree_E, tree_F, placement);
   // Eight surface boxes are nearly three times narrower than the one around them.
   constexpr float kMuchWider = 2;
-  PlacedFaces placed_F;
   open.assign(1, {0, 0});
   while (!open.empty()) {
     const auto [i, j] = open.back();
@@ -39,7 +38,7 @@ void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& sur
     const WideNode& F = tree_F.node(j);
     if (E.bottom() && F.bottom()) {
       work.box_tests += std::int64_t{E.count} * F.count;
-      const FacePairs pairs = test.faces(E, tree_E.group(E.group), F, tree_F.group(F.group), pose, placed_F);
+      const FacePairs pairs = test.faces(E, tree_E.group(E.group), F, tree_F.group(F.group), pose);
       for (LanePairs possible = pairs.possible; possible != 0; possible &= possible - 1) {
         const int bit = std::countr_zero(possible);
         ++work.candidate_pairs;

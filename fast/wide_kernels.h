@@ -28,22 +28,6 @@ inline Float8 load(const Lanes& lanes) {
 inline Vector8 load(const std::array<Lanes, 3>& lanes) {
   return {load(lanes[0]), load(lanes[1]), load(lanes[2])};
 }
-inline Float8 load(const std::array<float, kLanes>& lanes) {
-  Float8 result;
-  __builtin_memcpy(&result, lanes.data(), sizeof result);
-  return result;
-}
-inline Vector8 load(const PlacedFaces::Vectors& lanes) {
-  return {load(lanes[0]), load(lanes[1]), load(lanes[2])};
-}
-inline void store(const Float8& value, std::array<float, kLanes>& lanes) {
-  __builtin_memcpy(lanes.data(), &value, sizeof value);
-}
-inline void store(const Vector8& v, PlacedFaces::Vectors& lanes) {
-  store(v.x, lanes[0]);
-  store(v.y, lanes[1]);
-  store(v.z, lanes[2]);
-}
 inline Float8 all(float value) {
   return Float8{value, value, value, value, value, value, value, value};
 }
@@ -248,36 +232,18 @@ inline Float8 edge_length(const Vector8& widths, const WidePose& pose) {
   return widths.x + widths.y + widths.z + 6 * pose.slack_E;
 }
 
-/// PlacedFaces in registers.
-struct FacesOfF {
-  std::array<Vector8, 3> x;
-  Ends ends;
-
-  explicit FacesOfF(const PlacedFaces& placed)
-      : x{load(placed.vertex[0]), load(placed.vertex[1]), load(placed.vertex[2])},
-        ends{load(placed.low), load(placed.high)} {}
-  FacesOfF(const FaceGroup& faces, const WidePose& pose, PlacedFaces& placed) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      x[corner] = turned(pose.rotation, pose.scale * load(faces.vertex[corner])) + all(pose.shift);
-      store(x[corner], placed.vertex[corner]);
-    }
-    const auto end = [this](auto&& choose) {
-      return Vector8{choose(choose(x[0].x, x[1].x), x[2].x), choose(choose(x[0].y, x[1].y), x[2].y),
-                     choose(choose(x[0].z, x[1].z), x[2].z)};
-    };
-    ends = {widened(end([](const Float8& a, const Float8& b) { return least(a, b); }), -pose.slack_E),
-            widened(end([](const Float8& a, const Float8& b) { return greatest(a, b); }), pose.slack_E)};
-    store(ends.low, placed.low);
-    store(ends.high, placed.high);
-    placed.group = &faces;
-  }
-};
-
 FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
-                     const WidePose& pose, PlacedFaces& placed) {
-  const FacesOfF posed_F = placed.group == &faces_F ? FacesOfF(placed) : FacesOfF(faces_F, pose, placed);
-  const std::array<Vector8, 3>& x_F = posed_F.x;
-  const Ends& ends_F = posed_F.ends;
+                     const WidePose& pose) {
+  std::array<Vector8, 3> x_F;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    x_F[corner] = turned(pose.rotation, pose.scale * load(faces_F.vertex[corner])) + all(pose.shift);
+  }
+  const auto end = [&x_F](auto&& choose) {
+    return Vector8{choose(choose(x_F[0].x, x_F[1].x), x_F[2].x), choose(choose(x_F[0].y, x_F[1].y), x_F[2].y),
+                   choose(choose(x_F[0].z, x_F[1].z), x_F[2].z)};
+  };
+  const Ends ends_F{widened(end([](const Float8& a, const Float8& b) { return least(a, b); }), -pose.slack_E),
+                    widened(end([](const Float8& a, const Float8& b) { return greatest(a, b); }), pose.slack_E)};
   const Vector8 own_centre = all(E.own_centre), own_half = all(E.own_half);
   std::uint32_t of_F = ~bits_of(apart(ends_F, {own_centre - own_half, own_centre + own_half})) & F.used;
   FacePairs pairs;

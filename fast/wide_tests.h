@@ -100,15 +100,6 @@ class SureSigns {
   std::uint32_t bits_ = 0;
 };
 
-/// The faces of a bottom node of F where a pose has placed them, in E's coordinates; kept for the next test, which
-/// mostly is about the same ones.
-struct PlacedFaces {
-  using Vectors = std::array<std::array<float, kLanes>, 3>;  // Not filled in advance, as Lanes would be.
-  const FaceGroup* group = nullptr;                          ///< whose they are
-  alignas(32) std::array<Vectors, 3> vertex;                 ///< by corner
-  alignas(32) Vectors low, high;  ///< ends of their boxes along E's axes, with the slack there
-};
-
 /// Pairs of faces of two bottom nodes.
 struct FacePairs {
   LanePairs possible = 0;  ///< all others have boxes that are apart, or one surely is on one side of the other's plane
@@ -135,7 +126,7 @@ struct WideTests {
   /// Faces of two bottom nodes: their boxes along E's axes, on which side of the other's plane their corners lie, and
   /// which edges pass through the other face.
   FacePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
-                     const WidePose& pose, PlacedFaces& placed);
+                     const WidePose& pose);
   /// Children whose boxes the ray may meet, and how far along it at least.
   std::uint32_t (*boxes_met)(const WideNode& node, const WideRay& ray, Lanes& entry);
   /// Children whose boxes may have a point in the prism.

@@ -213,7 +213,6 @@ TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
   const WideTree &tree_E = E.data().wide_tree, &tree_F = F.data().wide_tree;
   const WidePose pose(tree_E, tree_F, placement);
   const WideRay ray(tree_E, placement.r_Me, Eigen::Vector3d(0.48, -0.6, 0.64), placement.slack_E);
-  PlacedFaces placed, wide_placed;
   for (Index i = 0; i < tree_E.nodes(); ++i) {
     const WideNode& e = tree_E.node(i);
     Lanes entry, wide_entry;
@@ -233,8 +232,8 @@ TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
       EXPECT_EQ(portable->children_of_E(e, f, pose), wide->children_of_E(e, f, pose));
       EXPECT_EQ(portable->children_of_F(e, f, pose), wide->children_of_F(e, f, pose));
       if (!e.bottom() || !f.bottom()) continue;
-      const FacePairs a = portable->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose, placed),
-                      b = wide->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose, wide_placed);
+      const FacePairs a = portable->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose),
+                      b = wide->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose);
       EXPECT_EQ(a.possible, b.possible);
       for (LanePairs possible = a.possible; possible != 0; possible &= possible - 1) {
         const auto pair = static_cast<std::size_t>(std::countr_zero(possible));
