@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/active_areas.h"
 
-#include <algorithm>
 #include <limits>
 
+#include "fast/ascending.h"
 #include "fast/winding.h"
 
 namespace pcm::fast {
@@ -115,8 +115,8 @@ void find_active_area(Workspace::Data& workspace, Side side_name) {
   } else {
     find_active_area_in_open(workspace, side_name);
   }
-  std::sort(side.inner.begin(), side.inner.end());
-  std::sort(side.pockets.begin(), side.pockets.end());
+  sort_ascending(side.inner, workspace.marks);
+  sort_ascending(side.pockets, workspace.marks);
 }
 
 }  // namespace pcm::fast

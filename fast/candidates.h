@@ -15,7 +15,7 @@ namespace pcm::fast {
 /// The stack of the dual traversal; kept between evaluations.
 using NodePairs = std::vector<std::pair<Index, Index>>;
 
-/// Calls `visit(face of E, face of F, PlaneSides)` for every pair of faces whose boxes may touch and neither of which
+/// Calls `visit(face of E, face of F, SureSigns)` for every pair of faces whose boxes may touch and neither of which
 /// surely lies on one side of the other's plane (PCM section 3), until it returns false. From the root pair down, each
 /// pair of nodes that may touch is replaced by the pairs of its wider node's children with the other node, or of both
 /// nodes' children where they are about as wide. Every crossing pair of the rounded problem is among those visited, and
@@ -43,7 +43,7 @@ void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& sur
         const int bit = std::countr_zero(possible);
         ++work.candidate_pairs;
         if (!visit(E.child[static_cast<std::size_t>(bit % 8)], F.child[static_cast<std::size_t>(bit / 8)],
-                   pairs.sides(bit))) {
+                   pairs.signs(bit))) {
           return;
         }
       }

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fast/active_areas.h"
-#include "fast/geometry.h"
+#include "fast/face_lanes.h"
 
 namespace pcm::fast {
 
@@ -107,9 +107,11 @@ void add_face(Totals& totals, double area, const Eigen::Vector3d& n_Me, const Ei
   totals.thrice_volume += area * n_Me.dot(x_Me - origin_Me);
 }
 
+/// After the last one.
+constexpr Index kNoFace = std::numeric_limits<Index>::max();
+
 Totals measure(Workspace::Data& workspace, Side side_name, const Eigen::Vector3d& origin_Me) {
   SideState& side = workspace.side(side_name);
-  WorkCounters& work = workspace.contact.work;
   const bool other_closed = workspace.side(opposite(side_name)).surface().closed;
   workspace.clips.assign(side.intersected.size(), FaceClip{});
   side.slot.start(side.surface().mesh.faces.size());
@@ -122,31 +124,41 @@ Totals measure(Workspace::Data& workspace, Side side_name, const Eigen::Vector3d
     return other_closed ? static_cast<double>(side.winding.get(side.surface().face(face)[0], 0)) : 1.0;
   };
   Totals totals;
-  std::size_t next_intersected = 0, next_inner = 0, next_pocket = 0;
+  std::size_t next_intersected = 0, next_inner = 0, next_pocket = 0, next_clip = 0;
   const auto head = [](const std::vector<Index>& faces, std::size_t next) {
-    return next < faces.size() ? faces[next] : std::numeric_limits<Index>::max();
+    return next < faces.size() ? faces[next] : kNoFace;
   };
-  while (true) {
+  const auto next_face = [&] {
     const Index intersected = head(side.intersected, next_intersected);
     const Index inner = head(side.inner, next_inner);
-    const Index pocket = head(side.pockets, next_pocket);
-    const Index face = std::min({intersected, inner, pocket});
-    if (face == std::numeric_limits<Index>::max()) break;
-    const FaceGeometry geometry(side.posed.face_Me(face, work));
-    if (face != intersected) {
-      add_face(totals, multiplicity(face) * geometry.area, geometry.n_Me, geometry.points_Me[0], origin_Me);
-      ++(face == inner ? next_inner : next_pocket);
-      continue;
+    const Index face = std::min({intersected, inner, head(side.pockets, next_pocket)});
+    if (face != kNoFace) ++(face == intersected ? next_intersected : face == inner ? next_inner : next_pocket);
+    return face;
+  };
+  const ElementLanes& lanes = workspace.element_lanes;
+  FaceBatch faces{};
+  for (std::size_t count = kElementLanes; count == kElementLanes;) {
+    count = 0;
+    while (count < kElementLanes && (faces[count] = next_face()) != kNoFace) ++count;
+    find_geometry(workspace, side_name, faces, count);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const Index face = faces[lane];
+      const double whole_area = lanes.area.value[lane];
+      const Eigen::Vector3d n_Me = lanes.n_Me[lane];
+      if (!side.is_intersected.contains(face)) {
+        add_face(totals, multiplicity(face) * whole_area, n_Me, lanes.p_Me[0][lane], origin_Me);
+        continue;
+      }
+      FaceClip& clip = workspace.clips[next_clip++];
+      if (clip.undefined) {
+        ++workspace.contact.undefined_areas;
+        continue;
+      }
+      add_edges(workspace, side, face, corner_windings(side, other_closed, face), clip);
+      double area = 0.5 * clip.twice_vector_area_Me.dot(n_Me);
+      if (!other_closed) area = std::clamp(area, 0.0, whole_area);
+      add_face(totals, area, n_Me, clip.origin_Me, origin_Me);
     }
-    FaceClip& clip = workspace.clips[next_intersected++];
-    if (clip.undefined) {
-      ++workspace.contact.undefined_areas;
-      continue;
-    }
-    add_edges(workspace, side, face, corner_windings(side, other_closed, face), clip);
-    double area = 0.5 * clip.twice_vector_area_Me.dot(geometry.n_Me);
-    if (!other_closed) area = std::clamp(area, 0.0, geometry.area);
-    add_face(totals, area, geometry.n_Me, clip.origin_Me, origin_Me);
   }
   return totals;
 }

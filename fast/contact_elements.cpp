@@ -3,9 +3,11 @@
 #include "fast/contact_elements.h"
 
 #include <algorithm>
+#include <array>
 
 #include "fast/clipped_elements.h"
 #include "fast/contact_force.h"
+#include "fast/face_lanes.h"
 #include "fast/force_bound.h"
 #include "fast/geometry.h"
 #include "fast/penetration.h"
@@ -13,20 +15,6 @@
 namespace pcm::fast {
 
 namespace {
-
-/// Where a walk over the slave to a master face's penetration line may start: near that of a neighbour, or at `last`.
-Index slave_face_near(const SideState& side, Index face, Index last) {
-  const Index own = side.slave_nearby.get(face, -1);
-  if (own >= 0) return own;
-  for (const Index edge : side.surface().edges_of(face)) {
-    for (const Index neighbour : side.surface().faces_at(edge)) {
-      if (neighbour < 0) continue;
-      const Index near = side.slave_nearby.get(neighbour, -1);
-      if (near >= 0) return near;
-    }
-  }
-  return last;
-}
 
 /// Faces that cross one of the slave start there.
 void list_slave_faces_nearby(Workspace::Data& workspace, Side master) {
@@ -39,25 +27,19 @@ void list_slave_faces_nearby(Workspace::Data& workspace, Side master) {
   }
 }
 
-MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
-                                     MasterBound* bound) {
+/// Each element's bound is added beside it.
+MasterForce sum_bounded_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
+                                 MasterBound& bound) {
   SideState& side = workspace.side(master);
   Contact& contact = workspace.contact;
   MasterForce total;
-  list_slave_faces_nearby(workspace, master);
-  Index last = -1;
   for_each_active_face(side, [&](Index face) {
     const FaceGeometry geometry(side.posed.face_Me(face, contact.work));
-    const Eigen::Vector3d barycentre_Me = geometry.barycentre_Me();
-    LineTrace* const trace = bound != nullptr ? bound->begin_face(face, geometry) : nullptr;
-    const Penetration penetration = trace != nullptr
-                                        ? find_penetration(workspace, master, face, geometry, trace)
-                                        : find_penetration_from(workspace, master, face, geometry, barycentre_Me,
-                                                                slave_face_near(side, face, last));
-    if (penetration.slave_face >= 0) side.slave_nearby[face] = last = penetration.slave_face;
+    const Penetration penetration =
+        find_penetration(workspace, master, face, geometry, bound.begin_face(face, geometry));
     if (penetration.outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
     if (penetration.outcome != Penetration::Outcome::element) {
-      if (bound != nullptr) bound->add_no_element(face, geometry, penetration.first_met);
+      bound.add_no_element(face, geometry, penetration.first_met);
       return;
     }
     Element element;
@@ -67,33 +49,124 @@ MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, co
     element.area = geometry.area;
     element.penetration = penetration.depth;
     element.normal_Me = -geometry.n_Me;
-    add_element(contact, problem, penetration.depth, barycentre_Me, element, total);
-    if (bound != nullptr) bound->add_element(geometry, element, total);
+    add_element(contact, problem, penetration.depth, geometry.barycentre_Me(), element, total);
+    bound.add_element(geometry, element, total);
   });
-  if (bound != nullptr) bound->add_inactive_faces();
+  bound.add_inactive_faces();
   return total;
+}
+
+void count_element(Contact& contact, const ForceProblem& problem, double greatest_penetration) {
+  ++contact.element_count;
+  ++contact.work.elements;
+  contact.work.velocities += problem.with_velocities;
+  contact.max_penetration = std::max(contact.max_penetration, greatest_penetration);
+  if (greatest_penetration > problem.law.max_penetration) contact.penetration_exceeded = true;
+}
+
+/// `torque_Me` about Mf.
+void sum_element(Contact& contact, const ForceProblem& problem, const Element& element,
+                 const Eigen::Vector3d& torque_Me, MasterForce& total) {
+  total.force_Me += element.force_Me;
+  total.torque_Me += torque_Me;
+  if (problem.keep_elements) contact.elements.push_back(element);
+  if (problem.statistics != nullptr) problem.statistics->add(element);
+}
+
+/// The elements of active faces, formed kElementLanes at a time and summed in face-index order.
+class ElementBatch {
+ public:
+  ElementBatch(Workspace::Data& workspace, Side master, const ForceProblem& problem)
+      : workspace_(workspace), master_(master), problem_(problem), limits_(force_limits(problem, master)) {
+    list_slave_faces_nearby(workspace, master);
+  }
+
+  void add(Index face) {
+    faces_[count_++] = face;
+    if (count_ == kElementLanes) form_elements();
+  }
+  /// After the last face.
+  MasterForce total() {
+    if (count_ > 0) form_elements();
+    return total_;
+  }
+
+ private:
+  void form_elements() {
+    ElementLanes& lanes = workspace_.element_lanes;
+    Contact& contact = workspace_.contact;
+    find_geometry(workspace_, master_, faces_, count_);
+    std::array<Penetration, kElementLanes> found;
+    find_penetrations(workspace_, master_, faces_, count_, lanes, last_, found);
+    bool any = false;
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      any = any || found[lane].outcome == Penetration::Outcome::element;
+      lanes.depth.value[lane] = std::min(found[lane].depth, problem_.law.max_penetration);
+    }
+    const LaneBits forced = any ? workspace_.wide_elements.force(lanes, limits_) : 0;
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      if (found[lane].outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
+      if (found[lane].outcome != Penetration::Outcome::element) continue;
+      count_element(contact, problem_, found[lane].depth);
+      add_lane(lane, found[lane], has_lane(forced, lane));
+    }
+    count_ = 0;
+  }
+
+  void add_lane(std::size_t lane, const Penetration& penetration, bool forced) {
+    const ElementLanes& lanes = workspace_.element_lanes;
+    Element element;
+    element.master = master_;
+    element.master_face = faces_[lane];
+    element.slave_face = penetration.slave_face;
+    element.area = lanes.area.value[lane];
+    element.penetration = lanes.depth.value[lane];
+    element.normal_Me = -lanes.n_Me[lane];
+    if (forced) {
+      element.normal_velocity = lanes.normal_velocity.value[lane];
+      element.tangential_velocity = lanes.tangential_velocity.value[lane];
+      element.normal_force = lanes.normal_force.value[lane];
+      element.tangential_force = lanes.tangential_force.value[lane];
+      element.position_Me = lanes.position_Me[lane];
+      element.force_Me = lanes.force_Me[lane];
+      sum_element(workspace_.contact, problem_, element, lanes.torque_Me[lane], total_);
+    } else {
+      apply_force(problem_, lanes.barycentre_Me[lane], element);
+      sum_element(workspace_.contact, problem_, element,
+                  (element.position_Me - problem_.pose.r).cross(element.force_Me), total_);
+    }
+  }
+
+  Workspace::Data& workspace_;
+  Side master_;
+  const ForceProblem& problem_;
+  ForceLimits limits_;
+  FaceBatch faces_{};
+  std::size_t count_ = 0;
+  Index last_ = -1;  ///< face of the slave near the last penetration line
+  MasterForce total_;
+};
+
+MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
+  ElementBatch batch(workspace, master, problem);
+  for_each_active_face(workspace.side(master), [&batch](Index face) { batch.add(face); });
+  return batch.total();
 }
 
 }  // namespace
 
 void add_element(Contact& contact, const ForceProblem& problem, double greatest_penetration,
                  const Eigen::Vector3d& foot_Me, Element& element, MasterForce& total) {
-  ++contact.element_count;
-  ++contact.work.elements;
-  contact.work.velocities += problem.with_velocities;
-  contact.max_penetration = std::max(contact.max_penetration, greatest_penetration);
-  if (greatest_penetration > problem.law.max_penetration) contact.penetration_exceeded = true;
+  count_element(contact, problem, greatest_penetration);
   element.penetration = std::min(element.penetration, problem.law.max_penetration);
   apply_force(problem, foot_Me, element);
-  total.force_Me += element.force_Me;
-  total.torque_Me += (element.position_Me - problem.pose.r).cross(element.force_Me);
-  if (problem.keep_elements) contact.elements.push_back(element);
-  if (problem.statistics != nullptr) problem.statistics->add(element);
+  sum_element(contact, problem, element, (element.position_Me - problem.pose.r).cross(element.force_Me), total);
 }
 
 MasterForce sum_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem, MasterBound* bound) {
-  if (problem.scheme == Scheme::barycentric) return sum_barycentric_elements(workspace, master, problem, bound);
-  return sum_clipped_elements(workspace, master, problem, bound);
+  if (problem.scheme == Scheme::clipped) return sum_clipped_elements(workspace, master, problem, bound);
+  if (bound != nullptr) return sum_bounded_elements(workspace, master, problem, *bound);
+  return sum_barycentric_elements(workspace, master, problem);
 }
 
 }  // namespace pcm::fast

@@ -3,6 +3,7 @@
 #include "fast/contact_force.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -10,6 +11,20 @@
 #include "fast/geometry.h"
 
 namespace pcm::fast {
+
+ForceLimits force_limits(const ForceProblem& problem, Side master) {
+  const auto three = [](const Eigen::Vector3d& v) { return std::array<double, 3>{v[0], v[1], v[2]}; };
+  ForceLimits limits;
+  limits.law = problem.law;
+  limits.c_l = problem.stiffness.c_l;
+  limits.master_E = master == Side::E;
+  limits.shift = limits.master_E ? problem.stiffness.shift_from_E : problem.stiffness.shift_from_F;
+  limits.with_velocities = problem.with_velocities;
+  limits.r_Me = three(problem.pose.r);
+  limits.v_Me = three(problem.velocity.v);
+  limits.w_Me = three(problem.velocity.w);
+  return limits;
+}
 
 void apply_force(const ForceProblem& problem, const Eigen::Vector3d& foot_Me, Element& element) {
   const Eigen::Vector3d& n = element.normal_Me;

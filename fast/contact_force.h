@@ -11,6 +11,9 @@ namespace pcm::fast {
 /// the problem needs none.
 void apply_force(const ForceProblem& problem, const Eigen::Vector3d& foot_Me, Element& element);
 
+/// The same for WideElements::force.
+ForceLimits force_limits(const ForceProblem& problem, Side master);
+
 /// Force and torque of the pairing (23), (24): of the master's elements, in mode `both` the mean of both masters'.
 /// Fills the answer's force, torque, elements, counts and statistics.
 void compute_force(Workspace::Data& workspace, Mode mode, const ForceProblem& problem);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/crossings.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
+
+#include "fast/ascending.h"
 
 namespace pcm::fast {
 
@@ -44,21 +45,31 @@ struct PairCrossing {
   Corners above_F, above_E;  ///< corners of e above f, and of f above e
 };
 
+std::size_t corner(int k) {
+  return static_cast<std::size_t>(k < 3 ? k : k - 3);
+}
+
+/// What is known of a pair of faces that may cross.
+struct PairSigns {
+  Corners above_F = 0, above_E = 0;  ///< corners of e above f, and of f above e
+  unsigned passing = 0;              ///< as in SureSigns
+};
+
 /// Decides whether the faces e and f cross. The planes meet in a line; on it lie the two points where edges of e at its
 /// lone corner a meet the plane of f, and the two where edges of f at its lone corner p meet the plane of e. The signs
 /// s_ij = orientation(a, a_i, p, p_j) order those points along the line, and an edge of e passes through f where its
 /// point lies between the two of f: where its two signs differ. Likewise for the edges of f. So two of the four do, or
 /// none. At most 10 signs, of which `known` may spare 6.
-bool cross(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f, const PlaneSides& known,
-           double sure, PairCrossing& result, WorkCounters& work) {
-  result.above_F = known.sure_of_E ? known.above_of_E : above(f, e, sure, work);
+PairSigns find_signs(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f, const SureSigns& known,
+                     double sure, WorkCounters& work) {
+  PairSigns result;
+  result.above_F = known.of_E() ? known.above_of_E() : above(f, e, sure, work);
   const int lone_E = lone_corner(result.above_F);
-  if (lone_E < 0) return false;
-  result.above_E = known.sure_of_F ? known.above_of_F : above(e, f, sure, work);
+  if (lone_E < 0) return result;
+  result.above_E = known.of_F() ? known.above_of_F() : above(e, f, sure, work);
   const int lone_F = lone_corner(result.above_E);
-  if (lone_F < 0) return false;
+  if (lone_F < 0) return result;
 
-  const auto corner = [](int k) { return static_cast<std::size_t>(k < 3 ? k : k - 3); };
   const RankedPoint& a = e[corner(lone_E)];
   const RankedPoint& p = f[corner(lone_F)];
   unsigned s[2][2];
@@ -66,22 +77,23 @@ bool cross(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>
     const OrientedPlane through_p(a, e[corner(lone_E + 1 + i)], p, sure);
     for (int j = 0; j < 2; ++j) s[i][j] = through_p.above(f[corner(lone_F + 1 + j)], work) ? 1 : 0;
   }
-  // Bit by bit: the edge of e from a, that to a, and the same of f. Circulation: a directed edge of e from above to
-  // below f ends the segment, one of f that does so starts it.
-  const unsigned crossed =
-      (s[0][0] ^ s[0][1]) | (s[1][0] ^ s[1][1]) << 1 | (s[0][0] ^ s[1][0]) << 2 | (s[0][1] ^ s[1][1]) << 3;
-  if (crossed == 0) return false;
-  const unsigned starting = (has(result.above_F, corner(lone_E)) ? 0b0010U : 0b0001U) |
-                            (has(result.above_E, corner(lone_F)) ? 0b0100U : 0b1000U);
-  assert(std::popcount(crossed & starting) == 1 && std::popcount(crossed & ~starting) == 1);
+  result.passing = (s[0][0] ^ s[0][1]) | (s[1][0] ^ s[1][1]) << 1 | (s[0][0] ^ s[1][0]) << 2 | (s[0][1] ^ s[1][1]) << 3;
+  return result;
+}
+
+/// How two faces cross, some of whose edges pass through the other. Circulation: a directed edge of e from above to
+/// below f ends the segment, one of f that does so starts it.
+PairCrossing pair_crossing(const PairSigns& signs) {
+  const int lone_E = lone_corner(signs.above_F), lone_F = lone_corner(signs.above_E);
+  const unsigned starting = (has(signs.above_F, corner(lone_E)) ? 0b0010U : 0b0001U) |
+                            (has(signs.above_E, corner(lone_F)) ? 0b0100U : 0b1000U);
+  assert(std::popcount(signs.passing & starting) == 1 && std::popcount(signs.passing & ~starting) == 1);
   const auto passage = [&](unsigned edge) -> Passage {
     const int number = std::countr_zero(edge);
     const int lone = number < 2 ? lone_E : lone_F;
     return {number < 2 ? Side::E : Side::F, number % 2 == 0 ? lone : static_cast<int>(corner(lone + 2))};
   };
-  result.start = passage(crossed & starting);
-  result.end = passage(crossed & ~starting);
-  return true;
+  return {passage(signs.passing & starting), passage(signs.passing & ~starting), signs.above_F, signs.above_E};
 }
 
 Index enter_crossing(Workspace::Data& workspace, const PairCrossing& pair, const Passage& passage, Index face_E,
@@ -153,17 +165,19 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_ca
   const double sure = filtered ? sure_determinant(workspace.placement.span) : kNeverSure;
   bool found = false;
   for_each_candidate(side_E.surface(), side_F.surface(), workspace.placement, workspace.wide_tests,
-                     workspace.node_pairs, work, [&](Index face_E, Index face_F, const PlaneSides& sides) {
+                     workspace.node_pairs, work, [&](Index face_E, Index face_F, const SureSigns& known) {
                        if (keep_candidates) workspace.candidates.emplace_back(face_E, face_F);
-                       PairCrossing pair;
-                       const PlaneSides known = filtered ? sides : PlaneSides{};
-                       if (!cross(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work), known,
-                                  sure, pair, work)) {
-                         return true;
+                       PairSigns signs{known.above_of_E(), known.above_of_F(), known.passing()};
+                       if (!known.of_passing() || !filtered) {
+                         signs =
+                             find_signs(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work),
+                                        filtered ? known : SureSigns(), sure, work);
                        }
+                       if (signs.passing == 0) return true;
                        ++work.crossing_pairs;
                        found = true;
                        if (stop_at_first) return false;
+                       const PairCrossing pair = pair_crossing(signs);
                        const Index start = enter_crossing(workspace, pair, pair.start, face_E, face_F);
                        const Index end = enter_crossing(workspace, pair, pair.end, face_E, face_F);
                        CrossingNode& first = workspace.crossings[static_cast<std::size_t>(start)];
@@ -175,7 +189,7 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_ca
                        mark_intersected(side_F, face_F);
                        return true;
                      });
-  for (SideState& side : workspace.sides) std::sort(side.intersected.begin(), side.intersected.end());
+  for (SideState& side : workspace.sides) sort_ascending(side.intersected, workspace.marks);
   return found;
 }
 

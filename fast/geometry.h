@@ -45,6 +45,13 @@ struct FaceGeometry {
     n_Me = twice_area > 0 ? Eigen::Vector3d(N_Me / twice_area) : Eigen::Vector3d::Zero();
   }
 
+  /// With its normal and area as they were found before.
+  FaceGeometry(const std::array<Eigen::Vector3d, 3>& points, const Eigen::Vector3d& known_n_Me, double known_area)
+      : points_Me(points),
+        N_Me((points[1] - points[0]).cross(points[2] - points[0])),
+        n_Me(known_n_Me),
+        area(known_area) {}
+
   /// Barycentre (8), averaged about the first vertex so that only differences are rounded away from it.
   Eigen::Vector3d barycentre_Me() const {
     return points_Me[0] + ((points_Me[1] - points_Me[0]) + (points_Me[2] - points_Me[0])) / 3;

@@ -24,9 +24,10 @@ class AcrossLine {
     double x, y, width;
   };
 
-  AcrossLine(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double reach)
+  /// `a` and `b`: |a| and |b|, each within a few roundings.
+  AcrossLine(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double a, double b,
+             double reach)
       : C_(barycentre), a_(p[1] - p[0]), b_(p[2] - p[0]) {
-    const double a = a_.lpNorm<1>(), b = b_.lpNorm<1>();
     room_ = 128 * 0x1p-53 * reach * a * b;
     usable_ = reach * a > 0x1p-500 && reach * b > 0x1p-500;
   }
@@ -50,28 +51,37 @@ class AcrossLine {
 
 /// Walks over a surface from face to neighbouring face, each time over an edge that has the line on its far side, until
 /// the line surely passes through the face's interior, leaving the body there: that face. -1 where it can't be told,
-/// where a border or a face turned away is met, or after too many steps.
+/// where a border or a face turned away is met, or after too many steps. A neighbour has the edge the other way round,
+/// which changes D's sign and no other bit: one vertex and two edges are new with each step.
 inline Index walk_to_face_left(PosedSurface& posed, const AcrossLine& line, Index start, WorkCounters& work) {
   constexpr int kMostSteps = 32;
   const Surface::Data& surface = posed.surface();
+  const auto see = [&](Index v) { return line.see(posed.vertex_Me(v, work)); };
+  const auto side = [](const AcrossLine::Point& from, const AcrossLine::Point& to) {
+    return from.x * to.y - from.y * to.x;
+  };
+  const Triangle& corners = surface.face(start);
+  // Edge k runs from corner k on; corner 0 is the face's corner `first`.
+  std::array<AcrossLine::Point, 3> x{see(corners[0]), see(corners[1]), see(corners[2])};
+  std::array<double, 3> D{side(x[0], x[1]), side(x[1], x[2]), side(x[2], x[0])};
   Index face = start;
+  std::size_t first = 0;
   for (int step = 0; step < kMostSteps; ++step) {
-    const Triangle& corners = surface.face(face);
-    const std::array<AcrossLine::Point, 3> x{line.see(posed.vertex_Me(corners[0], work)),
-                                             line.see(posed.vertex_Me(corners[1], work)),
-                                             line.see(posed.vertex_Me(corners[2], work))};
-    const std::array<double, 3> D{x[0].x * x[1].y - x[0].y * x[1].x, x[1].x * x[2].y - x[1].y * x[2].x,
-                                  x[2].x * x[0].y - x[2].y * x[0].x};
-    work.predicates += 3;
+    work.predicates += step == 0 ? 3 : 2;
     const double room = line.room(std::max({x[0].width, x[1].width, x[2].width}));
     // D0 + D1 + D2 = N . N_f: all are negative where the line leaves through f.
     std::size_t worst = D[1] > D[0] ? 1 : 0;
     if (D[2] > D[worst]) worst = 2;
     if (D[worst] < -room) return face;
     if (!(D[worst] > room) || !(D[0] + D[1] + D[2] < 0)) return -1;
-    const std::array<Index, 2>& faces = surface.faces_at(surface.edges_of(face)[worst]);
+    const Index edge = surface.edges_of(face)[(first + worst) % 3];
+    const std::array<Index, 2>& faces = surface.faces_at(edge);
     face = faces[0] == face ? faces[1] : faces[0];
     if (face < 0) return -1;
+    const std::array<Index, 3>& edges = surface.edges_of(face);
+    first = edges[0] == edge ? 0 : edges[1] == edge ? 1 : 2;
+    x = {x[(worst + 1) % 3], x[worst], see(surface.face(face)[(first + 2) % 3])};
+    D = {-D[worst], side(x[1], x[2]), side(x[2], x[0])};
   }
   return -1;
 }

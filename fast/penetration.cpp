@@ -9,6 +9,7 @@
 
 #include "fast/clearance.h"
 #include "fast/depth.h"
+#include "fast/face_lanes.h"
 #include "fast/line_search.h"
 #include "fast/line_walk.h"
 #include "fast/penetration_predicates.h"
@@ -189,68 +190,62 @@ bool has_no_normal(const FacePoints& p) {
 constexpr double kLeastShare = 0x1p-10;
 constexpr double kDistanceError = 0x1p-30;
 
-bool is_no_needle(double area, const Eigen::Vector3d& side, const Eigen::Vector3d& other_side) {
-  return area > kLeastShare * (side.lpNorm<1>() * other_side.lpNorm<1>());
-}
-
-/// What thicker_than decides, for a face that is no needle: there the ray's direction is off by less than 2^-40.
-bool surely_thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                         double distance) {
-  const Surface::Data& surface = workspace.side(master).surface();
-  if (!(distance < surface.thickness[static_cast<std::size_t>(face)])) return false;
-  const double slack = workspace.placement.slack(master), reach = surface.reach.maxCoeff();
-  return thickness_holds(surface, slack, geometry, (1 + 0x1p-10) * (slack + 8 * 0x1p-40 * reach));
-}
-
-/// The clearance of the line's cone about a face, given the squared cosine of its angle with the normal.
-struct ConeClearance {
-  double beneath = 0;
-  bool above = false;
-
-  ConeClearance(const Clearance& clearance, double squared_cosine) {
-    for (const std::size_t cone : {1U, 0U}) {
-      if (!(squared_cosine > kConeCosine[cone] * kConeCosine[cone] * (1 + 0x1p-20))) return;
-      beneath = static_cast<double>(clearance.beneath[cone]);
-      above = clearance.above[cone];
+/// Where a walk over the slave to a master face's penetration line may start: near that of a neighbour, or at `last`.
+Index slave_face_near(const SideState& side, Index face, Index last) {
+  const Index own = side.slave_nearby.get(face, -1);
+  if (own >= 0) return own;
+  for (const Index edge : side.surface().edges_of(face)) {
+    for (const Index neighbour : side.surface().faces_at(edge)) {
+      if (neighbour < 0) continue;
+      const Index near = side.slave_nearby.get(neighbour, -1);
+      if (near >= 0) return near;
     }
   }
-};
+  return last;
+}
 
-/// Whether clearances and thickness settle what the line finds; fills `penetration` where they do. Else `left` may be a
-/// face through which the line surely leaves the slave, at a distance greater than 0.
-bool settle_by_walk(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                    const Eigen::Vector3d& C, Index start, Penetration& penetration, Index& left) {
-  const Side slave = opposite(master);
-  PosedSurface& posed = workspace.side(slave).posed;
-  const Surface::Data& surface = posed.surface();
-  const Placement& placement = workspace.placement;
-  const double reach = surface.reach.maxCoeff();
-  const auto& p = geometry.points_Me;
-  if (start < 0 || !(placement.slack(slave) < kClearanceTolerance * reach)) return false;
-  if (!is_no_needle(geometry.area, p[1] - p[0], p[2] - p[0])) return false;
-  const AcrossLine line(p, C, placement.reach);
-  if (!line.usable()) return false;
-  const Index met = walk_to_face_left(posed, line, start, workspace.contact.work);
-  if (met < 0) return false;
-  const FacePoints f = posed.face_Me(met, workspace.contact.work);
-  const Eigen::Vector3d first_side = f[1] - f[0], second_side = f[2] - f[0];
-  const Eigen::Vector3d N_f = first_side.cross(second_side);
-  const double square = N_f.squaredNorm();
-  const double least = 2 * kLeastShare * (first_side.lpNorm<1>() * second_side.lpNorm<1>());
-  const double slope = -geometry.n_Me.dot(N_f);
-  if (!(square > least * least && square > 0x1p-900 && slope > 0 && 4 * slope * slope > square)) return false;
-  const double distance = N_f.dot(f[0] - C) / slope;
-  const double error = kDistanceError * placement.reach;
-  const ConeClearance clearance(surface.clearance[static_cast<std::size_t>(met)], slope * slope / square);
-  if (distance < -error && clearance.above) return true;  // It meets nothing.
-  if (!(distance > error)) return false;
-  left = met;
-  if (!(distance + error < clearance.beneath * reach)) return false;
-  if (!surely_thicker_than(workspace, master, face, geometry, distance + error)) return false;
-  penetration.outcome = Penetration::Outcome::element;
-  penetration.slave_face = met;
-  penetration.depth = DepthBelow(geometry, f).value();
-  return true;
+/// The face through which a lane's line surely leaves the slave's body, at whatever distance, found by a walk; or -1.
+Index walk_from_neighbour(Workspace::Data& workspace, Side master, Index face, const ElementLanes& lanes,
+                          std::size_t lane, Index start) {
+  const double a = lanes.side[0].value[lane], b = lanes.side[1].value[lane];
+  if (start < 0 || !(lanes.area.value[lane] > kLeastShare * (a * b))) return -1;
+  const FacePoints p{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]};
+  const AcrossLine line(p, lanes.barycentre_Me[lane], a, b, workspace.placement.reach);
+  if (!line.usable()) return -1;
+  const Index met = walk_to_face_left(workspace.side(opposite(master)).posed, line, start, workspace.contact.work);
+  if (met >= 0) workspace.side(master).slave_nearby[face] = met;
+  return met;
+}
+
+/// What `settle` needs to know of a lane's master face and of the slave's face that a walk came to.
+void enter_match(Workspace::Data& workspace, Side master, Index face, Index met, ElementLanes& lanes,
+                 std::size_t lane) {
+  PosedSurface& slave = workspace.side(opposite(master)).posed;
+  const FacePoints f = slave.face_Me(met, workspace.contact.work);
+  for (std::size_t k = 0; k < 3; ++k) lanes.f_Me[k].set(lane, f[k]);
+  lanes.thickness.value[lane] = workspace.side(master).surface().thickness[static_cast<std::size_t>(face)];
+  const Clearance& clearance = slave.surface().clearance[static_cast<std::size_t>(met)];
+  for (std::size_t cone = 0; cone < 2; ++cone) {
+    lanes.beneath[cone].value[lane] = static_cast<double>(clearance.beneath[cone]);
+    lanes.above[cone].value[lane] = clearance.above[cone] ? 1 : 0;
+  }
+}
+
+SettleLimits settle_limits(const Workspace::Data& workspace, Side master) {
+  const double slack = workspace.placement.slack(master);
+  const double reach = workspace.side(master).surface().reach.maxCoeff();
+  SettleLimits limits;
+  limits.least_share = kLeastShare;
+  limits.slave_reach = workspace.side(opposite(master)).surface().reach.maxCoeff();
+  limits.error = kDistanceError * workspace.placement.reach;
+  // thickness_holds, for faces that are no needles: there the ray's direction is off by less than 2^-40.
+  const double line_error = (1 + 0x1p-10) * (slack + 8 * 0x1p-40 * reach);
+  limits.thick_edges = (1 + 0x1p-40) * 8 * reach * slack;
+  limits.thick_area = kThicknessTolerance * reach - line_error;
+  for (std::size_t cone = 0; cone < 2; ++cone) {
+    limits.cone_cosine_square[cone] = kConeCosine[cone] * kConeCosine[cone] * (1 + 0x1p-20);
+  }
+  return limits;
 }
 
 /// find_penetration, given a face that the line surely leaves the slave through, at a distance greater than 0; or -1.
@@ -286,12 +281,45 @@ bool thicker_than(const Workspace::Data& workspace, Side master, Index face, con
          thickness_holds(surface, workspace.placement.slack(master), geometry);
 }
 
-Penetration find_penetration_from(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                                  const Eigen::Vector3d& barycentre_Me, Index start) {
-  Penetration penetration;
-  Index left = -1;
-  if (settle_by_walk(workspace, master, face, geometry, barycentre_Me, start, penetration, left)) return penetration;
-  return search_penetration(workspace, master, face, geometry, left, nullptr);
+void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch& faces, std::size_t count,
+                       ElementLanes& lanes, Index& last, std::array<Penetration, kElementLanes>& penetrations) {
+  const Side slave = opposite(master);
+  const Surface::Data& surface = workspace.side(slave).surface();
+  const bool walks = workspace.placement.slack(slave) < kClearanceTolerance * surface.reach.maxCoeff();
+  std::array<Index, kElementLanes> met;
+  met.fill(-1);
+  LaneBits walked = 0;
+  for (std::size_t lane = 0; lane < count && walks; ++lane) {
+    const Index start = slave_face_near(workspace.side(master), faces[lane], last);
+    met[lane] = walk_from_neighbour(workspace, master, faces[lane], lanes, lane, start);
+    if (met[lane] < 0) continue;
+    last = met[lane];
+    walked |= 1U << lane;
+    enter_match(workspace, master, faces[lane], met[lane], lanes, lane);
+  }
+  SettledLanes settled;
+  if (walked != 0) settled = workspace.wide_elements.settle(lanes, settle_limits(workspace, master));
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    Penetration& penetration = penetrations[lane];
+    penetration = {};
+    if (has_lane(walked & settled.nothing, lane)) continue;
+    const bool element = has_lane(walked & settled.element, lane);
+    if (element && has_lane(settled.nearest_known, lane)) {
+      penetration = {Penetration::Outcome::element, met[lane], lanes.depth.value[lane], -1};
+      continue;
+    }
+    const FaceGeometry geometry = geometry_of(lanes, lane);
+    if (element) {
+      const FacePoints f{lanes.f_Me[0][lane], lanes.f_Me[1][lane], lanes.f_Me[2][lane]};
+      penetration = {Penetration::Outcome::element, met[lane], DepthBelow(geometry, f).value(), -1};
+    } else {
+      const Index left = has_lane(walked & settled.left, lane) ? met[lane] : -1;
+      penetration = search_penetration(workspace, master, faces[lane], geometry, left, nullptr);
+      const Index found = penetration.slave_face;
+      if (found >= 0) workspace.side(master).slave_nearby[faces[lane]] = last = found;
+    }
+    lanes.depth.value[lane] = penetration.depth;
+  }
 }
 
 Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,

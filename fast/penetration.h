@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fast/face_lanes.h"
 #include "fast/geometry.h"
 #include "fast/line_trace.h"
 #include "fast/workspace.h"
@@ -27,10 +28,12 @@ struct Penetration {
 Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
                              LineTrace* trace = nullptr);
 
-/// The same result but for `first_met`, by a walk over the slave from its face `start` (-1: none) where clearances and
-/// thickness known beforehand say that nothing else is met: near O(1). Else by find_penetration.
-Penetration find_penetration_from(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                                  const Eigen::Vector3d& barycentre_Me, Index start);
+/// The same results but for `first_met`, for up to four faces at once, by walks over the slave, each from the face
+/// found for a neighbour or, where there is none, from `last` (-1: none). Where clearances and thickness known
+/// beforehand say that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and
+/// receive their depths. `last` becomes the last face that was found.
+void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch& faces, std::size_t count,
+                       ElementLanes& lanes, Index& last, std::array<Penetration, kElementLanes>& penetrations);
 
 /// Whether the thickness computed beforehand already says that the face's penetration line meets no other face of the
 /// master as near as `distance`, in the rounded problem and in the exact one alike.

@@ -39,12 +39,4 @@ inline bool thickness_holds(const Surface::Data& surface, double slack, const Fa
   return line_error < kThicknessTolerance * reach;
 }
 
-/// The same without a division, given what the line is off by before the vertices' slack turns it.
-inline bool thickness_holds(const Surface::Data& surface, double slack, const FaceGeometry& face, double line_error) {
-  const auto& p = face.points_Me;
-  const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
-  const double reach = surface.reach.maxCoeff();
-  return (1 + 0x1p-40) * 8 * reach * slack * edges < (kThicknessTolerance * reach - line_error) * face.area;
-}
-
 }  // namespace pcm::fast

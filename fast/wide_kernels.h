@@ -93,6 +93,10 @@ inline Vector8 all(const Vector8& v, unsigned lane) {
 inline Float8 dot(const Vector8& a, const Vector8& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// v x w.
+inline Vector8 cross(const Vector8& v, const Vector8& w) {
+  return {v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
+}
 
 /// Boxes as one frame's axes see them.
 struct Boxes {
@@ -189,6 +193,45 @@ inline Sides sides_of(const Vector8& normal, const Vector8& point, const std::ar
           {s0 > all(0), s1 > all(0), s2 > all(0)}};
 }
 
+/// Where `condition` a, else b.
+inline Vector8 choice(const Int8& condition, const Vector8& a, const Vector8& b) {
+  return {condition ? a.x : b.x, condition ? a.y : b.y, condition ? a.z : b.z};
+}
+
+/// A face seen from its lone corner, the one that lies on its own side of a plane.
+struct FromLoneCorner {
+  Vector8 corner, next, last;
+
+  FromLoneCorner(const std::array<Vector8, 3>& x, const std::array<Int8, 3>& above) {
+    const Int8 first_is_lone = ~(above[1] ^ above[2]), second_is_lone = ~(above[0] ^ above[2]);
+    const auto from = [&](std::size_t k) {
+      return choice(first_is_lone, x[k], choice(second_is_lone, x[(k + 1) % 3], x[(k + 2) % 3]));
+    };
+    corner = from(0), next = from(1), last = from(2);
+  }
+};
+
+/// The edges of SureSigns that pass through the other face, by number.
+struct Passing {
+  Int8 sure;
+  std::array<Int8, 4> edges;
+};
+
+/// As fast/crossings.cpp finds them: from the signs of (a_i - a) x (p - a) . (p_j - p), a and p the lone corners.
+inline Passing edges_passing(const FromLoneCorner& E, const FromLoneCorner& F, const Float8& room) {
+  const Vector8 c = F.corner - E.corner, d0 = F.next - F.corner, d1 = F.last - F.corner;
+  const Vector8 m0 = cross(E.next - E.corner, c), m1 = cross(E.last - E.corner, c);
+  const Float8 s00 = dot(m0, d0), s01 = dot(m0, d1), s10 = dot(m1, d0), s11 = dot(m1, d1);
+  const Float8 nearest = least(least(absolute(s00), absolute(s01)), least(absolute(s10), absolute(s11)));
+  const Int8 a00 = s00 > all(0), a01 = s01 > all(0), a10 = s10 > all(0), a11 = s11 > all(0);
+  return {nearest > room, {a00 ^ a01, a10 ^ a11, a00 ^ a10, a01 ^ a11}};
+}
+
+/// No less than the 1-norm of any edge in a box, given the sum of its widths.
+inline Float8 edge_length(const Vector8& widths, const WidePose& pose) {
+  return widths.x + widths.y + widths.z + 6 * pose.slack_E;
+}
+
 FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
                      const WidePose& pose) {
   std::array<Vector8, 3> x_F;
@@ -208,6 +251,7 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
 
   const Boxes boxes_E = children(E);
   const Ends ends_E{boxes_E.centre - boxes_E.half, boxes_E.centre + boxes_E.half};
+  const Float8 length_E = edge_length(2 * boxes_E.half, pose), length_F = edge_length(ends_F.high - ends_F.low, pose);
   const Vector8 n_E = load(faces_E.normal), n_F = turned(pose.rotation, load(faces_F.normal));
   const std::array<Vector8, 3> x_E{load(faces_E.vertex[0]), load(faces_E.vertex[1]), load(faces_E.vertex[2])};
   for (; of_F != 0; of_F &= of_F - 1) {
@@ -221,16 +265,24 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
     const Sides sides_E = sides_of(all(n_F, j), x[0], x_E, pose.plane_slack);
     of_E &= ~bits_of(sides_E.on_one_side);
     if (of_E == 0) continue;
-    const auto enter = [of_E, j](LanePairs& to, const Int8& lanes) {
-      to |= static_cast<LanePairs>(bits_of(lanes) & of_E) << (8 * j);
+    // |p - a| is no more than both boxes' widths: with gamma = beta + zeta the sum of WidePose is gamma^2 + beta zeta.
+    const Float8 beta = length_E, zeta = all(length_F[j]), gamma = beta + zeta;
+    const Passing passing = edges_passing(FromLoneCorner(x_E, sides_E.above), FromLoneCorner(x, sides_F.above),
+                                          pose.edge_slack * (gamma * gamma + beta * zeta));
+    Int8 bits{};
+    const auto enter = [&bits](const Int8& lanes, unsigned bit) {
+      bits |= lanes & static_cast<std::int32_t>(1U << bit);
     };
-    pairs.possible |= static_cast<LanePairs>(of_E) << (8 * j);
-    enter(pairs.sure_of_E, sides_E.sure);
-    enter(pairs.sure_of_F, sides_F.sure);
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      enter(pairs.above_of_E[corner], sides_E.above[corner]);
-      enter(pairs.above_of_F[corner], sides_F.above[corner]);
+    for (unsigned corner = 0; corner < 3; ++corner) {
+      enter(sides_E.above[corner], SureSigns::kAboveOfE + corner);
+      enter(sides_F.above[corner], SureSigns::kAboveOfF + corner);
     }
+    for (unsigned edge = 0; edge < 4; ++edge) enter(passing.edges[edge], SureSigns::kPassing + edge);
+    enter(sides_E.sure, SureSigns::kSureOfE);
+    enter(sides_F.sure, SureSigns::kSureOfF);
+    enter(sides_E.sure & sides_F.sure & passing.sure, SureSigns::kSureOfPassing);
+    __builtin_memcpy(&pairs.bits[std::size_t{kLanes} * j], &bits, sizeof bits);
+    pairs.possible |= static_cast<LanePairs>(of_E) << (8 * j);
   }
   return pairs;
 }
@@ -261,11 +313,6 @@ std::uint32_t test_boxes_in_prism(const WideNode& node, const WidePrism& prism) 
     outside |= along(prism.axis[k], centre) + along(prism.axis_absolute[k], half) < all(prism.offset[k]);
   }
   return ~bits_of(outside) & node.used;
-}
-
-/// v x w.
-inline Vector8 cross(const Vector8& v, const Vector8& w) {
-  return {v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
 }
 
 // An edge from a to b, both from the line's origin, passes the line at a distance, in the plane across it, of

@@ -42,6 +42,8 @@ WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placem
   slack_F = static_cast<float>(kUp * (64 * kV * reach + in_double_F));
   const double tilt = 2 * in_double_E / (WideTree::kLeastHeight * exact_scale) * 2 * reach;
   plane_slack = static_cast<float>(kUp * (128 * kV * reach + 2 * in_double_E + tilt));
+  edge_slack = exact_scale < 0x1p30 ? static_cast<float>(kUp * (32 * kV * reach + 2 * in_double_E))
+                                    : std::numeric_limits<float>::infinity();
 }
 
 WideRay::WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& ray_direction,

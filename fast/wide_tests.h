@@ -22,6 +22,11 @@ namespace pcm::fast {
 /// off a rotation included) and x, p by 8 v G and v G, where no |x - p| exceeds 3.5 G, errs by 100 v G at most: 128 v
 /// G. The roundings of double precision are those of Placement. They also tilt the plane of a face of F: by no more
 /// than their double over its least height, over a length of 2 G.
+///
+/// The sign of (b x c) . d, b and d edges of a face of E and of one of F whose boxes touch, c from a corner to a
+/// corner: with beta, gamma and zeta no less than |b|, |c| and |d|, 1-norms, vectors off by delta in each component
+/// cost at most delta (gamma zeta + beta zeta + beta gamma). b is off by 2 v G, c by 9 v G, d by 16 v G. Eight
+/// roundings take 8 v beta gamma zeta, at most a third of that sum times 8 v 3.5 G. So 32 v G covers both.
 struct WidePose {
   std::array<std::array<float, 3>, 3> rotation{};
   std::array<std::array<float, 3>, 3> rotation_absolute{};
@@ -30,6 +35,7 @@ struct WidePose {
   float slack_E = 0;      ///< of boxes along E's axes
   float slack_F = 0;      ///< along F's
   float plane_slack = 0;  ///< a point this far from a plane, or farther, surely is on that side
+  float edge_slack = 0;   ///< delta above; infinite where products of three lengths might overflow
 
   WidePose() = default;
   WidePose(const WideTree& E, const WideTree& F, const Placement& placement);
@@ -71,27 +77,35 @@ struct WidePrism {
 /// Which of E's children may touch which of F's: bit 8 j + i is child i of E with child j of F.
 using LanePairs = std::uint64_t;
 
-/// On which side of the other's plane the corners of two faces lie, where that is sure: corners above it, bit by bit.
-struct PlaneSides {
-  bool sure_of_E = false;  ///< of E's face against the plane of F's
-  bool sure_of_F = false;
-  unsigned above_of_E = 0;
-  unsigned above_of_F = 0;
+/// What surely is so of two faces, bit by bit.
+class SureSigns {
+ public:
+  // Corners above the other's plane: bits kAboveOfE to kAboveOfE + 2, and so on. Passing: edges at the lone corners (on
+  // their own side of the other's plane) that pass through the other face: that of E's face from its lone corner, that
+  // to it, the same of F's.
+  enum Bit : unsigned { kAboveOfE = 0, kAboveOfF = 3, kPassing = 6, kSureOfE = 10, kSureOfF = 11, kSureOfPassing = 12 };
+
+  SureSigns() = default;
+  explicit SureSigns(std::uint32_t bits) : bits_(bits) {}
+
+  bool of_E() const { return has(kSureOfE); }  ///< of E's face against the plane of F's
+  bool of_F() const { return has(kSureOfF); }
+  bool of_passing() const { return has(kSureOfPassing); }  ///< of all three
+  unsigned above_of_E() const { return bits_ >> kAboveOfE & 7U; }
+  unsigned above_of_F() const { return bits_ >> kAboveOfF & 7U; }
+  unsigned passing() const { return bits_ >> kPassing & 15U; }
+
+ private:
+  bool has(Bit bit) const { return (bits_ >> bit & 1U) != 0; }
+  std::uint32_t bits_ = 0;
 };
 
 /// Pairs of faces of two bottom nodes.
 struct FacePairs {
-  LanePairs possible = 0;  ///< all others surely do not cross
-  // The members of PlaneSides, of those that are possible.
-  LanePairs sure_of_E = 0, sure_of_F = 0;
-  std::array<LanePairs, 3> above_of_E{}, above_of_F{};  ///< by corner
+  LanePairs possible = 0;  ///< all others have boxes that are apart, or one surely is on one side of the other's plane
+  std::array<std::uint32_t, kLanes * kLanes> bits;  ///< of SureSigns, where possible; else not filled
 
-  PlaneSides sides(int pair) const {
-    const auto bit = [pair](LanePairs pairs) { return static_cast<unsigned>(pairs >> pair & 1U); };
-    return {bit(sure_of_E) != 0, bit(sure_of_F) != 0,
-            bit(above_of_E[0]) | bit(above_of_E[1]) << 1 | bit(above_of_E[2]) << 2,
-            bit(above_of_F[0]) | bit(above_of_F[1]) << 1 | bit(above_of_F[2]) << 2};
-  }
+  SureSigns signs(int pair) const { return SureSigns(bits[static_cast<std::size_t>(pair)]); }
 };
 
 /// Faces and a line, bit by bit.
@@ -109,7 +123,8 @@ struct WideTests {
   /// The box of F itself against those of E's children (bits 0 to 7), and the reverse.
   std::uint32_t (*children_of_E)(const WideNode& E, const WideNode& F, const WidePose& pose);
   std::uint32_t (*children_of_F)(const WideNode& E, const WideNode& F, const WidePose& pose);
-  /// Faces of two bottom nodes: their boxes along E's axes, and on which side of the other's plane their corners lie.
+  /// Faces of two bottom nodes: their boxes along E's axes, on which side of the other's plane their corners lie, and
+  /// which edges pass through the other face.
   FacePairs (*faces)(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
                      const WidePose& pose);
   /// Children whose boxes the ray may meet, and how far along it at least.

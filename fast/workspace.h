@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "fast/separation.h"
 #include "fast/stamped_array.h"
 #include "fast/transform.h"
+#include "fast/wide_elements.h"
 
 namespace pcm::fast {
 
@@ -114,10 +116,13 @@ struct Workspace::Data {
   std::array<SideState, 2> sides;
   Placement placement;
   const WideTests& wide_tests = fastest_wide_tests();
+  const WideElements& wide_elements = fastest_wide_elements();
+  ElementLanes element_lanes;
   NodePairs node_pairs;
-  std::vector<Index> nodes;  ///< stack of the traversals of one tree
-  LineNodes line_nodes;      ///< of the searches along lines
-  std::vector<Index> stack;  ///< of the floods over a mesh
+  std::vector<Index> nodes;          ///< stack of the traversals of one tree
+  LineNodes line_nodes;              ///< of the searches along lines
+  std::vector<Index> stack;          ///< of the floods over a mesh
+  std::vector<std::uint64_t> marks;  ///< of sort_ascending
   std::vector<std::pair<Index, Index>>
       candidates;        ///< face pairs (E, F) whose boxes may touch; where bounds are wanted
   LineTrace line_trace;  ///< of the line at hand, where bounds are wanted

@@ -82,12 +82,20 @@ class WideTestsOn : public testing::TestWithParam<Situation> {
   bool edge_passes(std::size_t side, Index face, Index other_face) {
     const auto e = posed[side].face_points(face, work), f = posed[1 - side].face_points(other_face, work);
     for (std::size_t k = 0; k < 3; ++k) {
-      const RankedPoint &a = e[k], &b = e[(k + 1) % 3];
-      if (orientation(f[0], f[1], f[2], a, work) == orientation(f[0], f[1], f[2], b, work)) continue;
-      const int turn = orientation(a, b, f[0], f[1], work);
-      if (turn == orientation(a, b, f[1], f[2], work) && turn == orientation(a, b, f[2], f[0], work)) return true;
+      if (passes(e[k], e[(k + 1) % 3], f)) return true;
     }
     return false;
+  }
+  bool passes(const RankedPoint& a, const RankedPoint& b, const std::array<RankedPoint, 3>& f) {
+    if (orientation(f[0], f[1], f[2], a, work) == orientation(f[0], f[1], f[2], b, work)) return false;
+    const int turn = orientation(a, b, f[0], f[1], work);
+    return turn == orientation(a, b, f[1], f[2], work) && turn == orientation(a, b, f[2], f[0], work);
+  }
+  /// Of the edges at the corner that lies on its own side: bit 0 that from it, bit 1 that to it.
+  unsigned edges_that_pass(std::size_t side, Index face, Index other_face, unsigned above) {
+    const auto e = posed[side].face_points(face, work), f = posed[1 - side].face_points(other_face, work);
+    const std::size_t lone = above == 1 || above == 6 ? 0 : above == 2 || above == 5 ? 1 : 2;
+    return (passes(e[lone], e[(lone + 1) % 3], f) ? 1U : 0U) | (passes(e[(lone + 2) % 3], e[lone], f) ? 2U : 0U);
   }
 
   Surface E, F;
@@ -99,16 +107,22 @@ class WideTestsOn : public testing::TestWithParam<Situation> {
 TEST_P(WideTestsOn, CandidatesHoldEveryCrossingPairOnce) {
   NodePairs open;
   std::set<FacePair> candidates;
+  int surely_passing = 0;
   const auto expect_sides = [&](std::size_t side, Index face, Index plane, unsigned above) {
     const auto x = posed[side].face_points(face, work), p = posed[1 - side].face_points(plane, work);
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_EQ(orientation(p[0], p[1], p[2], x[k], work) > 0, (above >> k & 1U) != 0);
   };
   for_each_candidate(E.data(), F.data(), placement, fastest_wide_tests(), open, work,
-                     [&](Index e, Index f, const PlaneSides& sides) {
+                     [&](Index e, Index f, const SureSigns& sure) {
                        EXPECT_TRUE(candidates.emplace(e, f).second) << e << ' ' << f;
-                       if (sides.sure_of_E) expect_sides(0, e, f, sides.above_of_E);
-                       if (sides.sure_of_F) expect_sides(1, f, e, sides.above_of_F);
+                       if (sure.of_E()) expect_sides(0, e, f, sure.above_of_E());
+                       if (sure.of_F()) expect_sides(1, f, e, sure.above_of_F());
+                       if (sure.of_passing()) {
+                         ++surely_passing;
+                         EXPECT_EQ(edges_that_pass(0, e, f, sure.above_of_E()), sure.passing() & 3U);
+                         EXPECT_EQ(edges_that_pass(1, f, e, sure.above_of_F()), sure.passing() >> 2);
+                       }
                        return true;
                      });
   const auto faces_E = static_cast<Index>(GetParam().E.faces.size()),
@@ -122,6 +136,7 @@ TEST_P(WideTestsOn, CandidatesHoldEveryCrossingPairOnce) {
     }
   }
   EXPECT_GT(crossing, 0);
+  RecordProperty("surely_passing", surely_passing);
   EXPECT_LT(candidates.size(), static_cast<std::size_t>(faces_E) * static_cast<std::size_t>(faces_F) / 2);
 }
 
@@ -220,10 +235,10 @@ TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
       const FacePairs a = portable->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose),
                       b = wide->faces(e, tree_E.group(e.group), f, tree_F.group(f.group), pose);
       EXPECT_EQ(a.possible, b.possible);
-      EXPECT_EQ(a.sure_of_E, b.sure_of_E);
-      EXPECT_EQ(a.sure_of_F, b.sure_of_F);
-      EXPECT_EQ(a.above_of_E, b.above_of_E);
-      EXPECT_EQ(a.above_of_F, b.above_of_F);
+      for (LanePairs possible = a.possible; possible != 0; possible &= possible - 1) {
+        const auto pair = static_cast<std::size_t>(std::countr_zero(possible));
+        EXPECT_EQ(a.bits[pair], b.bits[pair]);
+      }
     }
   }
 }
