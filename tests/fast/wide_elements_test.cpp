@@ -82,7 +82,6 @@ TEST_P(WideElementsAt, GeometryIsThatOfEachFace) {
 }
 
 TEST_P(WideElementsAt, DepthIsThatOfEachPair) {
-  if (GetParam() < 0x1p-200 || GetParam() > 0x1p200) GTEST_SKIP() << "the geometry is not known";
   const auto [portable, wide] = all_wide_elements();
   int depths = 0;
   for (int round = 0; round < 1000; ++round) {
@@ -107,7 +106,8 @@ TEST_P(WideElementsAt, DepthIsThatOfEachPair) {
       EXPECT_EQ(bits(lanes.depth.value[lane]), bits(wide_lanes.depth.value[lane]));
     }
   }
-  EXPECT_GT(depths, 0);
+  // Near the ends of the range of doubles the kernels know no geometry, and say so.
+  EXPECT_EQ(depths > 0, GetParam() > 0x1p-200 && GetParam() < 0x1p200);
 }
 
 TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
