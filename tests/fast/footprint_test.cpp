@@ -149,6 +149,148 @@ TEST(Footprint, ZeroStripHoldsWhatAnErrorOfTheFunctionDecides) {
   EXPECT_GE(greatest, 0.9);
 }
 
+/// The area of the box where one function is positive and the other one is not.
+double area_between(const LinearDepth& a, const LinearDepth& b, const BoxST& box) {
+  const std::array<PrismPoint, 4> corners{point(box.low_s, box.low_t, 0), point(box.high_s, box.low_t, 0),
+                                          point(box.high_s, box.high_t, 0), point(box.low_s, box.high_t, 0)};
+  const auto keep = [](ConvexPolygon& part, const LinearDepth& function, double sign) {
+    Heights heights{};
+    for (int i = 0; i < part.count; ++i)
+      heights[static_cast<std::size_t>(i)] = sign * function.at(part[i][kS], part[i][kT]);
+    if (!part.empty()) keep_where_not_negative(part, heights);
+  };
+  double area = 0;
+  for (const double sign : {1.0, -1.0}) {
+    ConvexPolygon part;
+    for (const PrismPoint& corner : corners) part.add(corner);
+    keep(part, a, sign);
+    keep(part, b, -sign);
+    area += part.empty() ? 0 : 0.5 * twice_area(part);
+  }
+  return area;
+}
+
+/// A linear function nowhere in the box greater than `most`, either way: more often than not that great in a corner.
+LinearDepth draw_change(Draw& draw, double most, const BoxST& box) {
+  LinearDepth change{draw.end(), 0.5 * (box.low_s + box.high_s), 0.5 * (box.low_t + box.high_t),
+                     draw.end() / box.width_s(), draw.end() / box.width_t()};
+  const double greatest = std::abs(change.middle(box)) + change.reach(box), scale = greatest > 0 ? most / greatest : 0;
+  return {scale * change.value, change.s_0, change.t_0, scale * change.per_s, scale * change.per_t};
+}
+
+/// Of functions that are measured from one point.
+LinearDepth sum_of(const LinearDepth& a, double share, const LinearDepth& b) {
+  return {a.value + share * b.value, a.s_0, a.t_0, a.per_s + share * b.per_s, a.per_t + share * b.per_t};
+}
+
+/// A function, how far it is off, and two that are both within that of it, and nearer to each other.
+struct TwoFunctions {
+  LinearDepth given, one, other;
+  LineError error;
+
+  TwoFunctions(Draw& draw, const BoxST& box) {
+    given = {draw.unit(), 0.5 * (box.low_s + box.high_s), 0.5 * (box.low_t + box.high_t), draw.unit() / box.width_s(),
+             draw.unit() / box.width_t()};
+    error.off = std::exp2(-6 + 5 * draw.unit());
+    error.apart = error.off * std::exp2(-5 + 5 * draw.unit());
+    one = sum_of(given, 1, draw_change(draw, error.off - error.apart, box));
+    other = sum_of(one, 1, draw_change(draw, error.apart, box));
+  }
+};
+
+TEST(Footprint, ZeroStripHoldsWhatLiesBetweenTheZerosOfTwoFunctionsNearTheGivenOne) {
+  Draw draw(6);
+  double greatest = 0;
+  int strips = 0;
+  for (int trial = 0; trial < 40000; ++trial) {
+    const double s = 0.4 + 0.4 * draw.unit(), t = 0.4 + 0.4 * draw.unit();
+    const BoxST box{s, s + std::exp2(-6 + 6 * draw.unit()), t, t + std::exp2(-6 + 6 * draw.unit())};
+    const TwoFunctions functions(draw, box);
+    const ZeroStrip strip = zero_strip(functions.given, functions.error, box);
+    const double between = area_between(functions.one, functions.other, box);
+    ASSERT_LE(between, strip.area * (1 + 1e-9) + 1e-12 * box.area()) << trial;
+    if (strip.area == 0 || strip.everywhere || !(strip.area < box.area())) continue;
+    ++strips;
+    greatest = std::max(greatest, between / strip.area);
+  }
+  std::printf("  greatest area over its bound %.3f of %d\n", greatest, strips);
+  EXPECT_GE(greatest, 0.7);
+  EXPECT_GE(strips, 5000);
+}
+
+TEST(Footprint, StripAlongLineHoldsWhatOfItLiesInBothFaces) {
+  Draw draw(7);
+  double greatest = 0;
+  int strips = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Footprint f = draw_face(draw, kShift, 0), g = draw_face(draw, kShift, 3);
+    const BoxST box = f.box.common(g.box);
+    if (box.empty()) continue;
+    const TwoFunctions functions(draw, box);
+    const LineStrip strip = strip_along_line(functions.given, functions.error, f, g, box);
+    const std::array<PrismPoint, 3> moved_f = shifted(f, kShift, draw), moved_g = shifted(g, kShift, draw);
+    double area = 0, volume = 0;
+    for (const double sign : {1.0, -1.0}) {
+      ConvexPolygon part;
+      for (const PrismPoint& corner : moved_f) part.add(corner);
+      const auto keep = [&part](auto&& height) {
+        if (part.empty()) return;
+        Heights heights{};
+        for (int i = 0; i < part.count; ++i) heights[static_cast<std::size_t>(i)] = height(part[i]);
+        keep_where_not_negative(part, heights);
+      };
+      for (std::size_t k = 0; k < 3; ++k)
+        keep([&](const PrismPoint& x) { return cross_st(moved_g[k], moved_g[(k + 1) % 3], x); });
+      keep([&](const PrismPoint& x) { return sign * functions.one.at(x[kS], x[kT]); });
+      keep([&](const PrismPoint& x) { return -sign * functions.other.at(x[kS], x[kT]); });
+      keep([](const PrismPoint& x) { return x[kDepth]; });
+      if (part.empty()) continue;
+      Moments moments;
+      moments.add(part);
+      area += moments.area;
+      volume += moments.depth;
+    }
+    ASSERT_LE(area, strip.area * (1 + 1e-9) + 1e-12) << trial;
+    ASSERT_LE(volume, strip.volume * (1 + 1e-9) + 1e-12) << trial;
+    if (strip.area == 0 || strip.everywhere) continue;
+    ++strips;
+    greatest = std::max(greatest, area / strip.area);
+  }
+  std::printf("  greatest area over its bound %.3f of %d\n", greatest, strips);
+  EXPECT_GE(greatest, 0.5);
+  EXPECT_GE(strips, 3000);
+}
+
+TEST(Footprint, GreatestAreaHoldsWhatAFaceMayCoverOfTheMaster) {
+  Draw draw(8);
+  double greatest = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    Footprint f = draw_face(draw, kShift, 0);
+    // Slivers, and faces that reach beyond the master or above it.
+    const double squeeze = trial % 2 == 0 ? kShift : 1, size = trial % 3 == 0 ? 4 : 1;
+    for (PrismPoint& c : f.corners) {
+      c = point(size * squeeze * c[kS], size * c[kT] + (trial % 4 - 1.5) * 0.1, c[kDepth] - 0.2 * (trial % 5));
+    }
+    f.cut_shift = {0, 0, 0};
+    f.box = {0, 1, 0, 1};
+    const std::array<PrismPoint, 3> moved = shifted(f, kShift, draw);
+    ConvexPolygon part;
+    for (const PrismPoint& corner : moved) part.add(corner);
+    if (cross_st(moved[0], moved[1], moved[2]) < 0) continue;
+    for (int coordinate = 0; coordinate <= kDepth && !part.empty(); ++coordinate) {
+      Heights heights{};
+      for (int i = 0; i < part.count; ++i) heights[static_cast<std::size_t>(i)] = part[i][coordinate];
+      keep_where_not_negative(part, heights);
+    }
+    const double covered = part.empty() ? 0 : 0.5 * twice_area(part);
+    const double bound = greatest_area(f);
+    ASSERT_LE(covered, bound) << trial;
+    if (bound > 0) greatest = std::max(greatest, covered / bound);
+  }
+  std::printf("  greatest area over its bound %.3f\n", greatest);
+  EXPECT_GE(greatest, 0.9);
+}
+
 TEST(Footprint, FacesThatAreCertainlyApartStayApart) {
   Draw draw(3);
   int apart = 0, near = 0;
