@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -208,6 +209,94 @@ TEST(ClippedBound, CountsWhatAnOpenSurfaceHidesWhereItWindsAboutAVertexMoreThanO
       EXPECT_LT(contact.bound->force_Me.norm(), 1e-12);
     }
   }
+}
+
+/// Where F is master, against the oracle: the greatest component of the force's error over its bound.
+double held_on_F(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
+  ContactLaw law;
+  law.stiffness = 1;
+  fast::Workspace workspace;
+  Wanted wanted{false, false, true, true, true};
+  const fast::Pairing pairing(fast::Surface(E), fast::Surface(F), law, Mode::F, Scheme::clipped);
+  const fast::Contact& contact = evaluate(pairing, pose, Velocity{}, wanted, workspace);
+  EXPECT_GE(contact.element_count, 1);
+  EXPECT_FALSE(contact.bound->flipped);
+  wanted.bound = false;
+  const reference::Answer truth =
+      reference::Oracle(E, F, law, Mode::F, Scheme::clipped).answer(reference::Problem::exact, pose, {}, wanted);
+  double greatest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double force = std::abs(contact.force_Me[k] - truth.force_Me[k]);
+    EXPECT_LE(force, contact.bound->force_Me[k] + 0x1p-53 * std::abs(truth.force_Me[k]));
+    EXPECT_LE(std::abs(contact.torque_Me[k] - truth.torque_Me[k]),
+              contact.bound->torque_Me[k] + 0x1p-53 * std::abs(truth.torque_Me[k]));
+    if (contact.bound->force_Me[k] > 0) greatest = std::max(greatest, force / contact.bound->force_Me[k]);
+  }
+  return greatest;
+}
+
+constexpr double kWidth = 0x1p-6;  ///< of a master face over something deep, m
+
+/// No rotation, and not quite: upright lines of F lean by twice this against its faces' normals.
+Pose sheared(Eigen::Index axis, double shear) {
+  Pose pose;
+  pose.A = Eigen::Matrix3d::Identity();
+  pose.A(axis, 2) = pose.A(2, axis) = shear;
+  return pose;
+}
+
+TEST(ClippedBound, CountsWhatTheWallsOfAShearedBodyLeanOver) {
+  // A column that stands through a slab: beneath its top the lines go down between its walls.
+  const TriangleMesh slab = generate::box({-1, -1, -1}, {1, 1, 0.25});
+  const TriangleMesh column =
+      generate::gridded_box({-kWidth / 2, -kWidth / 2, -1.5}, {kWidth / 2, kWidth / 2, 0}, {1, 1, 2});
+  double greatest = 0;
+  for (const double shear : {-0x1p-49, -0x1.8p-51, 0.0, 0x1p-53, 0x1p-50, 0x1p-49, 0x1p-40}) {
+    for (const Eigen::Index axis : {0, 1}) {
+      SCOPED_TRACE(testing::Message() << "shear " << shear << " axis " << axis);
+      const double ratio = held_on_F(slab, column, sheared(axis, shear));
+      if (std::abs(shear) == 0x1p-49) greatest = std::max(greatest, ratio);
+    }
+  }
+  std::printf("  sheared: greatest error over its bound %.3f\n", greatest);
+  EXPECT_GE(greatest, 0.01);
+  // Rotations but for rounding.
+  for (std::uint64_t number = 0; number < 20; ++number) {
+    SCOPED_TRACE(number);
+    PoseRandom random(52, 0, 0, number);
+    Pose pose;
+    pose.A = Eigen::AngleAxisd(random.uniform(-0.1, 0.1), random.direction()).toRotationMatrix();
+    pose.r = Eigen::Vector3d(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0);
+    held_on_F(slab, column, pose);
+  }
+}
+
+TEST(ClippedBound, CountsFacesOfTheMasterThatTheElementsWereMadeWithout) {
+  // Halfway down to the slave's sheet a face of the master ends flush with the prism, so that it leans over it where
+  // the pose shears it. A sheet of the slave seen edgewise reaches deeper than the master's own floor, so that the
+  // bound alone has to hear of the master's faces.
+  constexpr double w = kWidth;
+  Triangles master;
+  master.add({0, 0, 0}, {w, 0, 0}, {0, w, 0});
+  master.add({0, -w, -0.5}, {0, 2 * w, -0.5}, {-w, w / 2, -0.5});
+  master.add({-w, -w, -1.5}, {4 * w, -w, -1.5}, {-w, 4 * w, -1.5});
+  double greatest[2] = {0, 0};
+  for (const bool is_deep : {false, true}) {
+    Triangles slave;
+    slave.add({-w, -w, -1}, {-w, 4 * w, -1}, {4 * w, -w, -1});
+    if (is_deep) slave.add({w / 16, 0.75 * w, -1.1}, {w / 8, 0.75 * w, -1.1}, {w / 16, 0.75 * w, -2});
+    // Makes the master face active.
+    const double v = w / 64;
+    slave.add({w / 4 + v, w / 4 - v, -v}, {w / 4 + v, w / 4 + v, -v}, {w / 4 - v, w / 4, v});
+    for (const double shear : {-0x1p-49, -0x1p-50, 0x1p-50, 0x1p-49}) {
+      SCOPED_TRACE(testing::Message() << "shear " << shear << " deep " << is_deep);
+      double& ratio = greatest[is_deep ? 1 : 0];
+      ratio = std::max(ratio, held_on_F(slave.mesh(), master.mesh(), sheared(0, shear)));
+    }
+  }
+  std::printf("  greatest error over its bound: leaning %.3f, unheard %.3f\n", greatest[0], greatest[1]);
+  EXPECT_GE(greatest[0], 0.04);
+  EXPECT_GE(greatest[1], 0.3);
 }
 
 }  // namespace
