@@ -117,6 +117,34 @@ TEST(Footprint, SidesPassOverNoMoreThanTheirStrips) {
   EXPECT_GE(greatest, 0.5);
 }
 
+TEST(Footprint, SidesOfFacesNotMuchLargerThanTheirShiftPassOverNoMoreThanTheirStrips) {
+  Draw draw(10);
+  double greatest = 0;
+  for (int trial = 0; trial < 40000; ++trial) {
+    Footprint f = draw_face(draw, kShift, 0);
+    // Short both ways, or narrow.
+    const PrismPoint centre = (f.corners[0] + f.corners[1] + f.corners[2]) / 3;
+    const double s = std::exp2(-4 + 4 * draw.unit()), t = trial % 2 == 0 ? s : 1;
+    for (PrismPoint& c : f.corners) {
+      c = point(centre[kS] + s * (c[kS] - centre[kS]), centre[kT] + t * (c[kT] - centre[kT]), c[kDepth]);
+    }
+    f.depth = plane_of(f.corners);
+    f.box = {0, 1, 0, 1};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PrismPoint side = f.corners[(k + 1) % 3] - f.corners[k];
+      f.side_shift[k] = kShift * (std::abs(side[kS]) + std::abs(side[kT]));
+    }
+    std::array<PrismPoint, 3> moved = shifted(f, kShift, draw);
+    if (triangle_area(moved) < 0) std::swap(moved[1], moved[2]);
+    const double passed = triangle_area(f.corners) + triangle_area(moved) - 2 * common_area(f.corners, moved);
+    const double bound = strips_along_sides(f, kShift, kShift, f, f.box).area;
+    ASSERT_LE(passed, bound) << trial;
+    greatest = std::max(greatest, passed / bound);
+  }
+  std::printf("  greatest area over its bound %.3f\n", greatest);
+  EXPECT_GE(greatest, 0.5);
+}
+
 TEST(Footprint, ZeroStripHoldsWhatAnErrorOfTheFunctionDecides) {
   Draw draw(2);
   double greatest = 0;
@@ -172,8 +200,9 @@ double area_between(const LinearDepth& a, const LinearDepth& b, const BoxST& box
 
 /// A linear function nowhere in the box greater than `most`, either way: more often than not that great in a corner.
 LinearDepth draw_change(Draw& draw, double most, const BoxST& box) {
-  LinearDepth change{draw.end(), 0.5 * (box.low_s + box.high_s), 0.5 * (box.low_t + box.high_t),
-                     draw.end() / box.width_s(), draw.end() / box.width_t()};
+  const auto pick = [&draw] { return draw.unit() > 0 ? draw.end() : 0.0; };
+  LinearDepth change{pick(), 0.5 * (box.low_s + box.high_s), 0.5 * (box.low_t + box.high_t), pick() / box.width_s(),
+                     pick() / box.width_t()};
   const double greatest = std::abs(change.middle(box)) + change.reach(box), scale = greatest > 0 ? most / greatest : 0;
   return {scale * change.value, change.s_0, change.t_0, scale * change.per_s, scale * change.per_t};
 }
