@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -29,6 +30,16 @@ class Triangles {
     for (const Eigen::Vector3d& x : {a, b, c}) mesh_.vertices.push_back(x);
     mesh_.faces.push_back({first, first + 1, first + 2});
   }
+  /// Two that look down and meet at x = 0, in one plane.
+  void add_ridge(double w, double z) {
+    const auto first = static_cast<Index>(mesh_.vertices.size());
+    for (const Eigen::Vector3d& x :
+         {Eigen::Vector3d(0, -w, z), Eigen::Vector3d(0, w, z), Eigen::Vector3d(w, 0, z), Eigen::Vector3d(-w, 0, z)}) {
+      mesh_.vertices.push_back(x);
+    }
+    mesh_.faces.push_back({first, first + 1, first + 2});
+    mesh_.faces.push_back({first + 1, first, first + 3});
+  }
   const TriangleMesh& mesh() const { return mesh_; }
 
  private:
@@ -43,6 +54,9 @@ enum class Scene {
   entry,    ///< a sheet, and a face that looks up and comes from above the master's plane
   order,    ///< a sheet, and a face that looks up and comes through it
   whole,    ///< nothing but a sheet
+  vast,     ///< a sheet that reaches far beyond the master, sloped
+  ridge,    ///< two sheets that meet in the middle
+  blade,    ///< nothing but a face seen edgewise
 };
 
 Triangles slave_of(Scene scene) {
@@ -56,7 +70,14 @@ Triangles slave_of(Scene scene) {
       slave.add(b, a, c);
     }
   };
-  sheet(scene == Scene::border ? 0 : 1, -0.5, false);
+  if (scene == Scene::vast) {
+    const double far = 0x1p16 * kNarrow;
+    slave.add({far, -0.7 * far, -0.6}, {-far, -0.8 * far, -0.4}, {0.1 * far, far, -0.5});
+  } else if (scene == Scene::ridge) {
+    slave.add_ridge(3 * kNarrow, -0.5);
+  } else if (scene != Scene::blade) {
+    sheet(scene == Scene::border ? 0 : 1, -0.5, false);
+  }
   const double w = 2 * kNarrow;
   switch (scene) {
     case Scene::hider:
@@ -73,8 +94,13 @@ Triangles slave_of(Scene scene) {
     case Scene::order:
       slave.add({w, -w, -0.5 - w}, {w, w, -0.5 - w}, {-w, 0, -0.5 + w});
       break;
+    case Scene::blade:
+      slave.add({0, -w, -0.25}, {0, w, -0.25}, {0, 0, -0.5});
+      break;
     case Scene::border:
     case Scene::whole:
+    case Scene::vast:
+    case Scene::ridge:
       break;
   }
   // Makes the master face active: it passes through a corner of it.
@@ -88,7 +114,7 @@ Triangles slave_of(Scene scene) {
 struct Case {
   const char* name;
   Scene scene;
-  bool damped;
+  enum Law { elastic, damped, spun, faded } law;
   Mode mode;
 };
 
@@ -102,10 +128,15 @@ TEST_P(ClippedBoundTerm, IsNeededAndHolds) {
   const Case& c = GetParam();
   ContactLaw law;
   law.stiffness = 1;
-  if (c.damped) {
+  if (c.law != Case::elastic) {
     law.damping = 1;
     law.damping_mode = DampingMode::full;
   }
+  // Damping differs from place to place, and is nearly all of the force. It acts where the master face is, about which
+  // the slave turns.
+  const bool is_spun = c.law == Case::spun || c.law == Case::faded;
+  if (is_spun) law.layers = LayerStiffness{HUGE_VAL, 1e-9};
+  if (c.law == Case::faded) law.transition_depth = 1;
   const Triangles slave = slave_of(c.scene);
   double greatest_force = 0, greatest_torque = 0;
   for (std::uint64_t number = 0; number < 200; ++number) {
@@ -130,13 +161,17 @@ TEST_P(ClippedBoundTerm, IsNeededAndHolds) {
     }
     const TriangleMesh& E = c.mode == Mode::E ? master.mesh() : turned;
     const TriangleMesh& F = c.mode == Mode::E ? slave.mesh() : master.mesh();
-    const Velocity velocity{
-        c.damped ? A * Eigen::Vector3d(0, 0, c.mode == Mode::E ? -1.0 : 1.0) : Eigen::Vector3d(0, 0, 0), {0, 0, 0}};
+    Velocity velocity{
+        c.law == Case::damped ? A * Eigen::Vector3d(0, 0, c.mode == Mode::E ? -1.0 : 1.0) : Eigen::Vector3d(0, 0, 0),
+        {0, 0, 0}};
+    if (is_spun) velocity.w = A * Eigen::Vector3d(0, 1 / kNarrow, 0);
     fast::Workspace workspace;
     Wanted wanted{false, false, true, true, true};
     const fast::Pairing pairing(fast::Surface(E), fast::Surface(F), law, c.mode, Scheme::clipped);
     const fast::Contact& contact = evaluate(pairing, pose, velocity, wanted, workspace);
-    ASSERT_GE(contact.element_count, 1);
+    if (c.scene != Scene::blade) {
+      ASSERT_GE(contact.element_count, 1);
+    }
     wanted.bound = false;
     const reference::Answer truth =
         reference::Oracle(E, F, law, c.mode, Scheme::clipped).answer(reference::Problem::exact, pose, velocity, wanted);
@@ -154,13 +189,19 @@ TEST_P(ClippedBoundTerm, IsNeededAndHolds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Terms, ClippedBoundTerm,
-                         testing::Values(Case{"BorderOfTheCarrier", Scene::border, false, Mode::E},
-                                         Case{"BorderOfADampedCarrier", Scene::border, true, Mode::E},
-                                         Case{"OutlineOfAHider", Scene::hider, false, Mode::E},
-                                         Case{"HiderSeenEdgewise", Scene::upright, false, Mode::E},
-                                         Case{"EntryOfAHider", Scene::entry, false, Mode::E},
-                                         Case{"OrderOfTwoSheets", Scene::order, false, Mode::E},
-                                         Case{"TurnedMaster", Scene::whole, false, Mode::F}),
+                         testing::Values(Case{"BorderOfTheCarrier", Scene::border, Case::elastic, Mode::E},
+                                         Case{"BorderOfADampedCarrier", Scene::border, Case::damped, Mode::E},
+                                         Case{"OutlineOfAHider", Scene::hider, Case::elastic, Mode::E},
+                                         Case{"HiderSeenEdgewise", Scene::upright, Case::elastic, Mode::E},
+                                         Case{"EntryOfAHider", Scene::entry, Case::elastic, Mode::E},
+                                         Case{"OrderOfTwoSheets", Scene::order, Case::elastic, Mode::E},
+                                         Case{"TurnedMaster", Scene::whole, Case::elastic, Mode::F},
+                                         Case{"VastSheet", Scene::vast, Case::elastic, Mode::F},
+                                         Case{"DampedVastSheet", Scene::vast, Case::damped, Mode::F},
+                                         Case{"Blade", Scene::blade, Case::elastic, Mode::E},
+                                         Case{"BladeOverAMovedMaster", Scene::blade, Case::elastic, Mode::F},
+                                         Case{"PassingOverARidge", Scene::ridge, Case::spun, Mode::E},
+                                         Case{"PassingVolumeOverARidge", Scene::ridge, Case::faded, Mode::E}),
                          [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
 
 /// An open surface that winds about a vertex once and `beyond` further, down a spiral staircase of one step a face, so
@@ -208,6 +249,94 @@ TEST(ClippedBound, CountsWhatAnOpenSurfaceHidesWhereItWindsAboutAVertexMoreThanO
       EXPECT_LT(contact.bound->force_Me.norm(), 1e-12);
     }
   }
+}
+
+/// Where F is master, against the oracle: the greatest component of the force's error over its bound.
+double held_on_F(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
+  ContactLaw law;
+  law.stiffness = 1;
+  fast::Workspace workspace;
+  Wanted wanted{false, false, true, true, true};
+  const fast::Pairing pairing(fast::Surface(E), fast::Surface(F), law, Mode::F, Scheme::clipped);
+  const fast::Contact& contact = evaluate(pairing, pose, Velocity{}, wanted, workspace);
+  EXPECT_GE(contact.element_count, 1);
+  EXPECT_FALSE(contact.bound->flipped);
+  wanted.bound = false;
+  const reference::Answer truth =
+      reference::Oracle(E, F, law, Mode::F, Scheme::clipped).answer(reference::Problem::exact, pose, {}, wanted);
+  double greatest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double force = std::abs(contact.force_Me[k] - truth.force_Me[k]);
+    EXPECT_LE(force, contact.bound->force_Me[k] + 0x1p-53 * std::abs(truth.force_Me[k]));
+    EXPECT_LE(std::abs(contact.torque_Me[k] - truth.torque_Me[k]),
+              contact.bound->torque_Me[k] + 0x1p-53 * std::abs(truth.torque_Me[k]));
+    if (contact.bound->force_Me[k] > 0) greatest = std::max(greatest, force / contact.bound->force_Me[k]);
+  }
+  return greatest;
+}
+
+constexpr double kWidth = 0x1p-6;  ///< of a master face over something deep, m
+
+/// No rotation, and not quite: upright lines of F lean by twice this against its faces' normals.
+Pose sheared(Eigen::Index axis, double shear) {
+  Pose pose;
+  pose.A = Eigen::Matrix3d::Identity();
+  pose.A(axis, 2) = pose.A(2, axis) = shear;
+  return pose;
+}
+
+TEST(ClippedBound, CountsWhatTheWallsOfAShearedBodyLeanOver) {
+  // A column that stands through a slab: beneath its top the lines go down between its walls.
+  const TriangleMesh slab = generate::box({-1, -1, -1}, {1, 1, 0.25});
+  const TriangleMesh column =
+      generate::gridded_box({-kWidth / 2, -kWidth / 2, -1.5}, {kWidth / 2, kWidth / 2, 0}, {1, 1, 2});
+  double greatest = 0;
+  for (const double shear : {-0x1p-49, -0x1.8p-51, 0.0, 0x1p-53, 0x1p-50, 0x1p-49, 0x1p-40}) {
+    for (const Eigen::Index axis : {0, 1}) {
+      SCOPED_TRACE(testing::Message() << "shear " << shear << " axis " << axis);
+      const double ratio = held_on_F(slab, column, sheared(axis, shear));
+      if (std::abs(shear) == 0x1p-49) greatest = std::max(greatest, ratio);
+    }
+  }
+  std::printf("  sheared: greatest error over its bound %.3f\n", greatest);
+  EXPECT_GE(greatest, 0.01);
+  // Rotations but for rounding.
+  for (std::uint64_t number = 0; number < 20; ++number) {
+    SCOPED_TRACE(number);
+    PoseRandom random(52, 0, 0, number);
+    Pose pose;
+    pose.A = Eigen::AngleAxisd(random.uniform(-0.1, 0.1), random.direction()).toRotationMatrix();
+    pose.r = Eigen::Vector3d(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0);
+    held_on_F(slab, column, pose);
+  }
+}
+
+TEST(ClippedBound, CountsFacesOfTheMasterThatTheElementsWereMadeWithout) {
+  // A little above the slave's sheet a face of the master ends flush with the prism, so that it leans over it where
+  // the pose shears it. A sheet of the slave seen edgewise reaches deeper than the master's own floor, so that the
+  // bound alone has to hear of the master's faces.
+  constexpr double w = kWidth;
+  Triangles master;
+  master.add({0, 0, 0}, {w, 0, 0}, {0, w, 0});
+  master.add({0, -w, -0.9}, {0, 2 * w, -0.9}, {-w, w / 2, -0.9});
+  master.add({-w, -w, -1.5}, {4 * w, -w, -1.5}, {-w, 4 * w, -1.5});
+  double greatest[2] = {0, 0};
+  for (const bool is_deep : {false, true}) {
+    Triangles slave;
+    slave.add({-w, -w, -1}, {-w, 4 * w, -1}, {4 * w, -w, -1});
+    if (is_deep) slave.add({0.125 * w, 0.75 * w, -1.1}, {0.126 * w, 0.75 * w, -1.1}, {0.125 * w, 0.75 * w, -2});
+    // Makes the master face active.
+    const double v = w / 64;
+    slave.add({w / 4 + v, w / 4 - v, -v}, {w / 4 + v, w / 4 + v, -v}, {w / 4 - v, w / 4, v});
+    for (const double shear : {-0x1p-49, -0x1p-50, 0x1p-50, 0x1p-49}) {
+      SCOPED_TRACE(testing::Message() << "shear " << shear << " deep " << is_deep);
+      double& ratio = greatest[is_deep ? 1 : 0];
+      ratio = std::max(ratio, held_on_F(slave.mesh(), master.mesh(), sheared(0, shear)));
+    }
+  }
+  std::printf("  greatest error over its bound: leaning %.3f, unheard %.3f\n", greatest[0], greatest[1]);
+  EXPECT_GE(greatest[0], 0.07);
+  EXPECT_GE(greatest[1], 0.3);
 }
 
 }  // namespace
