@@ -44,7 +44,8 @@ struct ThicknessEverywhere {
   /// and stand upright on it. 0 where a neighbour folds back beneath the face. Holds for lines that are a little off.
   std::vector<double> tolerant;
   /// No other face has a point strictly within the prism beneath the face, and nearer, exactly in the surface's own
-  /// frame: what stands upright on the prism's border does not count. At least as much as `tolerant`.
+  /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face by
+  /// however little.
   std::vector<double> exact;
 };
 
