@@ -179,7 +179,7 @@ SavingResult measure_candidate_region(std::int64_t poses) {
   };
   const reference::Oracle near = oracle(CandidateRegion::near), everywhere = oracle(CandidateRegion::everywhere);
   SavingResult result{"oracle's candidate region",
-                      "force on two spheres of 320 faces, 10 % deep, exactly",
+                      "all of two spheres of 320 faces, 10 % deep, exactly",
                       0,
                       0,
                       "face pairs looked at",
@@ -264,7 +264,7 @@ SkipResult run_skip(int bubbles, std::int64_t steps, std::int64_t poses,
     progress(question.saving);
     result.savings.push_back(measure(question, poses));
   }
-  progress("the oracle");
+  progress("oracle's candidate region");
   result.savings.push_back(measure_candidate_region(poses));
   return result;
 }

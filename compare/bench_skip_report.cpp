@@ -20,7 +20,8 @@ std::string sentences(const SkipResult& result) {
 }
 
 constexpr const char* kSavingsLegend =
-    "Each thing skipped, in a scene made for it. Median over the poses of the least of up to five times, one thread.\n";
+    "Each thing skipped, in a scene made for it. Median over the poses of the least of up to five times, one thread;\n"
+    "the oracle is asked once a pose.\n";
 
 }  // namespace
 

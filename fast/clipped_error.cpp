@@ -124,7 +124,7 @@ void SightError::find_outline(Sight& sight, const Surface::Data& surface) {
 
 // Within that distance of the master's sides.
 double SightError::area_leant_over(const Footprint& f) const {
-  const double distance = kBoundMargin * lean_ * f.greatest;
+  const double distance = kBoundMargin * lean_ * std::max(f.greatest, 0.0);
   const double s = distance * prism_.inward_Me(2).norm(), t = distance * prism_.inward_Me(0).norm();
   const double third = distance * prism_.inward_Me(1).norm();
   double area = 0;

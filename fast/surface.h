@@ -42,10 +42,11 @@ struct Clearance {
 struct ThicknessEverywhere {
   /// What lies beneath the face is no nearer, but for slivers of rounding size beside faces that share a vertex with it
   /// and stand upright on it. 0 where a neighbour folds back beneath the face. Holds for lines that are a little off.
+  /// At most `exact`.
   std::vector<double> tolerant;
   /// No other face has a point strictly within the prism beneath the face, and nearer, exactly in the surface's own
-  /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face by
-  /// however little.
+  /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face
+  /// by however little.
   std::vector<double> exact;
 };
 

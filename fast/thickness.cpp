@@ -246,7 +246,8 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& su
         }
       }
     }
-    bounds.tolerant[static_cast<std::size_t>(face)] = std::max(nearest, 0.0);
+    // What is cut short by a neighbour within the prism is not known.
+    bounds.tolerant[static_cast<std::size_t>(face)] = std::max(std::min(nearest, nearest_within), 0.0);
     bounds.exact[static_cast<std::size_t>(face)] = std::max(nearest_within, 0.0);
   }
   return bounds;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The steps of fast/wide_elements.h, for files that are compiled for different instructions: everything here is local
-// to the file that includes it, and no function of another header is called, so that no wide instruction leaks out.
+// to the file that includes it, and no function of another header is called, so that no wide instruction leaks out
+// (nothing but accessors, which optimized builds do not call).
 #pragma once
 
 #include "fast/wide_elements.h"

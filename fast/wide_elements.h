@@ -81,8 +81,9 @@ struct ForceLimits {
 };
 
 /// The steps from faces to forces, compiled for one set of instructions, in the order of operations of FaceGeometry,
-/// DepthBelow and apply_force: never fused, so that all sets give the bits of these. Each returns the lanes that it did
-/// fill; the numbers in others are too large or too small for it.
+/// DepthBelow and apply_force: never fused, so that all sets give the bits of these. `geometry` finds barycentres and
+/// sides in all lanes and returns those whose area and normal it found; `force` returns the lanes it filled. The
+/// numbers in others are too large or too small for them.
 struct WideElements {
   LaneBits (*geometry)(ElementLanes& lanes);
   SettledLanes (*settle)(ElementLanes& lanes, const SettleLimits& limits);
