@@ -318,7 +318,7 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
     f.depth = {0, 0, 0};
     f.field_error = f.line_error = f.depth_error = kInfinity;
     f.cut_noise = f.relative_noise = f.crossing_noise = 0;
-    return true;
+    return f.greatest >= 0;
   }
   f.facing = twice_area < 0 ? -1 : 1;
   f.sliver = 0;
@@ -341,7 +341,7 @@ bool find_footprint(const PrismError& error, Index face, bool own, const std::ar
     return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
   };
   f.crossing_noise = 16 * u * length_of(a) * length_of(b) * inverse / twice_area_of_master;
-  return true;
+  return f.greatest >= 0;
 }
 
 void find_side_shifts(const PrismError& error, Footprint& f) {
