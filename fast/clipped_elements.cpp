@@ -105,7 +105,7 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
     const std::array<PrismPoint, 3> corners{prism.see(posed.vertex_Me(vertices[0], work), work),
                                             prism.see(posed.vertex_Me(vertices[1], work), work),
                                             prism.see(posed.vertex_Me(vertices[2], work), work)};
-    if (bound != nullptr) bound->sight.see(posed, face, false, corners, {});
+    if (bound != nullptr) bound->sight.see(posed, face, false, corners, {}, work);
     const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
     if (deepest < 0) continue;
     ProjectedFace projected;
@@ -148,7 +148,7 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
                        ? MasterPrism::corner(static_cast<int>(shared - master_vertices.begin()))
                        : prism.see(posed.vertex_Me(vertices[k], work), work);
     }
-    if (bound != nullptr) bound->sight.see(posed, face, true, corners, is_shared);
+    if (bound != nullptr) bound->sight.see(posed, face, true, corners, is_shared, work);
     if (only_bound) continue;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     ProjectedFace projected;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fast/strips.h"
 #include "fast/vertex_rounding.h"
 
 namespace pcm::fast {
@@ -72,14 +73,15 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
 }  // namespace
 
 void SightError::see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
-                     const std::array<bool, 3>& shared) {
+                     const std::array<bool, 3>& shared, WorkCounters& work) {
   if (surely_unseen(error_, own, corners)) return;
   // Not a local variable: most of it stays unused where nothing is seen.
   scratch_->sights.emplace_back();
   Sight& sight = scratch_->sights.back();
   Footprint& f = sight.footprint;
-  if (!find_footprint(error_, face, own, surface.surface().face(face), corners, shared, surface.face_rounding_Me(face),
-                      2 * prism_.face().area, f)) {
+  const FaceInPrism seen{face,    own,    surface.surface().face(face),  surface.face_Me(face, work),
+                         corners, shared, surface.face_rounding_Me(face)};
+  if (!find_footprint(error_, seen, f)) {
     scratch_->sights.pop_back();
     return;
   }

@@ -35,7 +35,7 @@ class SightError {
 
   /// Any face that the master's prism may meet, ascending, the slave's first. `shared`: corners that are the master's.
   void see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
-           const std::array<bool, 3>& shared);
+           const std::array<bool, 3>& shared, WorkCounters& work);
   /// No part is seen deeper in either problem; less than 0 where no face may carry anything, m.
   double greatest_depth() const { return greatest_depth_; }
   /// No face of the master itself need be entered, but its lines deviate from where it would be so by up to this times

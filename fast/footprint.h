@@ -9,18 +9,12 @@
 #include <vector>
 
 #include "fast/convex_polygon.h"
+#include "fast/prism_shift.h"
 #include "meshes/triangle_mesh.h"
 
 namespace pcm::fast {
 
 class PrismError;
-
-/// How far points may be displaced in a master face's coordinates.
-struct PrismShift {
-  double s = 0;
-  double t = 0;
-  double depth = 0;  ///< m
-};
 
 /// A box in (s, t).
 struct BoxST {
@@ -59,29 +53,30 @@ struct Footprint {
   int facing;                   ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
   std::array<Index, 3> vertices;
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
-  BoxST box;                         ///< holds all of it that is over the master face at a depth >= 0, in both problems
-  PrismShift shift;                  ///< of its points over the master face
-  PrismShift cut_shift;              ///< of its border, by roundings of the cuts that shape it alone
-  PrismShift noise;                  ///< roundings of its vertices as they are seen
-  std::array<bool, 3> fixed;         ///< corners that are the master's own
-  bool knows_sides;                  ///< find_side_shifts was called
-  std::array<double, 3> side_shift;  ///< of side k over the master: (side k) x (displacement) in (s, t)
-  std::array<double, 3> side_cuts;   ///< and by roundings where it is cut itself
-  double third_side_shift;           ///< of the master's side where s + t = 1, as cuts have it: of s + t
-  PrismShift vertex_shift;           ///< of its vertices
-  PrismShift corner_shift;           ///< of its corners, in s and t, but for an affine map of the plane
-  LinearDepth depth;                 ///< its plane, where facing is sure
-  double field_error;                ///< of the depth at its points, m
-  double line_error;                 ///< of the depth where faces are cut along it, m
-  double depth_error;                ///< of the plane as it is computed here, m
-  double greatest;                   ///< it is seen nowhere deeper, m
+  BoxST box;                  ///< holds all of it that is over the master face at a depth >= 0, in both problems
+  PrismShift shift;           ///< of its points over the master face
+  PrismShift cut_shift;       ///< of its border, by roundings of the cuts that shape it alone
+  PrismNoise noise;           ///< roundings of its vertices as they are seen
+  std::array<bool, 3> fixed;  ///< corners that are the master's own
+  bool knows_sides;           ///< find_side_shifts was called
+  /// Of side k over the master: (side k) x (displacement) in (s, t). Roundings are apart.
+  std::array<double, 3> side_shift;
+  std::array<double, 3> side_cuts;       ///< of the side, where cuts shape the face
+  std::array<double, 3> side_roundings;  ///< of the side's linear function, where it cuts other faces
+  double third_side_shift;               ///< of the master's side where s + t = 1, as cuts have it: of s + t
+  PrismShift vertex_shift;               ///< of its vertices
+  PrismShift corner_shift;               ///< of its corners, in s and t, but for an affine map of the plane
+  LinearDepth depth;                     ///< its plane, where facing is sure
+  double field_error;                    ///< of the depth at its points, m
+  double line_error;                     ///< of the depth where faces are cut along it, m
+  double depth_error;                    ///< of the plane as it is computed here, m
+  double greatest;                       ///< it is seen nowhere deeper, m
   /// Of a face that stands on corners of the master: the height of its other corners beneath, m, and how far these may
   /// be shifted; 0 otherwise. At a depth d it is shifted by no more than d over that height times as much.
   double hinge_depth;
   PrismShift hinge_shift;
   double sliver;          ///< where facing is not sure: its area as computed
   int cuts;               ///< by how many planes it may be cut to what is over the master
-  double cut_noise;       ///< by how much each of these puts a vertex off the face's plane, m
   double relative_noise;  ///< of a linear function that is given by its values at the corners
   double crossing_noise;  ///< how far off the line may be, m over m, where this plane meets a face that far away
 
@@ -112,71 +107,30 @@ struct SightScratch {
 /// Whether the face certainly lies beyond one of the master's sides or above it, in both problems: a first test.
 bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners);
 
-/// False where the face is certainly not seen, in neither problem. `shared`: which corners are the master face's own;
-/// `rounding_Me`: how far its vertices may be from the exact problem's, m.
-bool find_footprint(const PrismError& error, Index face, bool own, const std::array<Index, 3>& vertices,
-                    const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared,
-                    const Eigen::Vector3d& rounding_Me, double twice_area, Footprint& footprint);
-
-/// Fills side_shift and side_cuts, unless they are.
-void find_side_shifts(const PrismError& error, Footprint& footprint);
-
-/// The area within the box that two faces may have in common in either problem: 0 where a side of one certainly has the
-/// other on its far side, where vertices that both share lie on their sides; a strip along that side where it nearly
-/// has.
-double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box);
-
-/// What the sides of a face may pass over within the box: its area, and the integral there of the depth of the face
-/// `carrier`; and whether one of them certainly has all of the box on its far side. Side k may be off by
-/// face.side_shift and by (s, t).
-struct SideStrips {
-  double area = 0;
-  double volume = 0;  ///< m
-  bool apart = false;
+/// A face of either surface as a master face sees it.
+struct FaceInPrism {
+  Index face;
+  bool own;  ///< of the master
+  std::array<Index, 3> vertices;
+  std::array<Eigen::Vector3d, 3> points_Me;
+  std::array<PrismPoint, 3> corners;
+  std::array<bool, 3> shared;   ///< which of them are the master face's own
+  Eigen::Vector3d rounding_Me;  ///< how far its vertices may be from the exact problem's, m
 };
-SideStrips strips_along_sides(const Footprint& face, double s, double t, const Footprint& carrier, const BoxST& box,
-                              const std::array<bool, 3>& sides = {true, true, true});
+
+/// False where the face is certainly not seen, in neither problem.
+bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint& footprint);
+
+/// Fills side_shift, side_cuts and side_roundings, unless they are.
+void find_side_shifts(const PrismError& error, Footprint& footprint);
 
 /// No more than this area of the master is covered by the face, in either problem.
 double greatest_area(const Footprint& face);
-
-/// The area within the box that a face whose facing is not sure has in either problem, down to the greatest depth of
-/// the carrier there, and the integral of that.
-SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth, const BoxST& box);
-
-/// How far two linear functions, of which the areas between their zeros are asked, are from each other, and how far
-/// either is from the one they are given by, which is rounded itself.
-struct LineError {
-  double apart, off;
-};
-
-/// The same for the line where the planes of two faces have one depth, or where `g` is at depth 0: within the box and
-/// both faces.
-struct LineStrip {
-  double area = 0;
-  double volume = 0;        ///< of the depth of f, m
-  bool everywhere = false;  ///< nowhere in the box is the sign sure
-};
-LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const Footprint& f, const Footprint& g,
-                           const BoxST& box);
 
 /// What is certain, in both problems, of the order in which the lines meet two faces wherever they meet both.
 enum class CertainOrder : std::uint8_t { before, after, unsure };
 /// Of g against f. Decided as the engine decides it, by the sides of a face's plane that the other's vertices lie on;
 /// those that both share lie on both planes.
 CertainOrder certain_order(const Footprint& g, const Footprint& f);
-
-/// The area within the box that the border of a convex polygon, shifted by up to (s, t) either way, may pass over.
-double strip_along_border(const BoxST& box, double s, double t);
-
-/// The area within the box between the places where two linear functions are 0, both near the given one.
-struct ZeroStrip {
-  double area = 0;
-  bool everywhere = false;  ///< nowhere in the box is its sign sure
-};
-ZeroStrip zero_strip(const LinearDepth& function, const LineError& error, const BoxST& box);
-/// The area where a function lies within `error` of 0 beside those sides of a face, as near as they may be shifted.
-double zero_strip_at_sides(const Footprint& face, const std::array<bool, 3>& sides, const LinearDepth& function,
-                           double error, const BoxST& box);
 
 }  // namespace pcm::fast

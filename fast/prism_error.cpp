@@ -16,6 +16,15 @@ constexpr double u = kUnitRoundoff;
 /// Roundings of a scalar product with a difference of points: the difference, the products, two sums.
 constexpr double kProductRoundings = 4;
 
+/// What g . (x - p) may be off by as it is computed (running error analysis): each difference and product is off by u
+/// times itself, and so is each sum, in whichever order they are taken.
+double roundings_of_product(const Eigen::Vector3d& g, const Eigen::Vector3d& x, const Eigen::Vector3d& p) {
+  const double a = g[0] * (x[0] - p[0]), b = g[1] * (x[1] - p[1]), c = g[2] * (x[2] - p[2]);
+  return u * (2 * (std::abs(a) + std::abs(b) + std::abs(c)) + std::max(std::abs(a + b), std::abs(b + c)) +
+              std::abs(a + b + c)) +
+         0x1p-1070;
+}
+
 /// A bound on |g . (p - q) - c|, sharp where the terms cancel: what the operations round off is taken along (Ogita,
 /// Rump and Oishi 2005), so that only what is rounded off in turn counts.
 double residual(const Eigen::Vector3d& g, const Eigen::Vector3d& p, const Eigen::Vector3d& q, double c) {
@@ -44,7 +53,8 @@ constexpr double kSecondOrder = 1.04;
 // n|^2, and |N| and its inverse have 8 roundings.
 PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side master,
                        const Eigen::Vector3d& own_rounding_Me, const Eigen::Vector3d& rounding_Me)
-    : g_s_Me_(prism.inward_Me(2)),
+    : prism_(prism),
+      g_s_Me_(prism.inward_Me(2)),
       g_t_Me_(prism.inward_Me(0)),
       n_Me_(prism.face().n_Me),
       own_rounding_Me_(own_rounding_Me),
@@ -53,7 +63,6 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
       tt_(g_t_Me_.squaredNorm()),
       length_s_(prism.edge_s_Me().norm()),
       length_t_(prism.edge_t_Me().norm()),
-      edges_st_(prism.edge_s_Me().dot(prism.edge_t_Me())),
       own_moves_(master == Side::F) {
   const Eigen::Vector3d& a_Me = prism.edge_s_Me();
   const Eigen::Vector3d& b_Me = prism.edge_t_Me();
@@ -101,34 +110,39 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   third_weight_tilt_ = kSecondOrder * sum.dot(n);
 }
 
-PrismShift PrismError::noise(const std::array<PrismPoint, 3>& corners) const {
-  // Squares of the distances from p0 and p2; their terms may cancel.
-  double from_p0 = 0, from_p2 = 0, greatest_depth = 0;
-  bool exact = false;
-  const double ss = length_s_ * length_s_, tt = length_t_ * length_t_;
-  for (const PrismPoint& x : corners) {
-    const double s = x[kS], t = x[kT], dd = x[kDepth] * x[kDepth];
-    const auto square = [&](double t_from) {
-      return (s * s * ss + t_from * t_from * tt) * (1 + 0x1p-40) + 2 * s * t_from * edges_st_ + dd;
-    };
-    const double square_0 = square(t);
-    from_p0 = std::max(from_p0, square_0);
-    from_p2 = std::max(from_p2, square(t - 1));
-    greatest_depth = std::max(greatest_depth, std::abs(x[kDepth]));
-    exact = exact || dd < exact_depth_ * exact_depth_ * square_0;
+PrismNoise PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me, const std::array<PrismPoint, 3>& corners,
+                             const std::array<bool, 3>& shared) const {
+  const FaceGeometry& face = prism_.face();
+  const auto& p = face.points_Me;
+  PrismNoise greatest;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (shared[k]) {
+      greatest.s = std::max(greatest.s, frame_noise_.s);
+      greatest.t = std::max(greatest.t, frame_noise_.t);
+      greatest.depth = std::max(greatest.depth, frame_noise_.depth);
+      continue;
+    }
+    const Eigen::Vector3d& x = points_Me[k];
+    greatest.s = std::max(greatest.s, roundings_of_product(g_s_Me_, x, p[2]));
+    greatest.t = std::max(greatest.t, roundings_of_product(g_t_Me_, x, p[0]));
+    greatest.third = std::max(greatest.third, roundings_of_product(prism_.inward_Me(1), x, p[1]));
+    const double depth = std::abs(corners[k][kDepth]);
+    double height_off = roundings_of_product(face.N_Me, x, p[0]) / (2 * face.area);
+    const double square = (x - p[0]).squaredNorm();
+    if (depth * depth < exact_depth_ * exact_depth_ * square) height_off += exact_depth_noise_ * std::sqrt(square);
+    greatest.depth = std::max(greatest.depth, kSecondOrder * height_off + 4 * u * depth);
   }
-  constexpr double k = kProductRoundings * u;
-  from_p0 = std::sqrt(from_p0);
-  from_p2 = std::sqrt(from_p2);
-  return {k * gradient_s_ * from_p2, k * gradient_t_ * from_p0,
-          kSecondOrder * (k + (exact ? exact_depth_noise_ : 0)) * from_p0 + 4 * u * greatest_depth};
+  greatest.s *= kSecondOrder;
+  greatest.t *= kSecondOrder;
+  greatest.third *= kSecondOrder;
+  return greatest;
 }
 
-// No point is farther from p2 than from p0 by more than the longest side.
-PrismShift PrismError::greatest_noise(double distance) const {
+// No point is farther from another corner than from p0 by more than the side between them.
+PrismNoise PrismError::greatest_noise(double distance) const {
   constexpr double k = kProductRoundings * u;
-  const double farther = kBoundMargin * (distance + length_t_);
-  return {k * gradient_s_ * farther, k * gradient_t_ * farther,
+  const double farther = kBoundMargin * (distance + std::max(length_s_, length_t_));
+  return {k * gradient_s_ * farther, k * gradient_t_ * farther, k * gradient_0_ * farther,
           (kSecondOrder * (k + exact_depth_noise_) + 4 * u) * farther};
 }
 
@@ -137,12 +151,12 @@ PrismShift PrismError::displacement(const Eigen::Vector3d& rounding_Me) const {
           kSecondOrder * n_Me_.cwiseAbs().dot(rounding_Me)};
 }
 
-PrismShift PrismError::of_vertices(const PrismShift& noise, const Eigen::Vector3d& rounding_Me) const {
+PrismShift PrismError::of_vertices(const PrismNoise& noise, const Eigen::Vector3d& rounding_Me) const {
   const PrismShift moved = displacement(rounding_Me);
   return {moved.s + noise.s, moved.t + noise.t, moved.depth + noise.depth};
 }
 
-PrismShift PrismError::of_any_vertices(const PrismShift& noise, bool own) const {
+PrismShift PrismError::of_any_vertices(const PrismNoise& noise, bool own) const {
   // Of both surfaces one is F's.
   const double moves = own == own_moves_ ? 1 : 0;
   return {moves * any_moved_.s + noise.s, moves * any_moved_.t + noise.t, moves * any_moved_.depth + noise.depth};
@@ -160,7 +174,7 @@ double PrismError::tilt_of(const PrismFunction& f) const {
   return kSecondOrder * height_ * (std::abs(G_s) + std::abs(G_t) + std::abs(G_s + G_t) + 16 * u * (size_s + size_t));
 }
 
-double PrismError::of_function(const PrismFunction& f, double depth, const PrismShift& noise,
+double PrismError::of_function(const PrismFunction& f, double depth, const PrismNoise& noise,
                                const Eigen::Vector3d& rounding_Me) const {
   // Vertices are moved in space, so the function changes by its gradient's product with that; likewise the frame.
   const Eigen::Vector3d gradient_Me = f.per_s * g_s_Me_ + f.per_t * g_t_Me_ - f.per_depth * n_Me_;
@@ -171,10 +185,8 @@ double PrismError::of_function(const PrismFunction& f, double depth, const Prism
          std::abs(f.per_depth) * (noise.depth + frame_noise_.depth + tilt_noise_.depth * depth);
 }
 
-// That weight is measured from p1, as far away as the others.
-double PrismError::of_third_weight(double depth, const PrismShift& noise) const {
-  const double own_noise = gradient_0_ * (noise.t / gradient_t_ + kProductRoundings * u * length_s_);
-  return noise.s + noise.t + own_noise + third_weight_ + third_weight_tilt_ * depth;
+double PrismError::of_third_weight(double depth, const PrismNoise& noise) const {
+  return noise.s + noise.t + noise.third + third_weight_ + third_weight_tilt_ * depth;
 }
 
 }  // namespace pcm::fast

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "fast/element_error.h"
-#include "fast/footprint.h"
 #include "fast/master_prism.h"
+#include "fast/prism_shift.h"
 
 namespace pcm::fast {
 
@@ -31,41 +31,44 @@ struct PrismFunction {
 /// problems.
 class PrismError {
  public:
-  /// `own_rounding_Me`: how far each coordinate of the master face's vertices may be off, 0 for E's; `rounding_Me`: of
-  /// any vertex of F.
+  /// The prism has to outlive this. `own_rounding_Me`: how far each coordinate of the master face's vertices may be
+  /// off, 0 for E's; `rounding_Me`: of any vertex of F.
   PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& own_rounding_Me,
              const Eigen::Vector3d& rounding_Me);
 
+  double twice_area() const { return 2 * prism_.face().area; }  ///< of the master face, m^2
   /// |x - p0| is no greater where no |coordinate| of x is, m.
   double distance(double s, double t, double depth) const { return length_s_ * s + length_t_ * t + depth; }
-  /// Roundings of what the prism makes of vertices that it sees at these corners.
-  PrismShift noise(const std::array<PrismPoint, 3>& corners) const;
+  /// Roundings of what the prism makes of vertices at `points_Me`, which it sees at these corners. Those that are
+  /// `shared` are the master's own, seen exactly: they are off only by what M is off there.
+  PrismNoise noise(const std::array<Eigen::Vector3d, 3>& points_Me, const std::array<PrismPoint, 3>& corners,
+                   const std::array<bool, 3>& shared) const;
   /// And of what it makes of any as near to p0 as that.
-  PrismShift greatest_noise(double distance) const;
+  PrismNoise greatest_noise(double distance) const;
   /// The first step, for vertices with these roundings, that are themselves off by up to `rounding_Me`.
-  PrismShift of_vertices(const PrismShift& noise, const Eigen::Vector3d& rounding_Me) const;
+  PrismShift of_vertices(const PrismNoise& noise, const Eigen::Vector3d& rounding_Me) const;
   /// The same for any vertices of the slave, or of the master.
-  PrismShift of_any_vertices(const PrismShift& noise, bool own) const;
+  PrismShift of_any_vertices(const PrismNoise& noise, bool own) const;
   /// The second, for points over the master face no deeper than `depth`.
   PrismShift of_frame(double depth) const;
   /// Both steps for a function of points over the master face no deeper than `depth`, on a face whose vertices are seen
   /// with these roundings and are off by up to `rounding_Me`.
-  double of_function(const PrismFunction& f, double depth, const PrismShift& noise,
+  double of_function(const PrismFunction& f, double depth, const PrismNoise& noise,
                      const Eigen::Vector3d& rounding_Me) const;
   /// The second step's part that turns depth into s and t, for points as far as `depth` from the master's plane,
   /// wherever they are: the rest maps lines in (s, t) to lines, and says nothing new of sides and windings.
   PrismShift of_tilt(double depth) const { return {tilt_.s * depth, tilt_.t * depth, 0}; }
   /// How far 1 - s - t may be from the weight of p0 as it is computed, over the master face no deeper than `depth`.
-  double of_third_weight(double depth, const PrismShift& noise) const;
+  double of_third_weight(double depth, const PrismNoise& noise) const;
 
  private:
   double tilt_of(const PrismFunction& f) const;
   PrismShift displacement(const Eigen::Vector3d& rounding_Me) const;
 
+  const MasterPrism& prism_;
   Eigen::Vector3d g_s_Me_, g_t_Me_, n_Me_, own_rounding_Me_;
   double ss_, st_, tt_;                          ///< scalar products of the gradients, 1 / m^2
   double length_s_, length_t_;                   ///< of p1 - p0 and p2 - p0, m
-  double edges_st_;                              ///< their scalar product, m^2
   double gradient_s_, gradient_t_, gradient_0_;  ///< length of the gradients of the weights, 1 / m
   PrismShift any_moved_;                         ///< by any vertex of F that is off by its rounding
   bool own_moves_;                               ///< the master is F's

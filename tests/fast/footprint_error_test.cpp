@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fast/footprint.h"
+#include "fast/strips.h"
 #include "fast/prism_error.h"
 #include "fast/projected_face.h"
 #include "tests/fast/exact_numbers.h"
@@ -195,7 +195,7 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
     // The face, and the exact problem's.
     const double little = (regime.stir > 0 ? 3 * regime.stir : 0x1p-51 * (1 + regime.depth)) / regime.width;
     const std::array<PrismPoint, 3> drawn = drawn_corners(regime, random, little);
-    std::array<Eigen::Vector3d, 3> x;
+    std::array<Eigen::Vector3d, 3> x = p;
     std::array<PrismPoint, 3> corners;
     std::array<bool, 3> shared{};
     std::array<RationalVector, 3> true_p, true_x;
@@ -233,7 +233,7 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
                            Eigen::Vector3d::Constant(regime.stir));
     const bool unseen = surely_unseen(error, regime.own, corners);
     Footprint f;
-    const bool found = find_footprint(error, 0, regime.own, {0, 1, 2}, corners, shared, rounding, 2 * geometry.area, f);
+    const bool found = find_footprint(error, {0, regime.own, {0, 1, 2}, x, corners, shared, rounding}, f);
 
     const ExactPrism exact(true_p);
     const mpf_class length_N = exact.length_N();
@@ -309,6 +309,11 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
       const PrismPoint& c = projected.seen[i];
       ASSERT_GE(c[kS], -f.cut_shift.s) << trial;
       ASSERT_GE(c[kT], -f.cut_shift.t) << trial;
+      // A polygon cut out of a triangle lies within it.
+      for (std::size_t k = 0; k < 3; ++k) {
+        const mpq_class inward = cross_of(computed[k], computed[(k + 1) % 3], as_exact(c));
+        ASSERT_GE(inward, mpq_class(-f.side_cuts[k])) << trial << " " << i;
+      }
       ASSERT_GE(1 - c[kS] - c[kT], -(f.third_side_shift + f.cut_shift.s + f.cut_shift.t)) << trial;
       // Where the exact face is not, nothing is said of its plane.
       const Seen here = as_exact(c);
