@@ -87,10 +87,13 @@ inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heigh
   int before = previous(first), after = next(last);
   for (; at(before) >= 0; before = previous(before)) first = before;
   for (; at(after) >= 0; after = next(after)) last = after;
+  // Counted apart from the polygon, so that storing points need not wait for it.
   ConvexPolygon kept;
-  if (at(first) > 0) kept.add(point_at_zero(polygon[first], at(first), polygon[before], at(before)));
-  for (int i = first; i != after; i = next(i)) kept.add(polygon[i]);
-  if (at(last) > 0) kept.add(point_at_zero(polygon[last], at(last), polygon[after], at(after)));
+  std::size_t count = 0;
+  if (at(first) > 0) kept.points[count++] = point_at_zero(polygon[first], at(first), polygon[before], at(before));
+  for (int i = first; i != after; i = next(i)) kept.points[count++] = polygon[i];
+  if (at(last) > 0) kept.points[count++] = point_at_zero(polygon[last], at(last), polygon[after], at(after));
+  kept.count = static_cast<int>(count);
   kept.cuts = polygon.cuts + 1;
   polygon = kept;
 }
