@@ -13,6 +13,7 @@
 #include "compare/pairs.h"
 #include "compare/strata.h"
 #include "fast/engine.h"
+#include "fast/geometry.h"
 #include "fast/scene.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
@@ -50,8 +51,7 @@ std::array<Wanted, 6> questions() {
 /// A scene of the two bodies answers as `evaluate` does at the pose and in small steps from it.
 void expect_the_same_of_a_scene(const fast::Pairing& pairing, const DrawnPose& drawn, fast::Workspace& one,
                                 fast::Workspace& other) {
-  const Eigen::Matrix3d skew = drawn.pose.A.transpose() * drawn.pose.A - Eigen::Matrix3d::Identity();
-  if (skew.cwiseAbs().maxCoeff() > 1e-10) return;  // Such rotations a scene refuses.
+  if (fast::orthogonality_error(drawn.pose.A) > 1e-10) return;  // Such rotations a scene refuses.
   fast::Scene scene;
   scene.add_body(pairing.surface_E());
   scene.add_body(pairing.surface_F());
