@@ -141,7 +141,9 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   const Surface::Data& surface_F = pairing.surface_F().data();
   data.placement = Placement(surface_E, surface_F, pose);
   data.side(Side::E).posed.place_E(surface_E);
-  data.side(Side::F).posed.place_F(surface_F, pose, surface_E.mesh.vertices.size(), wanted.bound);
+  // The barycentric scheme's bound asks no vertex of its rounding.
+  const bool with_roundings = wanted.bound && pairing.scheme() == Scheme::clipped;
+  data.side(Side::F).posed.place_F(surface_F, pose, surface_E.mesh.vertices.size(), with_roundings);
   if (!savings.lazy_vertices) data.side(Side::F).posed.transform_all(contact.work);
 
   const bool force = wants_force(wanted);
