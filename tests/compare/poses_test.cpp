@@ -147,9 +147,7 @@ TEST(Strata, SeparatedBodiesHaveOverlappingBoxesButAPlaneBetween) {
 TEST(Strata, NestedGuestLiesInsideItsHost) {
   const std::optional<NestedMeshes> meshes = nested_meshes(cube(), ball());
   ASSERT_TRUE(meshes);
-  FeaturePair pair(meshes->E, meshes->F);
-  pair.ball = meshes->ball;
-  pair.host = meshes->host;
+  const FeaturePair pair(*meshes);
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Pose pose = draw_pose(Stratum::nested, pair, random_for(Stratum::nested, i)).pose;
     const std::vector<Eigen::Vector3d> vertices_Me = rounded_vertices(meshes->F, pose);
