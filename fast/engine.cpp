@@ -11,7 +11,6 @@
 #include "fast/polygons.h"
 #include "fast/surface.h"
 #include "fast/workspace.h"
-#include "meshes/bad_input.h"
 
 namespace pcm::fast {
 
@@ -168,19 +167,12 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   }
   if (wanted.areas) measure_clipped_areas(data);
   if (force) {
-    const ContactLaw& law = pairing.law();
-    ForceProblem problem{pairing.scheme(), law, SeriesStiffness(law), pose, velocity};
-    problem.keep_elements = wanted.elements;
-    problem.with_bound = wanted.bound;
     StatisticsSum statistics;
-    if (wanted.elements || wanted.statistics) problem.statistics = &statistics;
-    problem.with_velocities =
-        law.damping != 0 || law.friction != 0 || problem.statistics != nullptr || !savings.velocities;
+    ForceProblem problem = force_problem(pairing.scheme(), pairing.law(), pose, velocity, wanted, statistics);
+    if (!savings.velocities) problem.with_velocities = true;
     if (!savings.one_sided) form_elements_of_slave(data, pairing.mode(), problem);
     compute_force(data, pairing.mode(), problem);
-    if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite()) {
-      throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
-    }
+    require_finite_force(contact);
   }
   return contact;
 }

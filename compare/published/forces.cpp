@@ -56,10 +56,7 @@ void compute_force(Workspace& workspace, const ContactLaw& law, Mode mode, const
                    const Wanted& wanted, const SumElements& sum_elements) {
   fast::Contact& contact = workspace.contact;
   fast::StatisticsSum statistics;
-  fast::ForceProblem problem{Scheme::barycentric, law, fast::SeriesStiffness(law), pose, velocity};
-  problem.keep_elements = wanted.elements;
-  if (wanted.elements || wanted.statistics) problem.statistics = &statistics;
-  problem.with_velocities = law.damping != 0 || law.friction != 0 || problem.statistics != nullptr;
+  const fast::ForceProblem problem = fast::force_problem(Scheme::barycentric, law, pose, velocity, wanted, statistics);
   if (mode == Mode::both) {
     const fast::MasterForce on_E = sum_elements(Side::E, problem);
     const fast::MasterForce on_F = sum_elements(Side::F, problem);
@@ -71,8 +68,7 @@ void compute_force(Workspace& workspace, const ContactLaw& law, Mode mode, const
     contact.torque_Me = total.torque_Me;
   }
   if (problem.statistics != nullptr) contact.statistics = statistics.result();
-  if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite())
-    throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
+  fast::require_finite_force(contact);
 }
 
 }  // namespace pcm::compare::published
