@@ -15,6 +15,7 @@
 #include "meshes/bad_input.h"
 #include "meshes/text_file.h"
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
@@ -29,7 +30,7 @@ std::vector<std::string> keys_of(const Json& object) {
 
 class Program : public testing::Test {
  protected:
-  const ScratchFolder scratch_;
+  const TemporaryFolder scratch_;
   const std::string box_ = scratch_.path("box.obj");
 
   void SetUp() override { ASSERT_EQ(run_pcm({"mesh", "make", "box", "-o", box_}).status, 0); }
