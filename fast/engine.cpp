@@ -24,26 +24,6 @@ bool wants_only_touch(const Wanted& wanted) {
   return !wanted.polygons && !wanted.areas && !wants_force(wanted);
 }
 
-/// Empties the answer and keeps its memory.
-void clear(Contact& contact) {
-  Contact empty;
-  std::swap(empty.crossings, contact.crossings);
-  std::swap(empty.polygons, contact.polygons);
-  std::swap(empty.elements, contact.elements);
-  std::swap(empty.E.intersected, contact.E.intersected);
-  std::swap(empty.E.inner, contact.E.inner);
-  std::swap(empty.F.intersected, contact.F.intersected);
-  std::swap(empty.F.inner, contact.F.inner);
-  contact = std::move(empty);
-  contact.crossings.clear();
-  contact.polygons.clear();
-  contact.elements.clear();
-  for (ActiveArea* area : {&contact.E, &contact.F}) {
-    area->intersected.clear();
-    area->inner.clear();
-  }
-}
-
 /// Writes the polygons and their points into the answer.
 void report_polygons(Workspace::Data& workspace) {
   Contact& contact = workspace.contact;
@@ -101,6 +81,25 @@ void keep_only(const Wanted& wanted, Contact& contact) {
 }
 
 }  // namespace
+
+void clear(Contact& contact) {
+  Contact empty;
+  std::swap(empty.crossings, contact.crossings);
+  std::swap(empty.polygons, contact.polygons);
+  std::swap(empty.elements, contact.elements);
+  std::swap(empty.E.intersected, contact.E.intersected);
+  std::swap(empty.E.inner, contact.E.inner);
+  std::swap(empty.F.intersected, contact.F.intersected);
+  std::swap(empty.F.inner, contact.F.inner);
+  contact = std::move(empty);
+  contact.crossings.clear();
+  contact.polygons.clear();
+  contact.elements.clear();
+  for (ActiveArea* area : {&contact.E, &contact.F}) {
+    area->intersected.clear();
+    area->inner.clear();
+  }
+}
 
 Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode, Scheme scheme)
     : surface_E_(std::move(surface_E)),

@@ -2,39 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/published/forces.h"
 
-#include <utility>
-
 #include "fast/contact_force.h"
 #include "fast/law.h"
 #include "meshes/bad_input.h"
 
 namespace pcm::compare::published {
-namespace {
-
-void clear(fast::Contact& contact) {
-  fast::Contact empty;
-  std::swap(empty.crossings, contact.crossings);
-  std::swap(empty.polygons, contact.polygons);
-  std::swap(empty.elements, contact.elements);
-  std::swap(empty.E, contact.E);
-  std::swap(empty.F, contact.F);
-  contact = std::move(empty);
-  contact.crossings.clear();
-  contact.polygons.clear();
-  contact.elements.clear();
-  for (fast::ActiveArea* area : {&contact.E, &contact.F}) {
-    area->intersected.clear();
-    area->inner.clear();
-  }
-}
-
-}  // namespace
 
 void begin(const Surface& surface_E, const Surface& surface_F, const Pose& pose, const Velocity& velocity,
            const Wanted& wanted, Workspace& workspace) {
   fast::require_valid(pose, velocity);
   if (wanted.bound) throw BadInput("the published algorithms know no bounds on their rounding errors");
-  clear(workspace.contact);
+  fast::clear(workspace.contact);
   workspace.faces_E.place(surface_E, nullptr);
   workspace.faces_F.place(surface_F, &pose);
 }
