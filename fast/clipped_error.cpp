@@ -78,8 +78,8 @@ void SightError::see(PosedSurface& surface, Index face, bool own, const std::arr
   scratch_->sights.emplace_back();
   Sight& sight = scratch_->sights.back();
   Footprint& f = sight.footprint;
-  if (!find_footprint(error_, face, own, surface.surface().face(face), corners, shared, surface.face_rounding_Me(face),
-                      2 * prism_.face().area, f)) {
+  if (!find_footprint(error_, face, own, surface.surface().face(face), corners, shared,
+                      surface.sharp_face_rounding_Me(face), 2 * prism_.face().area, f)) {
     scratch_->sights.pop_back();
     return;
   }
