@@ -7,6 +7,7 @@
 #include <array>
 
 #include "compare/random.h"
+#include "compare/wanted.h"
 #include "fast/engine.h"
 #include "meshes/bad_input.h"
 #include "meshes/generate_bubbles.h"
@@ -57,10 +58,9 @@ std::vector<Pose> bench_poses(const TriangleMesh& mesh, Distance distance, std::
   const bool touching = distance == Distance::touching;
   const fast::Surface surface(mesh);
   const fast::Pairing pairing(surface, surface);
-  const Wanted nothing{.polygons = false, .areas = false, .force = false, .elements = false};
   fast::Workspace workspace;
   const auto as_wanted = [&](const Pose& pose) {
-    return touching ? fast::evaluate(pairing, pose, {}, nothing, workspace).touching : boxes_overlap(body, pose);
+    return touching ? fast::evaluate(pairing, pose, {}, kTouchOnly, workspace).touching : boxes_overlap(body, pose);
   };
   std::vector<Pose> poses;
   for (std::uint64_t p = 0; static_cast<std::int64_t>(poses.size()) < number; ++p) {

@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/bench_contestant.h"
+#include "compare/wanted.h"
 #include "fast/engine.h"
 #include "reference/oracle.h"
 
 namespace pcm::compare {
 namespace {
 
-constexpr Wanted kNothing{.polygons = false, .areas = false, .force = false, .elements = false};
-constexpr Wanted kPolygonsOnly{.polygons = true, .areas = false, .force = false, .elements = false};
-constexpr Wanted kForceOnly{.polygons = false, .areas = false, .force = true, .elements = false};
 constexpr Wanted kEverything{};
 
 class Engine final : public Contestant {
@@ -64,7 +62,7 @@ std::vector<ContestantEntry> engine_contestants() {
           engine("pcm clipped", "everything", Scheme::clipped, kEverything),
           engine("pcm clipped", "force and torque", Scheme::clipped, kForceOnly),
           engine("pcm", "polygons, patches", Scheme::barycentric, kPolygonsOnly),
-          engine("pcm", "touch only", Scheme::barycentric, kNothing)};
+          engine("pcm", "touch only", Scheme::barycentric, kTouchOnly)};
 }
 
 std::vector<ContestantEntry> oracle_contestants() {

@@ -3,11 +3,10 @@
 #include "compare/bench_contestant.h"
 #include "compare/published/algorithm_2003.h"
 #include "compare/published/algorithm_2023.h"
+#include "compare/wanted.h"
 
 namespace pcm::compare {
 namespace {
-
-constexpr Wanted kForceOnly{.polygons = false, .areas = false, .force = true, .elements = false};
 
 /// Lines of a fifth of the body: twice as deep as the poses, for longer ones cost more.
 constexpr double kGreatestDepth = 0.2;

@@ -12,6 +12,7 @@
 
 #include "compare/bench_contestant.h"
 #include "compare/random.h"
+#include "compare/wanted.h"
 #include "fast/engine.h"
 #include "meshes/generate_round.h"
 
@@ -76,9 +77,9 @@ struct Question {
   Wanted wanted;
 };
 constexpr std::array<Question, kAsked> kQuestions{{
-    {Asked::touch, false, {.polygons = false, .areas = false, .force = false, .elements = false}},
-    {Asked::polygons, false, {.polygons = true, .areas = false, .force = false, .elements = false}},
-    {Asked::force, false, {.polygons = false, .areas = false, .force = true, .elements = false}},
+    {Asked::touch, false, kTouchOnly},
+    {Asked::polygons, false, kPolygonsOnly},
+    {Asked::force, false, kForceOnly},
     {Asked::everything, false, {}},
     {Asked::clipped_everything, true, {}},
 }};

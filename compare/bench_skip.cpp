@@ -11,6 +11,7 @@
 #include "compare/bench_bodies.h"
 #include "compare/moving_bubbles.h"
 #include "compare/random.h"
+#include "compare/wanted.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_round.h"
 #include "reference/oracle.h"
@@ -124,22 +125,20 @@ struct Question {
 };
 
 std::vector<Question> questions() {
-  const Wanted touch{.polygons = false, .areas = false, .force = false, .elements = false};
-  const Wanted force{.polygons = false, .areas = false, .force = true, .elements = false};
   const TriangleMesh sphere = generate::icosphere(1, 5), coarse = generate::icosphere(1, 2);
   const TriangleMesh bubble = generate::bubble();
   ContactLaw elastic;
   return {{"first crossing", "do two spheres of 20,480 faces touch, 5 % deep", sphere, sphere, 0.1, 2, bench_law(),
-           touch, &Savings::first_crossing, "candidate pairs", &fast::WorkCounters::candidate_pairs},
+           kTouchOnly, &Savings::first_crossing, "candidate pairs", &fast::WorkCounters::candidate_pairs},
           {"lazy vertices", "force on two spheres of 20,480 faces, 0.02 % deep", sphere, sphere, 4e-4, 2, bench_law(),
-           force, &Savings::lazy_vertices, "vertices transformed", &fast::WorkCounters::vertices_transformed},
+           kForceOnly, &Savings::lazy_vertices, "vertices transformed", &fast::WorkCounters::vertices_transformed},
           {"one-sided mode", "force on a sphere of 320 faces by one of 20,480, 10 % deep", coarse, sphere, 0.2, 2,
-           bench_law(), force, &Savings::one_sided, "elements formed", &fast::WorkCounters::elements},
+           bench_law(), kForceOnly, &Savings::one_sided, "elements formed", &fast::WorkCounters::elements},
           {"velocities", "elastic force on two spheres of 20,480 faces, 10 % deep", sphere, sphere, 0.2, 2, elastic,
-           force, &Savings::velocities, "elements with velocities", &fast::WorkCounters::velocities},
-          {"only what is wanted", "do two bubbles touch, 5 % deep", bubble, bubble, 0.02, 0.4, bench_law(), touch,
+           kForceOnly, &Savings::velocities, "elements with velocities", &fast::WorkCounters::velocities},
+          {"only what is wanted", "do two bubbles touch, 5 % deep", bubble, bubble, 0.02, 0.4, bench_law(), kTouchOnly,
            &Savings::only_wanted, "elements formed", &fast::WorkCounters::elements},
-          {"filters", "force on two bubbles, 5 % deep", bubble, bubble, 0.02, 0.4, bench_law(), force,
+          {"filters", "force on two bubbles, 5 % deep", bubble, bubble, 0.02, 0.4, bench_law(), kForceOnly,
            &Savings::filters, "exact signs", &fast::WorkCounters::exact_predicates}};
 }
 
@@ -204,20 +203,19 @@ SavingResult measure_candidate_region(std::int64_t poses) {
   return result;
 }
 
-/// Many bubbles and one of them paired with all others, none touching.
+/// Many bubbles, each paired with one and the same body and touching nothing.
 struct Apart {
   static constexpr Index kBodies = 1000;
   fast::Scene scene;
 
-  /// `distance`: of neighbours on a line; with 0 all hang over a plate whose box holds them.
+  /// `distance`: of neighbours on a line; with 0 all hang in an open container whose box holds them.
   Apart(const Savings& savings, double distance) : scene(savings) {
-    const Wanted force{.polygons = false, .areas = false, .force = true, .elements = false};
     const fast::Surface bubble(generate::bubble());
     scene.add_body(distance > 0 ? bubble : fast::Surface(generate::pyramid(8, 8)));
     std::vector<fast::BodyState> states(1);
     for (Index b = 1; b < kBodies; ++b) {
       scene.add_body(bubble);
-      scene.add_pairing(0, b, bench_law(), Mode::F, Scheme::barycentric, force);
+      scene.add_pairing(0, b, bench_law(), Mode::F, Scheme::barycentric, kForceOnly);
       fast::BodyState state;
       state.pose.r = distance > 0 ? Eigen::Vector3d(b * distance, 0, 0) : Eigen::Vector3d(0.001 * b, 0, 6);
       states.push_back(state);

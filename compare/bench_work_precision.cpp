@@ -12,13 +12,13 @@
 #include <utility>
 
 #include "compare/random.h"
+#include "compare/wanted.h"
 
 namespace pcm::compare {
 namespace {
 
 constexpr double kTooLong_us = 1e3 * kLongestEvaluation_ms;
 
-constexpr Wanted kForce{.polygons = false, .areas = false, .force = true, .elements = false};
 constexpr Wanted kForceAndBound{.polygons = false, .areas = false, .force = true, .elements = false, .bound = true};
 
 /// The exact integral over one pair of meshes at every pose.
@@ -55,12 +55,12 @@ Evaluate evaluation(const Method& method, const Meshes& meshes) {
   if (method.engine == Engine::fast)
     return [pairing = meshes.pairing(method.scheme),
             workspace = std::make_shared<fast::Workspace>()](const Pose& pose) -> const fast::Contact& {
-      return fast::evaluate(pairing, pose, {}, kForce, *workspace);
+      return fast::evaluate(pairing, pose, {}, kForceOnly, *workspace);
     };
   return [subject = std::shared_ptr<const Subject>(
               make_subject(method.engine, meshes.E.mesh(), meshes.F.mesh(), stiffness(1), Mode::E, method.scheme)),
           workspace = std::make_shared<SubjectWorkspace>()](const Pose& pose) -> const fast::Contact& {
-    return subject->evaluate(pose, {}, kForce, *workspace);
+    return subject->evaluate(pose, {}, kForceOnly, *workspace);
   };
 }
 
@@ -184,8 +184,9 @@ std::vector<WorkPrecisionProblem> work_precision_problems(Extent extent) {
     problem.poses.resize(static_cast<std::size_t>(orientations));
     problem.smooth_Me.resize(problem.poses.size());
     oneapi::tbb::parallel_for(0, orientations, [&](int i) {
-      problem.poses[i] = pair.placement(i).pose();
-      problem.smooth_Me[i] = ordered_product(problem.poses[i].A, pair.force_F(i));
+      const auto k = static_cast<std::size_t>(i);
+      problem.poses[k] = pair.placement(i).pose();
+      problem.smooth_Me[k] = ordered_product(problem.poses[k].A, pair.force_F(i));
     });
     problem.pair = std::move(pair);
   }

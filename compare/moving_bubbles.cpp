@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "compare/random.h"
+#include "compare/wanted.h"
 #include "meshes/generate_bubbles.h"
 
 namespace pcm::compare {
@@ -62,7 +63,6 @@ MovingBubbles::MovingBubbles(int bubbles, std::uint64_t seed)
 }
 
 fast::Scene MovingBubbles::scene(const fast::Savings& savings) const {
-  const Wanted force{.polygons = false, .areas = false, .force = true, .elements = false};
   fast::Scene scene(savings);
   scene.add_body(container_);
   for (std::size_t b = 0; b < swings_.size(); ++b) scene.add_body(bubble_);
@@ -70,7 +70,7 @@ fast::Scene MovingBubbles::scene(const fast::Savings& savings) const {
     const ContactLaw law = E == 0 ? law_of(1.2e6, 500) : law_of(5.9e5, 1000);
     // The container's four faces are no masters.
     for (Index F = E + 1; F < scene.bodies(); ++F)
-      scene.add_pairing(E, F, law, E == 0 ? Mode::F : Mode::E, Scheme::barycentric, force);
+      scene.add_pairing(E, F, law, E == 0 ? Mode::F : Mode::E, Scheme::barycentric, kForceOnly);
   }
   return scene;
 }

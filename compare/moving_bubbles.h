@@ -10,14 +10,14 @@
 namespace pcm::compare {
 
 /// Bubbles (PCM section 8) that jostle in an open pyramidal container on a prescribed motion: layer upon layer on a
-/// grid as wide as they are, each swinging about its place and turning. Nothing is integrated, so every engine and
-/// every setting sees the same motion; `seed` draws amplitudes, frequencies and axes.
+/// grid a little narrower than they are long, each swinging about its place and turning. Nothing is integrated, so
+/// every engine and every setting sees the same motion; `seed` draws amplitudes, frequencies and axes.
 class MovingBubbles {
  public:
   MovingBubbles(int bubbles, std::uint64_t seed);
 
   /// The container and the bubbles, everything paired with everything; the container is E, bubbles in their order. The
-  /// paper's laws, force and torque wanted.
+  /// paper's laws, with u_d = 1 mm and v_eps = 1 cm/s, which it leaves open; force and torque wanted.
   fast::Scene scene(const fast::Savings& savings) const;
 
   /// Where all bodies are at `time` seconds.

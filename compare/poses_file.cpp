@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <array>
 
+#include "fast/geometry.h"
 #include "meshes/bad_input.h"
 #include "meshes/parse_number.h"
 #include "meshes/text_file.h"
@@ -31,8 +32,7 @@ std::optional<std::string_view> take_word(std::string_view& rest) {
 }  // namespace
 
 bool is_rotation(const Eigen::Matrix3d& A) {
-  const Eigen::Matrix3d deviation = A.transpose() * A - Eigen::Matrix3d::Identity();
-  return (deviation.array().abs() <= kRotationTolerance).all() && A.determinant() > 0;
+  return fast::orthogonality_error(A) <= kRotationTolerance && A.determinant() > 0;
 }
 
 std::optional<State> parse_state(std::string_view line) {

@@ -45,19 +45,6 @@ struct DrawnPose {
   bool exact = false;
 };
 
-/// Two surfaces as the strata see them.
-struct FeaturePair {
-  FeaturePair(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) : E(mesh_E), F(mesh_F) {}
-
-  /// Size of the smaller body, m.
-  double size() const { return E.size < F.size ? E.size : F.size; }
-
-  SurfaceFeatures E;
-  SurfaceFeatures F;
-  InnerBall ball;       ///< stratum nested only: where the guest goes
-  Side host = Side::E;  ///< stratum nested only: whose ball it is
-};
-
 /// A pair made fit for the stratum nested: the guest is scaled by a power of two, hence exactly, until it fits into a
 /// ball inside the host. The host is the closed surface with the larger ball for its guest. None where neither surface
 /// is closed or no ball was found.
@@ -69,7 +56,21 @@ struct NestedMeshes {
 };
 std::optional<NestedMeshes> nested_meshes(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F);
 
-/// Draws one pose. `random` must be fresh. Stratum nested asks for a pair from `nested_meshes` with its ball set.
+/// Two surfaces as the strata see them.
+struct FeaturePair {
+  FeaturePair(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) : E(mesh_E), F(mesh_F) {}
+  explicit FeaturePair(const NestedMeshes& meshes) : E(meshes.E), F(meshes.F), ball(meshes.ball), host(meshes.host) {}
+
+  /// Size of the smaller body, m.
+  double size() const { return E.size < F.size ? E.size : F.size; }
+
+  SurfaceFeatures E;
+  SurfaceFeatures F;
+  InnerBall ball;       ///< stratum nested only: where the guest goes
+  Side host = Side::E;  ///< stratum nested only: whose ball it is
+};
+
+/// Draws one pose. `random` must be fresh. Stratum nested asks for a pair made of `NestedMeshes`.
 /// Cost: O(n) in the number of vertices.
 DrawnPose draw_pose(Stratum stratum, const FeaturePair& pair, PoseRandom random);
 

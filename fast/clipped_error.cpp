@@ -79,8 +79,8 @@ void SightError::see(PosedSurface& surface, Index face, bool own, const std::arr
   scratch_->sights.emplace_back();
   Sight& sight = scratch_->sights.back();
   Footprint& f = sight.footprint;
-  const FaceInPrism seen{face,    own,    surface.surface().face(face),  surface.face_Me(face, work),
-                         corners, shared, surface.face_rounding_Me(face)};
+  const FaceInPrism seen{face,    own,    surface.surface().face(face),        surface.face_Me(face, work),
+                         corners, shared, surface.sharp_face_rounding_Me(face)};
   if (!find_footprint(error_, seen, f)) {
     scratch_->sights.pop_back();
     return;

@@ -9,8 +9,19 @@
 
 #include "fast/force_bound.h"
 #include "fast/geometry.h"
+#include "meshes/bad_input.h"
 
 namespace pcm::fast {
+
+ForceProblem force_problem(Scheme scheme, const ContactLaw& law, const Pose& pose, const Velocity& velocity,
+                           const Wanted& wanted, StatisticsSum& statistics) {
+  ForceProblem problem{scheme, law, SeriesStiffness(law), pose, velocity};
+  problem.keep_elements = wanted.elements;
+  problem.with_bound = wanted.bound;
+  if (wanted.elements || wanted.statistics) problem.statistics = &statistics;
+  problem.with_velocities = law.damping != 0 || law.friction != 0 || problem.statistics != nullptr;
+  return problem;
+}
 
 ForceLimits force_limits(const ForceProblem& problem, Side master) {
   const auto three = [](const Eigen::Vector3d& v) { return std::array<double, 3>{v[0], v[1], v[2]}; };
@@ -72,6 +83,11 @@ void compute_force(Workspace::Data& workspace, Mode mode, const ForceProblem& pr
     if (problem.with_bound) contact.bound = bounds[static_cast<std::size_t>(master)]->result();
   }
   if (problem.statistics != nullptr) contact.statistics = problem.statistics->result();
+}
+
+void require_finite_force(const Contact& contact) {
+  if (contact.force_Me.allFinite() && contact.torque_Me.allFinite()) return;
+  throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
 }
 
 void form_elements_of_slave(Workspace::Data& workspace, Mode mode, const ForceProblem& problem) {

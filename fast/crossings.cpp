@@ -55,11 +55,11 @@ struct PairSigns {
   unsigned passing = 0;              ///< as in SureSigns
 };
 
-/// Decides whether the faces e and f cross. The planes meet in a line; on it lie the two points where edges of e at its
-/// lone corner a meet the plane of f, and the two where edges of f at its lone corner p meet the plane of e. The signs
-/// s_ij = orientation(a, a_i, p, p_j) order those points along the line, and an edge of e passes through f where its
-/// point lies between the two of f: where its two signs differ. Likewise for the edges of f. So two of the four do, or
-/// none. At most 10 signs, of which `known` may spare 6.
+/// Finds which edges of e and f pass through the other face: none where the faces do not cross. The planes meet in a
+/// line; on it lie the two points where edges of e at its lone corner a meet the plane of f, and the two where edges of
+/// f at its lone corner p meet the plane of e. The signs s_ij = orientation(a, a_i, p, p_j) order those points along
+/// the line, and an edge of e passes through f where its point lies between the two of f: where its two signs differ.
+/// Likewise for the edges of f. So two of the four do, or none. At most 10 signs, of which `known` may spare 6.
 PairSigns find_signs(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f, const SureSigns& known,
                      double sure, WorkCounters& work) {
   PairSigns result;

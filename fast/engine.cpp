@@ -11,7 +11,6 @@
 #include "fast/polygons.h"
 #include "fast/surface.h"
 #include "fast/workspace.h"
-#include "meshes/bad_input.h"
 
 namespace pcm::fast {
 
@@ -23,26 +22,6 @@ bool wants_force(const Wanted& wanted) {
 
 bool wants_only_touch(const Wanted& wanted) {
   return !wanted.polygons && !wanted.areas && !wants_force(wanted);
-}
-
-/// Empties the answer and keeps its memory.
-void clear(Contact& contact) {
-  Contact empty;
-  std::swap(empty.crossings, contact.crossings);
-  std::swap(empty.polygons, contact.polygons);
-  std::swap(empty.elements, contact.elements);
-  std::swap(empty.E.intersected, contact.E.intersected);
-  std::swap(empty.E.inner, contact.E.inner);
-  std::swap(empty.F.intersected, contact.F.intersected);
-  std::swap(empty.F.inner, contact.F.inner);
-  contact = std::move(empty);
-  contact.crossings.clear();
-  contact.polygons.clear();
-  contact.elements.clear();
-  for (ActiveArea* area : {&contact.E, &contact.F}) {
-    area->intersected.clear();
-    area->inner.clear();
-  }
 }
 
 /// Writes the polygons and their points into the answer.
@@ -103,6 +82,25 @@ void keep_only(const Wanted& wanted, Contact& contact) {
 
 }  // namespace
 
+void clear(Contact& contact) {
+  Contact empty;
+  std::swap(empty.crossings, contact.crossings);
+  std::swap(empty.polygons, contact.polygons);
+  std::swap(empty.elements, contact.elements);
+  std::swap(empty.E.intersected, contact.E.intersected);
+  std::swap(empty.E.inner, contact.E.inner);
+  std::swap(empty.F.intersected, contact.F.intersected);
+  std::swap(empty.F.inner, contact.F.inner);
+  contact = std::move(empty);
+  contact.crossings.clear();
+  contact.polygons.clear();
+  contact.elements.clear();
+  for (ActiveArea* area : {&contact.E, &contact.F}) {
+    area->intersected.clear();
+    area->inner.clear();
+  }
+}
+
 Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode, Scheme scheme)
     : surface_E_(std::move(surface_E)),
       surface_F_(std::move(surface_F)),
@@ -141,7 +139,9 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   const Surface::Data& surface_F = pairing.surface_F().data();
   data.placement = Placement(surface_E, surface_F, pose);
   data.side(Side::E).posed.place_E(surface_E);
-  data.side(Side::F).posed.place_F(surface_F, pose, surface_E.mesh.vertices.size(), wanted.bound);
+  // The barycentric scheme's bound asks no vertex of its rounding.
+  const bool with_roundings = wanted.bound && pairing.scheme() == Scheme::clipped;
+  data.side(Side::F).posed.place_F(surface_F, pose, surface_E.mesh.vertices.size(), with_roundings);
   if (!savings.lazy_vertices) data.side(Side::F).posed.transform_all(contact.work);
 
   const bool force = wants_force(wanted);
@@ -166,19 +166,12 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
   }
   if (wanted.areas) measure_clipped_areas(data);
   if (force) {
-    const ContactLaw& law = pairing.law();
-    ForceProblem problem{pairing.scheme(), law, SeriesStiffness(law), pose, velocity};
-    problem.keep_elements = wanted.elements;
-    problem.with_bound = wanted.bound;
     StatisticsSum statistics;
-    if (wanted.elements || wanted.statistics) problem.statistics = &statistics;
-    problem.with_velocities =
-        law.damping != 0 || law.friction != 0 || problem.statistics != nullptr || !savings.velocities;
+    ForceProblem problem = force_problem(pairing.scheme(), pairing.law(), pose, velocity, wanted, statistics);
+    if (!savings.velocities) problem.with_velocities = true;
     if (!savings.one_sided) form_elements_of_slave(data, pairing.mode(), problem);
     compute_force(data, pairing.mode(), problem);
-    if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite()) {
-      throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
-    }
+    require_finite_force(contact);
   }
   return contact;
 }

@@ -116,7 +116,7 @@ void MasterBound::add_possible_element(double area, double depth, const FaceGeom
 }
 
 void MasterBound::begin_clipped_face(Index face, const FaceGeometry& geometry) {
-  own_rounding_Me_ = workspace_.side(master_).posed.face_rounding_Me(face);
+  own_rounding_Me_ = workspace_.side(master_).posed.sharp_face_rounding_Me(face);
   face_ = FaceError(geometry, own_rounding_Me_);
   undecided_ = workspace_.side(master_).undecided.contains(face);
   passing_ = PassingError();

@@ -27,6 +27,12 @@ inline double length(const Eigen::Vector3d& v) {
   return std::ldexp(std::sqrt(w.dot(w)), exponent);
 }
 
+/// How far A is from a rotation or reflection: max |A^T A - I|, entry by entry, rounded; NaN where a sum in it
+/// overflows both ways, so that "at most so much" is false.
+inline double orthogonality_error(const Eigen::Matrix3d& A) {
+  return (A.transpose() * A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+}
+
 /// A face's normal (7) and area (6), from the differences of its vertices in Me. A face whose vertices lie on a line
 /// has area 0 and normal 0, never NaN.
 struct FaceGeometry {

@@ -59,7 +59,7 @@ void require_valid(const Pose& pose, const Velocity& velocity) {
     refuse("pose: greatest |r|", pose.r.cwiseAbs().maxCoeff(), "at most 2^300 m; choose a larger unit of length");
   }
   if (!velocity.v.allFinite() || !velocity.w.allFinite()) throw BadInput("velocity: v and w must be finite");
-  const double skew = (pose.A.transpose() * pose.A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double skew = orthogonality_error(pose.A);
   if (!(skew <= 1e-9)) refuse("pose: A is no rotation, max |A^T A - I|", skew, "at most 1e-9");
   if (!(pose.A.determinant() > 0)) throw BadInput("pose: A is a reflection (its determinant is negative), no rotation");
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "fast/geometry.h"
 #include "fast/surface.h"
 
 namespace pcm::fast {
@@ -34,8 +35,8 @@ struct Placement {
       : A(pose.A), r_Me(pose.r), A_absolute(pose.A.cwiseAbs()) {
     const Eigen::Vector3d reach_F = A_absolute * surface_F.reach + pose.r.cwiseAbs();
     reach = std::fmax(reach_F.maxCoeff(), surface_E.reach.maxCoeff());
-    // |A^T A - I|, entry by entry; three entries meet a point's coordinates, or a box's half widths.
-    skew = (pose.A.transpose() * pose.A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    // Three entries of A^T A - I meet a point's coordinates, or a box's half widths.
+    skew = orthogonality_error(pose.A);
     slack_E = kPlacementSlack * reach;
     slack_F = 4 * slack_E + 12 * skew * surface_F.reach.maxCoeff();
     span =

@@ -18,7 +18,7 @@ struct Savings {
   bool lazy_vertices = true;
   /// Modes E and F: no elements on the slave. Off: they are formed and thrown away.
   bool one_sided = true;
-  /// Velocities at elements only where the law or the caller's elements need them.
+  /// Velocities at elements only where the law, the caller's elements or their statistics need them.
   bool velocities = true;
   /// Only what `Wanted` asks for. Off: all of it is computed, and what was not asked for thrown away.
   bool only_wanted = true;

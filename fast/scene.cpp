@@ -118,9 +118,9 @@ void require_valid_state(std::size_t body, const BodyState& state) {
   } catch (const BadInput& error) {
     refuse(body, error.what());
   }
-  const Eigen::Matrix3d& A = state.pose.A;
-  const double skew = (A.transpose() * A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (skew > kBodySkew) refuse(body, "pose: A is no rotation to 1e-10 (max |A^T A - I|); normalise it");
+  if (orthogonality_error(state.pose.A) > kBodySkew) {
+    refuse(body, "pose: A is no rotation to 1e-10 (max |A^T A - I|); normalise it");
+  }
   const auto in_range = [](const Eigen::Vector3d& v) { return v.cwiseAbs().maxCoeff() <= kGreatestReach; };
   if (!in_range(state.velocity.v) || !in_range(state.velocity.w)) {
     refuse(body, "velocity: a component exceeds 2^300; choose other units");

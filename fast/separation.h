@@ -35,8 +35,8 @@ using BoxPairs = std::vector<BoxPair>;
 double distance_lower_bound(const Surface::Data& surface_E, const Surface::Data& surface_F, const Placement& placement,
                             BoxPairs& open, WorkCounters& work);
 
-/// Tells that two surfaces found apart are apart still, however they have moved in between (issue: a rigorous lower
-/// bound on the distance, spent by a bound on the relative motion).
+/// Tells that two surfaces found apart are apart still, however they have moved in between: a rigorous lower bound on
+/// the distance is spent by a bound on the relative motion.
 ///
 /// Points of F within the ball (c, radius) have moved by no more than |(A - A0) c + r - r0| + |A - A0| radius; spectral
 /// norms are bounded by Frobenius'. Where that is less than the distance, no point of F reaches E on the straight way

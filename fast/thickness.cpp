@@ -55,9 +55,9 @@ double least_distance(const Ray& ray, const FaceGeometry& f, double tolerance) {
 double least_depth(const MasterPrism& prism, const std::array<PrismPoint, 3>& corners, double tolerance) {
   ConvexPolygon part;
   for (PrismPoint corner : corners) {
-    corner[0] += tolerance * length(prism.inward_Me(1));
-    corner[1] += tolerance * length(prism.inward_Me(2));
-    corner[2] += tolerance * length(prism.inward_Me(0));
+    corner[0] += tolerance * prism.inward_length(1);
+    corner[1] += tolerance * prism.inward_length(2);
+    corner[2] += tolerance * prism.inward_length(0);
     corner[kDepth] += tolerance;
     part.add(corner);
   }
@@ -127,7 +127,7 @@ struct SeenFace {
 /// Whether all faces at a corner of the master face, whose prism it is, surely face its way, and go round that corner
 /// no more than once. Then they lie side by side as the master sees them.
 bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index corner, double tolerance) {
-  const double off_s = tolerance * length(prism.inward_Me(2)), off_t = tolerance * length(prism.inward_Me(0));
+  const double off_s = tolerance * prism.inward_length(2), off_t = tolerance * prism.inward_length(0);
   WorkCounters work;
   double angle = 0;
   for (const Index face : surface.vertex_faces[corner]) {
@@ -151,20 +151,16 @@ bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index
 /// for the vertices on that side.
 bool all_lie_beside(const MasterPrism& prism, const Surface::Data& surface, Index master_face, Index corner,
                     double tolerance) {
-  const Triangle& master = surface.face(master_face);
   WorkCounters work;
   for (const Index face : surface.vertex_faces[corner]) {
     if (face == master_face) continue;
+    const SeenFace seen(prism, surface, surface.face(master_face), face, work);
     std::array<bool, 3> beside{true, true, true};  // By weight; each is 0 on a side.
-    for (const Index vertex : surface.face(face)) {
-      const auto shared = std::find(master.begin(), master.end(), vertex);
-      const bool is_shared = shared != master.end();
-      const PrismPoint x = is_shared ? MasterPrism::corner(static_cast<int>(shared - master.begin()))
-                                     : prism.see(surface.vertex(vertex), work);
+    for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t weight = 0; weight < 3; ++weight) {
-        const double margin = tolerance * length(prism.inward_Me((weight + 1) % 3));
-        const double w = x[static_cast<Index>(weight)];
-        beside[weight] = beside[weight] && (is_shared ? w == 0 : w < -margin);
+        const double margin = tolerance * prism.inward_length((weight + 1) % 3);
+        const double w = seen.corners[k][static_cast<Index>(weight)];
+        beside[weight] = beside[weight] && (seen.shared[k] >= 0 ? w == 0 : w < -margin);
       }
     }
     if (!(beside[0] || beside[1] || beside[2])) return false;

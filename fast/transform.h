@@ -33,7 +33,7 @@ class PosedSurface {
     moved_ = false;
     first_rank_ = 0;
   }
-  /// `with_roundings`: whether rounding_Me will be asked for.
+  /// `with_roundings`: whether sharp roundings will be asked for.
   void place_F(const Surface::Data& surface, const Pose& pose, std::size_t vertices_of_E, bool with_roundings) {
     surface_ = &surface;
     if (transformed_Me_.size() < surface.mesh.vertices.size()) transformed_Me_.resize(surface.mesh.vertices.size());
@@ -64,8 +64,9 @@ class PosedSurface {
     }
     return vertices_Me_[i];
   }
-  /// How far the vertex may be from the exact problem's (PCM section 1), component by component, m; 0 for E's.
-  Eigen::Vector3d rounding_Me(Index v) {
+  /// How far the vertex may be from the exact problem's (PCM section 1), component by component, m; 0 for E's. By
+  /// `sharp_vertex_rounding`, found once a pose.
+  Eigen::Vector3d sharp_rounding_Me(Index v) {
     if (!moved_) return Eigen::Vector3d::Zero();
     const auto i = static_cast<std::size_t>(v);
     if (!has_rounding_.contains(i)) {
@@ -74,10 +75,12 @@ class PosedSurface {
     }
     return rounding_Me_[i];
   }
-  /// The greatest of a face's vertices.
-  Eigen::Vector3d face_rounding_Me(Index f) {
+  /// The same for all vertices of a face: the greatest of the three. Sharp, where `face_rounding` is not.
+  Eigen::Vector3d sharp_face_rounding_Me(Index f) {
     const Triangle& triangle = surface_->face(f);
-    return rounding_Me(triangle[0]).cwiseMax(rounding_Me(triangle[1])).cwiseMax(rounding_Me(triangle[2]));
+    return sharp_rounding_Me(triangle[0])
+        .cwiseMax(sharp_rounding_Me(triangle[1]))
+        .cwiseMax(sharp_rounding_Me(triangle[2]));
   }
   RankedPoint point(Index v, WorkCounters& work) { return {vertex_Me(v, work).data(), first_rank_ + v}; }
 

@@ -76,7 +76,7 @@ inline Eigen::Vector3d sharp_vertex_rounding(const Pose& pose, const Eigen::Vect
   return bound;
 }
 
-/// And for the vertices of one face of F: the greatest of the three.
+/// And for the vertices of one face of F, by `vertex_rounding`, which is not sharp: the greatest of the three.
 inline Eigen::Vector3d face_rounding(const Surface::Data& surface_F, const Pose& pose, Index face) {
   const Triangle& t = surface_F.face(face);
   return vertex_rounding(pose, surface_F.vertex(t[0]))

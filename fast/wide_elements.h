@@ -12,6 +12,8 @@ namespace pcm::fast {
 
 /// How many contact elements are computed at once.
 inline constexpr std::size_t kElementLanes = 4;
+
+/// Four numbers.
 struct alignas(32) DoubleLanes {
   std::array<double, kElementLanes> value{};
 };

@@ -227,7 +227,7 @@ inline Passing edges_passing(const FromLoneCorner& E, const FromLoneCorner& F, c
   return {nearest > room, {a00 ^ a01, a10 ^ a11, a00 ^ a10, a01 ^ a11}};
 }
 
-/// No less than the 1-norm of any edge in a box, given the sum of its widths.
+/// No less than the 1-norm of any edge in a box of these widths.
 inline Float8 edge_length(const Vector8& widths, const WidePose& pose) {
   return widths.x + widths.y + widths.z + 6 * pose.slack_E;
 }

@@ -112,6 +112,9 @@ struct FaceClip {
   bool undefined = false;  ///< a border of the other surface ends inside the face
 };
 
+/// Empties the answer and keeps its memory.
+void clear(Contact& contact);
+
 struct Workspace::Data {
   std::array<SideState, 2> sides;
   Placement placement;

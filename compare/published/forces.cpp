@@ -2,39 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/published/forces.h"
 
-#include <utility>
-
 #include "fast/contact_force.h"
 #include "fast/law.h"
 #include "meshes/bad_input.h"
 
 namespace pcm::compare::published {
-namespace {
-
-void clear(fast::Contact& contact) {
-  fast::Contact empty;
-  std::swap(empty.crossings, contact.crossings);
-  std::swap(empty.polygons, contact.polygons);
-  std::swap(empty.elements, contact.elements);
-  std::swap(empty.E, contact.E);
-  std::swap(empty.F, contact.F);
-  contact = std::move(empty);
-  contact.crossings.clear();
-  contact.polygons.clear();
-  contact.elements.clear();
-  for (fast::ActiveArea* area : {&contact.E, &contact.F}) {
-    area->intersected.clear();
-    area->inner.clear();
-  }
-}
-
-}  // namespace
 
 void begin(const Surface& surface_E, const Surface& surface_F, const Pose& pose, const Velocity& velocity,
            const Wanted& wanted, Workspace& workspace) {
   fast::require_valid(pose, velocity);
   if (wanted.bound) throw BadInput("the published algorithms know no bounds on their rounding errors");
-  clear(workspace.contact);
+  fast::clear(workspace.contact);
   workspace.faces_E.place(surface_E, nullptr);
   workspace.faces_F.place(surface_F, &pose);
 }
@@ -56,10 +34,7 @@ void compute_force(Workspace& workspace, const ContactLaw& law, Mode mode, const
                    const Wanted& wanted, const SumElements& sum_elements) {
   fast::Contact& contact = workspace.contact;
   fast::StatisticsSum statistics;
-  fast::ForceProblem problem{Scheme::barycentric, law, fast::SeriesStiffness(law), pose, velocity};
-  problem.keep_elements = wanted.elements;
-  if (wanted.elements || wanted.statistics) problem.statistics = &statistics;
-  problem.with_velocities = law.damping != 0 || law.friction != 0 || problem.statistics != nullptr;
+  const fast::ForceProblem problem = fast::force_problem(Scheme::barycentric, law, pose, velocity, wanted, statistics);
   if (mode == Mode::both) {
     const fast::MasterForce on_E = sum_elements(Side::E, problem);
     const fast::MasterForce on_F = sum_elements(Side::F, problem);
@@ -71,8 +46,7 @@ void compute_force(Workspace& workspace, const ContactLaw& law, Mode mode, const
     contact.torque_Me = total.torque_Me;
   }
   if (problem.statistics != nullptr) contact.statistics = statistics.result();
-  if (!contact.force_Me.allFinite() || !contact.torque_Me.allFinite())
-    throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
+  fast::require_finite_force(contact);
 }
 
 }  // namespace pcm::compare::published

@@ -7,6 +7,7 @@
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_round.h"
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
@@ -92,7 +93,7 @@ TEST(Advice, WithoutAForceThereIsNone) {
 }
 
 TEST(AdviceProgram, PrintsATableAndOneSentenceInPlaceOfJson) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::string plate = scratch.path("plate.obj"), sphere = scratch.path("sphere.obj");
   ASSERT_EQ(run_pcm({"mesh", "make", "plate", "-o", plate}).status, 0);
   ASSERT_EQ(run_pcm({"mesh", "make", "icosphere", "--radius=0.25", "-o", sphere}).status, 0);
@@ -106,7 +107,7 @@ TEST(AdviceProgram, PrintsATableAndOneSentenceInPlaceOfJson) {
 }
 
 TEST(AdviceProgram, OptionsThatItWouldNotHeedAreRefused) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::string box = scratch.path("box.obj");
   ASSERT_EQ(run_pcm({"mesh", "make", "box", "-o", box}).status, 0);
   for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{

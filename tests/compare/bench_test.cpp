@@ -21,12 +21,35 @@
 #include "meshes/text_file.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/compare/well_formed_xml.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Corners = std::array<Eigen::Vector3d, 3>;
+
+/// A quick run of `pcm bench` and the tables that it wrote.
+class QuickBench {
+ public:
+  explicit QuickBench(const std::string& what, const std::vector<std::string>& options = {}) {
+    std::vector<std::string> arguments{"bench", what, "--quick", "--out", tables_};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    out_ = outcome.out;
+  }
+
+  /// What it printed.
+  const std::string& out() const { return out_; }
+  /// The text of a file that it wrote.
+  std::string table(const std::string& name) const { return read_text_file(tables_ + "/" + name); }
+
+ private:
+  const TemporaryFolder folder_;
+  const std::string tables_ = folder_.path("tables");
+  std::string out_;
+};
 
 TEST(BenchTiming, QuantilesAreNearestRanks) {
   const std::vector<double> values{5, 1, 4, 2, 3};
@@ -82,13 +105,10 @@ TEST(BenchPoses, TouchOrAreParted) {
 }
 
 TEST(BenchPeers, EverybodyWhoCountsPairsFindsTheSameNumber) {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path("tables");
-  const Outcome outcome = run_pcm({"bench", "peers", "--quick", "--bodies", "bubbles", "--out", folder});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("pcm barycentric"), std::string::npos) << outcome.out;
+  const QuickBench bench("peers", {"--bodies", "bubbles"});
+  EXPECT_NE(bench.out().find("pcm barycentric"), std::string::npos) << bench.out();
 
-  const Json all = Json::parse(read_text_file(folder + "/peers.json"));
+  const Json all = Json::parse(bench.table("peers.json"));
   EXPECT_EQ(all["poses"], 3);
   EXPECT_FALSE(all["machine"]["processor"].get<std::string>().empty());
   std::map<std::string, double> pairs;
@@ -110,16 +130,13 @@ TEST(BenchPeers, EverybodyWhoCountsPairsFindsTheSameNumber) {
   EXPECT_GE(who, 12);
   EXPECT_GT(pairs.at("touching"), 10);
   EXPECT_EQ(pairs.at("separated"), 0);
-  EXPECT_NE(read_text_file(folder + "/peers.md").find("| pcm clipped | everything |"), std::string::npos);
-  EXPECT_EQ(lines_of(read_text_file(folder + "/peers.csv")).size(), static_cast<std::size_t>(who) + 1);
+  EXPECT_NE(bench.table("peers.md").find("| pcm clipped | everything |"), std::string::npos);
+  EXPECT_EQ(lines_of(bench.table("peers.csv")).size(), static_cast<std::size_t>(who) + 1);
 }
 
 TEST(BenchScaling, WorkGrowsAsTheMeshesDo) {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path("tables");
-  const Outcome outcome = run_pcm({"bench", "scaling", "--quick", "--out", folder});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const Json all = Json::parse(read_text_file(folder + "/scaling.json"));
+  const QuickBench bench("scaling");
+  const Json all = Json::parse(bench.table("scaling.json"));
   ASSERT_EQ(all["setup"].size(), 3U);
   EXPECT_EQ(all["setup"][2]["faces"], 5120);
   ASSERT_GE(all["points"].size(), 9U);
@@ -131,16 +148,12 @@ TEST(BenchScaling, WorkGrowsAsTheMeshesDo) {
     EXPECT_GT(fine["elements"], 2.5 * coarse["elements"].get<double>());
   }
   EXPECT_EQ(all["exponents"].size(), 3U);
-  for (const char* name : {"scaling.md", "scaling.csv", "setup.csv"})
-    EXPECT_FALSE(read_text_file(folder + "/" + name).empty());
+  for (const char* name : {"scaling.md", "scaling.csv", "setup.csv"}) EXPECT_FALSE(bench.table(name).empty());
 }
 
 TEST(BenchSkip, NothingSkippedChangesNoBitAndEachSavingSparesWork) {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path("tables");
-  const Outcome outcome = run_pcm({"bench", "skip", "--quick", "--out", folder});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const Json all = Json::parse(read_text_file(folder + "/skip.json"));
+  const QuickBench bench("skip");
+  const Json all = Json::parse(bench.table("skip.json"));
   EXPECT_EQ(all["bubbles"], 8);
   EXPECT_EQ(all["pairings"], 36);
   // Four steps, seven settings beside the first.
@@ -154,8 +167,7 @@ TEST(BenchSkip, NothingSkippedChangesNoBitAndEachSavingSparesWork) {
     const double on = saving["work_on"], off = saving["work_off"];
     EXPECT_LE(on, 0.5 * off) << saving;
   }
-  for (const char* name : {"skip.md", "skip.csv", "skip_scene.csv"})
-    EXPECT_FALSE(read_text_file(folder + "/" + name).empty());
+  for (const char* name : {"skip.md", "skip.csv", "skip_scene.csv"}) EXPECT_FALSE(bench.table(name).empty());
 }
 
 /// A curve with error = factor / time and edges that halve as the time grows fourfold.
@@ -193,11 +205,8 @@ TEST(BenchWorkPrecision, TheLeastAndTheGreatestRatioAreAtPointsOfEitherCurve) {
 }
 
 TEST(BenchWorkPrecision, ErrorsAreOfSecondOrderAndThePlotsSayWhatTheyShow) {
-  const ScratchFolder scratch;
-  const std::string folder = scratch.path("tables");
-  const Outcome outcome = run_pcm({"bench", "work-precision", "--quick", "--out", folder});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const Json all = Json::parse(read_text_file(folder + "/work_precision.json"));
+  const QuickBench bench("work-precision");
+  const Json all = Json::parse(bench.table("work_precision.json"));
   EXPECT_EQ(all["orientations"], 5);
 
   // By bodies, engine, scheme and meshes, from coarse to fine. What takes long is left out of the fine ones.
@@ -228,11 +237,10 @@ TEST(BenchWorkPrecision, ErrorsAreOfSecondOrderAndThePlotsSayWhatTheyShow) {
     EXPECT_GT(row["ratio_same_meshes"], 1e6) << row;
   }
 
-  EXPECT_NE(read_text_file(folder + "/work_precision.md").find("| ball in socket | fast | clipped |"),
-            std::string::npos);
-  EXPECT_EQ(lines_of(read_text_file(folder + "/work_precision.csv")).size(), all["points"].size() + 1);
+  EXPECT_NE(bench.table("work_precision.md").find("| ball in socket | fast | clipped |"), std::string::npos);
+  EXPECT_EQ(lines_of(bench.table("work_precision.csv")).size(), all["points"].size() + 1);
   for (const char* pair : {"sphere-on-plane", "sphere-on-sphere", "ball-in-socket", "bubble-on-bubble"}) {
-    const std::string picture = read_text_file(folder + "/work_precision_" + pair + ".svg");
+    const std::string picture = bench.table(std::string("work_precision_") + pair + ".svg");
     EXPECT_EQ(fault_in_xml(picture), "") << pair;
     for (const char* words : {"time for one evaluation of force and torque", "relative error of the force",
                               "Error against the smooth bodies", "At equal time the barycentric error is",
@@ -242,7 +250,7 @@ TEST(BenchWorkPrecision, ErrorsAreOfSecondOrderAndThePlotsSayWhatTheyShow) {
 }
 
 TEST(BenchBadInput, IsRefusedInOneLine) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::string file = scratch.write("file", "");
   const auto expect_bad_input = [](const std::vector<std::string>& arguments, const std::string& named) {
     const Outcome outcome = run_pcm(arguments);

@@ -18,6 +18,7 @@
 #include "meshes/generate_bubbles.h"
 #include "meshes/text_file.h"
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
@@ -131,7 +132,7 @@ TEST(ErrorBudget, HasTheSameTablesForAnyNumberOfThreads) {
 
 /// The program on coarser meshes: every row met, every table written.
 TEST(ErrorBudget, ProgramMeetsEveryRowAndWritesItsTables) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const Outcome outcome = run_pcm({"verify", "--error-budget", "--quick", "--out", scratch.path("budget")});
   std::cout << outcome.out;
   EXPECT_EQ(outcome.status, 0);

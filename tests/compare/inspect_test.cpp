@@ -14,6 +14,7 @@
 #include "compare/exact_json.h"
 #include "meshes/text_file.h"
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
@@ -23,7 +24,7 @@ using Words = std::vector<std::string>;
 /// A gridded plate E of cells of 1/8 m and a box F, 0.3 m wide, that slides 1/16 m deep in it.
 class Inspect : public testing::Test {
  protected:
-  const ScratchFolder scratch_;
+  const TemporaryFolder scratch_;
   const std::string plate_ = scratch_.path("plate.obj"), box_ = scratch_.path("box.obj");
   const std::string slide_ = scratch_.write("slide.txt",
                                             "# there\n1 0 0 0 1 0 0 0 1  0 0 0.09375\n"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "meshes/bad_input.h"
-#include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
@@ -42,7 +42,7 @@ TEST(PosesFile, OrientationsAreRotationsToOnePartInABillion) {
 }
 
 TEST(PosesFile, TheLastLineNeedsNoLineFeedAndPlacesAreCountedFromOne) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   PosesFile file(scratch.write("poses.txt", "# first\n1 0 0 0 1 0 0 0 1 1 0 0\n\n1 0 0 0 1 0 0 0 1 2 0 0"));
   EXPECT_EQ(file.next()->pose.r.x(), 1);
   EXPECT_TRUE(file.place().ends_with("poses.txt:2"));
@@ -53,7 +53,7 @@ TEST(PosesFile, TheLastLineNeedsNoLineFeedAndPlacesAreCountedFromOne) {
 
 TEST(PosesFile, AnyLineEndingsAByteOrderMarkAndLongCommentsAreUnderstood) {
   const std::string pose = "1 0 0 0 1 0 0 0 1 0 0 ";
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   PosesFile file(scratch.write("poses.txt", "\xEF\xBB\xBF" + pose + "1\r" + pose + "2\r\n\r" + pose + "3 #" +
                                                 std::string(3'000'000, 'x') + "\n" + pose + "4"));
   for (const auto& [z, line] :

@@ -14,6 +14,7 @@
 #include "compare/pairs.h"
 #include "compare/rounded_vertices.h"
 #include "compare/strata.h"
+#include "fast/geometry.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_round.h"
@@ -36,10 +37,6 @@ const TriangleMesh& ball() {
 
 PoseRandom random_for(Stratum stratum, std::uint64_t pose) {
   return {7, static_cast<std::uint64_t>(stratum), 3, pose};
-}
-
-double orthogonality_error(const Eigen::Matrix3d& A) {
-  return (A.transpose() * A - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
 }
 
 /// FNV-1a over the bits of the pose and velocity.
@@ -87,7 +84,7 @@ TEST(PoseRandom, RotationsAreOrthogonalToRoundingAndDirectionsUnit) {
   for (int k = 0; k < 1000; ++k) {
     const Eigen::Matrix3d A = random.rotation();
     // Each entry has at most six roundings of terms of at most 2: 24 times 2^-53 in A^T A to first order.
-    EXPECT_LT(orthogonality_error(A), 24 * 0x1p-53);
+    EXPECT_LT(fast::orthogonality_error(A), 24 * 0x1p-53);
     EXPECT_GT(A.determinant(), 0);
     EXPECT_NEAR(random.direction().norm(), 1, 1e-15);
   }
@@ -113,7 +110,7 @@ TEST(Strata, EveryPoseIsARotation) {
        {Stratum::generic, Stratum::grazing, Stratum::separated, Stratum::degenerate, Stratum::near_degenerate})
     for (std::uint64_t i = 0; i < 500; ++i) {
       const Pose pose = draw_pose(stratum, pair, random_for(stratum, i)).pose;
-      EXPECT_LE(orthogonality_error(pose.A), 1e-9) << name(stratum) << ' ' << i;
+      EXPECT_LE(fast::orthogonality_error(pose.A), 1e-9) << name(stratum) << ' ' << i;
       EXPECT_GT(pose.A.determinant(), 0);
       EXPECT_TRUE(pose.r.allFinite());
     }
@@ -150,9 +147,7 @@ TEST(Strata, SeparatedBodiesHaveOverlappingBoxesButAPlaneBetween) {
 TEST(Strata, NestedGuestLiesInsideItsHost) {
   const std::optional<NestedMeshes> meshes = nested_meshes(cube(), ball());
   ASSERT_TRUE(meshes);
-  FeaturePair pair(meshes->E, meshes->F);
-  pair.ball = meshes->ball;
-  pair.host = meshes->host;
+  const FeaturePair pair(*meshes);
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Pose pose = draw_pose(Stratum::nested, pair, random_for(Stratum::nested, i)).pose;
     const std::vector<Eigen::Vector3d> vertices_Me = rounded_vertices(meshes->F, pose);

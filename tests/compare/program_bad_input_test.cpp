@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
@@ -34,7 +35,7 @@ void expect_bad_input(const Words& arguments, const std::string& named) {
 
 class BadInput : public testing::Test {
  protected:
-  const ScratchFolder scratch_;
+  const TemporaryFolder scratch_;
   const std::string surface_ = scratch_.write("tetrahedron.obj", kTetrahedron);
 
   void expect_bad_contact(const Words& options, const std::string& named) {

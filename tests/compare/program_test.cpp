@@ -15,6 +15,7 @@
 #include "meshes/bad_input.h"
 #include "meshes/text_file.h"
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
 namespace {
@@ -29,7 +30,7 @@ std::vector<std::string> keys_of(const Json& object) {
 
 class Program : public testing::Test {
  protected:
-  const ScratchFolder scratch_;
+  const TemporaryFolder scratch_;
   const std::string box_ = scratch_.path("box.obj");
 
   void SetUp() override { ASSERT_EQ(run_pcm({"mesh", "make", "box", "-o", box_}).status, 0); }
@@ -51,8 +52,9 @@ constexpr const char* kOverlap = "1 0 0  0 1 0  0 0 1  0.125 0.25 0.875\n";
 
 TEST(ProgramHelp, EveryCommandShowsAnExample) {
   for (const Words& command :
-       {Words{}, Words{"bench"}, Words{"bench", "peers"}, Words{"bench", "scaling"}, Words{"contact"}, Words{"inspect"},
-        Words{"verify"}, Words{"mesh"}, Words{"mesh", "check"}, Words{"mesh", "make"}, Words{"mesh", "convert"}}) {
+       {Words{}, Words{"bench"}, Words{"bench", "peers"}, Words{"bench", "scaling"}, Words{"bench", "skip"},
+        Words{"bench", "work-precision"}, Words{"contact"}, Words{"inspect"}, Words{"verify"}, Words{"mesh"},
+        Words{"mesh", "check"}, Words{"mesh", "make"}, Words{"mesh", "convert"}}) {
     Words arguments = command;
     arguments.emplace_back("--help");
     const Outcome outcome = run_pcm(arguments);

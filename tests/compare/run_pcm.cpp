@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/meshes/temporary_folder.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -24,7 +26,7 @@ std::string content_of(const std::filesystem::path& path) {
 }  // namespace
 
 Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::string out = output.empty() ? scratch.path("out") : output.string();
   const std::string err = scratch.path("err");
 
@@ -58,23 +60,6 @@ std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
-}
-
-ScratchFolder::ScratchFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "pcm-test-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("could not make a folder " + pattern);
-  folder_ = pattern;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code error;
-  std::filesystem::remove_all(folder_, error);
-}
-
-std::string ScratchFolder::write(const std::string& name, std::string_view text) const {
-  std::ofstream file(folder_ / name, std::ios::binary);
-  file << text;
-  return path(name);
 }
 
 }  // namespace pcm::compare

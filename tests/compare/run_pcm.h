@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace pcm::compare {
@@ -22,23 +21,5 @@ Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem
 
 /// The lines of a text, without their line feeds.
 std::vector<std::string> lines_of(const std::string& text);
-
-/// A folder of its own for each test, removed at the end.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  /// The path of a file in the folder.
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  /// Writes a file in the folder; returns its path.
-  std::string write(const std::string& name, std::string_view text) const;
-
- private:
-  std::filesystem::path folder_;
-};
 
 }  // namespace pcm::compare

@@ -13,6 +13,7 @@
 #include "compare/pairs.h"
 #include "compare/strata.h"
 #include "fast/engine.h"
+#include "fast/geometry.h"
 #include "fast/scene.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
@@ -50,8 +51,7 @@ std::array<Wanted, 6> questions() {
 /// A scene of the two bodies answers as `evaluate` does at the pose and in small steps from it.
 void expect_the_same_of_a_scene(const fast::Pairing& pairing, const DrawnPose& drawn, fast::Workspace& one,
                                 fast::Workspace& other) {
-  const Eigen::Matrix3d skew = drawn.pose.A.transpose() * drawn.pose.A - Eigen::Matrix3d::Identity();
-  if (skew.cwiseAbs().maxCoeff() > 1e-10) return;  // Such rotations a scene refuses.
+  if (fast::orthogonality_error(drawn.pose.A) > 1e-10) return;  // Such rotations a scene refuses.
   fast::Scene scene;
   scene.add_body(pairing.surface_E());
   scene.add_body(pairing.surface_F());
@@ -64,12 +64,19 @@ void expect_the_same_of_a_scene(const fast::Pairing& pairing, const DrawnPose& d
   }
 }
 
+struct Bodies {
+  TriangleMesh E, F;
+};
+
+/// The bodies as the stratum takes them: for nested made fit, none where they can't be.
+std::optional<NestedMeshes> meshes_for(Stratum stratum, const Bodies& bodies) {
+  if (stratum == Stratum::nested) return nested_meshes(bodies.E, bodies.F);
+  return NestedMeshes{bodies.E, bodies.F, {}, Side::E};
+}
+
 class SavingsOverStrata : public testing::TestWithParam<Stratum> {};
 
 TEST_P(SavingsOverStrata, EachSwitchedOffChangesNoBitOfAnyAnswer) {
-  struct Bodies {
-    TriangleMesh E, F;
-  };
   const std::array<Bodies, 4> pairs{{{generate::bubble(), generate::bubble()},
                                      {generate::pyramid(), generate::icosphere(0.5, 1)},
                                      {generate::gridded_box(1, 2), generate::gridded_box(1, 2)},
@@ -78,23 +85,14 @@ TEST_P(SavingsOverStrata, EachSwitchedOffChangesNoBitOfAnyAnswer) {
   fast::Workspace one, other;
   int touching = 0, looked_at = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    Bodies bodies = pairs[p];
-    std::optional<NestedMeshes> nested;
-    if (GetParam() == Stratum::nested) {
-      nested = nested_meshes(bodies.E, bodies.F);
-      if (!nested) continue;
-      bodies = {nested->E, nested->F};
-    }
-    FeaturePair features(bodies.E, bodies.F);
-    if (nested) {
-      features.ball = nested->ball;
-      features.host = nested->host;
-    }
-    const fast::Surface E(bodies.E), F(bodies.F);
+    const std::optional<NestedMeshes> bodies = meshes_for(GetParam(), pairs[p]);
+    if (!bodies) continue;
+    const FeaturePair features(*bodies);
+    const fast::Surface E(bodies->E), F(bodies->F);
     for (std::size_t pose = 0; pose < 12; ++pose) {
       const DrawnPose drawn =
           draw_pose(GetParam(), features, PoseRandom(31, static_cast<std::uint64_t>(GetParam()), p, pose));
-      const ContactLaw law = verification_law(pose, bodies.E, bodies.F);
+      const ContactLaw law = verification_law(pose, bodies->E, bodies->F);
       const auto mode = static_cast<Mode>(pose % 3);
       const Scheme scheme = pose % 2 == 0 ? Scheme::barycentric : Scheme::clipped;
       const fast::Pairing pairing(E, F, law, mode, scheme);
@@ -123,34 +121,22 @@ TEST_P(SavingsOverStrata, EachSwitchedOffChangesNoBitOfAnyAnswer) {
 }
 
 TEST_P(SavingsOverStrata, OracleLiftsFacesNearAndEverywhereWithTheSameBits) {
-  struct Bodies {
-    TriangleMesh E, F;
-  };
   const std::array<Bodies, 3> pairs{{{generate::pyramid(2, 1), generate::icosphere(0.5, 1)},
                                      {generate::box({1, 1, 1}), generate::gridded_box(1, 2)},
                                      {generate::rectangle(1, 1, 2, 2), generate::torus(0.5, 0.25, 6, 4)}}};
   std::size_t near_pairs = 0, all_pairs = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    Bodies bodies = pairs[p];
-    std::optional<NestedMeshes> nested;
-    if (GetParam() == Stratum::nested) {
-      nested = nested_meshes(bodies.E, bodies.F);
-      if (!nested) continue;
-      bodies = {nested->E, nested->F};
-    }
-    FeaturePair features(bodies.E, bodies.F);
-    if (nested) {
-      features.ball = nested->ball;
-      features.host = nested->host;
-    }
+    const std::optional<NestedMeshes> bodies = meshes_for(GetParam(), pairs[p]);
+    if (!bodies) continue;
+    const FeaturePair features(*bodies);
     for (std::size_t pose = 0; pose < 4; ++pose) {
       const DrawnPose drawn =
           draw_pose(GetParam(), features, PoseRandom(33, static_cast<std::uint64_t>(GetParam()), p, pose));
-      const ContactLaw law = verification_law(pose, bodies.E, bodies.F);
+      const ContactLaw law = verification_law(pose, bodies->E, bodies->F);
       const Scheme scheme = pose % 2 == 0 ? Scheme::barycentric : Scheme::clipped;
       using reference::CandidateRegion;
-      const reference::Oracle near(bodies.E, bodies.F, law, Mode::both, scheme);
-      const reference::Oracle everywhere(bodies.E, bodies.F, law, Mode::both, scheme, CandidateRegion::everywhere);
+      const reference::Oracle near(bodies->E, bodies->F, law, Mode::both, scheme);
+      const reference::Oracle everywhere(bodies->E, bodies->F, law, Mode::both, scheme, CandidateRegion::everywhere);
       reference::Inquiry one(near, drawn.pose, drawn.velocity), other(everywhere, drawn.pose, drawn.velocity);
       for (const reference::Problem problem : {reference::Problem::rounded, reference::Problem::exact}) {
         EXPECT_EQ(contact_json(one.answer(problem)).dump(), contact_json(other.answer(problem)).dump())
@@ -158,7 +144,7 @@ TEST_P(SavingsOverStrata, OracleLiftsFacesNearAndEverywhereWithTheSameBits) {
         near_pairs += one.candidate_pairs(problem);
         all_pairs += other.candidate_pairs(problem);
       }
-      EXPECT_EQ(other.candidate_pairs(reference::Problem::exact), bodies.E.faces.size() * bodies.F.faces.size());
+      EXPECT_EQ(other.candidate_pairs(reference::Problem::exact), bodies->E.faces.size() * bodies->F.faces.size());
     }
   }
   EXPECT_LT(2 * near_pairs, all_pairs);

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <vector>
 
 #include "fast/contact.h"
 
@@ -73,6 +75,8 @@ inline void expect_same_answer(const Contact& a, const Contact& b) {
   EXPECT_TRUE(same(a.bound->force_Me, b.bound->force_Me));
   EXPECT_TRUE(same(a.bound->torque_Me, b.bound->torque_Me));
   EXPECT_EQ(a.bound->flipped, b.bound->flipped);
+  EXPECT_TRUE(same(a.bound->penetration_at_least, b.bound->penetration_at_least));
+  EXPECT_TRUE(same(a.bound->penetration_at_most, b.bound->penetration_at_most));
 }
 
 }  // namespace pcm::fast::test
