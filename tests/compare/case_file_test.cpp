@@ -113,7 +113,7 @@ TEST_F(CaseFiles, ReplayGivesTheSameVerdict) {
   const Case written = posed();
   write_text_file(folder_ / "case.json", format_case(written, {}, {}, {}));
   const Case read = read_case(folder_ / "case.json");
-  const Scene scene(read.E, read.F, read.law, read.mode);
+  const Scene scene(read.E, read.F, read.law, read.mode, read.scheme);
   fast::Workspace workspace;
   EXPECT_TRUE(scene.hold(read.pose, read.velocity, workspace).front().disagreements.empty());
 }
