@@ -263,7 +263,8 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
     }
     // A face that hangs from the master's corners is at depth 0 only there, in both problems.
     if (!(g.hinge_depth > 0)) {
-      zero = strip_along_line(g.depth, {g.line_error, g.depth_error}, f, g, box);
+      const double cut = roundings_of_depth(g, f.box);
+      zero = strip_along_line(g.depth, {g.line_error + cut, g.depth_error + cut}, f, g, box);
       if (std::abs(g.depth.middle(box)) - g.depth.reach(box) <= beside_error) {
         const double beside = zero_strip_at_sides(g, inner, g.depth, beside_error, box);
         zero.area += beside;

@@ -22,8 +22,8 @@ namespace pcm::fast {
 ///
 /// A strip costs its area times the greatest depth of f, except where f's own depth is near 0; and elsewhere f's depth
 /// is off by no more than its error. Where nothing is sure over all that f and g have in common, g lies nearly flush
-/// with f or with the master: all of it counts. Roundings of cuts and integrals count as shifts
-/// (fast/prism_error.cpp). What the engine knowingly leaves out is added (Neglect).
+/// with f or with the master: all of it counts. Roundings of cuts and integrals count as shifts (fast/footprint.cpp,
+/// fast/strips.cpp). What the engine knowingly leaves out is added (Neglect).
 class SightError {
  public:
   /// `continuous`: forces are sums of integrals of the depth, whatever elements these are parted into; only lines where

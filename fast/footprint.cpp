@@ -26,8 +26,12 @@ double off_line(double apart, double greatest) {
 double off_cut(double apart, double greatest) {
   return u * (2 * apart + greatest);
 }
-/// A cut by a side: twice two differences, two products, a sum, and one to spare.
-constexpr double kSideRoundings = 5;
+/// A linear function given by its values at a face's corners, none greater than H, is computed with no more than 38
+/// roundings of H times the product of the face's widths over its doubled area; which may be off by a quarter itself
+/// where a face's facing is sure.
+constexpr double kLinearRoundings = 52;
+/// Its slopes: the rises, the edges, the products, their difference, the quotient and the area, twice for the latter.
+constexpr double kSlopeRoundings = 12;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -46,8 +50,9 @@ double greatest_difference(const std::array<PrismPoint, 3>& corners, int coordin
 }
 
 /// Whether a neighbour of the master face, which shares corners with it, surely lies beside it.
-bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double s, double t) {
-  const std::array<double, 3> margin{s + t, s, t};
+bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double s, double t,
+                   double third) {
+  const std::array<double, 3> margin{s + t + third, s, t};
   for (int weight = 0; weight < 3; ++weight) {
     bool beside = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -74,9 +79,9 @@ PrismShift sum_of(const PrismShift& a, const PrismShift& b) {
 
 /// The part of a face that may come to lie over the master face, at a depth >= 0, when its points are shifted; all
 /// coordinates are larger by the shift.
-ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
+ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismShift& shift, double third) {
   ConvexPolygon part;
-  const PrismPoint enlarged(shift.s + shift.t, shift.s, shift.t, shift.depth);
+  const PrismPoint enlarged(shift.s + shift.t + third, shift.s, shift.t, shift.depth);
   for (const PrismPoint& corner : corners) part.add(corner + enlarged);
   for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
     if (least_of(corners, coordinate) >= 0) continue;
@@ -180,7 +185,7 @@ bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint&
     const double far = 1 + greatest_s + greatest_t;
     f.hinge_shift = {of_vertices.s + far * frame.s, of_vertices.t + far * frame.t,
                      of_vertices.depth + far * frame.depth + far * distance * frame.s};
-    if (surely_beside(corners, shared, f.hinge_shift.s, f.hinge_shift.t)) return false;
+    if (surely_beside(corners, shared, f.hinge_shift.s, f.hinge_shift.t, noise.third)) return false;
     f.hinge_depth = kInfinity;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, corners[k][kDepth]);
@@ -192,7 +197,7 @@ bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint&
   f.box = box_of(corners.data(), 3);
   f.greatest = deepest + widest.depth;
   if (std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT), least_of(corners, kDepth)}) < 0) {
-    const ConvexPolygon part = part_over_master(corners, widest);
+    const ConvexPolygon part = part_over_master(corners, widest, error.of_third_weight(std::max(deepest, 0.0), noise));
     if (part.count == 0) return false;
     f.box = box_of(part.points.data(), part.count);
     f.greatest = part[0][kDepth];
@@ -246,16 +251,19 @@ bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint&
   const double inverse = 1 / std::abs(twice_area);
   f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
              (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
-  f.relative_noise = 16 * u * width_s * width_t * inverse;
+  f.relative_noise = kLinearRoundings * u * width_s * width_t * inverse;
   const double cut_noise = off_line(greatest_difference(corners, kDepth), farthest_depth) +
                            std::abs(f.depth.per_s) * off_line(apart_s, greatest_s) +
                            std::abs(f.depth.per_t) * off_line(apart_t, greatest_t);
   // At depth 0 it is cut last: what is left then lies over the master, where depths differ by no more than the slopes.
   const double slopes = std::abs(f.depth.per_s) + std::abs(f.depth.per_t);
   const double last_cut = std::min(cut_noise, kBoundMargin * (off_line(slopes, 0) + slopes * off_line(1, 1)));
+  const double off_slope = kSlopeRoundings * u * inverse;
+  const double slopes_off = off_slope * ((std::abs(a[kDepth] * b[kT]) + std::abs(b[kDepth] * a[kT])) * f.shift.s +
+                                         (std::abs(b[kDepth] * a[kS]) + std::abs(a[kDepth] * b[kS])) * f.shift.t);
   f.field_error =
       kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, seen.rounding_Me) +
-      side_cuts * cut_noise + (f.cuts - side_cuts) * last_cut;
+      slopes_off + side_cuts * cut_noise + (f.cuts - side_cuts) * last_cut;
   f.line_error = f.field_error + 2 * last_cut;
   f.depth_error = f.line_error + f.relative_noise * farthest_depth;
   f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
@@ -279,22 +287,16 @@ void find_side_shifts(const PrismError& error, Footprint& f) {
       cuts += std::min(a[coordinate], b[coordinate]) <= 0 && std::max(a[coordinate], b[coordinate]) >= 0 ? 1 : 0;
     const double cut_s = off_line(std::abs(side_s), std::max(std::abs(a[kS]), std::abs(b[kS])));
     const double cut_t = off_line(std::abs(side_t), std::max(std::abs(a[kT]), std::abs(b[kT])));
-    // Either end may be the one that a cut is reckoned from.
-    const double from_s = std::max({std::abs(f.box.low_s - a[kS]), std::abs(f.box.high_s - a[kS]),
-                                    std::abs(f.box.low_s - b[kS]), std::abs(f.box.high_s - b[kS])});
-    const double from_t = std::max({std::abs(f.box.low_t - a[kT]), std::abs(f.box.high_t - a[kT]),
-                                    std::abs(f.box.low_t - b[kT]), std::abs(f.box.high_t - b[kT])});
     // Corners that are the master's are where they are in both problems.
     const bool moves = !(f.fixed[k] && f.fixed[next]);
     f.side_shift[k] = moves ? error.of_function({-side_t, side_s, 0}, f.greatest, f.noise, f.rounding_Me) : 0;
     f.side_cuts[k] = cuts * (std::abs(side_t) * cut_s + std::abs(side_s) * cut_t);
-    f.side_roundings[k] = kSideRoundings * u * (std::abs(side_t) * from_s + std::abs(side_s) * from_t);
   }
 }
 
 // That of all that shifts may bring over the master, and what its border may pass over then.
 double greatest_area(const Footprint& face) {
-  const ConvexPolygon part = part_over_master(face.corners, face.shift);
+  const ConvexPolygon part = part_over_master(face.corners, face.shift, face.third_side_shift);
   return std::min(face.box.area(),
                   (1 + 0x1p-40) * (0.5 * std::abs(twice_area(part))) +
                       strip_along_border(face.box, face.shift.s + face.cut_shift.s, face.shift.t + face.cut_shift.t));

@@ -53,24 +53,22 @@ struct Footprint {
   int facing;                   ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
   std::array<Index, 3> vertices;
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
-  BoxST box;                  ///< holds all of it that is over the master face at a depth >= 0, in both problems
-  PrismShift shift;           ///< of its points over the master face
-  PrismShift cut_shift;       ///< of its border, by roundings of the cuts that shape it alone
-  PrismNoise noise;           ///< roundings of its vertices as they are seen
-  std::array<bool, 3> fixed;  ///< corners that are the master's own
-  bool knows_sides;           ///< find_side_shifts was called
-  /// Of side k over the master: (side k) x (displacement) in (s, t). Roundings are apart.
-  std::array<double, 3> side_shift;
-  std::array<double, 3> side_cuts;       ///< of the side, where cuts shape the face
-  std::array<double, 3> side_roundings;  ///< of the side's linear function, where it cuts other faces
-  double third_side_shift;               ///< of the master's side where s + t = 1, as cuts have it: of s + t
-  PrismShift vertex_shift;               ///< of its vertices
-  PrismShift corner_shift;               ///< of its corners, in s and t, but for an affine map of the plane
-  LinearDepth depth;                     ///< its plane, where facing is sure
-  double field_error;                    ///< of the depth at its points, m
-  double line_error;                     ///< of the depth where faces are cut along it, m
-  double depth_error;                    ///< of the plane as it is computed here, m
-  double greatest;                       ///< it is seen nowhere deeper, m
+  BoxST box;                         ///< holds all of it that is over the master face at a depth >= 0, in both problems
+  PrismShift shift;                  ///< of its points over the master face
+  PrismShift cut_shift;              ///< of its border, by roundings of the cuts that shape it alone
+  PrismNoise noise;                  ///< roundings of its vertices as they are seen
+  std::array<bool, 3> fixed;         ///< corners that are the master's own
+  bool knows_sides;                  ///< find_side_shifts was called
+  std::array<double, 3> side_shift;  ///< of side k over the master: (side k) x (displacement) in (s, t)
+  std::array<double, 3> side_cuts;   ///< and by roundings where it is cut itself
+  double third_side_shift;           ///< of the master's side where s + t = 1, as cuts have it: of s + t
+  PrismShift vertex_shift;           ///< of its vertices
+  PrismShift corner_shift;           ///< of its corners, in s and t, but for an affine map of the plane
+  LinearDepth depth;                 ///< its plane, where facing is sure
+  double field_error;                ///< of the depth at its points, m
+  double line_error;                 ///< of the depth where faces are cut along it, m
+  double depth_error;                ///< of the plane as it is computed here, m
+  double greatest;                   ///< it is seen nowhere deeper, m
   /// Of a face that stands on corners of the master: the height of its other corners beneath, m, and how far these may
   /// be shifted; 0 otherwise. At a depth d it is shifted by no more than d over that height times as much.
   double hinge_depth;
@@ -121,7 +119,7 @@ struct FaceInPrism {
 /// False where the face is certainly not seen, in neither problem.
 bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint& footprint);
 
-/// Fills side_shift, side_cuts and side_roundings, unless they are.
+/// Fills side_shift and side_cuts, unless they are.
 void find_side_shifts(const PrismError& error, Footprint& footprint);
 
 /// No more than this area of the master is covered by the face, in either problem.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/orientation.h"
 #include "fast/vertex_rounding.h"
 
 namespace pcm::fast {
@@ -129,7 +130,10 @@ PrismNoise PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me, co
     const double depth = std::abs(corners[k][kDepth]);
     double height_off = roundings_of_product(face.N_Me, x, p[0]) / (2 * face.area);
     const double square = (x - p[0]).squaredNorm();
-    if (depth * depth < exact_depth_ * exact_depth_ * square) height_off += exact_depth_noise_ * std::sqrt(square);
+    // Filters take what may have underflown exactly, too.
+    const double underflown = 4 * kFilterRelative * kFilterUnderflow * (1 + (x - p[0]).lpNorm<1>());
+    if (depth * depth < exact_depth_ * exact_depth_ * square || 2 * face.area * depth <= underflown)
+      height_off += exact_depth_noise_ * std::sqrt(square);
     greatest.depth = std::max(greatest.depth, kSecondOrder * height_off + 4 * u * depth);
   }
   greatest.s *= kSecondOrder;

@@ -14,6 +14,20 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// A cut by a side: twice two differences, two products, a sum, and one to spare.
+constexpr double kSideRoundings = 5;
+
+/// How far off the linear function of the side from a to b is, as it is computed over a box. Either end may be the one
+/// that it is reckoned from.
+double side_roundings(const PrismPoint& a, const PrismPoint& b, const BoxST& box) {
+  const auto farthest = [](double low, double high, double x, double y) {
+    return std::max({std::abs(low - x), std::abs(high - x), std::abs(low - y), std::abs(high - y)});
+  };
+  return kSideRoundings * kUnitRoundoff *
+         (std::abs(b[kT] - a[kT]) * farthest(box.low_s, box.high_s, a[kS], b[kS]) +
+          std::abs(b[kS] - a[kS]) * farthest(box.low_t, box.high_t, a[kT], b[kT]));
+}
+
 /// Points a + lambda way of the plane, lambda from `low` to `high`.
 struct Stretch {
   double s, t, way_s, way_t;
@@ -48,7 +62,7 @@ struct Stretch {
       const PrismPoint& b = face.corners[(k + 1) % 3];
       const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
       const double margin =
-          2 * (face.side_shift[k] + face.side_roundings[k]) + std::abs(side_s) * margin_t + std::abs(side_t) * margin_s;
+          2 * (face.side_shift[k] + face.side_cuts[k]) + std::abs(side_s) * margin_t + std::abs(side_t) * margin_s;
       keep(side_s * (t - a[kT]) - side_t * (s - a[kS]) + margin, side_s * way_t - side_t * way_s);
     }
   }
@@ -136,8 +150,8 @@ SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth,
 }
 
 // What a side passes over lies between where it is and where it was, and within (s, t) of it: in the coordinates lambda
-// along the side and (side) x (x - a) across it, whose determinant is 1, that is no more than side_shift by the
-// stretch of the side that is within (s, t) of the box. Twice these margins pay for roundings.
+// along the side and (side) x (x - a) across it, whose determinant is 1, that is no more than side_shift and roundings
+// by the stretch of the side that is within (s, t) of the box. Twice these margins pay for roundings of this itself.
 SideStrips strips_along_sides(const Footprint& face, double s, double t, const Footprint& carrier, const BoxST& box,
                               const std::array<bool, 3>& sides) {
   const double middle_s = 0.5 * (box.low_s + box.high_s), middle_t = 0.5 * (box.low_t + box.high_t);
@@ -147,7 +161,12 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
     const PrismPoint& b = face.corners[(k + 1) % 3];
     const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
     const double inward = side_s * (middle_t - a[kT]) - side_t * (middle_s - a[kS]);
-    const double reach = std::abs(side_s) * (0.5 * box.width_t() + t) + std::abs(side_t) * (0.5 * box.width_s() + s);
+    // Its own border is where it was cut; others are cut along its sides, as far as they reach.
+    const double roundings = &carrier != &face  ? side_roundings(a, b, carrier.box)
+                             : face.knows_sides ? face.side_cuts[k]
+                                                : 0;
+    const double reach =
+        std::abs(side_s) * (0.5 * box.width_t() + t) + std::abs(side_t) * (0.5 * box.width_s() + s) + 2 * roundings;
     if (inward < -reach) strips.apart = true;
     if (!sides[k] || std::abs(inward) > reach) continue;
     const double by_shift = std::abs(side_s) * t + std::abs(side_t) * s;
@@ -171,10 +190,7 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
     double beyond = 1;
     if (s < std::abs(side_s)) beyond = s / std::abs(side_s);
     if (t < beyond * std::abs(side_t)) beyond = t / std::abs(side_t);
-    double width = by_shift;
-    if (face.knows_sides) {
-      width = std::min(face.side_shift[k], by_shift) + (&carrier == &face ? face.side_cuts[k] : face.side_roundings[k]);
-    }
+    const double width = (face.knows_sides ? std::min(face.side_shift[k], by_shift) : by_shift) + roundings;
     const double area = width * (stretch.length() + 4 * beyond) + 4 * s * t;
     strips.area += area;
     strips.volume += area * stretch.greatest_depth(carrier, 2 * s, 2 * t);
@@ -214,6 +230,20 @@ LineStrip strip_along_line(const LinearDepth& function, const LineError& error, 
   if (stretch.empty()) return {};
   const double area = std::min(strip.area, error.apart / slope * wide * stretch.length() * kBoundMargin);
   return {area, area * stretch.greatest_depth(f, s, t), false};
+}
+
+// With v_0 the depth at the corner from which it is reckoned: the slopes have four roundings and what is made of them
+// four more, the product of v_0 and the area five, and a sum. Twice, for the area may be off by a quarter.
+double roundings_of_depth(const Footprint& g, const BoxST& box) {
+  const auto& c = g.corners;
+  if (std::min({c[0][kDepth], c[1][kDepth], c[2][kDepth]}) >= 0) return 0;
+  const PrismPoint a = (c[1] - c[0]).cwiseAbs(), b = (c[2] - c[0]).cwiseAbs();
+  const double from_s = std::max(std::abs(box.low_s - c[0][kS]), std::abs(box.high_s - c[0][kS]));
+  const double from_t = std::max(std::abs(box.low_t - c[0][kT]), std::abs(box.high_t - c[0][kT]));
+  const double sloping =
+      (a[kDepth] * b[kT] + b[kDepth] * a[kT]) * from_s + (b[kDepth] * a[kS] + a[kDepth] * b[kS]) * from_t;
+  const double level = std::abs(c[0][kDepth]) * (a[kS] * b[kT] + a[kT] * b[kS]);
+  return 2 * kUnitRoundoff * (8 * sloping + 6 * level) / cross_st(c[0], c[1], c[2]);
 }
 
 // Of a side's extent only that share counts along which the function changes by twice the error.

@@ -18,7 +18,8 @@ double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box
 
 /// What the sides of a face may pass over within the box: its area, and the integral there of the depth of the face
 /// `carrier`; and whether one of them certainly has all of the box on its far side. Side k may be off by
-/// face.side_shift and by (s, t).
+/// face.side_shift and by (s, t), and by roundings: of the cuts that shaped the face, or of those it makes in another
+/// that carries.
 struct SideStrips {
   double area = 0;
   double volume = 0;  ///< m
@@ -46,6 +47,10 @@ struct LineStrip {
 };
 LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const Footprint& f, const Footprint& g,
                            const BoxST& box);
+
+/// How far off the depth of g is as it is computed where g cuts faces whose boxes it is given, along its line of depth
+/// 0, m; 0 where it has no such line.
+double roundings_of_depth(const Footprint& g, const BoxST& box);
 
 /// The area within the box that the border of a convex polygon, shifted by up to (s, t) either way, may pass over.
 double strip_along_border(const BoxST& box, double s, double t);

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "fast/strips.h"
 #include "fast/prism_error.h"
 #include "fast/projected_face.h"
+#include "fast/strips.h"
 #include "tests/fast/exact_numbers.h"
 
 /// What is said of a face that a master face sees, against the face that the exact problem has there: rational numbers,

@@ -62,7 +62,7 @@ Footprint draw_face(Draw& draw, double shift, Index first_vertex) {
   for (std::size_t k = 0; k < 3; ++k) {
     const PrismPoint side = f.corners[(k + 1) % 3] - f.corners[k];
     f.side_shift[k] = shift * (std::abs(side[kS]) + std::abs(side[kT]));
-    f.side_cuts[k] = f.side_roundings[k] = 0;
+    f.side_cuts[k] = 0;
     f.fixed[k] = false;
   }
   f.box = {1, 0, 1, 0};
