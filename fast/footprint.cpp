@@ -211,12 +211,12 @@ bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint&
   if (f.box.empty()) return false;
   const PrismShift frame = error.of_frame(f.greatest);
   f.shift = sum_of(of_vertices, frame);
-  f.cuts = 0;
-  for (int coordinate = 0; coordinate < kDepth; ++coordinate) f.cuts += least_of(corners, coordinate) <= 0 ? 1 : 0;
-  const int side_cuts = f.cuts;
-  f.cuts += least_of(corners, kDepth) <= 0 ? 1 : 0;
+  int side_cuts = 0;
+  for (int coordinate = 0; coordinate < kDepth; ++coordinate) side_cuts += least_of(corners, coordinate) <= 0 ? 1 : 0;
+  const int last_cuts = least_of(corners, kDepth) <= 0 ? 1 : 0;
+  const int cuts = side_cuts + last_cuts;
   const double apart_s = greatest_difference(corners, kS), apart_t = greatest_difference(corners, kT);
-  f.cut_shift = {f.cuts * off_cut(apart_s, greatest_s), f.cuts * off_cut(apart_t, greatest_t), 0};
+  f.cut_shift = {cuts * off_cut(apart_s, greatest_s), cuts * off_cut(apart_t, greatest_t), 0};
   f.third_side_shift = error.of_third_weight(f.greatest, noise);
 
   f.face = seen.face;
@@ -263,7 +263,7 @@ bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint&
                                          (std::abs(b[kDepth] * a[kS]) + std::abs(a[kDepth] * b[kS])) * f.shift.t);
   f.field_error =
       kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, seen.rounding_Me) +
-      slopes_off + side_cuts * cut_noise + (f.cuts - side_cuts) * last_cut;
+      slopes_off + side_cuts * cut_noise + last_cuts * last_cut;
   f.line_error = f.field_error + 2 * last_cut;
   f.depth_error = f.line_error + f.relative_noise * farthest_depth;
   f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;

@@ -74,7 +74,6 @@ struct Footprint {
   double hinge_depth;
   PrismShift hinge_shift;
   double sliver;          ///< where facing is not sure: its area as computed
-  int cuts;               ///< by how many planes it may be cut to what is over the master
   double relative_noise;  ///< of a linear function that is given by its values at the corners
   double crossing_noise;  ///< how far off the line may be, m over m, where this plane meets a face that far away
 

@@ -143,10 +143,10 @@ PrismNoise PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me, co
 }
 
 // No point is farther from another corner than from p0 by more than the side between them.
-PrismNoise PrismError::greatest_noise(double distance) const {
+PrismShift PrismError::greatest_noise(double distance) const {
   constexpr double k = kProductRoundings * u;
   const double farther = kBoundMargin * (distance + std::max(length_s_, length_t_));
-  return {k * gradient_s_ * farther, k * gradient_t_ * farther, k * gradient_0_ * farther,
+  return {k * gradient_s_ * farther, k * gradient_t_ * farther,
           (kSecondOrder * (k + exact_depth_noise_) + 4 * u) * farther};
 }
 
@@ -160,7 +160,7 @@ PrismShift PrismError::of_vertices(const PrismNoise& noise, const Eigen::Vector3
   return {moved.s + noise.s, moved.t + noise.t, moved.depth + noise.depth};
 }
 
-PrismShift PrismError::of_any_vertices(const PrismNoise& noise, bool own) const {
+PrismShift PrismError::of_any_vertices(const PrismShift& noise, bool own) const {
   // Of both surfaces one is F's.
   const double moves = own == own_moves_ ? 1 : 0;
   return {moves * any_moved_.s + noise.s, moves * any_moved_.t + noise.t, moves * any_moved_.depth + noise.depth};

@@ -44,11 +44,11 @@ class PrismError {
   PrismNoise noise(const std::array<Eigen::Vector3d, 3>& points_Me, const std::array<PrismPoint, 3>& corners,
                    const std::array<bool, 3>& shared) const;
   /// And of what it makes of any as near to p0 as that.
-  PrismNoise greatest_noise(double distance) const;
+  PrismShift greatest_noise(double distance) const;
   /// The first step, for vertices with these roundings, that are themselves off by up to `rounding_Me`.
   PrismShift of_vertices(const PrismNoise& noise, const Eigen::Vector3d& rounding_Me) const;
   /// The same for any vertices of the slave, or of the master.
-  PrismShift of_any_vertices(const PrismNoise& noise, bool own) const;
+  PrismShift of_any_vertices(const PrismShift& noise, bool own) const;
   /// The second, for points over the master face no deeper than `depth`.
   PrismShift of_frame(double depth) const;
   /// Both steps for a function of points over the master face no deeper than `depth`, on a face whose vertices are seen
@@ -66,7 +66,10 @@ class PrismError {
   PrismShift displacement(const Eigen::Vector3d& rounding_Me) const;
 
   const MasterPrism& prism_;
-  Eigen::Vector3d g_s_Me_, g_t_Me_, n_Me_, own_rounding_Me_;
+  const Eigen::Vector3d& g_s_Me_;  ///< gradients of s and t, the prism's
+  const Eigen::Vector3d& g_t_Me_;
+  const Eigen::Vector3d& n_Me_;
+  Eigen::Vector3d own_rounding_Me_;
   double ss_, st_, tt_;                          ///< scalar products of the gradients, 1 / m^2
   double length_s_, length_t_;                   ///< of p1 - p0 and p2 - p0, m
   double gradient_s_, gradient_t_, gradient_0_;  ///< length of the gradients of the weights, 1 / m

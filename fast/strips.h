@@ -48,8 +48,8 @@ struct LineStrip {
 LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const Footprint& f, const Footprint& g,
                            const BoxST& box);
 
-/// How far off the depth of g is as it is computed where g cuts faces whose boxes it is given, along its line of depth
-/// 0, m; 0 where it has no such line.
+/// How far off the depth of g is, m, where another face of the given box is cut along g's line of depth 0; 0 where g
+/// has no such line.
 double roundings_of_depth(const Footprint& g, const BoxST& box);
 
 /// The area within the box that the border of a convex polygon, shifted by up to (s, t) either way, may pass over.

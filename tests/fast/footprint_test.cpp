@@ -55,7 +55,6 @@ Footprint draw_face(Draw& draw, double shift, Index first_vertex) {
   f.depth = plane_of(f.corners);
   f.relative_noise = f.crossing_noise = 0;
   f.hinge_depth = 0;
-  f.cuts = 0;
   f.knows_sides = true;
   f.depth_error = f.field_error = shift * (1 + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
   f.greatest = 3;

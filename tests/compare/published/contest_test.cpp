@@ -9,21 +9,10 @@
 
 #include "compare/contest.h"
 #include "meshes/bad_input.h"
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_round.h"
+#include "tests/compare/small_pair.h"
 
 namespace pcm::compare {
 namespace {
-
-SurfacePair small_pair() {
-  SurfacePair pair;
-  pair.name = "icosphere-gridded box";
-  pair.E = generate::icosphere(0.5, 2);
-  pair.F = generate::gridded_box(0.8, 2);
-  pair.law = verification_law(0, pair.E, pair.F);
-  pair.for_hard_strata = true;
-  return pair;
-}
 
 VerificationPlan small_plan(std::int64_t poses) {
   VerificationPlan plan;
