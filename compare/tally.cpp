@@ -12,18 +12,19 @@ namespace pcm::compare {
 namespace {
 
 constexpr int kZeroBin = INT_MIN;
+constexpr int kBins = Histogram::kBinsPerFactorOfTwo;
 
 int bin_of(double value) {
   if (!(value > 0)) return kZeroBin;
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);  // in [1/2, 1)
-  return 8 * exponent + static_cast<int>((mantissa - 0.5) * 16);
+  return kBins * exponent + static_cast<int>((mantissa - 0.5) * (2 * kBins));
 }
 
 double upper_end(int bin) {
   if (bin == kZeroBin) return 0;
-  const int exponent = bin >= 0 ? bin / 8 : -((7 - bin) / 8);
-  return std::ldexp(0.5 + (bin - 8 * exponent + 1) / 16.0, exponent);
+  const int exponent = bin >= 0 ? bin / kBins : -((kBins - 1 - bin) / kBins);
+  return std::ldexp(0.5 + (bin - kBins * exponent + 1) / (2.0 * kBins), exponent);
 }
 
 }  // namespace

@@ -16,21 +16,23 @@
 /// added.
 namespace pcm::compare {
 
-/// A distribution of numbers >= 0 over logarithmic bins, eight to a factor of two.
+/// A distribution of numbers >= 0 over bins that part every factor of two evenly.
 class Histogram {
  public:
+  static constexpr int kBinsPerFactorOfTwo = 64;
+
   void add(double value);
   void merge(const Histogram& other);
   std::int64_t count() const { return count_; }
   /// The smallest bin's upper end below or at which at least the part q of the numbers lies: never too small, and at
-  /// most one eighth too large. 0 for an empty distribution.
+  /// most 1/64 too large. 0 for an empty distribution.
   double quantile(double q) const;
 
   nlohmann::ordered_json to_json() const;
   static Histogram from_json(const nlohmann::ordered_json& json);
 
  private:
-  std::map<int, std::int64_t> bins_;  // by 8 * exponent + eighth of the mantissa; zeros in a bin of their own
+  std::map<int, std::int64_t> bins_;  // by 64 * exponent + place of the mantissa; zeros in a bin of their own
   std::int64_t count_ = 0;
 };
 

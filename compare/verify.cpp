@@ -230,7 +230,7 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
 
 nlohmann::ordered_json Verification::identity() const {
   nlohmann::ordered_json json;
-  json["format"] = "pcm verification 2";
+  json["format"] = "pcm verification 3";
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
   for (const Mode mode : plan_.modes) json["modes"].push_back(std::string(name(mode)));

@@ -425,12 +425,12 @@ TEST(Tally, BoundOnTheRateIsThreeOverNWithoutDisagreements) {
   EXPECT_NEAR(tally.disagreement_rate_bound(), 0.002991, 1e-6);  // 1 - 0.05^(1 / 1000)
 }
 
-TEST(Tally, QuantilesAreRoundedUpByAnEighthAtMost) {
+TEST(Tally, QuantilesAreRoundedUpByA64thAtMost) {
   Histogram histogram;
   for (int k = 1; k <= 1000; ++k) histogram.add(1e-17 * k);
   for (const double q : {0.5, 0.99, 0.999, 1.0}) {
     EXPECT_GE(histogram.quantile(q), 1e-14 * q * (1 - 1e-12));
-    EXPECT_LE(histogram.quantile(q), 1e-14 * q * 1.125 * (1 + 1e-12));
+    EXPECT_LE(histogram.quantile(q), 1e-14 * q * (1 + 1.0 / 64) * (1 + 1e-12));
   }
   EXPECT_EQ(Histogram().quantile(0.5), 0);
 }
