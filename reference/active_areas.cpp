@@ -106,18 +106,17 @@ std::vector<Index> ActiveFaces::active() const {
   return faces;
 }
 
-std::vector<IndexPair> columns_above_vertices(const ExactPose& pose, Side side, const FaceBoxes& others) {
-  std::vector<Box> columns;
-  std::vector<Index> vertices;
+std::vector<IndexPair> columns_above_vertices(const ExactPose& pose, Side side, const BoxTree& others) {
+  const Box& all = others.nodes().front().box;
+  std::vector<IndexPair> pairs;
   for (Index v = 0; v < static_cast<Index>(pose.surface(side).mesh.vertices.size()); ++v) {
-    Box box = pose.rounding_box({side, v});
-    if (!box.meets(others.all)) continue;  // outside: winding number 0
-    box.upper[2] = std::max(box.upper[2], others.all.upper[2]);
-    columns.push_back(box);
-    vertices.push_back(v);
+    Box column = pose.rounding_box({side, v});
+    if (!column.meets(all)) continue;  // outside: winding number 0
+    column.upper[2] = std::max(column.upper[2], all.upper[2]);
+    const auto first = static_cast<std::ptrdiff_t>(pairs.size());
+    others.for_each_meeting(column, [&](Index f) { pairs.emplace_back(v, f); });
+    std::sort(pairs.begin() + first, pairs.end());
   }
-  std::vector<IndexPair> pairs = meeting_boxes(columns, others.faces);
-  for (auto& [v, f] : pairs) v = vertices[v];
   return pairs;
 }
 

@@ -25,7 +25,7 @@ struct ActiveFaces {
 };
 
 /// Pairs (vertex of one surface, face of the other) where the vertex may lie below the face: ascending.
-std::vector<IndexPair> columns_above_vertices(const ExactPose& pose, Side side, const FaceBoxes& others);
+std::vector<IndexPair> columns_above_vertices(const ExactPose& pose, Side side, const BoxTree& others);
 
 /// Winding number of the other surface, closed, about vertex v: up a ray in direction +z from v, +1 for each face left
 /// through its inside (outward normal up), -1 for each entered. Everything perturbed by the tie rule: the projections

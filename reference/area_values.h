@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "reference/ball.h"
 #include "reference/clipped_areas.h"
 
-/// Areas, vector areas and volume as numbers of any kind with division: Ball to report them, Rational to prove
-/// identities.
+/// Areas, vector areas and volume as numbers of any kind with division: DoubleDouble and Ball to report them,
+/// Rational to prove identities.
 namespace pcm::reference {
 
 /// A face's clipped area in units of its doubled normal's length |N|: without coplanar overlaps, by the convention
@@ -20,10 +19,9 @@ struct Shares {
   T open, counted, closed;
 };
 
-inline Rational limited_to(const Rational& low, const Rational& x, const Rational& high) {
-  return std::max(low, std::min(x, high));
-}
-inline Ball limited_to(const Ball& low, const Ball& x, const Ball& high) {
+template <class T>
+T limited_to(const T& low, const T& x, const T& high) {
+  using std::max, std::min;
   return max(low, min(x, high));
 }
 

@@ -7,16 +7,39 @@
 #include <utility>
 #include <vector>
 
-#include "reference/exact_pose.h"
+#include "meshes/triangle_mesh.h"
+#include "reference/box.h"
 
 namespace pcm::reference {
 
-/// Boxes in a balanced binary tree, for looking along a line from near to far. A range of boxes is halved at the median
-/// of their centres along the longest axis of the box around them.
+/// Boxes in a balanced binary tree, for finding those that meet others, or looking along a line from near to far. A
+/// range of boxes is halved at the median of their centres along the longest axis of the box around them.
 class BoxTree {
  public:
+  BoxTree() = default;
   /// O(n log n). Keeps a copy of the boxes.
   explicit BoxTree(const std::vector<Box>& boxes);
+  /// As many other boxes, parted as `tree` parts its own: O(n), and as good where a body has moved as a whole.
+  BoxTree(const BoxTree& tree, const std::vector<Box>& boxes);
+
+  static constexpr Index kLeaf = -1;
+  struct Node {
+    Box box;
+    Index right;  ///< second half, or kLeaf; the first half follows its parent
+    Index index;  ///< of a leaf's box
+  };
+  /// A parent before its halves, the root first; empty where there is no box.
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+  /// Calls visit(index) for each box that meets the given one, in no particular order.
+  template <class Visit>
+  void for_each_meeting(const Box& box, const Visit& visit) const {
+    look_along([&box](const Box& mine) { return mine.meets(box) ? 0.0 : -1.0; },
+               [&visit](Index index) {
+                 visit(index);
+                 return std::numeric_limits<double>::infinity();
+               });
+  }
 
   /// Visits the boxes that may hold what is looked for, nearer ones first where the tree tells. `reach(box)` is a lower
   /// bound of the distance at which the box begins, negative where it need not be looked at; it must not be greater for
@@ -39,8 +62,8 @@ class BoxTree {
       waiting.pop_back();
       if (from > limit) continue;
       const Node& node = nodes_[at];
-      if (node.right == kNone) {
-        limit = std::min(limit, visit(node.face));
+      if (node.right == kLeaf) {
+        limit = std::min(limit, visit(node.index));
         continue;
       }
       const std::size_t before = waiting.size();
@@ -52,12 +75,7 @@ class BoxTree {
   }
 
  private:
-  struct Node {
-    Box box;
-    Index right;  ///< second half; the first follows its parent. kNone at a leaf
-    Index face;   ///< of a leaf
-  };
-  std::vector<Node> nodes_;  ///< a parent before its halves
+  std::vector<Node> nodes_;
 };
 
 }  // namespace pcm::reference

@@ -60,7 +60,7 @@ Column column_below(SightPlane& plane, const ConvexPiece& piece, Face f, const V
 /// All of one master face's sight.
 class Envelope {
  public:
-  Envelope(SightPoints& points, Face master, Proximity& near)
+  Envelope(SightPoints& points, Face master, const Proximity& near)
       : plane_(points, master), slave_(other(master.side)), near_(near), master_box_(box_of(points, master)) {}
 
   /// Appends the master face's elements.
@@ -115,7 +115,7 @@ class Envelope {
 
   SightPlane plane_;
   Side slave_;
-  Proximity& near_;
+  const Proximity& near_;
   Vec3<Interval> master_box_;
 };
 

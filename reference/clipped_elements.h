@@ -50,6 +50,7 @@ class ClippedElements final : public ElementSource {
   explicit ClippedElements(const std::vector<ClippedElement>& elements) : elements_(elements) {}
   std::size_t size() const override { return elements_.size(); }
   ElementPair pair(std::size_t i) const override { return elements_[i].faces; }
+  ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
   ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
 

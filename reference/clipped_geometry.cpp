@@ -74,6 +74,10 @@ ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ClippedElement& elemen
 
 }  // namespace
 
+ElementGeometry<DoubleDouble> ClippedElements::geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
+  return geometry_of(pose, elements_[i]);
+}
+
 ElementGeometry<Ball> ClippedElements::geometry(std::size_t i, LiftedPose<Ball>& pose) const {
   return geometry_of(pose, elements_[i]);
 }

@@ -95,7 +95,7 @@ bool leaves_master_first(PenetrationLine& line, Side slave, const Hit& hit, cons
 
 ElementPairs find_elements(const ExactPose& pose, Side master, const Combinatorics& combinatorics) {
   const Side slave = other(master);
-  Proximity& near = *combinatorics.near;
+  const Proximity& near = *combinatorics.near;
   const std::vector<Index> active = (master == Side::E ? combinatorics.E : combinatorics.F).active();
   ElementPairs elements;
   elements.certified = activity_is_robust(pose, master, active, near.candidates());

@@ -17,6 +17,10 @@ ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ElementPair& element) 
 
 }  // namespace
 
+ElementGeometry<DoubleDouble> BarycentricElements::geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
+  return geometry_of(pose, pairs_[i]);
+}
+
 ElementGeometry<Ball> BarycentricElements::geometry(std::size_t i, LiftedPose<Ball>& pose) const {
   return geometry_of(pose, pairs_[i]);
 }

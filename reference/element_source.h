@@ -7,6 +7,7 @@
 
 #include "reference/ball.h"
 #include "reference/contact_elements.h"
+#include "reference/double_double.h"
 #include "reference/element_geometry.h"
 #include "reference/lifted_pose.h"
 
@@ -19,6 +20,7 @@ class ElementSource {
   virtual ~ElementSource() = default;
   virtual std::size_t size() const = 0;
   virtual ElementPair pair(std::size_t i) const = 0;
+  virtual ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const = 0;
   virtual ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const = 0;
 };
@@ -30,6 +32,7 @@ class BarycentricElements final : public ElementSource {
   explicit BarycentricElements(const std::vector<ElementPair>& pairs) : pairs_(pairs) {}
   std::size_t size() const override { return pairs_.size(); }
   ElementPair pair(std::size_t i) const override { return pairs_[i]; }
+  ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
   ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
 

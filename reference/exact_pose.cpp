@@ -47,4 +47,12 @@ Box ExactPose::face_box(Side side, Index f) const {
   return box;
 }
 
+std::vector<Box> ExactPose::face_boxes(Side side) const {
+  const Index count = static_cast<Index>(surface(side).mesh.faces.size());
+  std::vector<Box> boxes;
+  boxes.reserve(surface(side).mesh.faces.size());
+  for (Index f = 0; f < count; ++f) boxes.push_back(face_box(side, f));
+  return boxes;
+}
+
 }  // namespace pcm::reference

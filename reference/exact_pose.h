@@ -9,6 +9,7 @@
 
 #include "fast/inputs.h"
 #include "reference/answer.h"
+#include "reference/box.h"
 #include "reference/numbers.h"
 #include "reference/surface.h"
 #include "reference/vector3.h"
@@ -25,19 +26,6 @@ struct Vertex {
 inline Side other(Side side) {
   return side == Side::E ? Side::F : Side::E;
 }
-
-/// An axis-aligned box in Me. Boxes are closed.
-struct Box {
-  Eigen::Vector3d lower;
-  Eigen::Vector3d upper;
-  bool meets(const Box& b) const {
-    return (lower.array() <= b.upper.array() && b.lower.array() <= upper.array()).all();
-  }
-  void include(const Box& b) {
-    lower = lower.cwiseMin(b.lower);
-    upper = upper.cwiseMax(b.upper);
-  }
-};
 
 /// Both surfaces' vertices in Me, x_E = A x_F + r (PCM section 1), for one problem and one pose.
 ///
@@ -87,6 +75,7 @@ class ExactPose {
 
   /// Holds the face as both problems have it.
   Box face_box(Side side, Index f) const;
+  std::vector<Box> face_boxes(Side side) const;
 
  private:
   Problem problem_;

@@ -4,6 +4,7 @@
 
 #include "meshes/check.h"
 #include "reference/area_values.h"
+#include "reference/ball.h"
 #include "reference/combinatorics.h"
 #include "reference/validate.h"
 

@@ -8,32 +8,19 @@
 
 namespace pcm::reference {
 
-namespace {
-
-/// Each face's box holds both surfaces.
-void put_everywhere(FaceBoxes& boxes_E, FaceBoxes& boxes_F) {
-  Box all = boxes_E.all;
-  all.include(boxes_F.all);
-  for (FaceBoxes* const boxes : {&boxes_E, &boxes_F}) {
-    boxes->all = all;
-    std::fill(boxes->faces.begin(), boxes->faces.end(), all);
+Proximity::Proximity(const ExactPose& pose, CandidateRegion region) : tree_E_(&pose.surface(Side::E).tree) {
+  std::vector<Box> boxes_F = pose.face_boxes(Side::F);
+  if (region == CandidateRegion::everywhere) {
+    Box all = tree_E_->nodes().front().box;
+    for (const Box& box : boxes_F) all.include(box);
+    std::fill(boxes_F.begin(), boxes_F.end(), all);
+    everywhere_E_ = BoxTree(*tree_E_, std::vector<Box>(pose.surface(Side::E).mesh.faces.size(), all));
+    tree_E_ = &everywhere_E_;
   }
-}
-
-}  // namespace
-
-Proximity::Proximity(const ExactPose& pose, CandidateRegion region)
-    : boxes_E_(make_face_boxes(pose, Side::E)), boxes_F_(make_face_boxes(pose, Side::F)) {
-  if (region == CandidateRegion::everywhere) put_everywhere(boxes_E_, boxes_F_);
-  candidates_ = candidate_pairs(boxes_E_, boxes_F_);
-  columns_E_ = columns_above_vertices(pose, Side::E, boxes_F_);
-  columns_F_ = columns_above_vertices(pose, Side::F, boxes_E_);
-}
-
-const BoxTree& Proximity::tree(Side side) {
-  std::optional<BoxTree>& tree = side == Side::E ? tree_E_ : tree_F_;
-  if (!tree) tree.emplace((side == Side::E ? boxes_E_ : boxes_F_).faces);
-  return *tree;
+  tree_F_ = BoxTree(pose.surface(Side::F).tree, boxes_F);
+  candidates_ = meeting_boxes(*tree_E_, tree_F_);
+  columns_E_ = columns_above_vertices(pose, Side::E, tree_F_);
+  columns_F_ = columns_above_vertices(pose, Side::F, *tree_E_);
 }
 
 }  // namespace pcm::reference

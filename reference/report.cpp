@@ -4,26 +4,27 @@
 
 #include <algorithm>
 
+#include "reference/double_double.h"
 #include "reference/radical_sum.h"
 #include "reference/settle.h"
 
 namespace pcm::reference {
 namespace {
 
-/// Precision of the enclosures to begin with: enough for nearly all values, and the fastest above one word.
-constexpr mpfr_prec_t kFirstPrecision = 120;
+/// Of the enclosures of what DoubleDouble does not settle: enough for nearly all that are no ties.
+constexpr mpfr_prec_t kPrecision = 240;
 
 Eigen::Vector3d nearest_doubles(const Vec3<Rational>& v) {
   return {nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)};
 }
 
 /// The three sums of shares times |N|.
-void settle_areas(const std::vector<FaceArea<Ball>>& faces, const Field<Ball>& field, Settler& settle,
-                  ActiveArea& active) {
-  Ball open = field(0.0), counted = open, closed = open;
-  for (const FaceArea<Ball>& face : faces) {
-    const Ball length = sqrt(dot(face.normal, face.normal));
-    const Ball area = face.shares.counted * length;
+template <class T>
+void settle_areas(const std::vector<FaceArea<T>>& faces, const Field<T>& field, Settler& settle, ActiveArea& active) {
+  T open = field(0.0), counted = open, closed = open;
+  for (const FaceArea<T>& face : faces) {
+    const T length = sqrt(dot(face.normal, face.normal));
+    const T area = face.shares.counted * length;
     counted = counted + area;
     open = open + (face.overlapped ? face.shares.open * length : area);
     closed = closed + (face.overlapped ? face.shares.closed * length : area);
@@ -50,10 +51,10 @@ Vec3<T> flux_origin(const std::vector<FaceArea<T>>& E, const std::vector<FaceAre
   return !E.empty() ? E[0].point : !F.empty() ? F[0].point : pose.zero();
 }
 
-bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, const Field<Ball>& field,
-                     Answer& answer) {
-  LiftedPose<Ball> pose(pose_doubles, field);
-  const std::vector<Vec3<Ball>> positions = areas.points.positions(pose);
+template <class T>
+bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, const Field<T>& field, Answer& answer) {
+  LiftedPose<T> pose(pose_doubles, field);
+  const std::vector<Vec3<T>> positions = areas.points.positions(pose);
   const auto E = face_areas(areas, Side::E, positions, pose);
   const auto F = face_areas(areas, Side::F, positions, pose);
   Settler settle;
@@ -62,7 +63,7 @@ bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, c
   settle(vector_area(E, pose), answer.E.vector_area_Me);
   settle(vector_area(F, pose), answer.F.vector_area_Me);
   if (answer.volume) {
-    const Vec3<Ball> origin = flux_origin(E, F, pose);
+    const Vec3<T> origin = flux_origin(E, F, pose);
     settle(flux_third(E, origin, pose) + flux_third(F, origin, pose), *answer.volume);
   }
   return settle.all();
@@ -87,7 +88,7 @@ void report_rational(const ExactPose& pose_doubles, const ClippedAreas& areas, A
 
 void report_polygons(const ExactPose& pose, const CrossingPoints& points, const std::vector<Chain>& chains,
                      const std::vector<Index>& patches, Answer& answer) {
-  LiftedPose<Ball> enclosures(pose, Field<Ball>{kFirstPrecision});
+  LiftedPose<DoubleDouble> enclosures(pose);
   LiftedPose<Rational> rationals(pose);
   const auto rounded_position = [&](Index crossing) -> Eigen::Vector3d {
     Settler settle;
@@ -111,8 +112,8 @@ void report_polygons(const ExactPose& pose, const CrossingPoints& points, const 
 void report_areas(const ExactPose& pose, const ClippedAreas& areas, bool has_volume, Answer& answer) {
   answer.undefined_areas = areas.undefined;
   if (has_volume) answer.volume = 0;
-  for (const mpfr_prec_t precision : {kFirstPrecision, 2 * kFirstPrecision})
-    if (report_enclosed(pose, areas, Field<Ball>{precision}, answer)) return;
+  if (report_enclosed(pose, areas, Field<DoubleDouble>{}, answer)) return;
+  if (report_enclosed(pose, areas, Field<Ball>{kPrecision}, answer)) return;
   report_rational(pose, areas, answer);
 }
 

@@ -70,7 +70,8 @@ std::vector<std::pair<Index, Index>> self_intersections(const TriangleMesh& mesh
     boxes.push_back(box);
   }
   std::vector<std::pair<Index, Index>> found;
-  for (const auto& [a, b] : meeting_boxes(boxes, boxes))
+  const BoxTree tree(boxes);
+  for (const auto& [a, b] : meeting_boxes(tree, tree))
     if (a < b && intersect(faces[a], faces[b])) found.emplace_back(a, b);
   return found;
 }

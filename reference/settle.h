@@ -4,21 +4,24 @@
 
 #include <Eigen/Core>
 
-#include "reference/ball.h"
+#include <optional>
+
 #include "reference/vector3.h"
 
 namespace pcm::reference {
 
-/// Turns enclosures into correctly rounded doubles and remembers whether it could each time.
+/// Turns enclosures (DoubleDouble, Ball) into correctly rounded doubles and remembers whether it could each time.
 class Settler {
  public:
-  void operator()(const Ball& value, double& target) {
+  template <class T>
+  void operator()(const T& value, double& target) {
     if (const std::optional<double> rounded = value.rounded())
       target = *rounded;
     else
       all_ = false;
   }
-  void operator()(const Vec3<Ball>& value, Eigen::Vector3d& target) {
+  template <class T>
+  void operator()(const Vec3<T>& value, Eigen::Vector3d& target) {
     for (int i = 0; i < 3; ++i) (*this)(value[i], target[i]);
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "meshes/triangle_mesh.h"
+#include "reference/box_tree.h"
 
 namespace pcm::reference {
 
@@ -21,6 +22,7 @@ struct Surface {
   std::vector<Index> component;                  ///< of a face: faces joined by shared edges
   Index components = 0;
   bool closed = true;  ///< no border edge at all
+  BoxTree tree;        ///< of the faces, in the body's own frame
 };
 
 /// O(n log n). The mesh must be fit for contact: at most two faces an edge, indices in range.
