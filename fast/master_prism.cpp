@@ -95,11 +95,9 @@ MasterPrism::MasterPrism(const FaceGeometry& face)
 }
 
 PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) const {
-  const auto& p = face_.points_Me;
-  const Eigen::Vector3d from_p0 = x_Me - p[0];
-  const double height = height_along(face_.N_Me, N_magnitude_, p, x_Me, work);
-  return {inward_Me_[1].dot(x_Me - p[1]), inward_Me_[2].dot(x_Me - p[2]), inward_Me_[0].dot(from_p0),
-          -height * inverse_twice_area_};
+  const double height = height_along(face_.N_Me, N_magnitude_, face_.points_Me, x_Me, work);
+  const Eigen::Vector3d w = weights(x_Me);
+  return {w[0], w[1], w[2], -height * inverse_twice_area_};
 }
 
 TreePrism::TreePrism(const MasterPrism& prism, double slack)

@@ -27,6 +27,11 @@ class MasterPrism {
   /// the distance over the face's height. The depth is computed exactly where it is not sure of its sign: it is 0 where
   /// x lies exactly in the face's plane. What is flush is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
+  /// The same weights alone.
+  Eigen::Vector3d weights(const Eigen::Vector3d& x_Me) const {
+    const auto& p = face_.points_Me;
+    return {inward_Me_[1].dot(x_Me - p[1]), inward_Me_[2].dot(x_Me - p[2]), inward_Me_[0].dot(x_Me - p[0])};
+  }
 
   /// How far lines through points seen by the prism may be off from each other, where no |coordinate| exceeds `reach`.
   /// A vertex of F is off by 4 u reach a coordinate (u = 2^-53); no distance from p0 is greater than 4 reach, and 16 u

@@ -83,19 +83,48 @@ double least_depth_of_neighbour(const Triangle& vertices, const std::array<Prism
   return at_border && moments.area < 0x1p-50 ? kInfinity : least;
 }
 
+/// The vertices as one master face sees them, each looked at once: faces that share them ask for it again and again,
+/// and depths in one plane are exact numbers' work.
+class VertexSights {
+ public:
+  explicit VertexSights(const Surface::Data& surface)
+      : surface_(surface), sights_(surface.mesh.vertices.size()), seen_by_(sights_.size(), -1) {}
+
+  /// From now on those of this prism, which is the face's and has to outlive that.
+  void start(const MasterPrism& prism, Index face) {
+    prism_ = &prism;
+    face_ = face;
+  }
+  const PrismPoint& operator()(Index vertex) {
+    const auto i = static_cast<std::size_t>(vertex);
+    if (seen_by_[i] != face_) {
+      sights_[i] = prism_->see(surface_.vertex(vertex), work_);
+      seen_by_[i] = face_;
+    }
+    return sights_[i];
+  }
+
+ private:
+  const Surface::Data& surface_;
+  const MasterPrism* prism_ = nullptr;
+  Index face_ = -1;
+  std::vector<PrismPoint> sights_;  ///< by vertex
+  std::vector<Index> seen_by_;      ///< the face that did so last
+  WorkCounters work_;
+};
+
 /// Another face as a master face sees it.
 struct SeenFace {
   const Triangle& vertices;
   std::array<PrismPoint, 3> corners;
   std::array<int, 3> shared;  ///< which corner of the master it is, or -1
 
-  SeenFace(const MasterPrism& prism, const Surface::Data& surface, const Triangle& master, Index face,
-           WorkCounters& work)
+  SeenFace(VertexSights& sights, const Surface::Data& surface, const Triangle& master, Index face)
       : vertices(surface.face(face)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto found = std::find(master.begin(), master.end(), vertices[k]);
       shared[k] = found != master.end() ? static_cast<int>(found - master.begin()) : -1;
-      corners[k] = shared[k] >= 0 ? MasterPrism::corner(shared[k]) : prism.see(surface.vertex(vertices[k]), work);
+      corners[k] = shared[k] >= 0 ? MasterPrism::corner(shared[k]) : sights(vertices[k]);
     }
   }
 
@@ -128,14 +157,13 @@ struct SeenFace {
 /// no more than once. Then they lie side by side as the master sees them.
 bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index corner, double tolerance) {
   const double off_s = tolerance * prism.inward_length(2), off_t = tolerance * prism.inward_length(0);
-  WorkCounters work;
   double angle = 0;
   for (const Index face : surface.vertex_faces[corner]) {
     const Triangle& t = surface.face(face);
     const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), corner) - t.begin());
-    const PrismPoint from = prism.see(surface.vertex(t[k]), work);
-    const PrismPoint a = prism.see(surface.vertex(t[(k + 1) % 3]), work) - from;
-    const PrismPoint b = prism.see(surface.vertex(t[(k + 2) % 3]), work) - from;
+    const Eigen::Vector3d from = prism.weights(surface.vertex(t[k]));
+    const Eigen::Vector3d a = prism.weights(surface.vertex(t[(k + 1) % 3])) - from;
+    const Eigen::Vector3d b = prism.weights(surface.vertex(t[(k + 2) % 3])) - from;
     const double winding = a[kS] * b[kT] - a[kT] * b[kS];
     const double turn =
         4 * (off_s * (std::abs(a[kT]) + std::abs(b[kT]) + 2 * off_t) + off_t * (std::abs(a[kS]) + std::abs(b[kS])));
@@ -149,12 +177,11 @@ bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index
 
 /// Whether all other faces at a corner of the master face lie beside it: on the far side of one of its sides each, but
 /// for the vertices on that side.
-bool all_lie_beside(const MasterPrism& prism, const Surface::Data& surface, Index master_face, Index corner,
-                    double tolerance) {
-  WorkCounters work;
+bool all_lie_beside(const MasterPrism& prism, VertexSights& sights, const Surface::Data& surface, Index master_face,
+                    Index corner, double tolerance) {
   for (const Index face : surface.vertex_faces[corner]) {
     if (face == master_face) continue;
-    const SeenFace seen(prism, surface, surface.face(master_face), face, work);
+    const SeenFace seen(sights, surface, surface.face(master_face), face);
     std::array<bool, 3> beside{true, true, true};  // By weight; each is 0 on a side.
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t weight = 0; weight < 3; ++weight) {
@@ -212,12 +239,14 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& su
   ThicknessEverywhere bounds{std::vector<double>(surface.mesh.faces.size(), 0.0),
                              std::vector<double>(surface.mesh.faces.size(), 0.0)};
   std::vector<Index> open;
+  VertexSights sights(surface);
   WorkCounters work;
   for (Index face = 0; face < static_cast<Index>(bounds.exact.size()); ++face) {
     const Triangle& master = surface.face(face);
     const FaceGeometry geometry(points_of(surface, face));
     if (!thickness_holds(surface, 0, geometry)) continue;
     const MasterPrism prism(geometry);
+    sights.start(prism, face);
     const TreePrism tree_prism(prism, 2 * tolerance);
     double nearest = kInfinity, nearest_within = kInfinity;
     open.assign(1, 0);
@@ -231,7 +260,7 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& su
         continue;
       }
       if (node.face == face) continue;
-      const SeenFace seen(prism, surface, master, node.face, work);
+      const SeenFace seen(sights, surface, master, node.face);
       const double least = seen.is_neighbour() ? least_depth_of_neighbour(seen.vertices, seen.corners)
                                                : least_depth(prism, seen.corners, tolerance);
       nearest = std::min(nearest, least);
@@ -252,14 +281,16 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& su
 std::vector<bool> faces_clear_of_neighbours(const Surface::Data& surface) {
   const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
   std::vector<bool> clear(surface.mesh.faces.size(), false);
+  VertexSights sights(surface);
   for (Index face = 0; face < static_cast<Index>(clear.size()); ++face) {
     const FaceGeometry geometry(points_of(surface, face));
     if (!thickness_holds(surface, 0, geometry)) continue;
     const MasterPrism prism(geometry);
+    sights.start(prism, face);
     const Triangle& corners = surface.face(face);
     clear[static_cast<std::size_t>(face)] = std::all_of(corners.begin(), corners.end(), [&](Index corner) {
       return is_spread_out(prism, surface, corner, tolerance) ||
-             all_lie_beside(prism, surface, face, corner, tolerance);
+             all_lie_beside(prism, sights, surface, face, corner, tolerance);
     });
   }
   return clear;
