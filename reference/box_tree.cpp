@@ -3,6 +3,7 @@
 #include "reference/box_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace pcm::reference {
@@ -43,6 +44,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
 }
 
 BoxTree::BoxTree(const BoxTree& tree, const std::vector<Box>& boxes) : nodes_(tree.nodes_) {
+  assert(nodes_.empty() ? boxes.empty() : boxes.size() == (nodes_.size() + 1) / 2);
   for (std::size_t at = nodes_.size(); at-- > 0;) {
     Node& node = nodes_[at];
     if (node.right == kLeaf) {
@@ -52,6 +54,17 @@ BoxTree::BoxTree(const BoxTree& tree, const std::vector<Box>& boxes) : nodes_(tr
       node.box.include(nodes_[node.right].box);
     }
   }
+}
+
+std::vector<Box> boxes_of_faces(const TriangleMesh& mesh) {
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.faces.size());
+  for (const Triangle& t : mesh.faces) {
+    Box box{mesh.vertices[t[0]], mesh.vertices[t[0]]};
+    for (const Index v : t) box.include({mesh.vertices[v], mesh.vertices[v]});
+    boxes.push_back(box);
+  }
+  return boxes;
 }
 
 }  // namespace pcm::reference

@@ -78,4 +78,7 @@ class BoxTree {
   std::vector<Node> nodes_;
 };
 
+/// The box of each face.
+std::vector<Box> boxes_of_faces(const TriangleMesh& mesh);
+
 }  // namespace pcm::reference

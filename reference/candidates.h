@@ -7,7 +7,7 @@
 
 #include "reference/box_tree.h"
 
-/// Which pairs are worth an exact look. Boxes are closed and hold the features of both problems, so none is missed.
+/// Which pairs are worth an exact look: boxes are closed, so that none is missed whose features they hold.
 namespace pcm::reference {
 
 using IndexPair = std::pair<Index, Index>;

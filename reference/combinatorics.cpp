@@ -6,7 +6,7 @@
 
 namespace pcm::reference {
 
-Combinatorics find_combinatorics(const ExactPose& pose, std::shared_ptr<Proximity> near) {
+Combinatorics find_combinatorics(const ExactPose& pose, std::shared_ptr<const Proximity> near) {
   const Orientation orientation(pose);
   Combinatorics found;
   found.near = std::move(near);

@@ -15,7 +15,7 @@ namespace pcm::reference {
 
 /// All discrete facts of a contact but its elements: the first half of the pipeline, in its order.
 struct Combinatorics {
-  std::shared_ptr<Proximity> near;
+  std::shared_ptr<const Proximity> near;
   Crossings crossings;
   std::vector<Chain> polygons;
   ActiveFaces E, F;
@@ -26,9 +26,9 @@ struct Combinatorics {
 };
 
 /// `near`: of the same pose, in either problem.
-Combinatorics find_combinatorics(const ExactPose& pose, std::shared_ptr<Proximity> near);
+Combinatorics find_combinatorics(const ExactPose& pose, std::shared_ptr<const Proximity> near);
 inline Combinatorics find_combinatorics(const ExactPose& pose) {
-  return find_combinatorics(pose, std::make_shared<Proximity>(pose));
+  return find_combinatorics(pose, std::make_shared<const Proximity>(pose));
 }
 
 }  // namespace pcm::reference

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/contact_force.h"
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "reference/ball.h"
 #include "reference/double_double.h"
 #include "reference/exact_loads.h"
 
@@ -34,11 +34,12 @@ template <class T>
 class EnclosedLoads {
  public:
   EnclosedLoads(const ForceQuestion& question, const Field<T>& field)
-      : question_(question), field_(field), pose_(question.pose, field_), known_(question.elements.size()) {}
+      : question_(question), field_(field), pose_(question.pose, field_) {}
 
   const Field<T>& field() const { return field_; }
-  std::size_t size() const { return known_.size(); }
+  std::size_t size() const { return question_.elements.size(); }
   const EnclosedLoad<T>& at(std::size_t i) {
+    if (known_.empty()) known_.resize(size());
     if (!known_[i]) known_[i] = enclose(i);
     return *known_[i];
   }

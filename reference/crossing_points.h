@@ -19,7 +19,7 @@ class CrossingPoints {
 
   const std::vector<CrossingId>& ids() const { return ids_; }
 
-  /// Number kinds with division: Rational, DoubleDouble.
+  /// Number kinds with division: Rational, Ball, DoubleDouble.
   template <class T>
   Vec3<T> position(Index crossing, LiftedPose<T>& pose) const {
     if (const auto& midpoint = midpoints_[crossing])

@@ -14,7 +14,8 @@ DoubleDouble::DoubleDouble(const Rational& x) : DoubleDouble(unknown()) {
   const double high = nearest_double(x);
   if (!(std::abs(high) < kInfinity)) return;
   const double low = nearest_double(Rational(x - Rational(high)));
-  *this = made_of(high, low, kRelativeError * std::abs(high) + kUnderflow);
+  const bool exact = Rational(high) + Rational(low) == x;
+  *this = made_of(high, low, exact ? 0 : kRelativeError * std::abs(high) + kUnderflow);
 }
 
 // |a / b - q| = |a - b q| / |b|.
@@ -26,6 +27,7 @@ DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double second = (a - b * DoubleDouble(first)).high_ / b.high_;
   const DoubleDouble q = DoubleDouble::made_of(first, second, 0);
   const DoubleDouble rest = a - b * q;
+  if (rest.is_zero()) return q;
   return DoubleDouble::made_of(q.high_, q.low_,
                                DoubleDouble::kUp * (rest.greatest() / least) + DoubleDouble::kUnderflow);
 }
@@ -41,16 +43,16 @@ DoubleDouble sqrt(const DoubleDouble& a) {
   const double second = (a - DoubleDouble(first) * DoubleDouble(first)).high_ / (2 * first);
   const DoubleDouble q = DoubleDouble::made_of(first, second, 0);
   const DoubleDouble rest = a - q * q;
+  if (rest.is_zero()) return q;
   return DoubleDouble::made_of(q.high_, q.low_,
                                DoubleDouble::kUp * (rest.greatest() / q.least()) + DoubleDouble::kUnderflow);
 }
 
 DoubleDouble hull(const DoubleDouble& a, const DoubleDouble& b) {
-  const double middle = 0.5 * a.high_ + 0.5 * b.high_;
-  const auto farthest = [middle](const DoubleDouble& x) {
-    return std::abs(x.high_ - middle) + std::abs(x.low_) + x.radius_;
-  };
-  return DoubleDouble::made_of(middle, 0, DoubleDouble::kUp * std::max(farthest(a), farthest(b)));
+  const auto half = [](const DoubleDouble& x) { return DoubleDouble(0.5 * x.high_, 0.5 * x.low_, 0); };
+  DoubleDouble middle = half(a) + half(b);
+  middle.radius_ = 0;  // Any point between will do.
+  return DoubleDouble::made_of(middle.high_, middle.low_, std::max((a - middle).greatest(), (b - middle).greatest()));
 }
 
 // Rounding is monotonic: what lies between two numbers that round to one double does so, too.

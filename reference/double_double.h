@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cfloat>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,8 +11,11 @@
 
 namespace pcm::reference {
 
+static_assert(FLT_EVAL_METHOD == 0, "sums and products of doubles must be rounded to doubles");
+
 /// An interval that encloses a real number to some 100 bits: the unevaluated sum high + low of two doubles, high being
-/// the double nearest to it, and a radius. A filter before Ball, at a tenth of its cost. Rounding must be to nearest.
+/// the double nearest to that sum, and a radius, 0 where the number is known exactly. A filter before Ball, at a tenth
+/// of its cost. Rounding must be to nearest.
 ///
 /// Sums and products are double-word arithmetic: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds
 /// for basic building blocks of double-word arithmetic, ACM Trans. Math. Softw. 44 (2017), algorithms 6 and 12, within
@@ -19,7 +23,7 @@ namespace pcm::reference {
 /// what is left when they are put to the test. What overflows is nothing known: the whole line.
 class DoubleDouble {
  public:
-  /// Exactly x.
+  /// Exactly x, which is finite.
   explicit DoubleDouble(double x) : DoubleDouble(x, 0, 0) {}
   explicit DoubleDouble(const Rational& x);
 
@@ -60,7 +64,8 @@ class DoubleDouble {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   /// Pays for a few roundings of radii, and of bounds.
   static constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
-  /// Of a sum or a product, with room to spare; and more than any number of underflows in one operation make.
+  /// Of a sum or a product, or of a rational number in two doubles, with room to spare; and more than any number of
+  /// underflows in one operation make.
   static constexpr double kRelativeError = 0x1p-100, kUnderflow = 0x1p-1060;
 
   DoubleDouble(double high, double low, double radius) : high_(high), low_(low), radius_(radius) {}

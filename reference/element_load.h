@@ -7,8 +7,8 @@
 #include "fast/inputs.h"
 #include "reference/element_geometry.h"
 
-/// The force law (PCM section 7) in numbers of kind T: Ball, which encloses, or Quadratic, which is exact. With L = |N|
-/// all of it lies in Q(L), but for the speed v_t, a root of such a number.
+/// The force law (PCM section 7) in numbers of kind T: DoubleDouble or Ball, which enclose, or Quadratic, which is
+/// exact. With L = |N| all of it lies in Q(L), but for the speed v_t, a root of such a number.
 namespace pcm::reference {
 
 template <class T>

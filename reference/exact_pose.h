@@ -41,7 +41,7 @@ class ExactPose {
   const Triangle& face(Side side, Index face) const { return surface(side).mesh.faces[face]; }
   const Pose& pose() const { return pose_; }
 
-  /// The vertex in Me. T must hold it without loss (Exact, Rational) or enclose it (Ball, Interval).
+  /// The vertex in Me. T must hold it without loss (Exact, Rational) or enclose it (DoubleDouble, Ball, Interval).
   template <class T>
   Vec3<T> point(Vertex v, const Field<T>& field = {}) const {
     const auto lift = [&field](const Eigen::Vector3d& p) { return Vec3<T>{field(p[0]), field(p[1]), field(p[2])}; };
@@ -75,6 +75,7 @@ class ExactPose {
 
   /// Holds the face as both problems have it.
   Box face_box(Side side, Index f) const;
+  /// Of all faces.
   std::vector<Box> face_boxes(Side side) const;
 
  private:

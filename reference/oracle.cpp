@@ -109,8 +109,8 @@ Solution& Inquiry::Data::solve(Problem problem) {
   if (solution) return *solution;
   const Solution* known = solutions[index_of(other(problem))].get();
   ExactPose exact_pose(problem, oracle.E, oracle.F, pose);
-  const std::shared_ptr<Proximity> near =
-      known ? known->found.near : std::make_shared<Proximity>(exact_pose, oracle.region);
+  const std::shared_ptr<const Proximity> near =
+      known ? known->found.near : std::make_shared<const Proximity>(exact_pose, oracle.region);
   Combinatorics found = find_combinatorics(exact_pose, near);
   solution = std::make_unique<Solution>(Solution{std::move(exact_pose), std::move(found), {}, {}, {}});
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reference/ball.h"
 #include "reference/double_double.h"
 #include "reference/radical_sum.h"
 #include "reference/settle.h"

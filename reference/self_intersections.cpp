@@ -57,20 +57,16 @@ bool intersect(const Face& a, const Face& b) {
 
 std::vector<std::pair<Index, Index>> self_intersections(const TriangleMesh& mesh) {
   std::vector<Face> faces;
-  std::vector<Box> boxes;
   for (const Triangle& t : mesh.faces) {
     Face face{t, {}};
-    Box box{mesh.vertices[t[0]], mesh.vertices[t[0]]};
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d& p = mesh.vertices[t[i]];
       face.points[i] = Point(p[0], p[1], p[2]);
-      box.include({p, p});
     }
     faces.push_back(face);
-    boxes.push_back(box);
   }
   std::vector<std::pair<Index, Index>> found;
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes_of_faces(mesh));
   for (const auto& [a, b] : meeting_boxes(tree, tree))
     if (a < b && intersect(faces[a], faces[b])) found.emplace_back(a, b);
   return found;

@@ -62,17 +62,6 @@ void label_components(Surface& surface) {
   }
 }
 
-BoxTree tree_of_faces(const TriangleMesh& mesh) {
-  std::vector<Box> boxes;
-  boxes.reserve(mesh.faces.size());
-  for (const Triangle& t : mesh.faces) {
-    Box box{mesh.vertices[t[0]], mesh.vertices[t[0]]};
-    for (const Index v : t) box.include({mesh.vertices[v], mesh.vertices[v]});
-    boxes.push_back(box);
-  }
-  return BoxTree(boxes);
-}
-
 }  // namespace
 
 Surface make_surface(TriangleMesh mesh) {
@@ -83,7 +72,7 @@ Surface make_surface(TriangleMesh mesh) {
   for (Index f = 0; f < static_cast<Index>(surface.mesh.faces.size()); ++f)
     for (const Index v : surface.mesh.faces[f]) surface.vertex_faces[v].push_back(f);
   label_components(surface);
-  surface.tree = tree_of_faces(surface.mesh);
+  surface.tree = BoxTree(boxes_of_faces(surface.mesh));
   return surface;
 }
 
