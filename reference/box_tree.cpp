@@ -18,18 +18,18 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
 
   struct Range {
     std::size_t first, last;
-    Index parent;  ///< whose second half this is; kLeaf where it is none
+    Index parent;  ///< whose second half this is; kNone where it is a first half
   };
   nodes_.reserve(2 * boxes.size() - 1);
-  std::vector<Range> waiting{{0, boxes.size(), kLeaf}};
+  std::vector<Range> waiting{{0, boxes.size(), kNone}};
   while (!waiting.empty()) {
     const Range range = waiting.back();
     waiting.pop_back();
     const Index at = static_cast<Index>(nodes_.size());
-    if (range.parent != kLeaf) nodes_[range.parent].right = at;
+    if (range.parent != kNone) nodes_[range.parent].right = at;
     Box around = boxes[order[range.first]];
     for (std::size_t i = range.first + 1; i < range.last; ++i) around.include(boxes[order[i]]);
-    nodes_.push_back({around, kLeaf, order[range.first]});
+    nodes_.push_back({around, kNone, order[range.first]});
     if (range.last - range.first == 1) continue;
     int axis = 0;
     (around.upper - around.lower).maxCoeff(&axis);
@@ -39,7 +39,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
                      begin + static_cast<std::ptrdiff_t>(range.last),
                      [&](Index a, Index b) { return twice_centre[a][axis] < twice_centre[b][axis]; });
     waiting.push_back({middle, range.last, at});
-    waiting.push_back({range.first, middle, kLeaf});  // on top, so that it follows its parent
+    waiting.push_back({range.first, middle, kNone});  // on top, so that it follows its parent
   }
 }
 
@@ -47,7 +47,7 @@ BoxTree::BoxTree(const BoxTree& tree, const std::vector<Box>& boxes) : nodes_(tr
   assert(nodes_.empty() ? boxes.empty() : boxes.size() == (nodes_.size() + 1) / 2);
   for (std::size_t at = nodes_.size(); at-- > 0;) {
     Node& node = nodes_[at];
-    if (node.right == kLeaf) {
+    if (node.right == kNone) {
       node.box = boxes[node.index];
     } else {
       node.box = nodes_[at + 1].box;

@@ -12,6 +12,8 @@
 
 namespace pcm::reference {
 
+constexpr Index kNone = -1;
+
 /// Boxes in a balanced binary tree, for finding those that meet others, or looking along a line from near to far. A
 /// range of boxes is halved at the median of their centres along the longest axis of the box around them.
 class BoxTree {
@@ -22,10 +24,9 @@ class BoxTree {
   /// As many other boxes, parted as `tree` parts its own: O(n), and as good where a body has moved as a whole.
   BoxTree(const BoxTree& tree, const std::vector<Box>& boxes);
 
-  static constexpr Index kLeaf = -1;
   struct Node {
     Box box;
-    Index right;  ///< second half, or kLeaf; the first half follows its parent
+    Index right;  ///< second half, kNone at a leaf; the first half follows its parent
     Index index;  ///< of a leaf's box
   };
   /// A parent before its halves, the root first; empty where there is no box.
@@ -62,7 +63,7 @@ class BoxTree {
       waiting.pop_back();
       if (from > limit) continue;
       const Node& node = nodes_[at];
-      if (node.right == kLeaf) {
+      if (node.right == kNone) {
         limit = std::min(limit, visit(node.index));
         continue;
       }

@@ -9,7 +9,7 @@ namespace pcm::reference {
 // Of two nodes that meet the larger one is parted, so that both shrink alike.
 std::vector<IndexPair> meeting_boxes(const BoxTree& a, const BoxTree& b) {
   using Node = BoxTree::Node;
-  const auto is_leaf = [](const Node& node) { return node.right == BoxTree::kLeaf; };
+  const auto is_leaf = [](const Node& node) { return node.right == kNone; };
   const auto size = [](const Node& node) { return (node.box.upper - node.box.lower).sum(); };
   std::vector<IndexPair> pairs, waiting;
   if (!a.nodes().empty() && !b.nodes().empty()) waiting.emplace_back(0, 0);

@@ -6,15 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "reference/ball.h"
 #include "reference/double_double.h"
 #include "reference/exact_loads.h"
+#include "reference/settle.h"
 
 namespace pcm::reference {
 namespace {
-
-/// Of the enclosures of what DoubleDouble does not settle: enough for nearly all that are no ties.
-constexpr mpfr_prec_t kPrecision = 240;
 
 /// An element's load with what only enclosures need.
 template <class T>
@@ -59,20 +56,17 @@ class EnclosedLoads {
   std::vector<std::optional<EnclosedLoad<T>>> known_;
 };
 
-/// Settles values by their enclosures and, where given, those that these do not settle by exact numbers.
+/// Settles values by their enclosures, and what these leave by exact numbers where such are given.
 template <class ExactNumbers>
-class LastSettler {
+class BackedSettler {
  public:
-  explicit LastSettler(ExactNumbers* exact) : exact_(exact) {}
+  explicit BackedSettler(ExactNumbers* exact) : exact_(exact) {}
 
   template <class T, class Exactly>
   void operator()(const T& value, double& target, const Exactly& exactly) {
-    if (const std::optional<double> rounded = value.rounded())
-      target = *rounded;
-    else if (exact_ != nullptr)
-      target = exactly(*exact_);
-    else
-      all_ = false;
+    Settler settle;
+    settle(value, target);
+    if (!settle.all()) fall_back(target, exactly);
   }
   template <class T, class Exactly>
   void operator()(const Vec3<T>& value, Eigen::Vector3d& target, const Exactly& exactly) {
@@ -84,22 +78,28 @@ class LastSettler {
   void exceeds(const T& value, const T& bound, bool& target, const Exactly& exactly) {
     if (const std::optional<int> sign = (value - bound).sign())
       target = *sign > 0;
-    else if (exact_ != nullptr)
-      target = exactly(*exact_);
     else
-      all_ = false;
+      fall_back(target, exactly);
   }
 
   bool all() const { return all_; }
 
  private:
+  template <class Target, class Exactly>
+  void fall_back(Target& target, const Exactly& exactly) {
+    if (exact_ != nullptr)
+      target = exactly(*exact_);
+    else
+      all_ = false;
+  }
+
   ExactNumbers* exact_;
   bool all_ = true;
 };
 
 /// False where not all is settled.
 template <class T>
-bool settle_element(const EnclosedLoad<T>& element, std::size_t i, LastSettler<ExactLoads> settle, Element& target) {
+bool settle_element(const EnclosedLoad<T>& element, std::size_t i, BackedSettler<ExactLoads> settle, Element& target) {
   settle(element.load.area, target.area, [i](ExactLoads& exact) { return exact.area(i); });
   settle(element.load.penetration, target.penetration, [i](ExactLoads& exact) { return exact.penetration(i); });
   settle(element.cosine, target.cosine, [i](ExactLoads& exact) { return exact.cosine(i); });
@@ -112,7 +112,7 @@ bool settle_element(const EnclosedLoad<T>& element, std::size_t i, LastSettler<E
 /// The same for the totals over masters.
 template <class T>
 bool settle_totals(const std::vector<EnclosedLoads<T>*>& masters, double share, double greatest_allowed,
-                   LastSettler<ExactTotals> settle, Answer& answer) {
+                   BackedSettler<ExactTotals> settle, Answer& answer) {
   const Field<T>& field = masters.front()->field();
   const T zero = field(0.0);
   Vec3<T> force{zero, zero, zero}, torque = force;
@@ -143,7 +143,10 @@ bool settle_totals(const std::vector<EnclosedLoads<T>*>& masters, double share, 
 
 struct MasterLoads::Data {
   explicit Data(const ForceQuestion& asked)
-      : question(asked), shortly(asked, Field<DoubleDouble>{}), finely(asked, Field<Ball>{kPrecision}), exact(asked) {}
+      : question(asked),
+        shortly(asked, Field<DoubleDouble>{}),
+        finely(asked, Field<Ball>{kSettlingPrecision}),
+        exact(asked) {}
 
   ForceQuestion question;
   EnclosedLoads<DoubleDouble> shortly;
@@ -164,8 +167,8 @@ std::vector<Element> MasterLoads::elements() {
     settled[i].master = pair.master;
     settled[i].master_face = pair.master_face;
     settled[i].slave_face = pair.slave_face;
-    if (!settle_element(data_->shortly.at(i), i, LastSettler<ExactLoads>(nullptr), settled[i]))
-      settle_element(data_->finely.at(i), i, LastSettler<ExactLoads>(&data_->exact), settled[i]);
+    if (!settle_element(data_->shortly.at(i), i, BackedSettler<ExactLoads>(nullptr), settled[i]))
+      settle_element(data_->finely.at(i), i, BackedSettler<ExactLoads>(&data_->exact), settled[i]);
   }
   data_->elements = std::move(settled);
   return *data_->elements;
@@ -182,9 +185,9 @@ void report_force(const std::vector<MasterLoads*>& masters, const Wanted& wanted
     finely.push_back(&master->data_->finely);
     exact_loads.push_back(&master->data_->exact);
   }
-  if (!settle_totals(shortly, share, greatest_allowed, LastSettler<ExactTotals>(nullptr), answer)) {
+  if (!settle_totals(shortly, share, greatest_allowed, BackedSettler<ExactTotals>(nullptr), answer)) {
     ExactTotals exactly(std::move(exact_loads), share);
-    settle_totals(finely, share, greatest_allowed, LastSettler<ExactTotals>(&exactly), answer);
+    settle_totals(finely, share, greatest_allowed, BackedSettler<ExactTotals>(&exactly), answer);
   }
   if (!wanted.elements) return;
   for (MasterLoads* master : masters)

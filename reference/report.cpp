@@ -4,16 +4,12 @@
 
 #include <algorithm>
 
-#include "reference/ball.h"
 #include "reference/double_double.h"
 #include "reference/radical_sum.h"
 #include "reference/settle.h"
 
 namespace pcm::reference {
 namespace {
-
-/// Of the enclosures of what DoubleDouble does not settle: enough for nearly all that are no ties.
-constexpr mpfr_prec_t kPrecision = 240;
 
 Eigen::Vector3d nearest_doubles(const Vec3<Rational>& v) {
   return {nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)};
@@ -114,7 +110,7 @@ void report_areas(const ExactPose& pose, const ClippedAreas& areas, bool has_vol
   answer.undefined_areas = areas.undefined;
   if (has_volume) answer.volume = 0;
   if (report_enclosed(pose, areas, Field<DoubleDouble>{}, answer)) return;
-  if (report_enclosed(pose, areas, Field<Ball>{kPrecision}, answer)) return;
+  if (report_enclosed(pose, areas, Field<Ball>{kSettlingPrecision}, answer)) return;
   report_rational(pose, areas, answer);
 }
 

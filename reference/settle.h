@@ -3,12 +3,15 @@
 #pragma once
 
 #include <Eigen/Core>
-
 #include <optional>
 
+#include "reference/ball.h"
 #include "reference/vector3.h"
 
 namespace pcm::reference {
+
+/// Of the Balls for what DoubleDouble does not settle: enough for nearly all that are no ties.
+inline constexpr mpfr_prec_t kSettlingPrecision = 240;
 
 /// Turns enclosures (DoubleDouble, Ball) into correctly rounded doubles and remembers whether it could each time.
 class Settler {

@@ -10,8 +10,6 @@
 
 namespace pcm::reference {
 
-constexpr Index kNone = -1;
-
 /// A surface with its adjacency, as every step needs it. Built once; immutable afterwards.
 struct Surface {
   TriangleMesh mesh;
