@@ -17,6 +17,7 @@ namespace {
 /// part of F inside E on its right.
 void add_segments(Workspace::Data& workspace, Side side_name) {
   SideState& side = workspace.side(side_name);
+  const bool other_closed = workspace.side(opposite(side_name)).surface().closed;
   const double sign = side_name == Side::E ? 1 : -1;
   for (const Index c : workspace.crossing_order) {
     const CrossingNode& start = workspace.crossings[static_cast<std::size_t>(c)];
@@ -28,6 +29,7 @@ void add_segments(Workspace::Data& workspace, Side side_name) {
     clip.started = true;
     clip.twice_vector_area_Me +=
         sign * (start.position_Me - clip.origin_Me).cross(Eigen::Vector3d(end.position_Me - clip.origin_Me));
+    if (other_closed) continue;
     for (const CrossingNode* crossing : {&start, &end}) {
       if (crossing->edge_side != side_name && crossing->face == face &&
           workspace.side(crossing->edge_side).surface().border(crossing->edge)) {

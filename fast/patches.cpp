@@ -47,6 +47,11 @@ void flood_regions(Workspace::Data& workspace, SideState& side) {
 }  // namespace
 
 void group_patches(Workspace::Data& workspace) {
+  if (workspace.polygons.size() <= 1) {
+    for (Polygon& polygon : workspace.polygons) polygon.patch = 0;
+    workspace.contact.patches = static_cast<Index>(workspace.polygons.size());
+    return;
+  }
   const auto& crossings = workspace.crossings;
   std::vector<Index>& parents = workspace.parents;
   parents.clear();
