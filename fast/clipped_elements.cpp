@@ -92,39 +92,84 @@ bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& 
 struct View {
   Uncertainty uncertainty;
   double deepest = -1;               ///< greatest depth at which the slave may be left, whatever lies before, m
+  double deepest_corner = -1;        ///< greatest depth of a corner of a candidate, m
   bool slave_at_barycentre = false;  ///< the line of the barycentre may leave the slave
   bool own_at_barycentre = false;    ///< it may meet another face of the master
 };
 
-void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& prism, FaceBound* bound, View& view) {
+/// What the prism sees of the slave's vertices, each looked at once, and a face's corners from that.
+void see_vertices(Workspace::Data& workspace, Side slave, const MasterPrism& prism) {
   WorkCounters& work = workspace.contact.work;
   PosedSurface& posed = workspace.side(slave).posed;
-  list_candidates(workspace, slave, prism, kInfinity, bound);
+  StampedArray<PrismPoint>& sights = workspace.projection.sights;
+  sights.start(posed.surface().mesh.vertices.size());
   for (const Index face : workspace.projection.candidates) {
-    const Triangle& vertices = posed.surface().face(face);
-    const std::array<PrismPoint, 3> corners{prism.see(posed.vertex_Me(vertices[0], work), work),
-                                            prism.see(posed.vertex_Me(vertices[1], work), work),
-                                            prism.see(posed.vertex_Me(vertices[2], work), work)};
-    if (bound != nullptr) bound->sight.see(posed, face, false, corners, {}, work);
-    const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
-    if (deepest < 0) continue;
-    ProjectedFace projected;
-    const bool is_seen = project_face(vertices, corners, projected);
-    const bool is_certain = is_seen && certain(projected.seen, view.uncertainty);
-    // A line may leave the slave through a sliver whose side it sees is not certain.
-    if (!(is_certain && !projected.leaves) && near_barycentre(prism, corners)) {
-      view.slave_at_barycentre = true;
-      view.deepest = std::max(view.deepest, deepest);
+    for (const Index v : posed.surface().face(face)) {
+      if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(v, work), work));
     }
-    if (!is_seen) continue;
+  }
+}
+std::array<PrismPoint, 3> corners_of(const ProjectionScratch& scratch, const Triangle& vertices) {
+  return {scratch.sights.at(vertices[0]), scratch.sights.at(vertices[1]), scratch.sights.at(vertices[2])};
+}
+
+/// Some steps are done for all candidates before the next, though one loop would do: what a processor guesses wrong of
+/// a face is then known soon, not only after all that was computed for it.
+void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& prism, FaceBound* bound, View& view) {
+  ProjectionScratch& scratch = workspace.projection;
+  PosedSurface& posed = workspace.side(slave).posed;
+  list_candidates(workspace, slave, prism, kInfinity, bound);
+  see_vertices(workspace, slave, prism);
+  scratch.over.resize(scratch.candidates.size());
+  const std::size_t all = bound != nullptr ? 1 : 0;  // Bounds hear of every candidate.
+  std::size_t count = 0;
+  for (const Index face : scratch.candidates) {
+    const std::array<PrismPoint, 3> corners = corners_of(scratch, posed.surface().face(face));
+    const PrismPoint greatest = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    view.deepest_corner = std::max(view.deepest_corner, greatest[kDepth]);
+    scratch.over[count] = face;
+    const auto is_over = static_cast<std::size_t>(greatest.head<3>().minCoeff() > 0);
+    const auto is_beneath = static_cast<std::size_t>(greatest[kDepth] >= 0);
+    count += all | (is_over & is_beneath);
+  }
+  scratch.over.resize(count);
+  scratch.entered.clear();
+  for (const Index face : scratch.over) {
+    const Triangle& vertices = posed.surface().face(face);
+    const std::array<PrismPoint, 3> corners = corners_of(scratch, vertices);
+    if (bound != nullptr) bound->sight.see(posed, face, false, corners, {}, workspace.contact.work);
+    ProjectedFace& projected = scratch.faces.emplace_back();
+    if (!project_face(vertices, corners, projected)) {
+      scratch.faces.pop_back();
+      continue;
+    }
+    const bool is_certain = certain(projected.seen, view.uncertainty);
+    if (is_certain && !projected.leaves) scratch.entered.push_back(face);
     projected.face = face;
     projected.own = false;
     projected.carries = projected.leaves && is_certain;
     if (projected.carries) {
       for (int i = 0; i < projected.seen.count; ++i) view.deepest = std::max(view.deepest, projected.seen[i][kDepth]);
     }
-    workspace.projection.faces.push_back(projected);
-    if (bound != nullptr) bound->sight.is_projected(projected.own, face, workspace.projection.faces.size() - 1);
+    if (bound != nullptr) bound->sight.is_projected(projected.own, face, scratch.faces.size() - 1);
+  }
+}
+
+/// Where the line of the barycentre may leave the slave: also through a sliver whose side it sees is not certain.
+void look_along_barycentre(Workspace::Data& workspace, Side slave, const MasterPrism& prism, View& view) {
+  const ProjectionScratch& scratch = workspace.projection;
+  const Surface::Data& surface = workspace.side(slave).surface();
+  auto entered = scratch.entered.begin();
+  for (const Index face : scratch.candidates) {
+    if (entered != scratch.entered.end() && *entered == face) {
+      ++entered;
+      continue;
+    }
+    const std::array<PrismPoint, 3> corners = corners_of(scratch, surface.face(face));
+    const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
+    if (deepest < 0 || !near_barycentre(prism, corners)) continue;
+    view.slave_at_barycentre = true;
+    view.deepest = std::max(view.deepest, deepest);
   }
 }
 
@@ -151,12 +196,14 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
     if (bound != nullptr) bound->sight.see(posed, face, true, corners, is_shared, work);
     if (only_bound) continue;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
-    ProjectedFace projected;
-    if (!project_face(vertices, corners, projected)) continue;
+    ProjectedFace& projected = workspace.projection.faces.emplace_back();
+    if (!project_face(vertices, corners, projected)) {
+      workspace.projection.faces.pop_back();
+      continue;
+    }
     projected.face = face;
     projected.own = true;
     projected.carries = false;
-    workspace.projection.faces.push_back(projected);
     if (bound != nullptr) bound->sight.is_projected(projected.own, face, workspace.projection.faces.size() - 1);
   }
 }
@@ -230,9 +277,11 @@ bool underflows(const FaceGeometry& geometry) {
   return std::max((p[1] - p[0]).lpNorm<Eigen::Infinity>(), (p[2] - p[0]).lpNorm<Eigen::Infinity>()) < kLeastDetail;
 }
 
-/// Enters the elements of one master face into the answer `contact` and the total. `bound`, where given, hears of them.
-void add_elements_of(Workspace::Data& workspace, Side master, Index face, const ForceProblem& problem,
-                     MasterBound* master_bound, Contact& contact, MasterForce& total) {
+/// Forms the elements of one master face and enters them: `enter(element, greatest penetration, centre of pressure,
+/// error)`, the error where it is known. `master_bound`, where given, hears of the face.
+template <class Enter>
+void form_elements_of(Workspace::Data& workspace, Side master, Index face, const ForceProblem& problem,
+                      MasterBound* master_bound, Contact& contact, const Enter& enter) {
   ProjectionScratch& scratch = workspace.projection;
   const FaceGeometry geometry =
       face_with_sure_normal(workspace.side(master).posed.face_Me(face, workspace.contact.work));
@@ -258,8 +307,16 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
   scratch.faces.clear();
   View view{prism.uncertainty(workspace.placement.reach)};
   project_slave(workspace, opposite(master), prism, bound, view);
-  const double deepest = view.deepest + farthest_off(prism, workspace.placement);
-  const bool thick = view.deepest < 0 || own_faces_before(workspace, master, face, geometry, deepest) != Before::some;
+  const auto surely_thick = [&](double deepest) {
+    const double farthest = deepest + farthest_off(prism, workspace.placement);
+    return deepest < 0 || own_faces_before(workspace, master, face, geometry, farthest) != Before::some;
+  };
+  // Where nothing lies before any candidate it need not be known which of them the barycentre's line meets.
+  bool thick = bound == nullptr && surely_thick(std::max(view.deepest, view.deepest_corner));
+  if (!thick) {
+    look_along_barycentre(workspace, opposite(master), prism, view);
+    thick = surely_thick(view.deepest);
+  }
   bool bound_needs_own = false;
   if (bound != nullptr && bound->sight.greatest_depth() >= 0) {
     const Before before = own_faces_before(workspace, master, face, geometry, bound->sight.greatest_depth());
@@ -300,13 +357,12 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
     element.area = area;
     element.penetration = mean;
     element.normal_Me = -geometry.n_Me;
-    add_element(contact, problem, moments.greatest, foot_Me(prism, moments), element, total);
-    if (master_bound == nullptr) continue;
+    const Eigen::Vector3d foot = foot_Me(prism, moments);
     if (bound != nullptr) {
       const ElementError error = bound->sight.of_element(slave_face, moments, neglect, master_bound->face_error());
-      master_bound->add_clipped_element(element, &error, total);
+      enter(element, moments.greatest, foot, &error);
     } else {
-      master_bound->add_clipped_element(element, nullptr, total);
+      enter(element, moments.greatest, foot, nullptr);
     }
   }
   if (master_bound != nullptr) {
@@ -319,10 +375,25 @@ void add_elements_of(Workspace::Data& workspace, Side master, Index face, const 
 MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
                                  MasterBound* bound) {
   SideState& side = workspace.side(master);
+  if (bound == nullptr) {
+    ElementQueue queue(workspace, master, problem);
+    for_each_active_face(side, [&](Index face) {
+      form_elements_of(workspace, master, face, problem, nullptr, workspace.contact,
+                       [&queue](const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me,
+                                const ElementError*) { queue.add(element, greatest_penetration, foot_Me); });
+    });
+    return queue.total();
+  }
+  const auto add_elements_of = [&](Index face, const ForceProblem& answered, Contact& contact, MasterForce& total) {
+    form_elements_of(
+        workspace, master, face, answered, bound, contact,
+        [&](Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me, const ElementError* error) {
+          add_element(contact, answered, greatest_penetration, foot_Me, element, total);
+          bound->add_clipped_element(element, error, total);
+        });
+  };
   MasterForce total;
-  for_each_active_face(
-      side, [&](Index face) { add_elements_of(workspace, master, face, problem, bound, workspace.contact, total); });
-  if (bound == nullptr) return total;
+  for_each_active_face(side, [&](Index face) { add_elements_of(face, problem, workspace.contact, total); });
   // Faces that are not active, but may be in the exact problem: what they would add.
   ForceProblem unheard = problem;
   unheard.keep_elements = false;
@@ -331,7 +402,7 @@ MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const 
     if (is_active(side, face)) continue;
     Contact none;
     MasterForce nothing;
-    add_elements_of(workspace, master, face, unheard, bound, none, nothing);
+    add_elements_of(face, unheard, none, nothing);
   }
   return total;
 }

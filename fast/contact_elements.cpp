@@ -73,11 +73,11 @@ void sum_element(Contact& contact, const ForceProblem& problem, const Element& e
   if (problem.statistics != nullptr) problem.statistics->add(element);
 }
 
-/// The elements of active faces, formed kElementLanes at a time and summed in face-index order.
+/// The barycentric elements of active faces, formed kElementLanes at a time and summed in face-index order.
 class ElementBatch {
  public:
   ElementBatch(Workspace::Data& workspace, Side master, const ForceProblem& problem)
-      : workspace_(workspace), master_(master), problem_(problem), limits_(force_limits(problem, master)) {
+      : workspace_(workspace), master_(master), problem_(problem), queue_(workspace, master, problem) {
     list_slave_faces_nearby(workspace, master);
   }
 
@@ -88,63 +88,33 @@ class ElementBatch {
   /// After the last face.
   MasterForce total() {
     if (count_ > 0) form_elements();
-    return total_;
+    return queue_.total();
   }
 
  private:
   void form_elements() {
     ElementLanes& lanes = workspace_.element_lanes;
-    Contact& contact = workspace_.contact;
     find_geometry(workspace_, master_, faces_, count_);
     std::array<Penetration, kElementLanes> found;
     find_penetrations(workspace_, master_, faces_, count_, lanes, last_, found);
-    bool any = false;
+    LaneBits elements = 0;
     for (std::size_t lane = 0; lane < count_; ++lane) {
-      any = any || found[lane].outcome == Penetration::Outcome::element;
+      if (found[lane].outcome == Penetration::Outcome::too_deep) ++workspace_.contact.too_deep;
+      if (found[lane].outcome == Penetration::Outcome::element) elements |= 1U << lane;
       lanes.depth.value[lane] = std::min(found[lane].depth, problem_.law.max_penetration);
+      queue_.set_faces(lane, faces_[lane], found[lane].slave_face, found[lane].depth);
     }
-    const LaneBits forced = any ? workspace_.wide_elements.force(lanes, limits_) : 0;
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-      if (found[lane].outcome == Penetration::Outcome::too_deep) ++contact.too_deep;
-      if (found[lane].outcome != Penetration::Outcome::element) continue;
-      count_element(contact, problem_, found[lane].depth);
-      add_lane(lane, found[lane], has_lane(forced, lane));
-    }
+    queue_.add_lanes(elements);
     count_ = 0;
-  }
-
-  void add_lane(std::size_t lane, const Penetration& penetration, bool forced) {
-    const ElementLanes& lanes = workspace_.element_lanes;
-    Element element;
-    element.master = master_;
-    element.master_face = faces_[lane];
-    element.slave_face = penetration.slave_face;
-    element.area = lanes.area.value[lane];
-    element.penetration = lanes.depth.value[lane];
-    element.normal_Me = -lanes.n_Me[lane];
-    if (forced) {
-      element.normal_velocity = lanes.normal_velocity.value[lane];
-      element.tangential_velocity = lanes.tangential_velocity.value[lane];
-      element.normal_force = lanes.normal_force.value[lane];
-      element.tangential_force = lanes.tangential_force.value[lane];
-      element.position_Me = lanes.position_Me[lane];
-      element.force_Me = lanes.force_Me[lane];
-      sum_element(workspace_.contact, problem_, element, lanes.torque_Me[lane], total_);
-    } else {
-      apply_force(problem_, lanes.barycentre_Me[lane], element);
-      sum_element(workspace_.contact, problem_, element,
-                  (element.position_Me - problem_.pose.r).cross(element.force_Me), total_);
-    }
   }
 
   Workspace::Data& workspace_;
   Side master_;
   const ForceProblem& problem_;
-  ForceLimits limits_;
+  ElementQueue queue_;
   FaceBatch faces_{};
   std::size_t count_ = 0;
   Index last_ = -1;  ///< face of the slave near the last penetration line
-  MasterForce total_;
 };
 
 MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem) {
@@ -154,6 +124,58 @@ MasterForce sum_barycentric_elements(Workspace::Data& workspace, Side master, co
 }
 
 }  // namespace
+
+ElementQueue::ElementQueue(Workspace::Data& workspace, Side master, const ForceProblem& problem)
+    : workspace_(workspace), master_(master), problem_(problem), limits_(force_limits(problem, master)) {}
+
+void ElementQueue::add(const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me) {
+  ElementLanes& lanes = workspace_.element_lanes;
+  const std::size_t lane = waiting_++;
+  set_faces(lane, element.master_face, element.slave_face, greatest_penetration);
+  lanes.area.value[lane] = element.area;
+  lanes.depth.value[lane] = std::min(element.penetration, problem_.law.max_penetration);
+  lanes.n_Me.set(lane, -element.normal_Me);
+  lanes.barycentre_Me.set(lane, foot_Me);
+  if (waiting_ == kElementLanes) form_waiting();
+}
+
+void ElementQueue::add_lanes(LaneBits which) {
+  const LaneBits forced = which != 0 ? workspace_.wide_elements.force(workspace_.element_lanes, limits_) : 0;
+  for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+    if (!has_lane(which, lane)) continue;
+    count_element(workspace_.contact, problem_, faces_[lane].greatest_penetration);
+    add_lane(lane, has_lane(forced, lane));
+  }
+}
+
+void ElementQueue::form_waiting() {
+  add_lanes((1U << waiting_) - 1);
+  waiting_ = 0;
+}
+
+void ElementQueue::add_lane(std::size_t lane, bool forced) {
+  const ElementLanes& lanes = workspace_.element_lanes;
+  Element element;
+  element.master = master_;
+  element.master_face = faces_[lane].master;
+  element.slave_face = faces_[lane].slave;
+  element.area = lanes.area.value[lane];
+  element.penetration = lanes.depth.value[lane];
+  element.normal_Me = -lanes.n_Me[lane];
+  if (forced) {
+    element.normal_velocity = lanes.normal_velocity.value[lane];
+    element.tangential_velocity = lanes.tangential_velocity.value[lane];
+    element.normal_force = lanes.normal_force.value[lane];
+    element.tangential_force = lanes.tangential_force.value[lane];
+    element.position_Me = lanes.position_Me[lane];
+    element.force_Me = lanes.force_Me[lane];
+    sum_element(workspace_.contact, problem_, element, lanes.torque_Me[lane], total_);
+  } else {
+    apply_force(problem_, lanes.barycentre_Me[lane], element);
+    sum_element(workspace_.contact, problem_, element, (element.position_Me - problem_.pose.r).cross(element.force_Me),
+                total_);
+  }
+}
 
 void add_element(Contact& contact, const ForceProblem& problem, double greatest_penetration,
                  const Eigen::Vector3d& foot_Me, Element& element, MasterForce& total) {

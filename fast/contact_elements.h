@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "fast/law.h"
 #include "fast/statistics_sum.h"
@@ -30,6 +31,43 @@ struct MasterForce {
 };
 
 class MasterBound;
+
+/// Sums the elements of one master as they come, their forces computed kElementLanes at a time. Where no bounds are
+/// wanted: these need each element's error beside it.
+class ElementQueue {
+ public:
+  ElementQueue(Workspace::Data& workspace, Side master, const ForceProblem& problem);
+
+  /// `element` brings its faces, area, normal and penetration; see `add_element`.
+  void add(const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me);
+  /// Elements whose areas, normals, feet and penetrations, clamped, are in the lanes already; none may wait.
+  void add_lanes(LaneBits which);
+  /// The faces of a lane for `add_lanes`.
+  void set_faces(std::size_t lane, Index master_face, Index slave_face, double greatest_penetration) {
+    faces_[lane] = {master_face, slave_face, greatest_penetration};
+  }
+  /// After the last element.
+  const MasterForce& total() {
+    form_waiting();
+    return total_;
+  }
+
+ private:
+  struct Faces {
+    Index master, slave;
+    double greatest_penetration;
+  };
+  void form_waiting();
+  void add_lane(std::size_t lane, bool forced);
+
+  Workspace::Data& workspace_;
+  Side master_;
+  const ForceProblem& problem_;
+  ForceLimits limits_;
+  std::array<Faces, kElementLanes> faces_{};
+  std::size_t waiting_ = 0;
+  MasterForce total_;
+};
 
 /// Whether a face is active: intersected or inner.
 inline bool is_active(const SideState& side, Index face) {

@@ -55,13 +55,11 @@ double product_of_sides(const std::array<Eigen::Vector3d, 3>& p) {
   return (p[1] - p[0]).lpNorm<1>() * (p[2] - p[0]).lpNorm<1>();
 }
 
-/// N . (x - p0), exactly where its sign would not be sure. It is the determinant of orient3d(p0, p1, p2, x), term by
-/// term, and so is the bound of its error.
-double height_along(const Eigen::Vector3d& N, const Eigen::Vector3d& N_magnitude,
-                    const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x, WorkCounters& work) {
-  const Eigen::Vector3d from_p0 = x - p[0];
-  const double height = N.dot(from_p0);
-  const double magnitude = N_magnitude.dot(from_p0.cwiseAbs());
+/// `height`, N . (x - p0), exactly where its sign would not be sure. It is the determinant of orient3d(p0, p1, p2, x),
+/// term by term, and so is the bound of its error.
+double sure_height(double height, const Eigen::Vector3d& N_magnitude, const std::array<Eigen::Vector3d, 3>& p,
+                   const Eigen::Vector3d& x, WorkCounters& work) {
+  const double magnitude = N_magnitude.dot((x - p[0]).cwiseAbs());
   ++work.predicates;
   if (std::abs(height) > kFilterRelative * (magnitude + kFilterUnderflow)) return height;
   ++work.exact_predicates;
@@ -91,13 +89,23 @@ MasterPrism::MasterPrism(const FaceGeometry& face)
     inward_Me_[k] = inverse_twice_area_ * face.n_Me.cross(side);
     inward_length_[k] = length(inward_Me_[k]);
   }
-  N_magnitude_ = magnitude_of_normal(face.points_Me);
+  const auto& p = face.points_Me;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    gradient_[k] = {inward_Me_[1][i], inward_Me_[2][i], inward_Me_[0][i], face.N_Me[i]};
+    origin_[k] = {p[1][i], p[2][i], p[0][i], p[0][i]};
+  }
+  N_magnitude_ = magnitude_of_normal(p);
 }
 
 PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) const {
-  const double height = height_along(face_.N_Me, N_magnitude_, face_.points_Me, x_Me, work);
-  const Eigen::Vector3d w = weights(x_Me);
-  return {w[0], w[1], w[2], -height * inverse_twice_area_};
+  PrismPoint point = products(x_Me);
+  const double height = point[kDepth];
+  const double sure = sure_height(height, N_magnitude_, face_.points_Me, x_Me, work);
+  // Stored as a whole: a number of it alone would have to reach memory before the point could be read.
+  point = point.cwiseProduct(PrismPoint(1, 1, 1, -inverse_twice_area_));
+  if (sure != height || sure == 0) point[kDepth] = -sure * inverse_twice_area_;
+  return point;
 }
 
 TreePrism::TreePrism(const MasterPrism& prism, double slack)
@@ -119,7 +127,8 @@ TreePrism::TreePrism(const MasterPrism& prism, double slack, const Eigen::Matrix
 }
 
 double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work) {
-  return height_along((f[1] - f[0]).cross(f[2] - f[0]), magnitude_of_normal(f), f, x, work);
+  const Eigen::Vector3d N = (f[1] - f[0]).cross(f[2] - f[0]);
+  return sure_height(N.dot(x - f[0]), magnitude_of_normal(f), f, x, work);
 }
 
 }  // namespace pcm::fast

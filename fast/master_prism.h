@@ -28,10 +28,7 @@ class MasterPrism {
   /// x lies exactly in the face's plane. What is flush is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
   /// The same weights alone.
-  Eigen::Vector3d weights(const Eigen::Vector3d& x_Me) const {
-    const auto& p = face_.points_Me;
-    return {inward_Me_[1].dot(x_Me - p[1]), inward_Me_[2].dot(x_Me - p[2]), inward_Me_[0].dot(x_Me - p[0])};
-  }
+  Eigen::Vector3d weights(const Eigen::Vector3d& x_Me) const { return products(x_Me).head<3>(); }
 
   /// How far lines through points seen by the prism may be off from each other, where no |coordinate| exceeds `reach`.
   /// A vertex of F is off by 4 u reach a coordinate (u = 2^-53); no distance from p0 is greater than 4 reach, and 16 u
@@ -70,14 +67,24 @@ class MasterPrism {
   double inward_length(std::size_t side) const { return inward_length_[side]; }
 
  private:
+  /// The weights, and N . (x - p0), all four in one go.
+  PrismPoint products(const Eigen::Vector3d& x_Me) const {
+    const PrismPoint x = gradient_[0].cwiseProduct(PrismPoint::Constant(x_Me[0]) - origin_[0]);
+    const PrismPoint y = gradient_[1].cwiseProduct(PrismPoint::Constant(x_Me[1]) - origin_[1]);
+    const PrismPoint z = gradient_[2].cwiseProduct(PrismPoint::Constant(x_Me[2]) - origin_[2]);
+    return (x + y) + z;
+  }
+
   FaceGeometry face_;
   Eigen::Vector3d edge_s_Me_;
   Eigen::Vector3d edge_t_Me_;
   std::array<Eigen::Vector3d, 3> inward_Me_;  ///< 1 / m
   std::array<double, 3> inward_length_;       ///< of these, 1 / m
-  Eigen::Vector3d N_magnitude_;               ///< N with every term taken absolutely, m^2
-  double inverse_twice_area_;                 ///< 1 / m^2
-  double longest_;  ///< twice the greatest |coordinate difference| of a side from p0, at least a side, m
+  // By component: what the three weights and the height are gradient . (x - origin) with.
+  std::array<PrismPoint, 3> gradient_, origin_;
+  Eigen::Vector3d N_magnitude_;  ///< N with every term taken absolutely, m^2
+  double inverse_twice_area_;    ///< 1 / m^2
+  double longest_;               ///< twice the greatest |coordinate difference| of a side from p0, at least a side, m
   double tilt_;
 };
 

@@ -33,15 +33,14 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
   const double twice_area = cross_st(corners[0], corners[1], corners[2]);
   if (!(std::abs(twice_area) > 0)) return false;
   face.leaves = twice_area < 0;
-  face.vertices = vertices;
-  face.corners = corners;
-  if (face.leaves) {
-    std::swap(face.vertices[1], face.vertices[2]);
-    std::swap(face.corners[1], face.corners[2]);
-  }
+  const std::array<std::size_t, 3> order{0, face.leaves ? 2U : 1U, face.leaves ? 1U : 2U};
   ConvexPolygon& seen = face.seen;
-  seen.count = seen.cuts = 0;
-  for (const PrismPoint& corner : face.corners) seen.add(corner);
+  seen.count = 3;
+  seen.cuts = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    face.vertices[k] = vertices[order[k]];
+    face.corners[k] = seen.points[k] = corners[order[k]];
+  }
   for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
     // A polygon of no corner beyond a side stays beyond none.
     if (std::min({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]}) >= 0) continue;
@@ -51,7 +50,7 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
   face.low_s = face.low_t = std::numeric_limits<double>::infinity();
   face.high_s = face.high_t = -face.low_s;
   for (int i = 0; i < seen.count; ++i) {
-    seen[i][kDepth] = std::max(seen[i][kDepth], 0.0);
+    if (seen[i][kDepth] < 0) seen[i][kDepth] = 0;
     face.low_s = std::min(face.low_s, seen[i][kS]);
     face.high_s = std::max(face.high_s, seen[i][kS]);
     face.low_t = std::min(face.low_t, seen[i][kT]);

@@ -8,6 +8,7 @@
 
 #include "fast/convex_polygon.h"
 #include "fast/master_prism.h"
+#include "fast/stamped_array.h"
 #include "meshes/triangle_mesh.h"
 
 namespace pcm::fast {
@@ -46,6 +47,9 @@ void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<std::siz
 /// Scratch memory of the clipped scheme.
 struct ProjectionScratch {
   std::vector<Index> candidates;
+  StampedArray<PrismPoint> sights;  ///< of the slave's vertices, by the master face at hand
+  std::vector<Index> over;          ///< candidates of the slave that some line may meet
+  std::vector<Index> entered;       ///< faces of the slave that the lines certainly enter
   std::vector<ProjectedFace> faces;
   std::vector<std::size_t> order;
   std::vector<Overlap> overlaps;

@@ -35,6 +35,19 @@ class StampedArray {
     return entry.round == round_ ? entry.value : otherwise;
   }
 
+  /// The value at `index`, where there is one.
+  template <class Int>
+  const Value& at(Int index) const {
+    return entries_[static_cast<std::size_t>(index)].value;
+  }
+
+  template <class Int>
+  void set(Int index, const Value& value) {
+    Entry& entry = entries_[static_cast<std::size_t>(index)];
+    entry.round = round_;
+    entry.value = value;
+  }
+
   /// The value at `index`, made by default construction where there was none.
   template <class Int>
   Value& operator[](Int index) {
