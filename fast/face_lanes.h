@@ -16,12 +16,19 @@ inline FaceGeometry geometry_of(const ElementLanes& lanes, std::size_t lane) {
   return {{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]}, lanes.n_Me[lane], lanes.area.value[lane]};
 }
 
+/// Where a lane's face has its corners: of F's, they are transformed on first touch.
+inline void enter_corners(Workspace::Data& workspace, Side side, Index face, CornerLanes& corners, std::size_t lane) {
+  PosedSurface& posed = workspace.side(side).posed;
+  const Triangle& vertices = posed.surface().face(face);
+  for (std::size_t k = 0; k < 3; ++k) corners[k][lane] = posed.vertex_Me(vertices[k], workspace.contact.work).data();
+}
+
 /// Vertices, normals and areas of the first `count` faces of a batch, as FaceGeometry has them.
 inline void find_geometry(Workspace::Data& workspace, Side side, const FaceBatch& faces, std::size_t count) {
+  if (count == 0) return;
   ElementLanes& lanes = workspace.element_lanes;
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    const std::array<Eigen::Vector3d, 3> p = workspace.side(side).posed.face_Me(faces[lane], workspace.contact.work);
-    for (std::size_t k = 0; k < 3; ++k) lanes.p_Me[k].set(lane, p[k]);
+  for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+    enter_corners(workspace, side, faces[lane < count ? lane : 0], lanes.master_corners, lane);
   }
   const LaneBits known = workspace.wide_elements.geometry(lanes);
   for (std::size_t lane = 0; lane < count; ++lane) {

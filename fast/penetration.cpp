@@ -3,6 +3,7 @@
 #include "fast/penetration.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -220,15 +221,9 @@ Index walk_from_neighbour(Workspace::Data& workspace, Side master, Index face, c
 /// What `settle` needs to know of a lane's master face and of the slave's face that a walk came to.
 void enter_match(Workspace::Data& workspace, Side master, Index face, Index met, ElementLanes& lanes,
                  std::size_t lane) {
-  PosedSurface& slave = workspace.side(opposite(master)).posed;
-  const FacePoints f = slave.face_Me(met, workspace.contact.work);
-  for (std::size_t k = 0; k < 3; ++k) lanes.f_Me[k].set(lane, f[k]);
-  lanes.thickness.value[lane] = workspace.side(master).surface().thickness[static_cast<std::size_t>(face)];
-  const Clearance& clearance = slave.surface().clearance[static_cast<std::size_t>(met)];
-  for (std::size_t cone = 0; cone < 2; ++cone) {
-    lanes.beneath[cone].value[lane] = static_cast<double>(clearance.beneath[cone]);
-    lanes.above[cone].value[lane] = clearance.above[cone] ? 1 : 0;
-  }
+  enter_corners(workspace, opposite(master), met, lanes.slave_corners, lane);
+  lanes.thickness[lane] = &workspace.side(master).surface().thickness[static_cast<std::size_t>(face)];
+  lanes.clearance[lane] = &workspace.side(opposite(master)).surface().clearance[static_cast<std::size_t>(met)];
 }
 
 SettleLimits settle_limits(const Workspace::Data& workspace, Side master) {
@@ -295,10 +290,17 @@ void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch&
     if (met[lane] < 0) continue;
     last = met[lane];
     walked |= 1U << lane;
-    enter_match(workspace, master, faces[lane], met[lane], lanes, lane);
   }
   SettledLanes settled;
-  if (walked != 0) settled = workspace.wide_elements.settle(lanes, settle_limits(workspace, master));
+  if (walked != 0) {
+    // Lanes that found no face take what another one found, and are not looked at.
+    const auto some = static_cast<std::size_t>(std::countr_zero(walked));
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      const std::size_t from = has_lane(walked, lane) ? lane : some;
+      enter_match(workspace, master, faces[from], met[from], lanes, lane);
+    }
+    settled = workspace.wide_elements.settle(lanes, settle_limits(workspace, master));
+  }
   for (std::size_t lane = 0; lane < count; ++lane) {
     Penetration& penetration = penetrations[lane];
     penetration = {};
@@ -310,7 +312,7 @@ void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch&
     }
     const FaceGeometry geometry = geometry_of(lanes, lane);
     if (element) {
-      const FacePoints f{lanes.f_Me[0][lane], lanes.f_Me[1][lane], lanes.f_Me[2][lane]};
+      const FacePoints f = workspace.side(slave).posed.face_Me(met[lane], workspace.contact.work);
       penetration = {Penetration::Outcome::element, met[lane], DepthBelow(geometry, f).value(), -1};
     } else {
       const Index left = has_lane(walked & settled.left, lane) ? met[lane] : -1;

@@ -29,6 +29,12 @@ inline Double4 load(const DoubleLanes& lanes) {
 inline Vector4 load(const VectorLanes& lanes) {
   return {load(lanes.component[0]), load(lanes.component[1]), load(lanes.component[2])};
 }
+inline Vector4 load(const std::array<const double*, kElementLanes>& points) {
+  const auto component = [&points](std::size_t k) {
+    return Double4{points[0][k], points[1][k], points[2][k], points[3][k]};
+  };
+  return {component(0), component(1), component(2)};
+}
 inline void store(const Double4& value, DoubleLanes& lanes) {
   __builtin_memcpy(lanes.value.data(), &value, sizeof value);
 }
@@ -129,10 +135,14 @@ struct Length {
 };
 
 LaneBits find_geometry(ElementLanes& lanes) {
-  const Vector4 p0 = load(lanes.p_Me[0]);
-  const Vector4 a = load(lanes.p_Me[1]) - p0, b = load(lanes.p_Me[2]) - p0;
+  const Vector4 p0 = load(lanes.master_corners[0]), p1 = load(lanes.master_corners[1]),
+                p2 = load(lanes.master_corners[2]);
+  const Vector4 a = p1 - p0, b = p2 - p0;
   const Vector4 N = cross(a, b);
   const Length twice_area(N);
+  store(p0, lanes.p_Me[0]);
+  store(p1, lanes.p_Me[1]);
+  store(p2, lanes.p_Me[2]);
   store(four(0.5) * twice_area.value, lanes.area);
   store(N / twice_area.value, lanes.n_Me);
   store(p0 + (a + b) / four(3), lanes.barycentre_Me);
@@ -143,7 +153,8 @@ LaneBits find_geometry(ElementLanes& lanes) {
 
 SettledLanes settle(ElementLanes& lanes, const SettleLimits& limits) {
   const std::array<Vector4, 3> p{load(lanes.p_Me[0]), load(lanes.p_Me[1]), load(lanes.p_Me[2])};
-  const std::array<Vector4, 3> f{load(lanes.f_Me[0]), load(lanes.f_Me[1]), load(lanes.f_Me[2])};
+  const std::array<Vector4, 3> f{load(lanes.slave_corners[0]), load(lanes.slave_corners[1]),
+                                 load(lanes.slave_corners[2])};
   const Vector4 first_side = f[1] - f[0], second_side = f[2] - f[0];
   const Vector4 N_f = cross(first_side, second_side);
   const Double4 square = dot(N_f, N_f), slope = -dot(load(lanes.n_Me), N_f);
@@ -155,17 +166,25 @@ SettledLanes settle(ElementLanes& lanes, const SettleLimits& limits) {
   const Double4 square_cosine = slope * slope / square;
   const Long4 in_wide_cone = square_cosine > four(limits.cone_cosine_square[1]);
   const Long4 in_narrow_cone = in_wide_cone & (square_cosine > four(limits.cone_cosine_square[0]));
-  const auto by_cone = [&](const std::array<DoubleLanes, 2>& clearance) {
-    return in_narrow_cone ? load(clearance[0]) : in_wide_cone ? load(clearance[1]) : four(0);
+  const auto by_cone = [&](const auto& clearance_in) {
+    return in_narrow_cone ? clearance_in(0) : in_wide_cone ? clearance_in(1) : four(0);
   };
+  const auto beneath = [&lanes](std::size_t cone) {
+    const auto& c = lanes.clearance;
+    return Double4{c[0]->beneath[cone], c[1]->beneath[cone], c[2]->beneath[cone], c[3]->beneath[cone]};
+  };
+  const auto above = [&lanes](std::size_t cone) {
+    const auto of = [&](std::size_t lane) { return lanes.clearance[lane]->above[cone] ? 1.0 : 0.0; };
+    return Double4{of(0), of(1), of(2), of(3)};
+  };
+  const Double4 thickness{*lanes.thickness[0], *lanes.thickness[1], *lanes.thickness[2], *lanes.thickness[3]};
   const Double4 farthest = distance + four(limits.error);
   const Long4 left = fair & (distance > four(limits.error));
-  const Long4 clear = farthest < by_cone(lanes.beneath) * four(limits.slave_reach);
-  const Long4 thick =
-      (farthest < load(lanes.thickness)) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
-                                            four(limits.thick_area) * load(lanes.area));
+  const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_reach);
+  const Long4 thick = (farthest < thickness) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
+                                                four(limits.thick_area) * load(lanes.area));
   SettledLanes settled;
-  settled.nothing = lanes_of(fair & (distance < four(-limits.error)) & (by_cone(lanes.above) > four(0)));
+  settled.nothing = lanes_of(fair & (distance < four(-limits.error)) & (by_cone(above) > four(0)));
   settled.left = lanes_of(left);
   settled.element = lanes_of(left & clear & thick);
   if (settled.element == 0) return settled;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "fast/inputs.h"
+#include "fast/surface.h"
 
 namespace pcm::fast {
 
@@ -30,6 +31,10 @@ struct VectorLanes {
   }
 };
 
+/// Where the corners of four faces are, by corner: three coordinates in Me each. The lanes are filled from there in one
+/// go; number by number they would have to reach memory before they could be read as vectors.
+using CornerLanes = std::array<std::array<const double*, kElementLanes>, 3>;
+
 /// Some of the lanes: bit i is lane i.
 using LaneBits = std::uint32_t;
 inline bool has_lane(LaneBits bits, std::size_t lane) {
@@ -38,15 +43,16 @@ inline bool has_lane(LaneBits bits, std::size_t lane) {
 
 /// Four master faces of the barycentric scheme, the slave faces that they were matched with, and their elements.
 struct ElementLanes {
-  std::array<VectorLanes, 3> p_Me;  ///< corners of the master faces
+  CornerLanes master_corners{};
   // What `geometry` fills.
+  std::array<VectorLanes, 3> p_Me;  ///< corners of the master faces
   VectorLanes n_Me, barycentre_Me;
   DoubleLanes area;
   std::array<DoubleLanes, 2> side;  ///< 1-norms of p1 - p0 and p2 - p0, m
   // For `settle`.
-  std::array<VectorLanes, 3> f_Me;            ///< corners of the slave faces
-  DoubleLanes thickness;                      ///< Surface::Data::thickness of the master faces, m
-  std::array<DoubleLanes, 2> beneath, above;  ///< Clearance of the slave faces, by cone; above: 1 where it holds
+  CornerLanes slave_corners{};
+  std::array<const double*, kElementLanes> thickness{};     ///< Surface::Data::thickness of the master faces, m
+  std::array<const Clearance*, kElementLanes> clearance{};  ///< of the slave faces
   // What `settle` fills, and `force` reads.
   DoubleLanes depth;
   // What `force` fills: see Element; the torque is about Mf.

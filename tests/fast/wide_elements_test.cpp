@@ -32,19 +32,22 @@ class WideElementsAt : public testing::TestWithParam<double> {
   void draw(ElementLanes& lanes) {
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
       const Eigen::Vector3d at = 8 * draw();
-      for (std::size_t k = 0; k < 3; ++k) lanes.p_Me[k].set(lane, at + draw());
-      const FaceGeometry face(points(lanes.p_Me, lane));
+      for (std::size_t k = 0; k < 3; ++k) master_points[lane][k] = at + draw();
+      const FaceGeometry face(master_points[lane]);
       const Eigen::Vector3d below = -0.5 * GetParam() * number(random) * face.n_Me;
-      for (std::size_t k = 0; k < 3; ++k) lanes.f_Me[k].set(lane, face.points_Me[k] + below + 0.1 * draw());
-      lanes.thickness.value[lane] = 4 * GetParam() * number(random);
+      for (std::size_t k = 0; k < 3; ++k) slave_points[lane][k] = face.points_Me[k] + below + 0.1 * draw();
+      thickness[lane] = 4 * GetParam() * number(random);
       for (std::size_t cone = 0; cone < 2; ++cone) {
-        lanes.beneath[cone].value[lane] = number(random);
-        lanes.above[cone].value[lane] = number(random) > 0 ? 1 : 0;
+        clearance[lane].beneath[cone] = static_cast<float>(number(random));
+        clearance[lane].above[cone] = number(random) > 0;
       }
+      for (std::size_t k = 0; k < 3; ++k) {
+        lanes.master_corners[k][lane] = master_points[lane][k].data();
+        lanes.slave_corners[k][lane] = slave_points[lane][k].data();
+      }
+      lanes.thickness[lane] = &thickness[lane];
+      lanes.clearance[lane] = &clearance[lane];
     }
-  }
-  static std::array<Eigen::Vector3d, 3> points(const std::array<VectorLanes, 3>& lanes, std::size_t lane) {
-    return {lanes[0][lane], lanes[1][lane], lanes[2][lane]};
   }
   SettleLimits limits() const {
     SettleLimits limits;
@@ -57,6 +60,10 @@ class WideElementsAt : public testing::TestWithParam<double> {
     return limits;
   }
 
+  // What the lanes last drawn refer to.
+  std::array<std::array<Eigen::Vector3d, 3>, kElementLanes> master_points, slave_points;
+  std::array<double, kElementLanes> thickness{};
+  std::array<Clearance, kElementLanes> clearance;
   std::mt19937_64 random{20047};
   std::uniform_real_distribution<double> number{-1, 1};
 };
@@ -67,10 +74,11 @@ TEST_P(WideElementsAt, GeometryIsThatOfEachFace) {
     for (int round = 0; round < 200; ++round) {
       ElementLanes lanes;
       draw(lanes);
-      if (round % 7 == 0) lanes.p_Me[2].set(1, lanes.p_Me[0][1]);  // no area
+      if (round % 7 == 0) master_points[1][2] = master_points[1][0];  // no area
       const LaneBits known = set->geometry(lanes);
       for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
-        const FaceGeometry face(points(lanes.p_Me, lane));
+        const FaceGeometry face(master_points[lane]);
+        for (std::size_t k = 0; k < 3; ++k) expect_same(lanes.p_Me[k][lane], master_points[lane][k]);
         expect_same(lanes.barycentre_Me[lane], face.barycentre_Me());
         EXPECT_EQ(has_lane(known, lane), face.area > 0 && GetParam() > 0x1p-200 && GetParam() < 0x1p200);
         if (!has_lane(known, lane)) continue;
@@ -93,7 +101,7 @@ TEST_P(WideElementsAt, DepthIsThatOfEachPair) {
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
       if (!has_lane(settled.element & settled.nearest_known, lane)) continue;
       ++depths;
-      const DepthBelow depth(FaceGeometry(points(lanes.p_Me, lane)), points(lanes.f_Me, lane));
+      const DepthBelow depth(FaceGeometry(master_points[lane]), slave_points[lane]);
       EXPECT_EQ(bits(lanes.depth.value[lane]), bits(depth.value()));
     }
     if (wide == nullptr) continue;
