@@ -32,13 +32,13 @@ Eigen::Vector3d midpoint_in_plane(const Eigen::Vector3d& a, const Eigen::Vector3
   return a + (0.5 * (first + last)) * (b - a);
 }
 
-/// Edge (a, b) meets the plane of `face`; a is above it under the tie rule where `from_above`, b is not.
-Eigen::Vector3d edge_meets_face(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                const std::array<Eigen::Vector3d, 3>& face, bool from_above) {
-  const Eigen::Vector3d N = (face[1] - face[0]).cross(face[2] - face[0]);
+/// Edge (a, b) meets the plane of (p, q, s); a is above it under the tie rule where `from_above`, b is not.
+Eigen::Vector3d edge_meets_face(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& p,
+                                const Eigen::Vector3d& q, const Eigen::Vector3d& s, bool from_above) {
+  const Eigen::Vector3d N = (q - p).cross(s - p);
   // Heights are taken from the nearest corner, whose difference carries the smallest error.
   const auto height = [&](const Eigen::Vector3d& x) {
-    const Eigen::Vector3d d[3] = {x - face[0], x - face[1], x - face[2]};
+    const Eigen::Vector3d d[3] = {x - p, x - q, x - s};
     const double squares[3] = {d[0].squaredNorm(), d[1].squaredNorm(), d[2].squaredNorm()};
     return N.dot(d[std::min_element(squares, squares + 3) - squares]);
   };
@@ -47,9 +47,9 @@ Eigen::Vector3d edge_meets_face(const Eigen::Vector3d& a, const Eigen::Vector3d&
   const double at_b = std::max(0.0, -sign * height(b));
   // A height of the wrong sign is rounding: the end lies in the plane as far as floating point can tell.
   if (at_a == 0 && at_b == 0) {
-    const bool in_plane = exact_orientation(face[0].data(), face[1].data(), face[2].data(), a.data()) == 0 &&
-                          exact_orientation(face[0].data(), face[1].data(), face[2].data(), b.data()) == 0;
-    return in_plane || N.isZero(0) ? midpoint_in_plane(a, b, face, N) : Eigen::Vector3d(a + 0.5 * (b - a));
+    const bool in_plane = exact_orientation(p.data(), q.data(), s.data(), a.data()) == 0 &&
+                          exact_orientation(p.data(), q.data(), s.data(), b.data()) == 0;
+    return in_plane || N.isZero(0) ? midpoint_in_plane(a, b, {p, q, s}, N) : Eigen::Vector3d(a + 0.5 * (b - a));
   }
   const double sum = at_a + at_b;
   if (!std::isfinite(sum)) return a + 0.5 * (b - a);
@@ -65,9 +65,10 @@ void locate_crossings(Workspace::Data& workspace) {
     PosedSurface& edges = workspace.side(crossing.edge_side).posed;
     PosedSurface& faces = workspace.side(opposite(crossing.edge_side)).posed;
     const std::array<Index, 2>& ends = edges.surface().edge(crossing.edge);
-    const Eigen::Vector3d a = edges.vertex_Me(ends[0], work);
-    const Eigen::Vector3d b = edges.vertex_Me(ends[1], work);
-    crossing.position_Me = edge_meets_face(a, b, faces.face_Me(crossing.face, work), crossing.from_above);
+    const Triangle& corners = faces.surface().face(crossing.face);
+    crossing.position_Me = edge_meets_face(edges.vertex_Me(ends[0], work), edges.vertex_Me(ends[1], work),
+                                           faces.vertex_Me(corners[0], work), faces.vertex_Me(corners[1], work),
+                                           faces.vertex_Me(corners[2], work), crossing.from_above);
   }
 }
 
