@@ -263,7 +263,9 @@ Before own_faces_before(const Workspace::Data& workspace, Side master, Index fac
   const Surface::Data& surface = workspace.side(master).surface();
   const auto i = static_cast<std::size_t>(face);
   const ThicknessEverywhere& thickness = surface.thickness_everywhere;
-  if (!(deepest < thickness.exact[i] && thickness_holds(surface, workspace.placement.slack(master), geometry))) {
+  // F's parts are seen through roundings of its vertices, which may differ by more than the vertices do.
+  const double moved = master == Side::E ? 0 : workspace.placement.slack_F;
+  if (!(deepest < thickness.exact[i] && thickness_holds(surface, moved, geometry))) {
     return Before::some;
   }
   if (surface.clear_of_neighbours[i] && deepest < thickness.tolerant[i]) return Before::none;

@@ -227,15 +227,15 @@ void enter_match(Workspace::Data& workspace, Side master, Index face, Index met,
 }
 
 SettleLimits settle_limits(const Workspace::Data& workspace, Side master) {
-  const double slack = workspace.placement.slack(master);
+  const double moved = workspace.placement.moved(master);
   const double reach = workspace.side(master).surface().reach.maxCoeff();
   SettleLimits limits;
   limits.least_share = kLeastShare;
   limits.slave_reach = workspace.side(opposite(master)).surface().reach.maxCoeff();
   limits.error = kDistanceError * workspace.placement.reach;
   // thickness_holds, for faces that are no needles: there the ray's direction is off by less than 2^-40.
-  const double line_error = (1 + 0x1p-10) * (slack + 8 * 0x1p-40 * reach);
-  limits.thick_edges = (1 + 0x1p-40) * 8 * reach * slack;
+  const double line_error = (1 + 0x1p-10) * (moved + 8 * 0x1p-40 * reach);
+  limits.thick_edges = (1 + 0x1p-40) * 8 * reach * moved;
   limits.thick_area = kThicknessTolerance * reach - line_error;
   for (std::size_t cone = 0; cone < 2; ++cone) {
     limits.cone_cosine_square[cone] = kConeCosine[cone] * kConeCosine[cone] * (1 + 0x1p-20);
@@ -273,7 +273,7 @@ bool thicker_than(const Workspace::Data& workspace, Side master, Index face, con
                   double distance) {
   const Surface::Data& surface = workspace.side(master).surface();
   return distance < surface.thickness[static_cast<std::size_t>(face)] &&
-         thickness_holds(surface, workspace.placement.slack(master), geometry);
+         thickness_holds(surface, workspace.placement.moved(master), geometry);
 }
 
 void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch& faces, std::size_t count,

@@ -27,7 +27,10 @@ struct Placement {
   double reach = 0;            ///< M: no |coordinate| in Me of E, of F or of r exceeds it, m
   double slack_E = 0;          ///< error of points and boxes in Me, m
   double slack_F = 0;          ///< the same in Mf, where A^T stands for the inverse of A, m
-  double skew = 0;             ///< |A^T A - I|, entry by entry, at most
+  /// How far F's rounded vertices may be from those of its own frame, seen from there, m. They are off A x_F + r by
+  /// gamma_4 M along each axis of Me, so by 7 u M along each of Mf and 12.2 u M in all; the skew counts as in slack_F.
+  double moved_F = 0;
+  double skew = 0;  ///< |A^T A - I|, entry by entry, at most
   double span = 0;  ///< no two vertices of either are farther apart along an axis of Me, if the hulls touch, m
 
   Placement() = default;
@@ -39,6 +42,7 @@ struct Placement {
     skew = orthogonality_error(pose.A);
     slack_E = kPlacementSlack * reach;
     slack_F = 4 * slack_E + 12 * skew * surface_F.reach.maxCoeff();
+    moved_F = 16 * 0x1p-53 * reach + 12 * skew * surface_F.reach.maxCoeff();
     span =
         2 * (1 + 0x1p-20) * (surface_E.tree.root().box.half.sum() + surface_F.tree.root().box.half.sum()) + 2 * slack_E;
   }
@@ -49,6 +53,8 @@ struct Placement {
   double greatest_lean() const { return 3.01 * (skew + 4 * 0x1p-53); }
 
   double slack(Side side) const { return side == Side::E ? slack_E : slack_F; }
+  /// How far a side's vertices may be from those of its own frame, m: E's are where they are.
+  double moved(Side side) const { return side == Side::E ? 0 : moved_F; }
 
   /// A point given in Me, in the frame of a side's surface: off by at most slack(side) for points within 4 M.
   Eigen::Vector3d to_frame_of(Side side, const Eigen::Vector3d& x_Me) const {

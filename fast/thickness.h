@@ -29,13 +29,13 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& su
 std::vector<bool> faces_clear_of_neighbours(const Surface::Data& surface);
 
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for
-/// `slack`, which turns its normal by at most twice that over its edges' heights.
-inline bool thickness_holds(const Surface::Data& surface, double slack, const FaceGeometry& face) {
+/// `moved`, m, which turns its normal by at most twice that over its edges' heights.
+inline bool thickness_holds(const Surface::Data& surface, double moved, const FaceGeometry& face) {
   const Ray ray(face, face.points_Me[0]);
   const auto& p = face.points_Me;
   const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
   const double reach = surface.reach.maxCoeff();
-  const double line_error = slack + 8 * reach * (ray.direction_error + slack * edges / face.area);
+  const double line_error = moved + 8 * reach * (ray.direction_error + moved * edges / face.area);
   return line_error < kThicknessTolerance * reach;
 }
 
