@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "fast/clipped_elements.h"
 #include "fast/contact_force.h"
@@ -140,6 +141,7 @@ void ElementQueue::add(const Element& element, double greatest_penetration, cons
 }
 
 void ElementQueue::add_lanes(LaneBits which) {
+  assert(waiting_ == 0);
   const LaneBits forced = which != 0 ? workspace_.wide_elements.force(workspace_.element_lanes, limits_) : 0;
   for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
     if (!has_lane(which, lane)) continue;
@@ -149,8 +151,9 @@ void ElementQueue::add_lanes(LaneBits which) {
 }
 
 void ElementQueue::form_waiting() {
-  add_lanes((1U << waiting_) - 1);
+  const LaneBits all = (1U << waiting_) - 1;
   waiting_ = 0;
+  add_lanes(all);
 }
 
 void ElementQueue::add_lane(std::size_t lane, bool forced) {
