@@ -6,11 +6,11 @@
 
 namespace pcm::fast {
 
-/// Finds the active area of one side (PCM section 5): fills `inner` (ascending), `inside_vertices` and the vertices'
-/// winding numbers or labels; sets the answer's `nested` and `ambiguous`. Exact on the rounded problem.
+/// Finds the active area of one side (PCM section 5): fills `inner` (ascending) and the winding numbers or labels; sets
+/// the answer's `nested` and `ambiguous`. Exact on the rounded problem.
 /// Closed other surface: one vertex of each part that the crossings leave undecided is located directly, winding
-/// numbers spread from there over crossed edges, over the inside and over the intersected faces, never over the
-/// outside; a component without crossing is located by one vertex. Cost near the size of the active area.
+/// numbers spread from there over the intersected faces' edges and over the inside, never over the outside; a component
+/// without crossing is located by one vertex. Cost near the size of the active area.
 /// Open other surface: labels come from crossed edges alone and spread over sets of uncrossed faces, rule by rule as
 /// in PCM section 5; nothing is nested. Cost up to the size of the components touched.
 /// Needs `edge_crossings` and `intersected` of that side.
@@ -19,9 +19,6 @@ void find_active_area(Workspace::Data& workspace, Side side);
 /// The part for a closed and for an open other surface.
 void find_active_area_in_closed(Workspace::Data& workspace, Side side);
 void find_active_area_in_open(Workspace::Data& workspace, Side side);
-
-/// Whether v is known to be inside the other body: winding number at least 1, or labelled inside.
-bool vertex_is_inside(const SideState& side, bool other_closed, Index v);
 
 /// Computes the clipped active areas and the volume between them into the answer (PCM section 5). Needs the polygons
 /// with positions and both active areas. Area and vector area of a face are exact but for roundings of a few ulps of

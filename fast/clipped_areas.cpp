@@ -44,7 +44,7 @@ void add_segments(Workspace::Data& workspace, Side side_name) {
 std::array<Index, 3> corner_windings(const SideState& side, bool other_closed, Index face) {
   const Triangle& corners = side.surface().face(face);
   if (other_closed) {
-    return {side.winding.get(corners[0], 0), side.winding.get(corners[1], 0), side.winding.get(corners[2], 0)};
+    return {side.winding.at(corners[0]), side.winding.at(corners[1]), side.winding.at(corners[2])};
   }
   const auto change = [&](std::size_t k) {
     const Index edge = side.surface().edges_of(face)[k];
@@ -123,7 +123,7 @@ Totals measure(Workspace::Data& workspace, Side side_name, const Eigen::Vector3d
   // Faces count as often as the other surface winds about them: once, unless that intersects itself. Only so do the
   // clipped areas of both surfaces bound a volume.
   const auto multiplicity = [&](Index face) {
-    return other_closed ? static_cast<double>(side.winding.get(side.surface().face(face)[0], 0)) : 1.0;
+    return other_closed ? static_cast<double>(side.face_winding.at(face)) : 1.0;
   };
   Totals totals;
   std::size_t next_intersected = 0, next_inner = 0, next_pocket = 0, next_clip = 0;

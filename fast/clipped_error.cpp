@@ -105,10 +105,9 @@ void SightError::find_outline(Sight& sight, const Surface::Data& surface) {
   const Footprint& f = sight.footprint;
   sight.knows_outline = true;
   sight.sheet_error = f.depth_error;
-  for (const Index edge : surface.edges_of(f.face)) {
-    const std::array<Index, 2>& faces = surface.faces_at(edge);
-    const Index neighbour = faces[0] == f.face ? faces[1] : faces[0];
-    bool goes_on = neighbour >= 0;
+  for (std::size_t side = 0; side < 3; ++side) {
+    const Index neighbour = surface.neighbours_of(f.face)[side];
+    bool goes_on = neighbour != f.face;
     if (goes_on) {
       if (const Footprint* const beyond = find(f.own, neighbour); beyond != nullptr) {
         goes_on = f.facing != 0 && beyond->facing == f.facing;
@@ -116,7 +115,7 @@ void SightError::find_outline(Sight& sight, const Surface::Data& surface) {
       }
     }
     if (goes_on) continue;
-    const std::array<Index, 2>& ends = surface.edge(edge);
+    const std::array<Index, 2>& ends = surface.edge(surface.edges_of(f.face)[side]);
     for (std::size_t k = 0; k < 3; ++k) {
       const Index a = f.vertices[k], b = f.vertices[(k + 1) % 3];
       if ((a == ends[0] && b == ends[1]) || (a == ends[1] && b == ends[0])) sight.outline[k] = true;

@@ -74,10 +74,11 @@ inline Index walk_to_face_left(PosedSurface& posed, const AcrossLine& line, Inde
     if (D[2] > D[worst]) worst = 2;
     if (D[worst] < -room) return face;
     if (!(D[worst] > room) || !(D[0] + D[1] + D[2] < 0)) return -1;
-    const Index edge = surface.edges_of(face)[(first + worst) % 3];
-    const std::array<Index, 2>& faces = surface.faces_at(edge);
-    face = faces[0] == face ? faces[1] : faces[0];
-    if (face < 0) return -1;
+    const std::size_t over = (first + worst) % 3;
+    const Index edge = surface.edges_of(face)[over];
+    const Index beyond = surface.neighbours_of(face)[over];
+    if (beyond == face) return -1;
+    face = beyond;
     const std::array<Index, 3>& edges = surface.edges_of(face);
     first = edges[0] == edge ? 0 : edges[1] == edge ? 1 : 2;
     x = {x[(worst + 1) % 3], x[worst], see(surface.face(face)[(first + 2) % 3])};

@@ -16,12 +16,10 @@ Index set_of(Workspace::Data& workspace, const SideState& side, Index seed) {
   workspace.set_faces.push_back(seed);
   // The list of the set's faces is its own queue.
   for (std::size_t next = static_cast<std::size_t>(begin); next < workspace.set_faces.size(); ++next) {
-    for (const Index edge : surface.edges_of(workspace.set_faces[next])) {
-      for (const Index face : surface.faces_at(edge)) {
-        if (face < 0 || side.is_intersected.contains(face) || workspace.set_of_face.contains(face)) continue;
-        workspace.set_of_face[face] = set;
-        workspace.set_faces.push_back(face);
-      }
+    for (const Index face : surface.neighbours_of(workspace.set_faces[next])) {
+      if (side.is_intersected.contains(face) || workspace.set_of_face.contains(face)) continue;
+      workspace.set_of_face[face] = set;
+      workspace.set_faces.push_back(face);
     }
   }
   workspace.face_sets.emplace_back(begin, static_cast<Index>(workspace.set_faces.size()));
@@ -77,13 +75,6 @@ void find_active_area_in_open(Workspace::Data& workspace, Side side_name) {
       for (const Index v : surface.face(face)) label_vertex(side, labelled, v, static_cast<Label>(bits));
     }
   }
-  for (const Index v : labelled) {
-    if (vertex_is_inside(side, false, v)) side.inside_vertices.push_back(v);
-  }
-}
-
-bool vertex_is_inside(const SideState& side, bool other_closed, Index v) {
-  return other_closed ? side.winding.get(v, 0) >= 1 : (side.label.get(v, kNoLabel) & kInside) != 0;
 }
 
 }  // namespace pcm::fast

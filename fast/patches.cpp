@@ -19,13 +19,29 @@ void join(std::vector<Index>& parents, Index i, Index j) {
   parents[static_cast<std::size_t>(root_of(parents, i))] = root_of(parents, j);
 }
 
+/// Calls `visit(v)` for the vertices known to be inside the other body, some of them several times: winding number at
+/// least 1, or labelled inside.
+template <class Visit>
+void for_each_inside_vertex(const SideState& side, bool other_closed, const Visit& visit) {
+  for (const Index face : side.inner) {
+    for (const Index v : side.surface().face(face)) visit(v);
+  }
+  for (const Index face : side.intersected) {
+    for (const Index v : side.surface().face(face)) {
+      if (other_closed ? side.winding.at(v) >= 1 : (side.label.get(v, kNoLabel) & kInside) != 0) visit(v);
+    }
+  }
+}
+
 /// Numbers the regions of inside vertices joined by uncrossed edges; each becomes a set after the polygons' sets.
-void flood_regions(Workspace::Data& workspace, SideState& side) {
+void flood_regions(Workspace::Data& workspace, Side side_name) {
+  SideState& side = workspace.side(side_name);
   const Surface::Data& surface = side.surface();
+  const bool other_closed = workspace.side(opposite(side_name)).surface().closed;
   side.region.start(surface.mesh.vertices.size());
-  for (const Index v : side.inside_vertices) side.region[v] = -1;
-  for (const Index seed : side.inside_vertices) {
-    if (side.region[seed] >= 0) continue;
+  for_each_inside_vertex(side, other_closed, [&side](Index v) { side.region[v] = -1; });
+  for_each_inside_vertex(side, other_closed, [&](Index seed) {
+    if (side.region[seed] >= 0) return;
     const auto region = static_cast<Index>(workspace.parents.size());
     workspace.parents.push_back(region);
     side.region[seed] = region;
@@ -41,7 +57,7 @@ void flood_regions(Workspace::Data& workspace, SideState& side) {
         workspace.stack.push_back(u);
       }
     }
-  }
+  });
 }
 
 }  // namespace
@@ -56,7 +72,7 @@ void group_patches(Workspace::Data& workspace) {
   std::vector<Index>& parents = workspace.parents;
   parents.clear();
   for (std::size_t p = 0; p < workspace.polygons.size(); ++p) parents.push_back(static_cast<Index>(p));
-  for (SideState& side : workspace.sides) flood_regions(workspace, side);
+  for (const Side side : {Side::E, Side::F}) flood_regions(workspace, side);
   for (std::size_t c = 0; c < crossings.size(); ++c) {
     const CrossingNode& crossing = crossings[c];
     SideState& side = workspace.side(crossing.edge_side);

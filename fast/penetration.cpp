@@ -195,12 +195,9 @@ constexpr double kDistanceError = 0x1p-30;
 Index slave_face_near(const SideState& side, Index face, Index last) {
   const Index own = side.slave_nearby.get(face, -1);
   if (own >= 0) return own;
-  for (const Index edge : side.surface().edges_of(face)) {
-    for (const Index neighbour : side.surface().faces_at(edge)) {
-      if (neighbour < 0) continue;
-      const Index near = side.slave_nearby.get(neighbour, -1);
-      if (near >= 0) return near;
-    }
+  for (const Index neighbour : side.surface().neighbours_of(face)) {
+    const Index near = side.slave_nearby.get(neighbour, -1);
+    if (near >= 0) return near;
   }
   return last;
 }

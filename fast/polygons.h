@@ -15,7 +15,7 @@ void chain_polygons(Workspace::Data& workspace);
 /// Groups the polygons to patches: polygons reached by one flood belong together. A flood runs over vertices inside the
 /// other body along uncrossed edges; an edge with one crossing joins its inside end to that polygon; an edge with two
 /// crossings and both ends outside joins their polygons. Numbered by their first polygon.
-/// Needs the active areas' `inside_vertices` and `edge_crossings`.
+/// Needs the active areas and `edge_crossings`.
 void group_patches(Workspace::Data& workspace);
 
 }  // namespace pcm::fast

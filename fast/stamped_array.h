@@ -48,6 +48,16 @@ class StampedArray {
     entry.value = value;
   }
 
+  /// Enters the value where there is none. Whether that was so: told without a branch.
+  template <class Int>
+  bool insert(Int index, const Value& value) {
+    Entry& entry = entries_[static_cast<std::size_t>(index)];
+    const bool fresh = entry.round != round_;
+    entry.value = fresh ? value : entry.value;
+    entry.round = round_;
+    return fresh;
+  }
+
   /// The value at `index`, made by default construction where there was none.
   template <class Int>
   Value& operator[](Int index) {

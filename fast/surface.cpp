@@ -53,19 +53,27 @@ void connect_edges(Surface::Data& surface) {
   }
   std::sort(half_edges.begin(), half_edges.end());
   surface.face_edges.resize(surface.mesh.faces.size());
-  for (std::size_t i = 0; i < half_edges.size(); ++i) {
-    const HalfEdge& half_edge = half_edges[i];
-    if (i > 0 && half_edges[i - 1].ends == half_edge.ends) {
-      surface.edge_faces.back()[1] = half_edge.face;
-    } else {
-      surface.edges.push_back(half_edge.ends);
-      surface.edge_faces.push_back({half_edge.face, -1});
+  surface.face_neighbours.resize(surface.mesh.faces.size());
+  const auto enter = [&surface](const HalfEdge& half_edge, Index neighbour) {
+    const auto face = static_cast<std::size_t>(half_edge.face), corner = static_cast<std::size_t>(half_edge.corner);
+    surface.face_edges[face][corner] = static_cast<Index>(surface.edges.size()) - 1;
+    surface.face_neighbours[face][corner] = neighbour;
+  };
+  for (std::size_t i = 0; i < half_edges.size();) {
+    const HalfEdge& first = half_edges[i++];
+    const bool border = i == half_edges.size() || half_edges[i].ends != first.ends;
+    surface.edges.push_back(first.ends);
+    surface.border_edges.push_back(border);
+    if (border) {
+      enter(first, first.face);
+      continue;
     }
-    surface.face_edges[static_cast<std::size_t>(half_edge.face)][static_cast<std::size_t>(half_edge.corner)] =
-        static_cast<Index>(surface.edges.size()) - 1;
+    const HalfEdge& second = half_edges[i++];
+    enter(first, second.face);
+    enter(second, first.face);
   }
-  surface.closed = std::none_of(surface.edge_faces.begin(), surface.edge_faces.end(),
-                                [](const std::array<Index, 2>& faces) { return faces[1] < 0; });
+  surface.closed =
+      std::find(surface.border_edges.begin(), surface.border_edges.end(), true) == surface.border_edges.end();
 }
 
 void find_components(Surface::Data& surface) {
@@ -79,12 +87,10 @@ void find_components(Surface::Data& surface) {
     while (!stack.empty()) {
       const Index f = stack.back();
       stack.pop_back();
-      for (const Index edge : surface.edges_of(f)) {
-        for (const Index g : surface.faces_at(edge)) {
-          if (g < 0 || surface.face_component[static_cast<std::size_t>(g)] >= 0) continue;
-          surface.face_component[static_cast<std::size_t>(g)] = components;
-          stack.push_back(g);
-        }
+      for (const Index g : surface.neighbours_of(f)) {
+        if (surface.face_component[static_cast<std::size_t>(g)] >= 0) continue;
+        surface.face_component[static_cast<std::size_t>(g)] = components;
+        stack.push_back(g);
       }
     }
     ++components;

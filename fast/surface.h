@@ -57,12 +57,13 @@ struct Surface::Data {
   TriangleMesh mesh;
   /// Edges as pairs (smaller, greater vertex), in lexicographic order: comparing edge indices compares the pairs.
   std::vector<std::array<Index, 2>> edges;
-  std::vector<std::array<Index, 2>> edge_faces;  ///< faces at an edge, the smaller first; -1 second at a border
-  std::vector<std::array<Index, 3>> face_edges;  ///< edge k of a face joins its vertices k and k + 1
-  Incidence vertex_edges;                        ///< ascending
-  Incidence vertex_faces;                        ///< ascending
-  std::vector<Index> face_component;             ///< component (connected by edges) of each face
-  Incidence component_faces;                     ///< ascending
+  std::vector<bool> border_edges;                     ///< by edge: it belongs to one face only
+  std::vector<std::array<Index, 3>> face_edges;       ///< edge k of a face joins its vertices k and k + 1
+  std::vector<std::array<Index, 3>> face_neighbours;  ///< beyond edge k; the face itself where that is a border
+  Incidence vertex_edges;                             ///< ascending
+  Incidence vertex_faces;                             ///< ascending
+  std::vector<Index> face_component;                  ///< component (connected by edges) of each face
+  Incidence component_faces;                          ///< ascending
   std::vector<Box> component_boxes;
   bool closed = true;  ///< no border edge at all (rule: a surface is open as a whole)
   BoxTree tree;
@@ -78,10 +79,10 @@ struct Surface::Data {
   const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }
   const Eigen::Vector3d& vertex(Index v) const { return mesh.vertices[static_cast<std::size_t>(v)]; }
   const std::array<Index, 2>& edge(Index e) const { return edges[static_cast<std::size_t>(e)]; }
-  const std::array<Index, 2>& faces_at(Index e) const { return edge_faces[static_cast<std::size_t>(e)]; }
   const std::array<Index, 3>& edges_of(Index f) const { return face_edges[static_cast<std::size_t>(f)]; }
+  const std::array<Index, 3>& neighbours_of(Index f) const { return face_neighbours[static_cast<std::size_t>(f)]; }
   Index other_end(Index e, Index v) const { return edge(e)[0] == v ? edge(e)[1] : edge(e)[0]; }
-  bool border(Index e) const { return faces_at(e)[1] < 0; }
+  bool border(Index e) const { return border_edges[static_cast<std::size_t>(e)]; }
 };
 
 }  // namespace pcm::fast

@@ -65,13 +65,12 @@ struct SideState {
   std::vector<Index> intersected;     ///< faces in a crossing pair; ascending once the crossings are found
   StampedArray<bool> is_intersected;  ///< by face
   StampedArray<EdgeCrossings> edge_crossings;
-  StampedArray<Index> winding;         ///< by vertex, of the other surface where that is closed; where it was needed
-  StampedArray<std::uint8_t> label;    ///< by vertex, Label bits, where the other surface is open
-  StampedArray<bool> is_inner;         ///< by face: inner, or a pocket
-  std::vector<Index> inner;            ///< uncrossed faces inside the other body, ascending; nested ones included
-  std::vector<Index> pockets;          ///< uncrossed faces of negative winding number: the other surface folded over
-  std::vector<Index> inside_vertices;  ///< those found inside the other body, but for nested components
-  StampedArray<Index> region;          ///< by vertex: inside vertices joined by uncrossed edges share one
+  StampedArray<Index> winding;       ///< by vertex of intersected faces: of the other surface where that is closed
+  StampedArray<Index> face_winding;  ///< by face, the same: inner ones and pockets; intersected ones are told apart
+  StampedArray<std::uint8_t> label;  ///< by vertex, Label bits, where the other surface is open
+  std::vector<Index> inner;          ///< uncrossed faces inside the other body, ascending; nested ones included
+  std::vector<Index> pockets;        ///< uncrossed faces of negative winding number: the other surface folded over
+  StampedArray<Index> region;        ///< by vertex: inside vertices joined by uncrossed edges share one
   StampedArray<bool> component_crossed;
   StampedArray<Index> slave_nearby;             ///< by face, of masters: a face of the slave near its penetration line
   StampedArray<Index> slot;                     ///< by face: its place in `intersected`
@@ -125,6 +124,7 @@ struct Workspace::Data {
   std::vector<Index> nodes;          ///< stack of the traversals of one tree
   LineNodes line_nodes;              ///< of the searches along lines
   std::vector<Index> stack;          ///< of the floods over a mesh
+  std::vector<Index> flooded;        ///< room for all faces of a surface
   std::vector<std::uint64_t> marks;  ///< of sort_ascending
   std::vector<std::pair<Index, Index>>
       candidates;        ///< face pairs (E, F) whose boxes may touch; where bounds are wanted
