@@ -32,7 +32,7 @@ std::vector<double> column(const std::vector<MasterAtPose>& seen, Member MasterA
 }
 
 double relative(const Eigen::Vector3d& difference, const Eigen::Vector3d& truth) {
-  return truth.norm() > 0 ? difference.norm() / truth.norm() : 0;
+  return truth.stableNorm() > 0 ? difference.stableNorm() / truth.stableNorm() : 0;
 }
 
 /// Seconds that the force alone takes, on memory that has grown already.
@@ -101,12 +101,14 @@ std::string reason(const MasterSummary& chosen, const std::array<MasterSummary, 
     if (master.lost > 0) others += fmt::format(" and no force at {} pose{}", master.lost, master.lost == 1 ? "" : "s");
     if (master.too_deep > 0) others += fmt::format(" and {} faces too deep", master.too_deep);
   }
+  const char* const poor =
+      chosen.median_error > 0.5 ? " That is not near: refine the master, or use --scheme clipped." : "";
   const std::string deep = chosen.too_deep > 0 ? fmt::format(" and {} faces too deep", chosen.too_deep) : "";
   return fmt::format(
       "Use --mode {} for {}: with {:.0f} elements, {:.1f} across the contact, the force is off from the exact integral "
       "by "
-      "{} in the median{} (others: {}).",
-      name(chosen.mode), decided, chosen.elements, chosen.across, percent(chosen.median_error), deep, others);
+      "{} in the median{} (others: {}).{}",
+      name(chosen.mode), decided, chosen.elements, chosen.across, percent(chosen.median_error), deep, others, poor);
 }
 
 }  // namespace
@@ -134,7 +136,7 @@ Adviser::OneSided Adviser::look(const fast::Pairing& barycentric, const fast::Pa
   side.at.elements = sampled.element_count;
   side.at.too_deep = sampled.too_deep;
   side.at.clamped = sampled.penetration_exceeded;
-  side.at.lost = sampled.element_count == 0 && side.clipped_Me.norm() > 0;
+  side.at.lost = sampled.element_count == 0 && side.clipped_Me.stableNorm() > 0;
   for (const fast::Element& element : sampled.elements)
     side.at.greatest = std::max(side.at.greatest, relative(element.force_Me, side.force_Me));
   side.at.error = relative(side.force_Me - side.clipped_Me, side.clipped_Me);
@@ -146,16 +148,16 @@ void Adviser::add(const Pose& pose) {
   ++poses_;
   const OneSided E = look(barycentric_[0], clipped_[0], pose), F = look(barycentric_[1], clipped_[1], pose);
   const Eigen::Vector3d exact_Me = 0.5 * (E.clipped_Me + F.clipped_Me), sum_Me = 0.5 * (E.force_Me + F.force_Me);
-  const double size = 0.5 * (E.clipped_Me.norm() + F.clipped_Me.norm());
+  const double size = 0.5 * (E.clipped_Me.stableNorm() + F.clipped_Me.stableNorm());
   if (!(size > 0) && E.at.too_deep + F.at.too_deep == 0) return;
   ++in_contact_;
   MasterAtPose both;
   both.elements = E.at.elements + F.at.elements;
   both.across = std::min(E.at.across, F.at.across);
   both.error = relative(sum_Me - exact_Me, exact_Me);
-  if (sum_Me.norm() > 0)
-    both.greatest =
-        std::max(E.at.greatest * E.force_Me.norm(), F.at.greatest * F.force_Me.norm()) / (2 * sum_Me.norm());
+  if (sum_Me.stableNorm() > 0)
+    both.greatest = std::max(E.at.greatest * E.force_Me.stableNorm(), F.at.greatest * F.force_Me.stableNorm()) /
+                    (2 * sum_Me.stableNorm());
   both.too_deep = E.at.too_deep + F.at.too_deep;
   both.lost = both.elements == 0;
   both.clamped = E.at.clamped || F.at.clamped;
@@ -164,7 +166,7 @@ void Adviser::add(const Pose& pose) {
   seen_[0].push_back(E.at);
   seen_[1].push_back(F.at);
   seen_[2].push_back(both);
-  if (size > 0) gaps_.push_back((E.clipped_Me - F.clipped_Me).norm() / size);
+  if (size > 0) gaps_.push_back((E.clipped_Me - F.clipped_Me).stableNorm() / size);
 }
 
 Advice Adviser::advice() const {

@@ -61,8 +61,8 @@ Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const Cont
 }
 
 /// Each line leaves as soon as it is there, so that what was printed before an error or an interruption is whole.
-void print_line(const Json& answer) {
-  std::cout << dump_exactly(answer) << '\n';
+void print_line(const std::string& answer) {
+  std::cout << answer << '\n';
   flush_output();
 }
 
@@ -116,9 +116,9 @@ Exit contact(const ContactOptions& options) {
                                 ? evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, problem)
                                 : evaluate_by_engine(engine_named(options.engine), std::move(mesh_E), std::move(mesh_F),
                                                      law, mode, scheme, options.bound);
-  Json answer;
+  std::string answer;
   for_each_state(
-      poses, [&](const State& state) { answer = evaluate(state); }, [&] { print_line(answer); });
+      poses, [&](const State& state) { answer = dump_exactly(evaluate(state)); }, [&] { print_line(answer); });
   return Exit::success;
 }
 
@@ -162,7 +162,7 @@ void add_contact_command(CLI::App& program, Run& run) {
           ->add_option("--engine", options->engine,
                        "Who answers: fast (default), reference, the exact oracle, or, to compare, published-2003, the "
                        "paper's algorithm in plain floating point, or published-2023, its author's later variant "
-                       "(without polygons); the last two know no areas")
+                       "(without polygons, blind beyond half the smaller body); the last two know no areas")
           ->type_name("WHO")
           ->check(CLI::IsMember({"fast", "reference", "published-2003", "published-2023"}));
   CLI::Option* mode =

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/surface_warnings.h"
+#include "fast/surface.h"
 #include "meshes/bad_input.h"
 #include "meshes/check.h"
 #include "meshes/read_mesh.h"
@@ -19,6 +20,15 @@ namespace {
 Exit check_file(const std::string& file) {
   const TriangleMesh mesh = read_mesh(file);
   const MeshReport report = check(mesh);
+  double reach = 0;
+  for (const Triangle& face : report.fit() ? mesh.faces : std::vector<Triangle>())
+    for (const Index v : face)
+      reach = std::max(reach, mesh.vertices[static_cast<std::size_t>(v)].lpNorm<Eigen::Infinity>());
+  if (const std::string why = fast::out_of_range(reach); report.fit() && !why.empty()) {
+    std::cout << mesh.name << ": not fit for contact\n  error: " << why << '\n';
+    flush_output();
+    return Exit::negative;
+  }
   std::cout << report.summary() << '\n';
   const bool has_triangles =
       report.out_of_range_faces.empty() && report.repeated_vertex_faces.empty() && report.non_finite_vertices.empty();

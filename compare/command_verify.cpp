@@ -209,19 +209,17 @@ Exit verify(const VerifyOptions& options) {
   VerificationPlan plan = plan_from(options, notices);
   std::optional<fs::path> folder;
   if (options.out) folder = prepare_folder(*options.out);
+  std::optional<Interruptible> work(std::in_place, plan.poses);
   Verification run(std::move(plan));
   for (const std::string& notice : notices) complain(notice);
   if (folder) continue_from(*folder / "state.json", run);
 
-  {
-    const Interruptible work(run.plan().poses);
-    while (!run.finished() && !work.interrupted()) {
-      run.run_batch(
-          jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
-      // An unfinished batch is repeated as a whole, so the state on disk stays that of the last whole one.
-      if (folder && !work.interrupted()) keep_state(*folder / "state.json", run);
-    }
+  while (!run.finished() && !work->interrupted()) {
+    run.run_batch(
+        jobs, [&] { return work->interrupted(); }, [&](std::int64_t done) { work->show(done); });
+    if (folder) keep_state(*folder / "state.json", run);
   }
+  work.reset();
   if (folder) write_tables(*folder, run);
   std::cout << verification_summary(run) << '\n';
   for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
@@ -293,10 +291,10 @@ void add_verify_command(CLI::App& program, Run& run) {
   command->footer(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
       "jobs. A summary is printed; the tables by pair and stratum are written to --out. The last line printed is the\n"
-      "verdict; the exit status is 1 with a disagreement or when interrupted. Known answers, error budget and audits: "
-      "1 when "
-      "any\n"
-      "row is out of its bounds; the tables and a page for each case are written to --out.\n"
+      "verdict; the exit status is 1 with a disagreement, with a wrong answer of any --engine, or when interrupted. "
+      "Known\n"
+      "answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each case are\n"
+      "written to --out.\n"
       "Examples:\n"
       "  pcm verify --poses 200000 --mode all --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
@@ -305,7 +303,9 @@ void add_verify_command(CLI::App& program, Run& run) {
       "  pcm verify --error-budget --out budget\n"
       "  pcm verify --audits --out audits\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17_both.json");
-  command->add_option("--poses", options->poses, "How many poses in all")->type_name("N")->capture_default_str();
+  command->add_option("--poses", options->poses, "How many poses in all (strata that no pair has leave theirs out)")
+      ->type_name("N")
+      ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of the random poses, a whole number")
       ->type_name("S")
       ->capture_default_str();

@@ -32,7 +32,8 @@ ContinuousChange::ContinuousChange(const fast::Pairing& pairing)
       lever_(reach_F_) {}
 
 double ContinuousChange::change(const FaceLoad& before, const FaceLoad& after) const {
-  return std::max((after.force_Me - before.force_Me).norm(), (after.torque_Me - before.torque_Me).norm() / lever_);
+  return std::max((after.force_Me - before.force_Me).stableNorm(),
+                  (after.torque_Me - before.torque_Me).stableNorm() / lever_);
 }
 
 double ContinuousChange::way(const Pose& a, const Pose& b) const {
@@ -62,7 +63,8 @@ double ContinuousChange::operator()(const Pose& a, const Pose& b, const FaceLoad
   if (pairing_.scheme() == Scheme::clipped) swept += e.perimeter * std::max(before.depth, after.depth);
   // F's normals turn with it, and the position C_k moves.
   const double turned = (b.A - a.A).norm() + kRoundings + d * (1 + steepness) / lever_;
-  return weight_ * c_l_ * 3 * d * steepness * swept + turned * std::max(before.force_Me.norm(), after.force_Me.norm());
+  return weight_ * c_l_ * 3 * d * steepness * swept +
+         turned * std::max(before.force_Me.stableNorm(), after.force_Me.stableNorm());
 }
 
 bool ContinuousChange::flush(const Pose& pose, Side master, Index master_face, Index slave_face) const {

@@ -19,7 +19,8 @@ class Walker {
       : force_(pairing, path), bound_(pairing), steps_(search.steps), clipped_(pairing.scheme() == Scheme::clipped) {
     double greatest = 0;
     for (std::size_t i = 0; i < path.segments().size(); ++i)
-      for (std::int64_t k = 0; k <= steps_; ++k) greatest = std::max(greatest, force_.at({i, tick(k)}).force_Me.norm());
+      for (std::int64_t k = 0; k <= steps_; ++k)
+        greatest = std::max(greatest, force_.at({i, tick(k)}).force_Me.stableNorm());
     least_ = search.least * greatest;
   }
 
@@ -177,9 +178,10 @@ class Walker {
     jump.after = b.where;
     jump.pose_before = a.pose;
     jump.pose_after = b.pose;
-    jump.force_there = std::max(a.force_Me.norm(), b.force_Me.norm());
-    std::stable_sort(jump.faces.begin(), jump.faces.end(),
-                     [](const FaceJump& x, const FaceJump& y) { return x.force_Me().norm() > y.force_Me().norm(); });
+    jump.force_there = std::max(a.force_Me.stableNorm(), b.force_Me.stableNorm());
+    std::stable_sort(jump.faces.begin(), jump.faces.end(), [](const FaceJump& x, const FaceJump& y) {
+      return x.force_Me().stableNorm() > y.force_Me().stableNorm();
+    });
     walk_.jumps.push_back(std::move(jump));
     return true;
   }

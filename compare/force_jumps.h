@@ -47,7 +47,7 @@ struct ForceJump {
   double force_there = 0;                               ///< greater |F| of both sides, N
   std::vector<FaceJump> faces;                          ///< the greatest first
 
-  double size() const { return force_Me.norm(); }
+  double size() const { return force_Me.stableNorm(); }
   /// Share of the force there: at most 2, where the force turns round. 0 where there is none on either side.
   double relative() const { return force_there > 0 ? size() / force_there : 0; }
 };

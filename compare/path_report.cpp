@@ -31,8 +31,8 @@ std::string row(const ForceJump& jump) {
   if (face.loaded().clamped) notes += " clamped";
   if (jump.faces.size() > 1) notes += fmt::format(" and {} more", jump.faces.size() - 1);
   return fmt::format("{:>10.4g} {:>7.2f} {:>10.3g} {:>14.9f}  {:<33} {:>9} {:>14}{}\n", jump.size(),
-                     100 * jump.relative(), jump.torque_Me.norm(), jump.before.position(), describe(face.cause), master,
-                     slave, notes);
+                     100 * jump.relative(), jump.torque_Me.stableNorm(), jump.before.position(), describe(face.cause),
+                     master, slave, notes);
 }
 
 /// Jumps and the sum of their sizes; a jump counts under the cause of its greatest face.

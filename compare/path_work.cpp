@@ -24,8 +24,8 @@ PathWork path_work(const PosePath& path, const PathWalk& walk) {
   std::size_t last = 0;  // of the places that are not left out
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PathForcePoint& point = points[i];
-    sum.greatest_torque = std::max(sum.greatest_torque, point.torque_Me.norm());
-    if (const double force = point.force_Me.norm(); force > sum.greatest_force) {
+    sum.greatest_torque = std::max(sum.greatest_torque, point.torque_Me.stableNorm());
+    if (const double force = point.force_Me.stableNorm(); force > sum.greatest_force) {
       sum.greatest_force = force;
       sum.greatest_force_at = point.where;
     }
@@ -49,12 +49,14 @@ PathWork path_work(const PosePath& path, const PathWalk& walk) {
 TangentialForce tangential_force(const PathWalk& walk, const Eigen::Vector3d& normal_Me) {
   const Eigen::Vector3d n = normal_Me.stableNormalized();
   TangentialForce found;
+  bool none = true;
   for (const PathForcePoint& point : walk.points) {
     if (!point.step) continue;
     const double along = point.force_Me.dot(n);
-    const double within = (point.force_Me - along * n).norm();
+    const double within = (point.force_Me - along * n).stableNorm();
     found.greatest_normal = std::max(found.greatest_normal, std::abs(along));
-    if (within > found.greatest) {
+    if (none || within > found.greatest) {
+      none = false;
       found.greatest = within;
       found.normal_there = std::abs(along);
       found.at = point.where;

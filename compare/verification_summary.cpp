@@ -69,6 +69,9 @@ std::string verification_summary(const Verification& run) {
   }
   text += "unbounded: the engine's bound on its force or torque is infinite";
   text += run.plan().scheme == Scheme::clipped ? ", so that these are not compared\n" : "\n";
+  text += "engine us, oracle ms: medians, everything asked for";
+  text += run.plan().modes.size() > 1 ? "; a pose's first mode pays for what the others share or find in the cache\n"
+                                      : "\n";
 
   text +=
       "\nRounding error of the engine against the exact problem: 99.9th percentile and maximum, in units of S/p\n"

@@ -196,8 +196,9 @@ nlohmann::ordered_json verification_json(const Verification& run) {
 std::string times_markdown(const Verification& run) {
   std::string text =
       "## Times\n\nMedian and p99 a pose; all answers asked for. Where there are several modes, the oracle works out "
-      "what they "
-      "share in the first one. These vary from run to run.\n\n"
+      "what they share in the first one, and the engine finds the later ones' data in the cache. These vary from run "
+      "to "
+      "run.\n\n"
       "| pair | stratum | mode | engine (us) | oracle, rounded (ms) | exact as well (ms) "
       "|\n|---|---|---|--:|--:|--:|\n";
   for (const Row& row : rows(run)) {

@@ -203,6 +203,7 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
         oneapi::tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
         [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
           for (std::size_t t = range.begin(); t < range.end(); ++t) {
+            if (done_of_batch_.contains(t)) continue;
             if (stop()) return;
             const Cell& cell = cells_[tasks[t].cell];
             const DrawnPose drawn = draw(cell, tasks[t].pose);
@@ -214,9 +215,8 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
         oneapi::tbb::simple_partitioner());
   });
 
-  bool whole = true;
   for (std::size_t t = 0; t < tasks.size(); ++t) {
-    whole = whole && !outcomes[t].empty();
+    if (!outcomes[t].empty()) done_of_batch_.insert(t);
     for (std::size_t m = 0; m < outcomes[t].size(); ++m) {
       const std::size_t c = tasks[t].cell + m;
       PoseOutcome& outcome = outcomes[t][m];
@@ -225,12 +225,14 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
         findings_.push_back({c, tasks[t].pose, std::move(outcome.disagreements)});
     }
   }
-  if (whole) ++batches_done_;
+  if (done_of_batch_.size() < tasks.size()) return;
+  done_of_batch_.clear();
+  ++batches_done_;
 }
 
 nlohmann::ordered_json Verification::identity() const {
   nlohmann::ordered_json json;
-  json["format"] = "pcm verification 3";
+  json["format"] = "pcm verification 4";
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
   for (const Mode mode : plan_.modes) json["modes"].push_back(std::string(name(mode)));
@@ -244,6 +246,7 @@ nlohmann::ordered_json Verification::state() const {
   nlohmann::ordered_json json;
   json["run"] = identity();
   json["batches_done"] = batches_done_;
+  json["done_of_batch"] = done_of_batch_;
   json["cells"] = nlohmann::ordered_json::array();
   for (const Cell& cell : cells_) json["cells"].push_back(cell.tally.to_json());
   json["findings"] = nlohmann::ordered_json::array();
@@ -261,6 +264,7 @@ void Verification::restore(const nlohmann::ordered_json& state) {
         "it holds another run (other poses, seed, strata, modes, scheme or surfaces); choose another folder");
   for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
   batches_done_ = state.at("batches_done").get<std::int64_t>();
+  done_of_batch_ = state.at("done_of_batch").get<std::set<std::size_t>>();
   findings_.clear();
   for (const auto& entry : state.at("findings")) {
     Finding finding{entry.at(0).get<std::size_t>(), entry.at(1).get<std::int64_t>(), {}};

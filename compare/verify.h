@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -93,12 +94,13 @@ class Verification {
   const Scene& scene(const Cell& cell) const;
   Case as_case(const Finding& finding) const;
 
-  /// Runs the next batch on `jobs` threads. `stop` is asked before each pose: once it says yes, the poses at hand are
-  /// finished and added, but the batch does not count as done. `progress` gets the number of poses done so far.
+  /// Runs what is left of the next batch on `jobs` threads. `stop` is asked before each pose: once it says yes, the
+  /// poses at hand are finished and added, and the batch is left for the next call. `progress` gets the number of poses
+  /// done so far.
   void run_batch(int jobs, const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
 
-  /// The whole state after the last whole batch, to continue from. `restore` throws BadInput where the state is of
-  /// another plan.
+  /// The whole state, to continue from: no pose done is lost. `restore` throws BadInput where the state is of another
+  /// plan.
   nlohmann::ordered_json state() const;
   void restore(const nlohmann::ordered_json& state);
 
@@ -118,6 +120,7 @@ class Verification {
   std::vector<std::string> omissions_;
   std::int64_t batches_ = 1;
   std::int64_t batches_done_ = 0;
+  std::set<std::size_t> done_of_batch_;  ///< which poses of the next batch are done already
 };
 
 }  // namespace pcm::compare

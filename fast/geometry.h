@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "meshes/floating_point_policy.h"
+
 namespace pcm::fast {
 
 /// The greatest |coordinate| a surface may have, and the least that it must reach, m: between them a volume, the

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fast/contact.h"
+#include "meshes/floating_point_policy.h"
 
 /// On which side of the plane of three vertices a fourth one lies: the one predicate that crossings, polygons and
 /// active areas hang on (PCM section 4). Three stages: floating-point filter, exact arithmetic, tie rule.

@@ -282,7 +282,8 @@ const Contact& Scene::evaluate(Index pairing, Workspace& workspace) {
 }
 
 void Scene::evaluate_all(int threads, const Visit& visit) {
-  const auto members = static_cast<std::size_t>(std::max(threads, 1));
+  if (threads < 1) throw BadInput("scene: evaluate_all needs at least 1 thread, not " + std::to_string(threads));
+  const auto members = static_cast<std::size_t>(threads);
   if (data_->workspaces.size() < members) data_->workspaces.resize(members);
   // Few enough to share the work evenly, enough that sharing costs nothing beside pairings that are apart.
   constexpr std::size_t kChunk = 16;

@@ -79,9 +79,9 @@ class Scene {
 
   /// Called with each answer in `evaluate_all`, from the thread that has it.
   using Visit = std::function<void(Index pairing, const Contact& contact)>;
-  /// Answers all pairings, `threads` at once (at least 1), and keeps their loads. `visit`, where given, sees the
-  /// answers of those that touch or are nested, at once and in any order. What is thrown for the first pairing that
-  /// fails is thrown on, when all threads are done.
+  /// Answers all pairings, `threads` at once (at least 1, else BadInput), and keeps their loads. `visit`, where given,
+  /// sees the answers of those that touch or are nested, at once and in any order. What is thrown for the first pairing
+  /// that fails is thrown on, when all threads are done.
   void evaluate_all(int threads = 1, const Visit& visit = {});
 
   /// Of the last evaluate_all.

@@ -117,15 +117,15 @@ void require_countable(const TriangleMesh& mesh) {
   }
 }
 
-void require_measurable(const TriangleMesh& mesh, double reach) {
-  if (reach >= kLeastReach && reach <= kGreatestReach) return;
+}  // namespace
+
+std::string out_of_range(double reach) {
+  if (reach >= kLeastReach && reach <= kGreatestReach) return {};
   std::ostringstream why;
   why << "its greatest |coordinate| is " << reach << " m, not between 2^-300 and 2^300 (5e-91 and 2e90); choose a "
       << (reach < 1 ? "smaller" : "larger") << " unit of length";
-  refuse(mesh, why.str());
+  return why.str();
 }
-
-}  // namespace
 
 Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   require_fit(mesh);
@@ -133,7 +133,7 @@ Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   for (const Triangle& triangle : mesh.faces) {
     for (const Index v : triangle) reach = reach.cwiseMax(vertex(v).cwiseAbs());
   }
-  require_measurable(mesh, reach.maxCoeff());
+  if (const std::string why = out_of_range(reach.maxCoeff()); !why.empty()) refuse(mesh, why);
   connect_edges(*this);
   vertex_edges = incidence(mesh.vertices.size(), [&](auto&& pair) {
     for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "fast/box_tree.h"
@@ -84,5 +85,8 @@ struct Surface::Data {
   Index other_end(Index e, Index v) const { return edge(e)[0] == v ? edge(e)[1] : edge(e)[0]; }
   bool border(Index e) const { return border_edges[static_cast<std::size_t>(e)]; }
 };
+
+/// Why the engine takes no surface whose greatest |coordinate| is `reach`, m; empty where it does.
+std::string out_of_range(double reach);
 
 }  // namespace pcm::fast

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "meshes/dyadic.h"
+#include "meshes/floating_point_policy.h"
 
 namespace pcm {
 namespace {

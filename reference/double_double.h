@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "meshes/floating_point_policy.h"
 #include "reference/numbers.h"
 
 namespace pcm::reference {

@@ -18,8 +18,8 @@ Pose at(double x, double y, double z) {
   return pose;
 }
 
-Advice advise(TriangleMesh E, TriangleMesh F, const std::vector<Pose>& poses) {
-  Adviser adviser(fast::Surface(std::move(E)), fast::Surface(std::move(F)), {});
+Advice advise(TriangleMesh E, TriangleMesh F, const std::vector<Pose>& poses, const ContactLaw& law = {}) {
+  Adviser adviser(fast::Surface(std::move(E)), fast::Surface(std::move(F)), law);
   for (const Pose& pose : poses) adviser.add(pose);
   return adviser.advice();
 }
@@ -61,6 +61,31 @@ TEST(Advice, ErrorsAreThoseWorkedOutByHand) {
   EXPECT_NEAR(shifted.masters[0].greatest_element, 0.25, 1e-12);
   EXPECT_NEAR(shifted.model_gap, 0, 1e-12);
   EXPECT_EQ(shifted.master, Mode::F);
+}
+
+TEST(Advice, DoesNotDependOnTheStiffness) {
+  const TriangleMesh sphere = generate::icosphere(0.5, 2);
+  const auto with_stiffness = [&](double stiffness) {
+    ContactLaw law;
+    law.stiffness = stiffness;
+    return advise(sphere, sphere, {at(0.3, 0.01, 0.82)}, law);
+  };
+  const Advice usual = with_stiffness(1);
+  EXPECT_GT(usual.masters[0].median_error, 0);
+  for (const double stiffness : {0x1p-560, 0x1p560}) {
+    const Advice scaled = with_stiffness(stiffness);
+    EXPECT_EQ(scaled.in_contact, 1);
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(scaled.masters[i].median_error, usual.masters[i].median_error, 1e-12);
+  }
+}
+
+TEST(Advice, SaysWhereTheChosenMasterIsFarOff) {
+  // Most of the sphere lies in the box and is too deep; the box's bottom has two faces.
+  const Advice advice = advise(generate::icosphere(0.5, 3), generate::box(Eigen::Vector3d(1, 1, 1)), {at(0, 0, 0.14)});
+  EXPECT_EQ(advice.master, Mode::F);
+  EXPECT_GT(advice.masters[1].median_error, 0.5);
+  EXPECT_NE(advice.reason.find("That is not near"), std::string::npos) << advice.reason;
 }
 
 TEST(Advice, MasterThinnerThanThePenetrationIsNotChosen) {

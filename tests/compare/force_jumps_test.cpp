@@ -257,7 +257,9 @@ TEST(PathWork, LoopWithinThePlaneOfTheForceDoesNone) {
   EXPECT_TRUE(path.closed());
   EXPECT_FALSE(found.jumps.empty());
   EXPECT_EQ(path_work(path, found).work, 0);
-  EXPECT_EQ(tangential_force(found, Eigen::Vector3d::UnitZ()).greatest, 0);
+  const TangentialForce tangential = tangential_force(found, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(tangential.greatest, 0);
+  EXPECT_EQ(tangential.normal_there, found.points.front().force_Me.norm());
 }
 
 TEST(PathWork, PressSlideLiftIsWithoutLossOnAPlateInTheClippedScheme) {

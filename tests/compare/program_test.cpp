@@ -213,6 +213,15 @@ TEST_F(Program, MeshCheckSaysFitOrWhyNot) {
   EXPECT_EQ(unfit_outcome.err, "");
   EXPECT_NE(unfit_outcome.out.find("zero area"), std::string::npos) << unfit_outcome.out;
 
+  for (const std::string size : {"1e200", "1e-200"}) {
+    const std::string vast = scratch_.write("vast.obj", "v " + size + " 0 0\nv 0 " + size + " 0\nv 0 0 0\nf 1 2 3\n");
+    const Outcome vast_outcome = run_pcm({"mesh", "check", vast});
+    EXPECT_EQ(vast_outcome.status, 1);
+    EXPECT_NE(vast_outcome.out.find("not fit"), std::string::npos) << vast_outcome.out;
+    EXPECT_NE(vast_outcome.out.find("unit of length"), std::string::npos) << vast_outcome.out;
+    EXPECT_EQ(run_pcm({"contact", vast, box_}).status, 2);
+  }
+
   const Outcome unreadable = run_pcm({"mesh", "check", scratch_.path("missing.obj"), unfit});
   EXPECT_EQ(unreadable.status, 2);
   EXPECT_EQ(unreadable.out, lines_of(unfit_outcome.out).size() > 2 ? run_pcm({"mesh", "check", unfit}).out : "");

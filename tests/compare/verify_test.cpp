@@ -416,6 +416,14 @@ TEST(Verification, InterruptedBatchKeepsWhatItHasAndIsNotDone) {
   EXPECT_EQ(run.poses_done(), 10);
   EXPECT_EQ(run.batches_done(), 0);
   EXPECT_NE(verdict_line(run).find("interrupted"), std::string::npos);
+
+  Verification continued(run.plan()), whole(run.plan());
+  continued.restore(nlohmann::ordered_json::parse(run.state().dump()));
+  EXPECT_EQ(continued.poses_done(), 10);
+  run_all(continued, 2);
+  run_all(whole, 1);
+  EXPECT_EQ(continued.poses_done(), 240);
+  EXPECT_EQ(verification_csv(continued), verification_csv(whole));
 }
 
 TEST(Tally, BoundOnTheRateIsThreeOverNWithoutDisagreements) {

@@ -228,6 +228,7 @@ TEST(Scene, WhatFailsInAThreadIsThrownToTheCallerAndTheSceneStaysUsable) {
   F.pose.r = {0.25, 0.25, 0.125};
   F.velocity.v = {1e9, 2e9, 3e9};
   scene.move({E, F});
+  expect_bad_input([&] { scene.evaluate_all(0); }, "at least 1 thread");
   expect_bad_input([&] { scene.evaluate_all(2); }, "exceeds the range of doubles");
   EXPECT_FALSE(scene.load(0).touching);
   EXPECT_TRUE(scene.load(1).touching);

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Refuses what fast/floating_point_policy.cmake can't see: flags that a parent project adds behind CMake's variables.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "pcm: -ffast-math, -Ofast and their parts change values and break exact decisions; compile pcm without them"
+#endif
