@@ -13,12 +13,6 @@ namespace pcm::fast {
 
 namespace {
 
-/// Change of the winding number along `edge` from its end v to the other one.
-Index change_from(const SideState& side, Index edge, Index v) {
-  const Index change = side.edge_crossings.get(edge, {}).winding_change;
-  return side.surface().edge(edge)[0] == v ? change : -change;
-}
-
 /// What SideState::face_winding says of an intersected face: before and after its corners' winding numbers are known.
 constexpr Index kWaiting = std::numeric_limits<Index>::min();
 constexpr Index kSettled = 0;
@@ -65,12 +59,11 @@ void locate_corner(Workspace::Data& workspace, Side side_name, Index face) {
 /// Carries the winding number from a known corner of an intersected face to the others.
 void settle_corners(SideState& side, Index face) {
   const Triangle& corners = side.surface().face(face);
-  const std::array<Index, 3>& edges = side.surface().edges_of(face);
   std::size_t k = side.winding.contains(corners[0]) ? 0 : side.winding.contains(corners[1]) ? 1 : 2;
   for (int step = 0; step < 2; ++step) {
     const std::size_t next = k == 2 ? 0 : k + 1;
     if (!side.winding.contains(corners[next])) {
-      side.winding.set(corners[next], side.winding.at(corners[k]) + change_from(side, edges[k], corners[k]));
+      side.winding.set(corners[next], side.winding.at(corners[k]) + winding_change_along(side, face, k));
     }
     k = next;
   }

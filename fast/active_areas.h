@@ -20,6 +20,12 @@ void find_active_area(Workspace::Data& workspace, Side side);
 void find_active_area_in_closed(Workspace::Data& workspace, Side side);
 void find_active_area_in_open(Workspace::Data& workspace, Side side);
 
+/// Change of the other surface's winding number along edge k of a face, from its vertex k on.
+inline Index winding_change_along(const SideState& side, Index face, std::size_t k) {
+  const Index change = side.edge_crossings.get(side.surface().edges_of(face)[k], {}).winding_change;
+  return side.surface().runs_forwards(face, k) ? change : -change;
+}
+
 /// Computes the clipped active areas and the volume between them into the answer (PCM section 5). Needs the polygons
 /// with positions and both active areas. Area and vector area of a face are exact but for roundings of a few ulps of
 /// the lengths of its patch's edges times the face's size.

@@ -46,11 +46,7 @@ std::array<Index, 3> corner_windings(const SideState& side, bool other_closed, I
   if (other_closed) {
     return {side.winding.at(corners[0]), side.winding.at(corners[1]), side.winding.at(corners[2])};
   }
-  const auto change = [&](std::size_t k) {
-    const Index edge = side.surface().edges_of(face)[k];
-    const Index sum = side.edge_crossings.get(edge, {}).winding_change;
-    return side.surface().edge(edge)[0] == corners[k] ? sum : -sum;
-  };
+  const auto change = [&](std::size_t k) { return winding_change_along(side, face, k); };
   std::array<Index, 3> windings{0, change(0), change(0) + change(1)};
   Index base = -std::min({windings[0], windings[1], windings[2]});
   if (windings[1] == 0 && windings[2] == 0) {
@@ -81,7 +77,7 @@ void add_edges(Workspace::Data& workspace, SideState& side, Index face, const st
       clip.twice_vector_area_Me += static_cast<double>(windings[k]) * a.cross(b);
       continue;
     }
-    const Index direction = side.surface().edge(edge)[0] == corners[k] ? 1 : -1;
+    const Index direction = side.surface().runs_forwards(face, k) ? 1 : -1;
     const CrossingNode& first = workspace.crossings[static_cast<std::size_t>(crossings.first)];
     const Eigen::Vector3d c = first.position_Me - clip.origin_Me;
     if (windings[k] != 0) clip.twice_vector_area_Me += static_cast<double>(windings[k]) * a.cross(c);

@@ -107,8 +107,7 @@ Index enter_crossing(Workspace::Data& workspace, const PairCrossing& pair, const
   node.edge_side = passage.edge_side;
   node.edge = surface.edges_of(edge_face)[corner];
   node.face = of_E ? face_F : face_E;
-  const bool forwards = surface.edge(node.edge)[0] == surface.face(edge_face)[corner];
-  node.from_above = has(above, corner) == forwards;
+  node.from_above = has(above, corner) == surface.runs_forwards(edge_face, corner);
   const auto fresh = static_cast<Index>(workspace.crossings.size());
   const Index found = workspace.crossing_index.find_or_insert(node.key(), fresh);
   if (found == fresh) workspace.crossings.push_back(node);

@@ -82,6 +82,8 @@ struct Surface::Data {
   const std::array<Index, 2>& edge(Index e) const { return edges[static_cast<std::size_t>(e)]; }
   const std::array<Index, 3>& edges_of(Index f) const { return face_edges[static_cast<std::size_t>(f)]; }
   const std::array<Index, 3>& neighbours_of(Index f) const { return face_neighbours[static_cast<std::size_t>(f)]; }
+  /// Whether edge k of a face, from its vertex k on, runs the way that edge runs in `edges`.
+  bool runs_forwards(Index f, std::size_t k) const { return face(f)[k] < face(f)[k == 2 ? 0 : k + 1]; }
   Index other_end(Index e, Index v) const { return edge(e)[0] == v ? edge(e)[1] : edge(e)[0]; }
   bool border(Index e) const { return border_edges[static_cast<std::size_t>(e)]; }
 };
