@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/scene.h"
+#include "tests/spike.h"
 
 namespace pcm::compare {
 namespace {
@@ -33,24 +34,14 @@ void hold(const TriangleMesh& E, const TriangleMesh& F) {
 }
 
 TEST(TinyFaces, TheTipOfASpikeIsMetBeforeTheSlaveIsLeft) {
-  TriangleMesh spike;
-  spike.vertices = {{0x1p-3, 0x1p-4, -0x1p-2},
-                    {0x1p-4, -0x1p-2, 0x1p-4},
-                    {-0x1p-3, 0x1.8p-3, 0x1p-3},
-                    {0x1.346d09a38p+0, 0x1.a85462eap-2, 0x1.42bc34cep-1},
-                    {0x1.346d09968p+0, 0x1.a85461e6p-2, 0x1.42bc354fp-1},
-                    {0x1.346d096f8p+0, 0x1.a854635p-2, 0x1.42bc3569p-1},
-                    {0x1.346d09948p+0, 0x1.a85462c8p-2, 0x1.42bc3529p-1}};
-  spike.faces = {{0, 1, 2}, {3, 6, 4}, {4, 6, 5}, {5, 6, 3}, {0, 3, 1},
-                 {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}};
-  hold(spike, block({{0x1.6p-2, 0x1.fcp+1, 0x1.62p+2},
-                     {0x1.e4p+0, 0x1.4p+2, 0x1.ecp+0},
-                     {0x1.acp+1, -0x1.c4p+1, 0x1.42p+2},
-                     {0x1.39p+2, -0x1.4p+1, 0x1.6cp+0},
-                     {-0x1.ebp+1, 0x1.39p+1, 0x1.a7p+1},
-                     {-0x1.25p+1, 0x1.bdp+1, -0x1.38p-2},
-                     {-0x1.acp-1, -0x1.438p+2, 0x1.67p+1},
-                     {0x1.6cp-1, -0x1.018p+2, -0x1.9cp-1}}));
+  hold(spike(), block({{0x1.6p-2, 0x1.fcp+1, 0x1.62p+2},
+                       {0x1.e4p+0, 0x1.4p+2, 0x1.ecp+0},
+                       {0x1.acp+1, -0x1.c4p+1, 0x1.42p+2},
+                       {0x1.39p+2, -0x1.4p+1, 0x1.6cp+0},
+                       {-0x1.ebp+1, 0x1.39p+1, 0x1.a7p+1},
+                       {-0x1.25p+1, 0x1.bdp+1, -0x1.38p-2},
+                       {-0x1.acp-1, -0x1.438p+2, 0x1.67p+1},
+                       {0x1.6cp-1, -0x1.018p+2, -0x1.9cp-1}}));
 }
 
 TEST(TinyFaces, ANeedleNearlyAlongTheLineIsMetBeforeTheSlaveIsLeft) {

@@ -11,6 +11,7 @@
 
 #include "fast/thickness.h"
 #include "tests/fast/exact_numbers.h"
+#include "tests/spike.h"
 
 /// How far the line of a face's barycentre stays in its own body, exactly, against rational numbers: in front of faces
 /// that are tiny or needles beside their distance.
@@ -52,16 +53,7 @@ bool expect_no_greater(const TriangleMesh& mesh, std::size_t face, const std::st
 }
 
 TEST(BarycentreThickness, SeesTheTinyTipOfASpike) {
-  TriangleMesh mesh;
-  mesh.vertices = {{0x1p-3, 0x1p-4, -0x1p-2},
-                   {0x1p-4, -0x1p-2, 0x1p-4},
-                   {-0x1p-3, 0x1.8p-3, 0x1p-3},
-                   {0x1.346d09a38p+0, 0x1.a85462eap-2, 0x1.42bc34cep-1},
-                   {0x1.346d09968p+0, 0x1.a85461e6p-2, 0x1.42bc354fp-1},
-                   {0x1.346d096f8p+0, 0x1.a854635p-2, 0x1.42bc3569p-1},
-                   {0x1.346d09948p+0, 0x1.a85462c8p-2, 0x1.42bc3529p-1}};
-  mesh.faces = {{0, 1, 2}, {3, 6, 4}, {4, 6, 5}, {5, 6, 3}, {0, 3, 1},
-                {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}};
+  const TriangleMesh mesh = spike();
   for (std::size_t face = 0; face < mesh.faces.size(); ++face) expect_no_greater(mesh, face, "spike");
 }
 
