@@ -221,10 +221,13 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
       const std::size_t c = tasks[t].cell + m;
       PoseOutcome& outcome = outcomes[t][m];
       cells_[c].tally.add(outcome, pose_name(cells_[c], tasks[t].pose));
-      if (!outcome.disagreements.empty() && findings_.size() < kMostFindings)
-        findings_.push_back({c, tasks[t].pose, std::move(outcome.disagreements)});
+      if (!outcome.disagreements.empty()) findings_.push_back({c, tasks[t].pose, std::move(outcome.disagreements)});
     }
   }
+  // The same ones are kept, in the same order, however often the run was interrupted.
+  std::sort(findings_.begin(), findings_.end(),
+            [](const Finding& a, const Finding& b) { return std::pair(a.cell, a.pose) < std::pair(b.cell, b.pose); });
+  if (findings_.size() > kMostFindings) findings_.resize(kMostFindings);
   if (done_of_batch_.size() < tasks.size()) return;
   done_of_batch_.clear();
   ++batches_done_;
@@ -259,6 +262,8 @@ nlohmann::ordered_json Verification::state() const {
 }
 
 void Verification::restore(const nlohmann::ordered_json& state) {
+  if (state.at("run").at("format") != identity()["format"])
+    throw BadInput("it holds a run of another version of pcm; choose another folder");
   if (state.at("run") != identity())
     throw BadInput(
         "it holds another run (other poses, seed, strata, modes, scheme or surfaces); choose another folder");

@@ -15,9 +15,9 @@ namespace {
 
 /// What SideState::face_winding says of an intersected face: before and after its corners' winding numbers are known.
 constexpr Index kWaiting = std::numeric_limits<Index>::min();
-constexpr Index kSettled = 0;
+constexpr Index kSettled = kWaiting + 1;
 /// And of an uncrossed face that is not known to be inner or a pocket.
-constexpr Index kUnknown = kWaiting + 1;
+constexpr Index kUnknown = kWaiting + 2;
 
 /// Enters an uncrossed face and all that its uncrossed neighbours lead to. All their edges are uncrossed, so they share
 /// one winding number: they are inner, or pockets where it is negative, as it can be where the other surface intersects

@@ -10,7 +10,7 @@ namespace pcm::fast {
 /// the answer's `nested` and `ambiguous`. Exact on the rounded problem.
 /// Closed other surface: one vertex of each part that the crossings leave undecided is located directly, winding
 /// numbers spread from there over the intersected faces' edges and over the inside, never over the outside; a component
-/// without crossing is located by one vertex. Cost near the size of the active area.
+/// without crossing is located by one vertex. Cost near the size of the active area, in memory that has grown.
 /// Open other surface: labels come from crossed edges alone and spread over sets of uncrossed faces, rule by rule as
 /// in PCM section 5; nothing is nested. Cost up to the size of the components touched.
 /// Needs `edge_crossings` and `intersected` of that side.

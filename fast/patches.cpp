@@ -19,12 +19,15 @@ void join(std::vector<Index>& parents, Index i, Index j) {
   parents[static_cast<std::size_t>(root_of(parents, i))] = root_of(parents, j);
 }
 
-/// Calls `visit(v)` for the vertices known to be inside the other body, some of them several times: winding number at
-/// least 1, or labelled inside.
+/// Calls `visit(v)` for vertices known to be inside the other body, some of them several times: winding number at least
+/// 1, or labelled inside. Where the other surface is closed, those of intersected faces alone: what they are joined to
+/// by uncrossed edges is inside with them.
 template <class Visit>
 void for_each_inside_vertex(const SideState& side, bool other_closed, const Visit& visit) {
-  for (const Index face : side.inner) {
-    for (const Index v : side.surface().face(face)) visit(v);
+  if (!other_closed) {
+    for (const Index face : side.inner) {
+      for (const Index v : side.surface().face(face)) visit(v);
+    }
   }
   for (const Index face : side.intersected) {
     for (const Index v : side.surface().face(face)) {
@@ -39,6 +42,8 @@ void flood_regions(Workspace::Data& workspace, Side side_name) {
   const Surface::Data& surface = side.surface();
   const bool other_closed = workspace.side(opposite(side_name)).surface().closed;
   side.region.start(surface.mesh.vertices.size());
+  // What an open surface does not label inside is not entered.
+  const Index not_entered = other_closed ? -1 : 0;
   for_each_inside_vertex(side, other_closed, [&side](Index v) { side.region[v] = -1; });
   for_each_inside_vertex(side, other_closed, [&](Index seed) {
     if (side.region[seed] >= 0) return;
@@ -52,7 +57,7 @@ void flood_regions(Workspace::Data& workspace, Side side_name) {
       for (const Index edge : surface.vertex_edges[v]) {
         if (side.edge_crossings.contains(edge)) continue;
         const Index u = surface.other_end(edge, v);
-        if (side.region.get(u, 0) >= 0) continue;
+        if (side.region.get(u, not_entered) >= 0) continue;
         side.region[u] = region;
         workspace.stack.push_back(u);
       }

@@ -45,16 +45,18 @@ double exact_distance(const TriangleMesh& mesh, std::size_t face) {
   return least ? mpf_class(sqrt(mpf_class(dot(N, N), 400)) * mpf_class(*least, 400)).get_d() : kInfinity;
 }
 
-/// No bound above the exact distance; true where a line meets another face at all.
+/// No bound above the exact distance; true where a line meets another face and the bound tells something.
 bool expect_no_greater(const TriangleMesh& mesh, std::size_t face, const std::string& what) {
   const double bound = Surface::Data(mesh).thickness[face], truth = exact_distance(mesh, face);
   EXPECT_LE(bound, truth * (1 + 1e-14)) << what << ", face " << face;
-  return truth < kInfinity;
+  return truth < kInfinity && bound > truth / 8;
 }
 
 TEST(BarycentreThickness, SeesTheTinyTipOfASpike) {
   const TriangleMesh mesh = spike();
-  for (std::size_t face = 0; face < mesh.faces.size(); ++face) expect_no_greater(mesh, face, "spike");
+  int met = 0;
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face) met += expect_no_greater(mesh, face, "spike") ? 1 : 0;
+  EXPECT_GE(met, 1);
 }
 
 /// A frame about a face's inward normal, and two triangles: the master face about the origin, and another.
