@@ -17,19 +17,10 @@
 namespace pcm::compare {
 namespace {
 
-/// The greatest |coordinate| of the faces' vertices, m.
-double reach_of(const TriangleMesh& mesh) {
-  double reach = 0;
-  for (const Triangle& face : mesh.faces)
-    for (const Index v : face)
-      reach = std::max(reach, mesh.vertices[static_cast<std::size_t>(v)].lpNorm<Eigen::Infinity>());
-  return reach;
-}
-
 Exit check_file(const std::string& file) {
   const TriangleMesh mesh = read_mesh(file);
   const MeshReport report = check(mesh);
-  if (const std::string why = report.fit() ? fast::out_of_range(reach_of(mesh)) : ""; !why.empty()) {
+  if (const std::string why = report.fit() ? fast::out_of_range(fast::reach_of(mesh).maxCoeff()) : ""; !why.empty()) {
     std::cout << mesh.name << ": not fit for contact\n  error: " << why << '\n';
     flush_output();
     return Exit::negative;

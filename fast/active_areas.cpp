@@ -3,7 +3,6 @@
 #include "fast/active_areas.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "fast/ascending.h"

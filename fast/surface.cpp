@@ -119,6 +119,14 @@ void require_countable(const TriangleMesh& mesh) {
 
 }  // namespace
 
+Eigen::Vector3d reach_of(const TriangleMesh& mesh) {
+  Eigen::Vector3d reach = Eigen::Vector3d::Zero();
+  for (const Triangle& triangle : mesh.faces) {
+    for (const Index v : triangle) reach = reach.cwiseMax(mesh.vertices[static_cast<std::size_t>(v)].cwiseAbs());
+  }
+  return reach;
+}
+
 std::string out_of_range(double reach) {
   if (reach >= kLeastReach && reach <= kGreatestReach) return {};
   std::ostringstream why;
@@ -130,9 +138,7 @@ std::string out_of_range(double reach) {
 Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   require_fit(mesh);
   require_countable(mesh);
-  for (const Triangle& triangle : mesh.faces) {
-    for (const Index v : triangle) reach = reach.cwiseMax(vertex(v).cwiseAbs());
-  }
+  reach = reach_of(mesh);
   if (const std::string why = out_of_range(reach.maxCoeff()); !why.empty()) refuse(mesh, why);
   connect_edges(*this);
   vertex_edges = incidence(mesh.vertices.size(), [&](auto&& pair) {

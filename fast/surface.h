@@ -88,6 +88,9 @@ struct Surface::Data {
   bool border(Index e) const { return border_edges[static_cast<std::size_t>(e)]; }
 };
 
+/// Greatest |coordinate| of the faces' vertices along each axis, m.
+Eigen::Vector3d reach_of(const TriangleMesh& mesh);
+
 /// Why the engine takes no surface whose greatest |coordinate| is `reach`, m; empty where it does.
 std::string out_of_range(double reach);
 

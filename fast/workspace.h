@@ -66,7 +66,7 @@ struct SideState {
   StampedArray<bool> is_intersected;  ///< by face
   StampedArray<EdgeCrossings> edge_crossings;
   StampedArray<Index> winding;       ///< by vertex of intersected faces: of the other surface where that is closed
-  StampedArray<Index> face_winding;  ///< by face, the same: inner ones and pockets; intersected ones are told apart
+  StampedArray<Index> face_winding;  ///< by face, the same: of inner ones and pockets; marks of intersected ones
   StampedArray<std::uint8_t> label;  ///< by vertex, Label bits, where the other surface is open
   std::vector<Index> inner;          ///< uncrossed faces inside the other body, ascending; nested ones included
   std::vector<Index> pockets;        ///< uncrossed faces of negative winding number: the other surface folded over
