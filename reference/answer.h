@@ -56,18 +56,26 @@ struct Element {
   Side master = Side::E;
   Index master_face = 0;
   Index slave_face = 0;
-  double area = 0;         ///< A_k (6)
-  double penetration = 0;  ///< u_k (11), after clamping
-  double cosine = 0;       ///< n_master . n_slave, < 0: 1/|cosine| is the condition of u_k
-  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13)
-  Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E
+  double area = 0;                  ///< A_k (6), m^2
+  double penetration = 0;           ///< u_k (11), m, after clamping
+  double greatest_penetration = 0;  ///< greatest u over the element (barycentric: u of the barycentre), before clamping
+  double perimeter = 0;             ///< m, of the part of the master face that is the element; barycentric: 0
+  double cosine = 0;                ///< n_master . n_slave, < 0: 1/|cosine| is the condition of u_k
+  double normal_velocity = 0;       ///< v_n (16), m/s, positive when approaching
+  double tangential_velocity = 0;   ///< v_t (19), m/s
+  double normal_force = 0;          ///< F_n (18), N
+  double tangential_force = 0;      ///< F_t (20), N
+  Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();    ///< n_k (7): -n of the master face
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), m
+  Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E, N
 };
 
 /// The oracle's answer to one problem. Every number is the true value, correctly rounded (ties to even, zero as +0):
 /// positions, areas, volume, and all of elements, force, torque and penetration, with two exceptions (contact_force.h).
-/// The scales are near enough for what they are for. And where friction acts on an element that is clamped to
-/// max_penetration while F turns (w != 0), forces and torque hold roots of roots: those are enclosed to 4096 bits, and
-/// where that does not tell which way to round, the middle of the enclosure is rounded.
+/// The scales and the elements' perimeters are near enough for what they are for. And where an element is clamped to
+/// max_penetration while F turns (w != 0), its v_t is a root of a root, and with friction so are forces and torque:
+/// those are enclosed to 4096 bits, and where that does not tell which way to round, the middle of the enclosure is
+/// rounded.
 struct Answer {
   bool touching = false;
   bool nested = false;

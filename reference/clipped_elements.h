@@ -53,6 +53,8 @@ class ClippedElements final : public ElementSource {
   ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
   ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
+  DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
+  Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const override;
 
  private:
   const std::vector<ClippedElement>& elements_;

@@ -7,6 +7,28 @@
 namespace pcm::reference {
 namespace {
 
+/// A point of the master's plane.
+template <class T>
+struct PlanePoint {
+  T s, t;
+};
+
+/// Corner i is where side i ends and side i + 1 begins.
+template <class T>
+std::vector<PlanePoint<T>> corners_of(LiftedPose<T>& pose, const MasterFrame<T>& e, Face master,
+                                      const PieceOutline& outline) {
+  std::vector<Vec3<T>> lines;
+  lines.reserve(outline.size());
+  for (const SightLine& line : outline) lines.push_back(coefficients(pose, e, master, line));
+  std::vector<PlanePoint<T>> corners;
+  corners.reserve(outline.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Vec3<T> corner = cross(lines[i], lines[i + 1 == lines.size() ? 0 : i + 1]);
+    corners.push_back({corner.x / corner.z, corner.y / corner.z});
+  }
+  return corners;
+}
+
 /// A point of the master's plane and the slave face's depth d there.
 template <class T>
 struct Sample {
@@ -14,19 +36,11 @@ struct Sample {
 };
 
 template <class T>
-std::vector<Sample<T>> corners_of(LiftedPose<T>& pose, const MasterFrame<T>& e, Face master, const Vec3<T>& depth,
-                                  const PieceOutline& outline) {
-  std::vector<Vec3<T>> lines;
-  lines.reserve(outline.size());
-  for (const SightLine& line : outline) lines.push_back(coefficients(pose, e, master, line));
-  std::vector<Sample<T>> corners;
-  corners.reserve(outline.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Vec3<T> corner = cross(lines[i], lines[i + 1 == lines.size() ? 0 : i + 1]);
-    const T s = corner.x / corner.z, t = corner.y / corner.z;
-    corners.push_back({s, t, depth.x * s + depth.y * t + depth.z});
-  }
-  return corners;
+std::vector<Sample<T>> with_depth(const std::vector<PlanePoint<T>>& corners, const Vec3<T>& depth) {
+  std::vector<Sample<T>> samples;
+  samples.reserve(corners.size());
+  for (const auto& [s, t] : corners) samples.push_back({s, t, depth.x * s + depth.y * t + depth.z});
+  return samples;
 }
 
 /// Twice the area of a polygon in (s, t), six times the integral of d over it and 24 times those of s d and t d.
@@ -59,7 +73,7 @@ ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ClippedElement& elemen
   Moments<T> sum{zero, zero, zero, zero};
   T greatest = zero;
   for (const PieceOutline& outline : element.pieces) {
-    const std::vector<Sample<T>> x = corners_of(pose, e, master, depth, outline);
+    const std::vector<Sample<T>> x = with_depth(corners_of(pose, e, master, outline), depth);
     for (const Sample<T>& corner : x) greatest = max(greatest, corner.d);
     for (std::size_t i = 2; i < x.size(); ++i) sum.add(x[0], x[i - 1], x[i]);
   }
@@ -72,7 +86,66 @@ ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ClippedElement& elemen
           e.p0 + T(sum.sd24 / d24) * e.v1 + T(sum.td24 / d24) * e.v2};
 }
 
+/// A side of a convex piece.
+template <class T>
+struct PieceSide {
+  SightLine line;
+  std::size_t piece;
+  PlanePoint<T> from, to;
+};
+
+template <class T>
+std::vector<PieceSide<T>> sides_of(LiftedPose<T>& pose, const MasterFrame<T>& e, const ClippedElement& element) {
+  const Face master{element.faces.master, element.faces.master_face};
+  std::vector<PieceSide<T>> sides;
+  for (std::size_t piece = 0; piece < element.pieces.size(); ++piece) {
+    const PieceOutline& outline = element.pieces[piece];
+    const std::vector<PlanePoint<T>> corners = corners_of(pose, e, master, outline);
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      sides.push_back({outline[i], piece, corners[i == 0 ? outline.size() - 1 : i - 1], corners[i]});
+  }
+  return sides;
+}
+
+/// Which part of side a also is of side b, on the same line.
+template <class T>
+T common_fraction(LiftedPose<T>& pose, const PieceSide<T>& a, const PieceSide<T>& b) {
+  using std::max, std::min;
+  const T zero = pose.number(0.0), one = pose.number(1.0);
+  const T s = a.to.s - a.from.s, t = a.to.t - a.from.t, square = s * s + t * t;
+  const auto along = [&](const PlanePoint<T>& x) -> T {
+    return ((x.s - a.from.s) * s + (x.t - a.from.t) * t) / square;
+  };
+  const T at_from = along(b.from), at_to = along(b.to);
+  return max(zero, T(min(one, max(at_from, at_to)) - max(zero, min(at_from, at_to))));
+}
+
+/// Where the part was cut, the pieces on either side have sides on the line of the cut. No two pieces have common area,
+/// so what two sides on one line have in common lies within the part, and a third has no more than an end there.
+template <class T>
+T perimeter_of(LiftedPose<T>& pose, const ClippedElement& element) {
+  const MasterFrame<T> e = make_frame(pose, {element.faces.master, element.faces.master_face});
+  const std::vector<PieceSide<T>> sides = sides_of(pose, e, element);
+  T sum = pose.number(0.0);
+  for (const PieceSide<T>& a : sides) {
+    T outer = pose.number(1.0);
+    for (const PieceSide<T>& b : sides)
+      if (a.piece != b.piece && a.line == b.line) outer = outer - common_fraction(pose, a, b);
+    const Vec3<T> along = T(a.to.s - a.from.s) * e.v1 + T(a.to.t - a.from.t) * e.v2;
+    sum = sum + outer * sqrt(dot(along, along));
+  }
+  return sum;
+}
+
 }  // namespace
+
+DoubleDouble ClippedElements::perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
+  return perimeter_of(pose, elements_[i]);
+}
+
+Ball ClippedElements::perimeter(std::size_t i, LiftedPose<Ball>& pose) const {
+  return perimeter_of(pose, elements_[i]);
+}
 
 ElementGeometry<DoubleDouble> ClippedElements::geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
   return geometry_of(pose, elements_[i]);

@@ -18,6 +18,8 @@ template <class T>
 struct EnclosedLoad {
   ElementLoad<T> load;
   T cosine;
+  T tangential_velocity;
+  T tangential_force;
   Vec3<T> force_on_E;
 };
 
@@ -40,14 +42,16 @@ class EnclosedLoads {
     if (!known_[i]) known_[i] = enclose(i);
     return *known_[i];
   }
+  T perimeter(std::size_t i) { return question_.elements.perimeter(i, pose_); }
 
  private:
   EnclosedLoad<T> enclose(std::size_t i) {
     const ElementGeometry<T> g = question_.elements.geometry(i, pose_);
     const ElementLoad<T> load =
         load_of(g, question_.elements.pair(i).master, question_.law, question_.pose.pose(), question_.velocity, field_);
-    return {load, dot(g.N, g.slave_N) / sqrt(dot(g.N, g.N) * dot(g.slave_N, g.slave_N)),
-            load.force + sqrt(load.speed_squared) * load.drag};
+    const T v_t = sqrt(load.speed_squared);
+    return {load, dot(g.N, g.slave_N) / sqrt(dot(g.N, g.N) * dot(g.slave_N, g.slave_N)), v_t,
+            v_t * load.friction.constant + load.speed_squared * load.friction.linear, load.force + v_t * load.drag};
   }
 
   ForceQuestion question_;
@@ -99,12 +103,23 @@ class BackedSettler {
 
 /// False where not all is settled.
 template <class T>
-bool settle_element(const EnclosedLoad<T>& element, std::size_t i, BackedSettler<ExactLoads> settle, Element& target) {
-  settle(element.load.area, target.area, [i](ExactLoads& exact) { return exact.area(i); });
-  settle(element.load.penetration, target.penetration, [i](ExactLoads& exact) { return exact.penetration(i); });
+bool settle_element(EnclosedLoads<T>& loads, std::size_t i, BackedSettler<ExactLoads> settle, Element& target) {
+  const EnclosedLoad<T>& element = loads.at(i);
+  const ElementLoad<T>& load = element.load;
+  settle(load.area, target.area, [i](ExactLoads& exact) { return exact.area(i); });
+  settle(load.penetration, target.penetration, [i](ExactLoads& exact) { return exact.penetration(i); });
+  settle(load.greatest_penetration, target.greatest_penetration,
+         [i](ExactLoads& exact) { return exact.greatest_penetration(i); });
+  settle(loads.perimeter(i), target.perimeter, [i](ExactLoads& exact) { return exact.perimeter(i); });
   settle(element.cosine, target.cosine, [i](ExactLoads& exact) { return exact.cosine(i); });
-  settle(element.load.position, target.position_Me,
-         [i](ExactLoads& exact, int axis) { return exact.position(i, axis); });
+  settle(load.normal_velocity, target.normal_velocity, [i](ExactLoads& exact) { return exact.normal_velocity(i); });
+  settle(element.tangential_velocity, target.tangential_velocity,
+         [i](ExactLoads& exact) { return exact.tangential_velocity(i); });
+  settle(load.normal_force, target.normal_force, [i](ExactLoads& exact) { return exact.normal_force(i); });
+  settle(element.tangential_force, target.tangential_force,
+         [i](ExactLoads& exact) { return exact.tangential_force(i); });
+  settle(load.normal, target.normal_Me, [i](ExactLoads& exact, int axis) { return exact.normal(i, axis); });
+  settle(load.position, target.position_Me, [i](ExactLoads& exact, int axis) { return exact.position(i, axis); });
   settle(element.force_on_E, target.force_Me, [i](ExactLoads& exact, int axis) { return exact.force(i, axis); });
   return settle.all();
 }
@@ -167,8 +182,8 @@ std::vector<Element> MasterLoads::elements() {
     settled[i].master = pair.master;
     settled[i].master_face = pair.master_face;
     settled[i].slave_face = pair.slave_face;
-    if (!settle_element(data_->shortly.at(i), i, BackedSettler<ExactLoads>(nullptr), settled[i]))
-      settle_element(data_->finely.at(i), i, BackedSettler<ExactLoads>(&data_->exact), settled[i]);
+    if (!settle_element(data_->shortly, i, BackedSettler<ExactLoads>(nullptr), settled[i]))
+      settle_element(data_->finely, i, BackedSettler<ExactLoads>(&data_->exact), settled[i]);
   }
   data_->elements = std::move(settled);
   return *data_->elements;

@@ -16,15 +16,26 @@ Vec3<T> lifted(const Eigen::Vector3d& v, const Field<T>& field) {
   return {field(v[0]), field(v[1]), field(v[2])};
 }
 
+/// F_t / v_t = constant + linear v_t (20).
+template <class T>
+struct Friction {
+  T constant;
+  T linear;
+};
+
 /// What the law makes of one element.
 template <class T>
 struct ElementLoad {
   T area;                  ///< A_k (6)
   T penetration;           ///< u_k (11), after clamping
   T greatest_penetration;  ///< before clamping
+  Vec3<T> normal;          ///< n_k (7)
   Vec3<T> position;        ///< C_k (13)
   Vec3<T> arm;             ///< C_k - r
-  T speed_squared;         ///< v_t^2 (19); 0 where there is no friction
+  T normal_velocity;       ///< v_n (16)
+  T speed_squared;         ///< v_t^2 (19)
+  T normal_force;          ///< F_n (18)
+  Friction<T> friction;    ///< of which F_t (20) is made
   Vec3<T> force;           ///< the force on body E (21) is force + v_t drag
   Vec3<T> drag;
 };
@@ -47,20 +58,14 @@ Layers<T> layers_of(const ContactLaw& law, Side master, const Field<T>& field) {
   return {field(c_master) * field(c_slave) / sum, field(c_slave) / sum};
 }
 
-/// F_t / (mu F_n v_t) = constant + linear v_t (20): (2 - v_t / v_eps) / v_eps below v_eps, 1 / v_t = v_t / v_t^2 from
-/// there on, 0 at rest. Where T cannot tell, both are enclosed.
+/// F_t / (mu F_n v_t) (20): (2 - v_t / v_eps) / v_eps below v_eps, 1 / v_t = v_t / v_t^2 from there on, 0 at rest.
+/// Where T cannot tell, both are enclosed.
 template <class T>
-struct FrictionSlope {
-  T constant;
-  T linear;
-};
-
-template <class T>
-FrictionSlope<T> friction_slope(const T& speed_squared, double slip_velocity, const Field<T>& field) {
+Friction<T> friction_slope(const T& speed_squared, double slip_velocity, const Field<T>& field) {
   const T zero = field(0.0), one = field(1.0), v_eps = field(slip_velocity);
-  const FrictionSlope<T> slides{zero, speed_squared.sign() == 0 ? zero : one / speed_squared};
+  const Friction<T> slides{zero, speed_squared.sign() == 0 ? zero : one / speed_squared};
   if (slip_velocity == 0) return slides;
-  const FrictionSlope<T> sticks{field(2.0) / v_eps, field(-1.0) / (v_eps * v_eps)};
+  const Friction<T> sticks{field(2.0) / v_eps, field(-1.0) / (v_eps * v_eps)};
   const T excess = speed_squared - v_eps * v_eps;
   return {where_negative(excess, sticks.constant, slides.constant),
           where_negative(excess, sticks.linear, slides.linear)};
@@ -90,14 +95,26 @@ ElementLoad<T> load_of(const ElementGeometry<T>& g, Side master, const ContactLa
   if (law.damping_mode == DampingMode::no_tension) F_n = max(F_n, zero);  // (18)
 
   const T to_E = master == Side::E ? one : minus_one;
-  ElementLoad<T> load{A_k, u_k, g.q_greatest * length, C_k, arm, zero, T(to_E * F_n) * n_k, {zero, zero, zero}};
+  const Vec3<T> tangential = v_k - T(dot(v_k, g.N) / NN) * g.N;       // v_k - v_n n_k
+  const T speed_squared = max(T(dot(tangential, tangential)), zero);  // (19)
+  ElementLoad<T> load{A_k,
+                      u_k,
+                      g.q_greatest * length,
+                      n_k,
+                      C_k,
+                      arm,
+                      v_n,
+                      speed_squared,
+                      F_n,
+                      {zero, zero},
+                      T(to_E * F_n) * n_k,
+                      {zero, zero, zero}};
   if (law.friction > 0) {
-    const Vec3<T> tangential = v_k - T(dot(v_k, g.N) / NN) * g.N;  // v_k - v_n n_k
-    load.speed_squared = max(dot(tangential, tangential), zero);   // (19)
-    const FrictionSlope<T> slope = friction_slope(load.speed_squared, law.slip_velocity, field);
-    const T strength = to_E * field(law.friction) * max(F_n, zero);
-    load.force = load.force + T(strength * slope.constant) * tangential;  // (20), (21)
-    load.drag = T(strength * slope.linear) * tangential;
+    const Friction<T> slope = friction_slope(speed_squared, law.slip_velocity, field);
+    const T limit = field(law.friction) * max(F_n, zero);
+    load.friction = {limit * slope.constant, limit * slope.linear};           // (20)
+    load.force = load.force + T(to_E * load.friction.constant) * tangential;  // (21)
+    load.drag = T(to_E * load.friction.linear) * tangential;
   }
   return load;
 }

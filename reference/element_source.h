@@ -23,6 +23,9 @@ class ElementSource {
   virtual ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const = 0;
   virtual ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const = 0;
+  /// The length of the border of the part of the master face that is the element, m; 0 for the barycentre's.
+  virtual DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
+  virtual Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const = 0;
 };
 
 /// Elements of the barycentric scheme: whole master faces, seen from their barycentres (8), (11). The pairs must
@@ -35,6 +38,8 @@ class BarycentricElements final : public ElementSource {
   ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
   ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
+  DoubleDouble perimeter(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
+  Ball perimeter(std::size_t, LiftedPose<Ball>& pose) const override { return pose.number(0.0); }
 
  private:
   const std::vector<ElementPair>& pairs_;

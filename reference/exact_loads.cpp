@@ -5,7 +5,7 @@
 namespace pcm::reference {
 namespace {
 
-/// Of the scales, of which no rounding is claimed.
+/// Of the scales and perimeters, of which no rounding is claimed.
 constexpr mpfr_prec_t kScalePrecision = 256;
 
 Vec3<Quadratic> lifted(const Vec3<Rational>& v) {
@@ -52,12 +52,47 @@ double ExactLoads::penetration(std::size_t i) {
   return rounded(at(i).load.penetration);
 }
 
+double ExactLoads::greatest_penetration(std::size_t i) {
+  return rounded(at(i).load.greatest_penetration);
+}
+
+double ExactLoads::perimeter(std::size_t i) {
+  LiftedPose<Ball> pose(question_.pose, {kScalePrecision});
+  return question_.elements.perimeter(i, pose).middle();
+}
+
 double ExactLoads::cosine(std::size_t i) {
   const ElementGeometry<Rational>& g = at(i).geometry;
   const Rational squares = dot(g.N, g.N) * dot(g.slave_N, g.slave_N);
   RadicalSum quotient;
   quotient.add(Rational(dot(g.N, g.slave_N) / squares), squares);
   return quotient.rounded();
+}
+
+double ExactLoads::normal_velocity(std::size_t i) {
+  return rounded(at(i).load.normal_velocity);
+}
+
+double ExactLoads::tangential_velocity(std::size_t i) {
+  RadicalSum root;
+  root.add(Quadratic(Rational(1)), at(i).load.speed_squared);
+  return root.rounded();
+}
+
+double ExactLoads::normal_force(std::size_t i) {
+  return rounded(at(i).load.normal_force);
+}
+
+double ExactLoads::tangential_force(std::size_t i) {
+  const ElementLoad<Quadratic>& load = at(i).load;
+  RadicalSum sum;
+  sum.add(load.friction.constant, load.speed_squared);
+  sum.add(load.friction.linear * load.speed_squared);
+  return sum.rounded();
+}
+
+double ExactLoads::normal(std::size_t i, int axis) {
+  return rounded(at(i).load.normal[axis]);
 }
 
 double ExactLoads::position(std::size_t i, int axis) {

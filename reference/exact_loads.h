@@ -26,7 +26,14 @@ class ExactLoads {
 
   double area(std::size_t i);
   double penetration(std::size_t i);
+  double greatest_penetration(std::size_t i);
+  double perimeter(std::size_t i);  ///< not claimed to be correctly rounded: the middle of an enclosure
   double cosine(std::size_t i);
+  double normal_velocity(std::size_t i);
+  double tangential_velocity(std::size_t i);
+  double normal_force(std::size_t i);
+  double tangential_force(std::size_t i);
+  double normal(std::size_t i, int axis);
   double position(std::size_t i, int axis);
   double force(std::size_t i, int axis);  ///< on body E
 

@@ -60,6 +60,8 @@ void expect_same_elements(const Answer& twin, const reference::Answer& oracle) {
     const double u = penetration(twin.scene, twin.elements[i]);
     EXPECT_EQ(u, oracle.elements[i].penetration);
     EXPECT_EQ(element_area(twin.scene, twin.elements[i]), oracle.elements[i].area);
+    EXPECT_EQ(u, oracle.elements[i].greatest_penetration);
+    EXPECT_EQ(oracle.elements[i].perimeter, 0);
     greatest = std::max(greatest, u);
   }
   EXPECT_EQ(greatest, oracle.max_penetration);

@@ -26,6 +26,10 @@ Eigen::Vector3d eigen(const std::array<double, 3>& x) {
 void expect_same_element(const Answer& twin, const Element& expected, const reference::Element& found) {
   EXPECT_EQ(element_area(twin.scene, expected), found.area);
   EXPECT_EQ(penetration(twin.scene, expected), found.penetration);
+  EXPECT_EQ(greatest_penetration(twin.scene, expected), found.greatest_penetration);
+  // The twin's comes from its strips, of whose sides some are longer than the part is wide.
+  const double perimeter = expected.perimeter * twin.scene.unit.get_d();
+  EXPECT_NEAR(perimeter, found.perimeter, 1e-10 * perimeter);
   EXPECT_EQ(eigen(element_position(twin.scene, expected)), found.position_Me);
   EXPECT_EQ(eigen(element_force(twin.scene, expected, kStiffness)), found.force_Me);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -138,14 +139,39 @@ void add_triangle(Integrals& sum, const std::array<Corner, 3>& x, const Linear& 
   sum.t_distance += product(1);
 }
 
+/// The strips' sides less what two of them have in common, in units.
+double perimeter_of(const View& view, const std::vector<Strip>& strips) {
+  const auto length = [&](const Rational& s, const Rational& t) {
+    const Vector x = s * (view.p[1] - view.p[0]) + t * (view.p[2] - view.p[0]);
+    return std::sqrt(dot(x, x).get_d());
+  };
+  const auto along = [&](const Line& line, const Rational& from, const Rational& to) {
+    return from < to ? length(to - from, line.at(to) - line.at(from)) : 0;
+  };
+  const auto across = [&](const Rational& low, const Rational& high) { return low < high ? length(0, high - low) : 0; };
+  double sum = 0;
+  for (const Strip& a : strips) {
+    sum += along(a.lower, a.from, a.to) + along(a.upper, a.from, a.to);
+    for (const Rational& s : {a.from, a.to}) sum += across(a.lower.at(s), a.upper.at(s));
+    for (const Strip& b : strips) {
+      if (a.upper == b.lower) sum -= 2 * along(a.upper, std::max(a.from, b.from), std::min(a.to, b.to));
+      if (a.to == b.from)
+        sum -= 2 * across(std::max(a.lower.at(a.to), b.lower.at(a.to)), std::min(a.upper.at(a.to), b.upper.at(a.to)));
+    }
+  }
+  return sum;
+}
+
 void find_elements_of(Answer& answer, Side master, Index face) {
   const View view = view_of(answer.scene, master, face);
   if (view.N == Vector{}) return;
   const auto question = [&](const Rational& s, const Rational& t) { return seen_from(view, master, s, t); };
   std::map<Index, Integrals> parts;
+  std::map<Index, std::vector<Strip>> strips;
   for (const Strip& strip : strips_of(boundaries_of(view, master), question)) {
     const auto seen = std::ranges::find_if(
         view.faces, [&](const SeenFace& f) { return f.side != master && f.index == strip.answer; });
+    strips[strip.answer].push_back(strip);
     const Corner a{strip.from, strip.lower.at(strip.from)};
     const Corner b{strip.to, strip.lower.at(strip.to)};
     const Corner c{strip.to, strip.upper.at(strip.to)};
@@ -157,7 +183,8 @@ void find_elements_of(Answer& answer, Side master, Index face) {
     if (part.distance == 0) continue;
     const Vector foot = view.p[0] + Rational(part.s_distance / part.distance) * (view.p[1] - view.p[0]) +
                         Rational(part.t_distance / part.distance) * (view.p[2] - view.p[0]);
-    answer.elements.push_back({master, face, f, Rational(part.distance / part.area), part.area, part.greatest, foot});
+    answer.elements.push_back({master, face, f, Rational(part.distance / part.area), part.area, part.greatest, foot,
+                               perimeter_of(view, strips[f])});
   }
 }
 
