@@ -24,6 +24,7 @@
 #include "compare/surface_warnings.h"
 #include "compare/verification_summary.h"
 #include "compare/verification_table.h"
+#include "compare/verification_widths.h"
 #include "compare/verify.h"
 #include "meshes/bad_input.h"
 #include "meshes/text_file.h"
@@ -39,7 +40,7 @@ struct VerifyOptions {
   std::vector<std::string> strata;
   std::vector<std::vector<std::string>> pairs;
   std::string mode = "both";
-  std::string scheme = "barycentric";
+  std::optional<std::string> scheme;  ///< both, where it is not given
   std::vector<std::string> engines;
   std::optional<std::string> jobs;
   std::optional<std::string> out;
@@ -99,7 +100,8 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   plan.seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
   plan.modes =
       options.mode == "all" ? Scene::Modes{Mode::E, Mode::F, Mode::both} : Scene::Modes{mode_named(options.mode)};
-  plan.scheme = scheme_named(options.scheme);
+  plan.schemes = options.scheme && *options.scheme != "both" ? std::vector{scheme_named(*options.scheme)}
+                                                             : std::vector{Scheme::barycentric, Scheme::clipped};
   if (!options.strata.empty()) plan.strata.clear();
   for (const std::string& word : options.strata) {
     const std::optional<Stratum> stratum = stratum_named(word);
@@ -182,8 +184,10 @@ void write_cases(const fs::path& folder, const Verification& run) {
     nlohmann::ordered_json engine, oracle;
     try {
       const std::size_t mode = finding.cell % run.plan().modes.size();
-      engine = decided(fast::evaluate(scene.engine(mode), posed.pose, posed.velocity, everything, workspace));
-      reference::Inquiry inquiry(scene.oracle(), posed.pose, posed.velocity, everything);
+      const fast::Pairing pairing(scene.engine(mode).surface_E(), scene.engine(mode).surface_F(), posed.law, posed.mode,
+                                  posed.scheme);
+      engine = decided(fast::evaluate(pairing, posed.pose, posed.velocity, everything, workspace));
+      reference::Inquiry inquiry(scene.oracle(), posed.pose, posed.velocity, everything, posed.law, posed.scheme);
       oracle = decided(inquiry.answer(reference::Problem::rounded, posed.mode));
     } catch (const std::exception&) {
       // The disagreement itself says which side failed, and how.
@@ -196,7 +200,9 @@ void write_cases(const fs::path& folder, const Verification& run) {
 }
 
 void write_tables(const fs::path& folder, const Verification& run) {
-  write_text_file(folder / "verification.md", verification_markdown(run) + "\n" + verdict_line(run) + "\n");
+  write_text_file(folder / "verification.md",
+                  verification_markdown(run) + "\n" + widths_markdown(run) + "\n" + verdict_line(run) + "\n");
+  write_text_file(folder / "widths.csv", widths_csv(run));
   write_text_file(folder / "verification.csv", verification_csv(run));
   write_text_file(folder / "verification.json", verification_json(run).dump(1) + "\n");
   write_text_file(folder / "times.md", times_markdown(run));
@@ -229,11 +235,11 @@ Exit verify(const VerifyOptions& options) {
                                d.text);
   }
   std::cout << verdict_line(run) << '\n';
-  return run.total().disagreeing == 0 && run.finished() ? Exit::success : Exit::negative;
+  return is_verified(run) ? Exit::success : Exit::negative;
 }
 
 Exit compare_engines(const VerifyOptions& options) {
-  if (options.scheme != "barycentric")
+  if (options.scheme && *options.scheme != "barycentric")
     throw BadInput("--engine: the published algorithms know the barycentric scheme only; leave out --scheme");
   const int jobs = number_of_jobs(options);
   std::vector<Engine> engines;
@@ -242,6 +248,7 @@ Exit compare_engines(const VerifyOptions& options) {
       engines.push_back(engine);
   std::vector<std::string> notices;
   VerificationPlan plan = plan_from(options, notices);
+  plan.schemes = {Scheme::barycentric};
   std::optional<fs::path> folder;
   if (options.out) folder = prepare_folder(*options.out);
   for (const std::string& notice : notices) complain(notice);
@@ -325,9 +332,12 @@ void add_verify_command(CLI::App& program, Run& run) {
                    "Whose faces are masters: E, F or both; all: each pose in these three modes")
       ->check(CLI::IsMember({"E", "F", "both", "all"}))
       ->capture_default_str();
-  command->add_option("--scheme", options->scheme, "How elements sample the penetration: barycentric or clipped")
-      ->check(CLI::IsMember({"barycentric", "clipped"}))
-      ->capture_default_str();
+  command
+      ->add_option(
+          "--scheme", options->scheme,
+          "How elements sample the penetration: barycentric, clipped, or both (default: every third pose in the "
+          "clipped scheme)")
+      ->check(CLI::IsMember({"barycentric", "clipped", "both"}));
   command
       ->add_option(
           "--engine", options->engines,

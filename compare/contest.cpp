@@ -96,7 +96,7 @@ bool ContestResult::anything_wrong() const {
 
 ContestResult hold_contest(VerificationPlan plan, const std::vector<Engine>& engines, int jobs,
                            const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress) {
-  if (plan.scheme != Scheme::barycentric)
+  if (plan.schemes != std::vector{Scheme::barycentric})
     throw BadInput("--engine: the published algorithms know the barycentric scheme only");
   const Verification poses(std::move(plan));
   std::map<Stratum, ContestTally> strata;

@@ -8,149 +8,45 @@
 #include <cmath>
 #include <map>
 
-#include "compare/rounded_vertices.h"
-
 namespace pcm::compare {
 namespace {
 
-/// Unit roundoff: |fl(x op y) - (x op y)| <= u |x op y|.
-constexpr double u = 0x1p-53;
+constexpr double u = kRoundoff;
 
-/// Terms of second order in u, and the rounding of the bounds themselves, are covered by doubling.
-constexpr double kHigherOrder = 2;
-
-constexpr Side other(Side side) {
-  return side == Side::E ? Side::F : Side::E;
-}
-
-/// a b for bounds, of which one may be infinite where the other is exactly 0: nothing, however often, is nothing.
-double times(double a, double b) {
-  return a == 0 || b == 0 ? 0 : a * b;
-}
-
-double harmonic(double c_E, double c_F) {
-  if (std::isinf(c_E)) return c_F;
-  if (std::isinf(c_F)) return c_E;
-  return c_E * c_F / (c_E + c_F);
-}
-
-double stiffness(const ContactLaw& law) {
-  return law.layers ? harmonic(law.layers->c_E, law.layers->c_F) : law.stiffness;
-}
+using Face = RoundedFaces::Face;
 
 }  // namespace
 
 RoundingBounds::RoundingBounds(const Question& question, const reference::Answer& true_rounded)
-    : question_(question), true_(true_rounded), vertices_F_Me_(rounded_vertices(question.F.mesh, question.pose)) {}
-
-const Eigen::Vector3d& RoundingBounds::vertex(Side side, Index v) const {
-  const auto i = static_cast<std::size_t>(v);
-  return side == Side::E ? question_.E.mesh.vertices[i] : vertices_F_Me_[i];
-}
-
-const Eigen::Vector3d& RoundingBounds::corner(Side side, Index face, std::size_t k) const {
-  return vertex(side, surface(side).mesh.faces[static_cast<std::size_t>(face)][k]);
-}
-
-// N = d1 x d2 with d1, d2 two sides. A difference has the relative error u in each component, each product of two
-// of them 3 u, each component of N so at most 4 u (|d1_i d2_j| + |d1_j d2_i|) to first order; the length of the vector
-// of these sums is at most sqrt(2) |d1| |d2|. Hence |dN| <= 4 sqrt(2) u |d1| |d2| < 6 u L1 L2 with the two longest
-// sides, whichever two the evaluation takes. The area |N| / 2 takes half of that and 3 roundings more; the unit normal
-// |dN| / |N| twice (direction and length) and 4 roundings more.
-RoundingBounds::Face RoundingBounds::face(Side side, Index index) const {
-  const Eigen::Vector3d &p = corner(side, index, 0), &q = corner(side, index, 1), &s = corner(side, index, 2);
-  Face face;
-  std::array<double, 3> sides = {(q - p).stableNorm(), (s - q).stableNorm(), (p - s).stableNorm()};
-  std::sort(sides.begin(), sides.end());
-  const double N_error = 6 * u * sides[1] * sides[2];
-  const Eigen::Vector3d N = (q - p).cross(s - p);
-  const double length = N.stableNorm();
-  face.area = length / 2;
-  face.area_error = N_error / 2 + 3 * u * face.area;
-  face.normal_error = length > N_error ? std::min(2.0, 2 * N_error / length + 4 * u) : 2;
-  if (length > 0) face.normal_Me = N / length;
-  face.longest = sides[2];
-  face.farthest = std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), s.cwiseAbs().maxCoeff()});
-  return face;
-}
+    : question_(question), true_(true_rounded), faces_(question) {}
 
 ElementBounds RoundingBounds::element(const reference::Element& e) const {
-  const ContactLaw& law = question_.law;
-  const Face master = face(e.master, e.master_face), slave = face(other(e.master), e.slave_face);
-  const Eigen::Vector3d C =
-      (corner(e.master, e.master_face, 0) + corner(e.master, e.master_face, 1) + corner(e.master, e.master_face, 2)) /
-      3;
-  ElementBounds bounds;
-  bounds.area = master.area_error + u * e.area;
+  const Face master = faces_.face(e.master, e.master_face), slave = faces_.face(other(e.master), e.slave_face);
+  const Eigen::Vector3d C = (faces_.corner(e.master, e.master_face, 0) + faces_.corner(e.master, e.master_face, 1) +
+                             faces_.corner(e.master, e.master_face, 2)) /
+                            3;
+  GeometryErrors errors;
+  errors.area = master.area_error + u * e.area;
+  errors.normal = master.normal_error;
 
   // Barycentre (8): two additions of at most 3 M, a division: |dC| <= (2 u 3 M) / 3 + u M = 3 u M a component, where
   // each corner is exact; sqrt(3) for the length.
-  const double barycentre_error = std::sqrt(3.0) * 3 * u * master.farthest;
+  errors.foot = std::sqrt(3.0) * 3 * u * master.farthest;
 
   // Penetration (11), u_k = h / c with h = -(C_f - C) . n_f and c = |n_e . n_f|:
   // |dh| <= |dC| + D (|dn_f| + 4 u), D the distance from C to the point of f taken (a corner, at worst the farthest),
   // |dc| <= |dn_e| + |dn_f| + 4 u, |du| <= (|dh| + u_k |dc|) / (c - |dc|) and one rounding.
   double D = 0;
-  for (std::size_t k = 0; k < 3; ++k) D = std::max(D, (corner(other(e.master), e.slave_face, k) - C).stableNorm());
+  for (std::size_t k = 0; k < 3; ++k)
+    D = std::max(D, (faces_.corner(other(e.master), e.slave_face, k) - C).stableNorm());
   const double deepest = std::max(e.penetration, std::min(true_.max_penetration, 2 * D));
   const double cosine_error = master.normal_error + slave.normal_error + 4 * u;
-  const double height_error = barycentre_error + D * (slave.normal_error + 5 * u);
+  const double height_error = errors.foot + D * (slave.normal_error + 5 * u);
   const double cosine = std::abs(e.cosine) - cosine_error;
-  bounds.penetration = cosine > 0 ? (height_error + deepest * cosine_error) / cosine + 2 * u * deepest
+  errors.penetration = cosine > 0 ? (height_error + deepest * cosine_error) / cosine + 2 * u * deepest
                                   : std::numeric_limits<double>::infinity();
 
-  // Clamping to max_penetration magnifies no error, and leaves none greater than what it clamps to.
-  const double clamped_error = std::min(bounds.penetration, law.max_penetration);
-
-  // Position (13), C_k = C + w u_k n_k, 0 <= w <= 1.
-  bounds.position = barycentre_error + clamped_error + e.penetration * (master.normal_error + 4 * u) +
-                    std::sqrt(3.0) * u * (2 * e.position_Me.cwiseAbs().maxCoeff());
-
-  // Velocity (17), v_k = v + w x (C_k - r), and its parts (16), (19).
-  const Eigen::Vector3d arm = e.position_Me - question_.pose.r;
-  const Velocity& velocity = question_.velocity;
-  const Eigen::Vector3d v_k = velocity.v + velocity.w.cross(arm);
-  const double arm_error = bounds.position + 2 * u * arm.stableNorm();
-  const double velocity_error = times(velocity.w.stableNorm(), arm_error + 6 * u * arm.stableNorm()) +
-                                2 * u * (velocity.v.stableNorm() + velocity.w.stableNorm() * arm.stableNorm());
-  const Eigen::Vector3d n = master.normal_Me;
-  const double v_n = v_k.dot(n);
-  const double v_t = (v_k - v_n * n).stableNorm();
-  const double normal_velocity_error = velocity_error + v_k.stableNorm() * (master.normal_error + 4 * u);
-  const double tangential_velocity_error = velocity_error + 2 * v_k.stableNorm() * (master.normal_error + 6 * u);
-
-  // Normal force: F_c = c_l A u_k (14); F_d = d_l A v_n fade (15), fade = min(1, u_k / u_d) is Lipschitz with 1 / u_d;
-  // what damping may do to F_n (18) never magnifies an error.
-  const double c_l = stiffness(law);
-  const double elastic = c_l * e.area * e.penetration;
-  const double elastic_error =
-      c_l * (bounds.area * e.penetration + times(e.area, clamped_error)) + 6 * u * elastic;  // c_l (12) has 3 roundings
-  const double damping = law.damping * e.area * std::abs(v_n);
-  const double fade_error = law.transition_depth > 0 && e.penetration < law.transition_depth + clamped_error
-                                ? std::min(1.0, clamped_error / law.transition_depth + u)
-                                : 0;
-  const double damping_error = times(law.damping, bounds.area * std::abs(v_n) + times(e.area, normal_velocity_error)) +
-                               damping * (fade_error + 4 * u);
-  const double normal_force = elastic + damping;  // an upper bound of F_n
-  const double normal_force_error = elastic_error + damping_error + u * normal_force;
-
-  // Friction (20), (21): mu F_n g with g = t (2 - t) v_T / v_t, t = min(1, v_t / v_eps). |g| <= 1, and g is Lipschitz
-  // with 2 / max(v_eps, v_t): twice 1 / v_t where it is a unit vector, 2 / v_eps at rest.
-  const double slip = std::max(law.slip_velocity, v_t);
-  const double direction_error = slip > 0 ? std::min(2.0, 2 * tangential_velocity_error / slip + 8 * u) : 2;
-  const double friction_error =
-      v_k.stableNorm() > 0 ? times(law.friction, normal_force_error + normal_force * direction_error) : 0;
-
-  // F_k = F_n n_k + friction, M_k = (C_k - r) x F_k.
-  const double magnitude = normal_force * (1 + law.friction);
-  bounds.force = normal_force_error + normal_force * (master.normal_error + 3 * u) + friction_error + 3 * u * magnitude;
-  bounds.torque = times(arm.stableNorm(), bounds.force) + times(arm_error + 4 * u * arm.stableNorm(), magnitude);
-  bounds.area *= kHigherOrder;
-  bounds.penetration *= kHigherOrder;
-  bounds.position *= kHigherOrder;
-  bounds.force *= kHigherOrder;
-  bounds.torque *= kHigherOrder;
-  return bounds;
+  return bounds_after_law(question_, e, errors);
 }
 
 // A sum of n terms, each in error by its own bound, adds at most n u times the sum of their sizes.
@@ -161,7 +57,7 @@ ForceBounds RoundingBounds::force() const {
     bounds.elements.push_back(element(e));
     bounds.force += bounds.elements.back().force;
     bounds.torque += bounds.elements.back().torque;
-    bounds.penetration = std::max(bounds.penetration, bounds.elements.back().penetration);
+    bounds.penetration = std::max(bounds.penetration, bounds.elements.back().depth);
     force_size += e.force_Me.stableNorm();
     torque_size += (e.position_Me - question_.pose.r).stableNorm() * e.force_Me.stableNorm();
   }
@@ -179,20 +75,21 @@ ForceBounds RoundingBounds::force() const {
 // distance from the farthest corner; |d_a| + |d_b| = |d_a - d_b| since the ends lie on different sides, so |dt| <=
 // 2 |dd| / |d_a - d_b| and |dx| <= 2 |dd| / sine along the edge, sine = |n_f . (b - a)| / |b - a|. Both true and
 // computed crossing lie on the edge, which caps it; off the edge only the 2 roundings of a + t (b - a) show.
-double RoundingBounds::position_error(const reference::Crossing& crossing) const {
-  const Eigen::Vector3d& a = vertex(crossing.edge_side, crossing.edge[0]);
-  const Eigen::Vector3d& b = vertex(crossing.edge_side, crossing.edge[1]);
-  const Face crossed = face(other(crossing.edge_side), crossing.face);
+RoundingBounds::PositionError RoundingBounds::position_error(const reference::Crossing& crossing) const {
+  const Eigen::Vector3d& a = faces_.vertex(crossing.edge_side, crossing.edge[0]);
+  const Eigen::Vector3d& b = faces_.vertex(crossing.edge_side, crossing.edge[1]);
+  const Face crossed = faces_.face(other(crossing.edge_side), crossing.face);
   double D = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Eigen::Vector3d& f = corner(other(crossing.edge_side), crossing.face, k);
+    const Eigen::Vector3d& f = faces_.corner(other(crossing.edge_side), crossing.face, k);
     D = std::max({D, (a - f).stableNorm(), (b - f).stableNorm()});
   }
   const double length = (b - a).stableNorm();
-  if (length == 0) return 0;
+  const double height = 2 * D * (crossed.normal_error + 4 * u);
+  if (length == 0) return {0, kHigherOrder * height};
   const double sine = std::abs(crossed.normal_Me.dot(b - a)) / length - (crossed.normal_error + 4 * u);
-  const double along = sine > 0 ? 2 * D * (crossed.normal_error + 4 * u) / sine : length;
-  return kHigherOrder * std::min(length, along);
+  const double along = sine > 0 ? height / sine : length;
+  return {kHigherOrder * std::min(length, along), kHigherOrder * height};
 }
 
 // The clipped area of a face is a sum of (p - o) x (q - o) / 2 over a closed boundary, linear in each boundary point. A
@@ -201,19 +98,27 @@ double RoundingBounds::position_error(const reference::Crossing& crossing) const
 // - those of its edge's two faces, whose boundaries leave x along the edge, by s |d x (p - x)| / 2 and the same with q;
 // two neighbours moved together by s s' |d x d'| / 2 more. Where an edge lies in the plane of the face, s is as long as
 // the edge but d is parallel to the boundary: the area does not feel it.
+//
+// The volume feels less: both areas change along the same boundary, and stay the surface of a body. Moving x to a
+// height h over the plane of the face it passes through changes that body by h |(p - x) x (q - x)| / 6, for the other
+// faces at x hold its edge; and it leaves a gap between both areas, h high along p, x, q, through which flows no more
+// than its area times the distance from the origin, a third of it counted.
 AreaBounds RoundingBounds::area() const {
   AreaBounds bounds;
   std::array<double, 2> moved{};                 // area errors by side, from crossings moved
+  double moved_volume = 0, gaps = 0;             // three times the volume, and the gaps' area
   std::array<std::map<Index, double>, 2> terms;  // boundary points by side and face
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const reference::Polygon& polygon : true_.polygons) {
     const std::size_t n = polygon.points.size();
     std::vector<double>& s = bounds.positions.emplace_back();
     std::vector<Eigen::Vector3d> d;
-    std::vector<double> edge_length;
+    std::vector<double> edge_length, height;
     for (const reference::Crossing& x : polygon.points) {
-      s.push_back(position_error(x));
-      const Eigen::Vector3d along = vertex(x.edge_side, x.edge[1]) - vertex(x.edge_side, x.edge[0]);
+      const PositionError error = position_error(x);
+      s.push_back(error.along);
+      height.push_back(error.height);
+      const Eigen::Vector3d along = faces_.vertex(x.edge_side, x.edge[1]) - faces_.vertex(x.edge_side, x.edge[0]);
       edge_length.push_back(along.stableNorm());
       d.push_back(along.stableNorm() > 0 ? (along / along.stableNorm()).eval() : along);
       low = low.cwiseMin(x.position_Me);
@@ -231,6 +136,8 @@ AreaBounds RoundingBounds::area() const {
       // The point as stored is off its edge by two roundings, the oracle's by one.
       const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
       const double reach = (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
+      moved_volume += height[k] * (p - x.position_Me).cross(q - x.position_Me).stableNorm() / 2;
+      gaps += (height[k] + stored) * reach + stored * edge_length[k];
       // The neighbours as stored are off as well, and move with it.
       for (double& m : moved) m += stored * (reach + 4 * (stored + s[k]));
       // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
@@ -241,7 +148,7 @@ AreaBounds RoundingBounds::area() const {
       }
       s[k] += kHigherOrder * stored;
       terms[crossed][x.face] += 2;
-      const SurfaceFeatures& edges = surface(x.edge_side);
+      const SurfaceFeatures& edges = faces_.surface(x.edge_side);
       for (const Index f : edges.faces_at(x.edge)) terms[own][f] += 3;
     }
   }
@@ -249,8 +156,8 @@ AreaBounds RoundingBounds::area() const {
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
     for (const Index f : active.inner)
       for (std::size_t k = 0; k < 3; ++k) {
-        low = low.cwiseMin(corner(side, f, k));
-        high = high.cwiseMax(corner(side, f, k));
+        low = low.cwiseMin(faces_.corner(side, f, k));
+        high = high.cwiseMax(faces_.corner(side, f, k));
       }
   }
   const double patch = (high - low).cwiseMax(0).stableNorm();
@@ -261,9 +168,9 @@ AreaBounds RoundingBounds::area() const {
   for (const Side side : {Side::E, Side::F}) {
     const auto i = static_cast<std::size_t>(side == Side::E ? 0 : 1);
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
-    double area_error = moved[i], normal_error = 0, volume_error = patch * moved[i], size = 0;
+    double area_error = moved[i], normal_error = 0, volume_error = 0, size = 0;
     const auto add = [&](Index f, double sum_terms) {
-      const Face e = face(side, f);
+      const Face e = faces_.face(side, f);
       const double value_error = e.area_error + 4 * u * sum_terms * e.longest * e.longest;
       // A sliver's normal may be wrong altogether; its area is then no larger than its error. The total area bounds
       // no face's clipped one: where the other surface folds over, areas count negative.
@@ -284,6 +191,7 @@ AreaBounds RoundingBounds::area() const {
         kHigherOrder * (area_error + normal_error + 2 * summing);
     bounds.volume += kHigherOrder * (volume_error + 2 * patch * summing) / 3;
   }
+  bounds.volume += kHigherOrder * (moved_volume + patch * gaps) / 3;
   return bounds;
 }
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "compare/surface_features.h"
-#include "fast/inputs.h"
+#include "compare/law_bounds.h"
+#include "compare/rounded_faces.h"
 #include "reference/answer.h"
 
 /// How far a right engine's doubles may be from the oracle's on the same rounded problem: running error bounds, derived
@@ -14,26 +14,6 @@
 /// rounding enters through values only. Nothing here is tuned: each term is the unit roundoff u = 2^-53 times the
 /// number of roundings of a straightforward evaluation times its condition.
 namespace pcm::compare {
-
-/// A question put to both sides.
-struct Question {
-  const SurfaceFeatures& E;
-  const SurfaceFeatures& F;
-  const ContactLaw& law;
-  Mode mode = Mode::E;
-  Scheme scheme = Scheme::barycentric;
-  Pose pose;
-  Velocity velocity;
-};
-
-/// Bounds for one contact element.
-struct ElementBounds {
-  double area = 0;         ///< m^2
-  double penetration = 0;  ///< m
-  double position = 0;     ///< m, length of the difference
-  double force = 0;        ///< N, length of the difference
-  double torque = 0;       ///< N m, length of the difference
-};
 
 /// Bounds for the sums over elements, in the scale of the totals (halved in mode `both`).
 struct ForceBounds {
@@ -53,34 +33,27 @@ struct AreaBounds {
   double volume = 0;  ///< m^3
 };
 
-/// The rounded problem's geometry as the bounds need it. O(n) to build.
+/// Of the barycentric scheme's elements, and of areas in either scheme. O(n) to build.
 class RoundingBounds {
  public:
   RoundingBounds(const Question& question, const reference::Answer& true_rounded);
 
+  /// Greatest |coordinate|, m.
+  double reach() const { return faces_.reach(); }
   ForceBounds force() const;
   AreaBounds area() const;
 
  private:
-  struct Face {
-    Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();  ///< unit, null where the area is 0
-    double area = 0;
-    double area_error = 0;    ///< m^2
-    double normal_error = 0;  ///< of the unit normal, at most 2
-    double longest = 0;       ///< longest side, m
-    double farthest = 0;      ///< greatest |coordinate|, m
-  };
-
-  const SurfaceFeatures& surface(Side side) const { return side == Side::E ? question_.E : question_.F; }
-  const Eigen::Vector3d& vertex(Side side, Index v) const;
-  const Eigen::Vector3d& corner(Side side, Index face, std::size_t k) const;
-  Face face(Side side, Index face) const;
   ElementBounds element(const reference::Element& e) const;
-  double position_error(const reference::Crossing& crossing) const;
+  struct PositionError {
+    double along = 0;   ///< the edge, m
+    double height = 0;  ///< over the plane of the face, m
+  };
+  PositionError position_error(const reference::Crossing& crossing) const;
 
   const Question& question_;
   const reference::Answer& true_;
-  std::vector<Eigen::Vector3d> vertices_F_Me_;
+  RoundedFaces faces_;
 };
 
 }  // namespace pcm::compare

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/scene.h"
 
+#include <bit>
 #include <chrono>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <string>
@@ -37,6 +39,18 @@ std::vector<fast::Pairing> pairings(const TriangleMesh& mesh_E, const TriangleMe
   return engines;
 }
 
+/// How far, in sizes of the smaller body, a scene's body is moved before it comes to the pose.
+constexpr double kStepBefore = 0x1p-13;
+
+/// One pose in this many has the oracle asked once more, afresh.
+constexpr std::uint64_t kAfreshShare = 8;
+
+bool asked_afresh(const Pose& pose) {
+  std::uint64_t bits = 0;
+  for (int k = 0; k < 3; ++k) bits = (bits ^ std::bit_cast<std::uint64_t>(pose.r[k])) * 0x9e3779b97f4a7c15;
+  return (bits >> 40) % kAfreshShare == 0;
+}
+
 }  // namespace
 
 Scene::Scene(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, const Modes& modes, Scheme scheme)
@@ -53,20 +67,20 @@ Scene::Scene(NestedMeshes meshes, const ContactLaw& law, const Modes& modes, Sch
   features_.host = meshes.host;
 }
 
-std::vector<PoseOutcome> Scene::hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace) const {
-  Wanted everything;
-  everything.bound = true;
+std::vector<PoseOutcome> Scene::hold(const State& state, fast::Workspace& workspace, const EngineSeam& seam) const {
+  const Wanted everything;
   std::vector<PoseOutcome> outcomes;
   std::optional<reference::Inquiry> inquiry;
   std::string refusal;
   try {
-    inquiry.emplace(oracle_, pose, velocity, everything);
+    inquiry.emplace(oracle_, state.pose, state.velocity, everything, state.law, state.scheme);
   } catch (const std::exception& error) {
     refusal = std::string("oracle: ") + error.what();
   }
   for (const fast::Pairing& engine : engines_) {
     if (inquiry) {
-      outcomes.push_back(hold(engine, *inquiry, pose, velocity, workspace));
+      const fast::Pairing asked(engine.surface_E(), engine.surface_F(), state.law, engine.mode(), state.scheme);
+      outcomes.push_back(hold(asked, *inquiry, state, workspace, seam));
       continue;
     }
     outcomes.emplace_back().disagreements.push_back({Kind::failure, refusal});
@@ -74,23 +88,21 @@ std::vector<PoseOutcome> Scene::hold(const Pose& pose, const Velocity& velocity,
   return outcomes;
 }
 
-PoseOutcome Scene::hold(const fast::Pairing& engine, reference::Inquiry& inquiry, const Pose& pose,
-                        const Velocity& velocity, fast::Workspace& workspace) const {
+PoseOutcome Scene::hold(const fast::Pairing& engine, reference::Inquiry& inquiry, const State& state,
+                        fast::Workspace& workspace, const EngineSeam& seam) const {
   PoseOutcome outcome;
-  Wanted everything;
-  everything.bound = true;
+  const Pose& pose = state.pose;
+  const Velocity& velocity = state.velocity;
   const char* who = "engine";
   try {
     const StopWatch engine_watch;
-    const fast::Contact& subj = fast::evaluate(engine, pose, velocity, everything, workspace);
+    const fast::Contact& answered = seam.evaluate(engine, pose, velocity, {}, workspace);
     outcome.engine_seconds = engine_watch.seconds();
+    const fast::Contact subj = answered;  // the other paths use the same workspace
 
     who = "oracle, rounded problem";
     const StopWatch oracle_watch;
-    // Forces of the clipped scheme are held against the exact problem alone, by the engine's own bounds.
-    const reference::Answer true_rounded = engine.scheme() == Scheme::clipped
-                                               ? inquiry.facts(reference::Problem::rounded, engine.mode())
-                                               : inquiry.answer(reference::Problem::rounded, engine.mode());
+    const reference::Answer true_rounded = inquiry.answer(reference::Problem::rounded, engine.mode());
     outcome.oracle_seconds = oracle_watch.seconds();
 
     who = "oracle, exact problem";
@@ -99,19 +111,30 @@ PoseOutcome Scene::hold(const fast::Pairing& engine, reference::Inquiry& inquiry
     outcome.oracle_exact_seconds = exact_watch.seconds();
 
     who = "comparison";
-    const Question asked = question(engine, pose, velocity);
+    const Question asked{features_.E, features_.F, state.law, engine.mode(), engine.scheme(), pose, velocity};
     outcome.touching = true_rounded.touching;
     outcome.nested = true_rounded.nested;
     outcome.ambiguous = true_rounded.ambiguous;
     outcome.too_deep = true_rounded.too_deep > 0;
     outcome.flipped = engine.scheme() == Scheme::barycentric && flipped(true_rounded, true_exact);
-    outcome.unbounded = subj.bound && !(subj.bound->force_Me.allFinite() && subj.bound->torque_Me.allFinite());
     outcome.predicates = subj.work.predicates;
     outcome.exact_predicates = subj.work.exact_predicates;
-    outcome.disagreements = disagreements(asked, subj, true_rounded);
-    for (Disagreement& broken : broken_bounds(asked, subj, true_rounded, true_exact))
-      outcome.disagreements.push_back(std::move(broken));
-    outcome.errors = relative_errors(asked, subj, true_exact, outcome.flipped);
+    Checks checks = hold_answer(asked, subj, true_rounded);
+    if (asked_afresh(pose)) {
+      reference::Inquiry afresh(oracle_, pose, velocity, {}, state.law, state.scheme);
+      checks.merge(hold_history(true_exact, afresh.answer(reference::Problem::exact, engine.mode())));
+    }
+
+    who = "engine on another path";
+    hold_paths(seam, engine, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks,
+               [&](const fast::Contact& bounded) {
+                 outcome.unbounded =
+                     bounded.bound && !(bounded.bound->force_Me.allFinite() && bounded.bound->torque_Me.allFinite());
+                 checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
+                 outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
+               });
+    outcome.disagreements = checks.sorted();
+    outcome.widths = checks.widths();
     outcome.backward_error_ulps = backward_error_ulps(mesh_F_, pose);
   } catch (const std::exception& error) {
     outcome.disagreements.push_back({Kind::failure, std::string(who) + ": " + error.what()});

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/paths.h"
 #include "compare/strata.h"
 #include "compare/tally.h"
 #include "compare/verdict.h"
@@ -34,9 +35,23 @@ class Scene {
   /// In the scene's first mode.
   Question question(const Pose& pose, const Velocity& velocity) const { return question(engine(), pose, velocity); }
 
-  /// Asks both sides about one pose in every mode and compares: an outcome for each mode, in order. The oracle's
-  /// geometry is worked out once for all. What either side throws becomes a disagreement of kind `failure`.
-  std::vector<PoseOutcome> hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace) const;
+  /// Asks both sides about one pose in every mode and compares: an outcome for each mode, in order. The engine is asked
+  /// on every path (paths.h), the oracle's geometry is worked out once for all. What either side throws becomes a
+  /// disagreement of kind `failure`.
+  std::vector<PoseOutcome> hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace,
+                                const EngineSeam& seam = EngineSeam::none()) const {
+    return hold({pose, velocity, law_, engine().scheme()}, workspace, seam);
+  }
+
+  /// A state, and law and scheme in place of the scene's own.
+  struct State {
+    Pose pose;
+    Velocity velocity;
+    ContactLaw law;
+    Scheme scheme = Scheme::barycentric;
+  };
+  std::vector<PoseOutcome> hold(const State& state, fast::Workspace& workspace,
+                                const EngineSeam& seam = EngineSeam::none()) const;
 
   /// Of mode number k.
   const fast::Pairing& engine(std::size_t k = 0) const { return engines_[k]; }
@@ -47,8 +62,8 @@ class Scene {
   Question question(const fast::Pairing& engine, const Pose& pose, const Velocity& velocity) const {
     return {features_.E, features_.F, law_, engine.mode(), engine.scheme(), pose, velocity};
   }
-  PoseOutcome hold(const fast::Pairing& engine, reference::Inquiry& inquiry, const Pose& pose, const Velocity& velocity,
-                   fast::Workspace& workspace) const;
+  PoseOutcome hold(const fast::Pairing& engine, reference::Inquiry& inquiry, const State& state,
+                   fast::Workspace& workspace, const EngineSeam& seam) const;
 
   TriangleMesh mesh_E_;
   TriangleMesh mesh_F_;

@@ -6,6 +6,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <climits>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace pcm::compare {
@@ -40,7 +41,10 @@ void Histogram::merge(const Histogram& other) {
 }
 
 double Histogram::quantile(double q) const {
-  const auto wanted = static_cast<std::int64_t>(std::ceil(q * static_cast<double>(count_)));
+  return at_rank(static_cast<std::int64_t>(std::ceil(q * static_cast<double>(count_))));
+}
+
+double Histogram::at_rank(std::int64_t wanted) const {
   std::int64_t seen = 0;
   for (const auto& [bin, count] : bins_) {
     seen += count;
@@ -64,6 +68,39 @@ Histogram Histogram::from_json(const nlohmann::ordered_json& json) {
   return histogram;
 }
 
+void Widths::add(double width) {
+  if (std::isinf(width)) {
+    ++infinite;
+    return;
+  }
+  relative.add(width);
+  wider += width > 1;
+}
+
+void Widths::merge(const Widths& other) {
+  relative.merge(other.relative);
+  infinite += other.infinite;
+  wider += other.wider;
+}
+
+double Widths::quantile(double q) const {
+  const auto wanted = static_cast<std::int64_t>(std::ceil(q * static_cast<double>(count())));
+  if (wanted > relative.count()) return std::numeric_limits<double>::infinity();
+  return relative.at_rank(wanted);
+}
+
+nlohmann::ordered_json Widths::to_json() const {
+  return {relative.to_json(), infinite, wider};
+}
+
+Widths Widths::from_json(const nlohmann::ordered_json& json) {
+  Widths widths;
+  widths.relative = Histogram::from_json(json.at(0));
+  widths.infinite = json.at(1).get<std::int64_t>();
+  widths.wider = json.at(2).get<std::int64_t>();
+  return widths;
+}
+
 void Greatest::add(double candidate, const std::string& candidate_pose) {
   if (candidate_pose.empty()) return;
   if (pose.empty() || candidate > value || (candidate == value && candidate_pose < pose)) {
@@ -82,6 +119,7 @@ void Tally::add(const PoseOutcome& outcome, const std::string& pose) {
   too_deep += outcome.too_deep;
   disagreeing += !outcome.disagreements.empty();
   for (const Disagreement& d : outcome.disagreements) ++by_kind[static_cast<std::size_t>(d.kind)];
+  for (const Width& width : outcome.widths) widths[static_cast<std::size_t>(width.kind)].add(width.relative);
   predicates += outcome.predicates;
   exact_predicates += outcome.exact_predicates;
   const RelativeErrors& e = outcome.errors;
@@ -108,6 +146,7 @@ void Tally::merge(const Tally& other) {
   too_deep += other.too_deep;
   disagreeing += other.disagreeing;
   for (std::size_t k = 0; k < by_kind.size(); ++k) by_kind[k] += other.by_kind[k];
+  for (std::size_t k = 0; k < widths.size(); ++k) widths[k].merge(other.widths[k]);
   predicates += other.predicates;
   exact_predicates += other.exact_predicates;
   for (std::size_t k = 0; k < errors.size(); ++k) {
@@ -135,6 +174,7 @@ nlohmann::ordered_json Tally::to_json() const {
   json["counts"] = {poses,     touching, nested,      ambiguous,  flipped,
                     unbounded, too_deep, disagreeing, predicates, exact_predicates};
   json["by_kind"] = by_kind;
+  for (const Widths& of_kind : widths) json["widths"].push_back(of_kind.to_json());
   for (std::size_t k = 0; k < errors.size(); ++k)
     json["errors"].push_back({errors[k].to_json(), worst[k].value, worst[k].pose});
   json["backward_error_ulps"] = {backward_error_ulps.value, backward_error_ulps.pose};
@@ -150,6 +190,7 @@ Tally Tally::from_json(const nlohmann::ordered_json& json) {
         &tally.too_deep, &tally.disagreeing, &tally.predicates, &tally.exact_predicates})
     *count = json.at("counts").at(at++).get<std::int64_t>();
   tally.by_kind = json.at("by_kind").get<std::array<std::int64_t, kKinds>>();
+  for (std::size_t k = 0; k < tally.widths.size(); ++k) tally.widths[k] = Widths::from_json(json.at("widths").at(k));
   for (std::size_t k = 0; k < tally.errors.size(); ++k) {
     const auto& entry = json.at("errors").at(k);
     tally.errors[k] = Histogram::from_json(entry.at(0));

@@ -27,6 +27,8 @@ class Histogram {
   /// The smallest bin's upper end below or at which at least the part q of the numbers lies: never too small, and at
   /// most 1/64 too large. 0 for an empty distribution.
   double quantile(double q) const;
+  /// The same for the number of that rank, from 1.
+  double at_rank(std::int64_t rank) const;
 
   nlohmann::ordered_json to_json() const;
   static Histogram from_json(const nlohmann::ordered_json& json);
@@ -44,11 +46,27 @@ struct Greatest {
   void add(double candidate, const std::string& candidate_pose);
 };
 
+/// How wide the checks of one kind were (checks.h).
+struct Widths {
+  Histogram relative;         ///< the finite ones
+  std::int64_t infinite = 0;  ///< passed anything
+  std::int64_t wider = 0;     ///< finite, and wider than what they held
+
+  void add(double width);
+  void merge(const Widths& other);
+  std::int64_t count() const { return relative.count() + infinite; }
+  /// Over all, infinite ones last.
+  double quantile(double q) const;
+  nlohmann::ordered_json to_json() const;
+  static Widths from_json(const nlohmann::ordered_json& json);
+};
+
 inline constexpr int kErrors = 8;
 
 /// The errors of RelativeErrors in their order there, by name; the engine's own bounds last.
 inline constexpr std::array<const char*, kErrors> kErrorNames = {"area",  "vector area", "volume",      "penetration",
                                                                  "force", "torque",      "force bound", "torque bound"};
+inline constexpr std::size_t kPenetrationError = 3;
 inline constexpr std::size_t kFirstBound = 6;
 
 /// All that the tables need of one pose in one mode.
@@ -60,6 +78,7 @@ struct PoseOutcome {
   bool unbounded = false;
   bool too_deep = false;
   std::vector<Disagreement> disagreements;
+  std::vector<Width> widths;
   std::int64_t predicates = 0;
   std::int64_t exact_predicates = 0;
   RelativeErrors errors;
@@ -79,6 +98,7 @@ struct Tally {
   std::int64_t too_deep = 0;
   std::int64_t disagreeing = 0;  ///< poses with a disagreement of any kind
   std::array<std::int64_t, kKinds> by_kind{};
+  std::array<Widths, kKinds> widths;
   std::int64_t predicates = 0;
   std::int64_t exact_predicates = 0;
   std::array<Histogram, kErrors> errors;

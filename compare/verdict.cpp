@@ -9,47 +9,13 @@
 #include <limits>
 #include <tuple>
 
+#include "compare/clipped_verdict.h"
+#include "compare/own_sums.h"
 #include "compare/rounded_vertices.h"
+#include "compare/rounding_bounds.h"
 
 namespace pcm::compare {
 namespace {
-
-/// Gathers disagreements, the first one of each kind.
-class Findings {
- public:
-  template <typename... Arguments>
-  void add(Kind kind, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    for (const Disagreement& known : list_)
-      if (known.kind == kind) return;
-    list_.push_back({kind, fmt::format(format, std::forward<Arguments>(arguments)...)});
-  }
-  /// A value must be within `bound` of the truth. Written so that a NaN on either side disagrees.
-  void check_value(Kind kind, std::string_view what, double subj, double truth, double bound) {
-    if (!(std::abs(subj - truth) <= bound) && subj != truth)
-      add(kind, "{}: engine {}, oracle {}, bound {:.2g}", what, subj, truth, bound);
-  }
-  void check_vector(Kind kind, std::string_view what, const Eigen::Vector3d& subj, const Eigen::Vector3d& truth,
-                    double bound) {
-    const double distance = (subj - truth).stableNorm();
-    if (!(distance <= bound) && subj != truth)
-      add(kind, "{}: engine ({}, {}, {}), oracle ({}, {}, {}), apart {:.2g}, bound {:.2g}", what, subj.x(), subj.y(),
-          subj.z(), truth.x(), truth.y(), truth.z(), distance, bound);
-  }
-  template <typename T>
-  bool check_equal(Kind kind, std::string_view what, const T& subj, const T& truth) {
-    if (subj == truth) return true;
-    add(kind, "{}: engine {}, oracle {}", what, subj, truth);
-    return false;
-  }
-  std::vector<Disagreement> sorted() && {
-    std::stable_sort(list_.begin(), list_.end(),
-                     [](const Disagreement& a, const Disagreement& b) { return a.kind < b.kind; });
-    return std::move(list_);
-  }
-
- private:
-  std::vector<Disagreement> list_;
-};
 
 char letter(Side side) {
   return side == Side::E ? 'E' : 'F';
@@ -60,106 +26,114 @@ std::string describe(Side edge_side, const std::array<Index, 2>& edge, Index fac
 }
 
 /// True if all polygons are the same cycles in the same order.
-bool check_polygons(const fast::Contact& subj, const reference::Answer& truth, Findings& findings) {
-  if (!findings.check_equal(Kind::polygon_count, "polygons", subj.polygons.size(), truth.polygons.size())) return false;
+bool check_polygons(const fast::Contact& subj, const reference::Answer& truth, Checks& checks) {
+  if (!checks.check_equal(Kind::polygon_count, "polygons", subj.polygons.size(), truth.polygons.size())) return false;
+  checks.checked(Kind::polygon_cycle);
   for (std::size_t i = 0; i < truth.polygons.size(); ++i) {
     const fast::Polygon& ours = subj.polygons[i];
     const reference::Polygon& theirs = truth.polygons[i];
     if (ours.closed != theirs.closed || static_cast<std::size_t>(ours.count) != theirs.points.size()) {
-      findings.add(Kind::polygon_cycle, "polygon {}: engine {} {} points, oracle {} {}", i,
-                   ours.closed ? "closed," : "open,", ours.count, theirs.closed ? "closed," : "open,",
-                   theirs.points.size());
+      checks.add(Kind::polygon_cycle, "polygon {}: engine {} {} points, oracle {} {}", i,
+                 ours.closed ? "closed," : "open,", ours.count, theirs.closed ? "closed," : "open,",
+                 theirs.points.size());
       return false;
     }
     for (std::size_t k = 0; k < theirs.points.size(); ++k) {
       const fast::Crossing& s = subj.crossings[static_cast<std::size_t>(ours.first) + k];
       const reference::Crossing& t = theirs.points[k];
       if (std::tie(s.edge_side, s.edge, s.face) != std::tie(t.edge_side, t.edge, t.face)) {
-        findings.add(Kind::polygon_cycle, "polygon {} point {}: engine {}, oracle {}", i, k,
-                     describe(s.edge_side, s.edge, s.face), describe(t.edge_side, t.edge, t.face));
+        checks.add(Kind::polygon_cycle, "polygon {} point {}: engine {}, oracle {}", i, k,
+                   describe(s.edge_side, s.edge, s.face), describe(t.edge_side, t.edge, t.face));
         return false;
       }
     }
   }
-  findings.check_equal(Kind::patches, "patches", subj.patches, truth.patches);
+  checks.check_equal(Kind::patches, "patches", subj.patches, truth.patches);
   for (std::size_t i = 0; i < truth.polygons.size(); ++i)
     if (subj.polygons[i].patch != truth.polygons[i].patch)
-      findings.add(Kind::patches, "polygon {}: engine patch {}, oracle {}", i, subj.polygons[i].patch,
-                   truth.polygons[i].patch);
+      checks.add(Kind::patches, "polygon {}: engine patch {}, oracle {}", i, subj.polygons[i].patch,
+                 truth.polygons[i].patch);
   return true;
 }
 
 void check_faces(Kind kind, Side side, const std::vector<Index>& subj, const std::vector<Index>& truth,
-                 Findings& findings) {
+                 Checks& checks) {
+  checks.checked(kind);
   if (subj == truth) return;
   const auto [s, t] = std::mismatch(subj.begin(), subj.end(), truth.begin(), truth.end());
-  findings.add(kind, "{}: engine {} faces, oracle {}, first different: engine {}, oracle {}", letter(side), subj.size(),
-               truth.size(), s == subj.end() ? "none" : fmt::to_string(*s),
-               t == truth.end() ? "none" : fmt::to_string(*t));
+  checks.add(kind, "{}: engine {} faces, oracle {}, first different: engine {}, oracle {}", letter(side), subj.size(),
+             truth.size(), s == subj.end() ? "none" : fmt::to_string(*s),
+             t == truth.end() ? "none" : fmt::to_string(*t));
 }
 
-bool check_elements(const fast::Contact& subj, const reference::Answer& truth, Findings& findings) {
-  findings.check_equal(Kind::elements, "element count", static_cast<std::size_t>(subj.element_count),
-                       subj.elements.size());
-  if (!findings.check_equal(Kind::elements, "elements", subj.elements.size(), truth.elements.size())) return false;
+bool check_elements(const fast::Contact& subj, const reference::Answer& truth, Checks& checks) {
+  if (!checks.check_equal(Kind::elements, "elements", subj.elements.size(), truth.elements.size())) return false;
   for (std::size_t k = 0; k < truth.elements.size(); ++k) {
     const fast::Element& s = subj.elements[k];
     const reference::Element& t = truth.elements[k];
     if (std::tie(s.master, s.master_face, s.slave_face) == std::tie(t.master, t.master_face, t.slave_face)) continue;
-    findings.add(Kind::elements, "element {}: engine {} face {} on {}, oracle {} face {} on {}", k, letter(s.master),
-                 s.master_face, s.slave_face, letter(t.master), t.master_face, t.slave_face);
+    checks.add(Kind::elements, "element {}: engine {} face {} on {}, oracle {} face {} on {}", k, letter(s.master),
+               s.master_face, s.slave_face, letter(t.master), t.master_face, t.slave_face);
     return false;
   }
   return true;
 }
 
-void check_areas(const fast::Contact& subj, const reference::Answer& truth, const AreaBounds& bounds,
-                 Findings& findings) {
+void check_areas(const Question& question, const fast::Contact& subj, const reference::Answer& truth, Checks& checks) {
+  const RoundingBounds rounding(question, truth);
+  const AreaBounds bounds = rounding.area();
   for (std::size_t i = 0; i < truth.polygons.size(); ++i)
     for (std::size_t k = 0; k < truth.polygons[i].points.size(); ++k)
-      findings.check_vector(Kind::crossing_position, fmt::format("polygon {} point {}", i, k),
-                            subj.crossings[static_cast<std::size_t>(subj.polygons[i].first) + k].position_Me,
-                            truth.polygons[i].points[k].position_Me, bounds.positions[i][k]);
+      checks.check_vector(Kind::crossing_position, fmt::format("polygon {} point {}", i, k),
+                          subj.crossings[static_cast<std::size_t>(subj.polygons[i].first) + k].position_Me,
+                          truth.polygons[i].points[k].position_Me, bounds.positions[i][k], rounding.reach());
   for (const Side side : {Side::E, Side::F}) {
     const fast::ActiveArea& s = side == Side::E ? subj.E : subj.F;
     const reference::ActiveArea& t = side == Side::E ? truth.E : truth.F;
     const double bound = side == Side::E ? bounds.area_E : bounds.area_F;
     const double vector_bound = side == Side::E ? bounds.vector_area_E : bounds.vector_area_F;
     // Where faces are coplanar any area between the two bounds is right.
-    const bool within = s.area >= t.area_interval.open - bound && s.area <= t.area_interval.closed + bound;
-    if (!within) findings.check_value(Kind::area, side == Side::E ? "E" : "F", s.area, t.area, bound);
-    findings.check_vector(Kind::vector_area, side == Side::E ? "E" : "F", s.vector_area_Me, t.vector_area_Me,
-                          vector_bound + (t.area_interval.closed - t.area_interval.open));
+    const double interval = t.area_interval.closed - t.area_interval.open;
+    const double middle = interval > 0 ? t.area_interval.open + interval / 2 : t.area;
+    checks.check_value(Kind::area, side == Side::E ? "E" : "F", s.area, middle, bound + interval / 2, t.area);
+    checks.check_vector(Kind::vector_area, side == Side::E ? "E" : "F", s.vector_area_Me, t.vector_area_Me,
+                        vector_bound + interval, t.area);
   }
-  if (subj.has_volume != truth.volume.has_value())
-    findings.add(Kind::volume, "volume: engine {}, oracle {}", subj.has_volume ? "has one" : "none",
-                 truth.volume ? "has one" : "none");
-  else if (truth.volume)
-    findings.check_value(Kind::volume, "volume", subj.volume, *truth.volume, bounds.volume);
+  if (checks.check_equal(Kind::has_volume, "whether there is a volume", subj.has_volume, truth.volume.has_value()) &&
+      truth.volume)
+    checks.check_value(Kind::volume, "volume", subj.volume, *truth.volume, bounds.volume, *truth.volume);
 }
 
-void check_forces(const Question& question, const fast::Contact& subj, const reference::Answer& truth,
-                  const ForceBounds& bounds, Findings& findings) {
-  for (std::size_t k = 0; k < truth.elements.size(); ++k) {
-    const fast::Element& s = subj.elements[k];
-    const reference::Element& t = truth.elements[k];
-    const ElementBounds& bound = bounds.elements[k];
-    const std::string element =
-        fmt::format("element {} ({} face {} on {})", k, letter(t.master), t.master_face, t.slave_face);
-    findings.check_value(Kind::element_values, element + " area", s.area, t.area, bound.area);
-    findings.check_value(Kind::element_values, element + " penetration", s.penetration, t.penetration,
-                         bound.penetration);
-    findings.check_vector(Kind::element_values, element + " position", s.position_Me, t.position_Me, bound.position);
-    findings.check_vector(Kind::element_values, element + " force", s.force_Me, t.force_Me, bound.force);
-  }
-  findings.check_value(Kind::penetration, "greatest penetration", subj.max_penetration, truth.max_penetration,
-                       bounds.penetration);
-  if (subj.penetration_exceeded != truth.penetration_exceeded &&
-      !(std::abs(truth.max_penetration - question.law.max_penetration) <= bounds.penetration))
-    findings.add(Kind::penetration, "penetration exceeded: engine {}, oracle {}", subj.penetration_exceeded,
-                 truth.penetration_exceeded);
-  findings.check_vector(Kind::force, "force", subj.force_Me, truth.force_Me, bounds.force);
-  findings.check_vector(Kind::torque, "torque", subj.torque_Me, truth.torque_Me, bounds.torque);
+void check_exceeded(const Question& question, const fast::Contact& subj, const reference::Answer& truth, double bound,
+                    Checks& checks) {
+  const bool certain = std::abs(truth.max_penetration - question.law.max_penetration) > bound;
+  checks.checked(Kind::exceeded, certain ? 0 : std::numeric_limits<double>::infinity());
+  if (certain && subj.penetration_exceeded != truth.penetration_exceeded)
+    checks.add(Kind::exceeded, "penetration exceeded: engine {}, oracle {}", subj.penetration_exceeded,
+               truth.penetration_exceeded);
+}
+
+void check_barycentric_forces(const Question& question, const fast::Contact& subj, const reference::Answer& truth,
+                              Checks& checks) {
+  const RoundingBounds rounding(question, truth);
+  const ForceBounds bounds = rounding.force();
+  for (std::size_t k = 0; k < truth.elements.size(); ++k)
+    check_element(question, subj.elements[k], truth.elements[k], bounds.elements[k], rounding.reach(), checks);
+  checks.check_value(Kind::penetration, "greatest penetration", subj.max_penetration, truth.max_penetration,
+                     bounds.penetration, truth.max_penetration);
+  check_exceeded(question, subj, truth, bounds.penetration, checks);
+  checks.check_vector(Kind::force, "force", subj.force_Me, truth.force_Me, bounds.force, truth.force_scale);
+  checks.check_vector(Kind::torque, "torque", subj.torque_Me, truth.torque_Me, bounds.torque, truth.torque_scale);
+}
+
+void check_clipped_forces(const Question& question, const fast::Contact& subj, const reference::Answer& truth,
+                          Checks& checks) {
+  const ClippedTotals bounds = check_clipped_elements(question, subj, truth, checks);
+  checks.check_value(Kind::penetration, "greatest penetration", subj.max_penetration, truth.max_penetration,
+                     bounds.penetration, truth.max_penetration);
+  check_exceeded(question, subj, truth, bounds.penetration, checks);
+  checks.check_vector(Kind::force, "force", subj.force_Me, truth.force_Me, bounds.force, truth.force_scale);
+  checks.check_vector(Kind::torque, "torque", subj.torque_Me, truth.torque_Me, bounds.torque, truth.torque_scale);
 }
 
 /// One component of what the engine promises: |computed - true| <= bound, where the oracle's double is the true number
@@ -209,76 +183,71 @@ double mean_thickness(const reference::Answer& truth) {
   return surface > 0 ? 2 * volume / surface : 0;
 }
 
-std::string_view name(Kind kind) {
-  constexpr std::array<std::string_view, kKinds> kNames = {"failure",
-                                                           "touching",
-                                                           "nested",
-                                                           "ambiguous",
-                                                           "polygon count",
-                                                           "polygon cycle",
-                                                           "patches",
-                                                           "intersected faces",
-                                                           "inner faces",
-                                                           "undefined areas",
-                                                           "elements",
-                                                           "too deep",
-                                                           "crossing position",
-                                                           "area",
-                                                           "vector area",
-                                                           "volume",
-                                                           "element values",
-                                                           "penetration",
-                                                           "force",
-                                                           "torque",
-                                                           "bound"};
-  return kNames[static_cast<std::size_t>(kind)];
+Checks hold_answer(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded) {
+  const reference::Answer& truth = true_rounded;
+  Checks checks;
+  checks.check_equal(Kind::touching, "touching", subj.touching, truth.touching);
+  checks.check_equal(Kind::nested, "nested", subj.nested, truth.nested);
+  checks.check_equal(Kind::ambiguous, "ambiguous", subj.ambiguous, truth.ambiguous);
+  const bool same_polygons = check_polygons(subj, truth, checks);
+  check_faces(Kind::intersected_faces, Side::E, subj.E.intersected, truth.E.intersected, checks);
+  check_faces(Kind::intersected_faces, Side::F, subj.F.intersected, truth.F.intersected, checks);
+  check_faces(Kind::inner_faces, Side::E, subj.E.inner, truth.E.inner, checks);
+  check_faces(Kind::inner_faces, Side::F, subj.F.inner, truth.F.inner, checks);
+  checks.check_equal(Kind::undefined_areas, "undefined areas", subj.undefined_areas, truth.undefined_areas);
+  const bool same_faces = subj.E.intersected == truth.E.intersected && subj.F.intersected == truth.F.intersected &&
+                          subj.E.inner == truth.E.inner && subj.F.inner == truth.F.inner;
+  checks.check_equal(Kind::too_deep, "too deep", subj.too_deep, truth.too_deep);
+  if (same_polygons && same_faces) check_areas(question, subj, truth, checks);
+  if (question.scheme == Scheme::clipped)
+    check_clipped_forces(question, subj, truth, checks);
+  else if (check_elements(subj, truth, checks))
+    check_barycentric_forces(question, subj, truth, checks);
+  check_own_sums(question, subj, checks);
+  return checks;
 }
 
 std::vector<Disagreement> disagreements(const Question& question, const fast::Contact& subj,
                                         const reference::Answer& true_rounded) {
-  const reference::Answer& truth = true_rounded;
-  Findings findings;
-  findings.check_equal(Kind::touching, "touching", subj.touching, truth.touching);
-  findings.check_equal(Kind::nested, "nested", subj.nested, truth.nested);
-  findings.check_equal(Kind::ambiguous, "ambiguous", subj.ambiguous, truth.ambiguous);
-  const bool same_polygons = check_polygons(subj, truth, findings);
-  check_faces(Kind::intersected_faces, Side::E, subj.E.intersected, truth.E.intersected, findings);
-  check_faces(Kind::intersected_faces, Side::F, subj.F.intersected, truth.F.intersected, findings);
-  check_faces(Kind::inner_faces, Side::E, subj.E.inner, truth.E.inner, findings);
-  check_faces(Kind::inner_faces, Side::F, subj.F.inner, truth.F.inner, findings);
-  findings.check_equal(Kind::undefined_areas, "undefined areas", subj.undefined_areas, truth.undefined_areas);
-  const bool same_faces = subj.E.intersected == truth.E.intersected && subj.F.intersected == truth.F.intersected &&
-                          subj.E.inner == truth.E.inner && subj.F.inner == truth.F.inner;
-  findings.check_equal(Kind::too_deep, "too deep", subj.too_deep, truth.too_deep);
-  const bool same = question.scheme == Scheme::barycentric && check_elements(subj, truth, findings);
-
-  const RoundingBounds bounds(question, truth);
-  if (same_polygons && same_faces) check_areas(subj, truth, bounds.area(), findings);
-  if (same) check_forces(question, subj, truth, bounds.force(), findings);
-  return std::move(findings).sorted();
+  return hold_answer(question, subj, true_rounded).sorted();
 }
 
-std::vector<Disagreement> broken_bounds(const Question& question, const fast::Contact& subj,
-                                        const reference::Answer& true_rounded, const reference::Answer& true_exact) {
-  Findings findings;
-  if (!subj.bound) return {};
+Checks broken_bounds(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
+                     const reference::Answer& true_exact) {
+  Checks checks;
+  if (!subj.bound) return checks;
+  checks.checked(Kind::bound, subj.bound->force_Me.stableNorm(), true_exact.force_scale);
+  checks.checked(Kind::bound, subj.bound->torque_Me.stableNorm(), true_exact.torque_scale);
   for (int i = 0; i < 3; ++i) {
     if (!keeps_promise(subj.force_Me[i], true_exact.force_Me[i], subj.bound->force_Me[i]))
-      findings.add(Kind::bound, "force component {}: engine {} within {:.3g}, oracle {}", i, subj.force_Me[i],
-                   subj.bound->force_Me[i], true_exact.force_Me[i]);
+      checks.add(Kind::bound, "force component {}: engine {} within {:.3g}, oracle {}", i, subj.force_Me[i],
+                 subj.bound->force_Me[i], true_exact.force_Me[i]);
     if (!keeps_promise(subj.torque_Me[i], true_exact.torque_Me[i], subj.bound->torque_Me[i]))
-      findings.add(Kind::bound, "torque component {}: engine {} within {:.3g}, oracle {}", i, subj.torque_Me[i],
-                   subj.bound->torque_Me[i], true_exact.torque_Me[i]);
+      checks.add(Kind::bound, "torque component {}: engine {} within {:.3g}, oracle {}", i, subj.torque_Me[i],
+                 subj.bound->torque_Me[i], true_exact.torque_Me[i]);
   }
   const double half_ulp = 0x1p-53 * true_exact.max_penetration;
   if (!(subj.bound->penetration_at_least <= true_exact.max_penetration + half_ulp &&
         true_exact.max_penetration <= subj.bound->penetration_at_most + half_ulp))
-    findings.add(Kind::bound, "greatest penetration: engine {} to {}, oracle {}", subj.bound->penetration_at_least,
-                 subj.bound->penetration_at_most, true_exact.max_penetration);
+    checks.add(Kind::bound, "greatest penetration: engine {} to {}, oracle {}", subj.bound->penetration_at_least,
+               subj.bound->penetration_at_most, true_exact.max_penetration);
   if (question.scheme == Scheme::barycentric && !subj.bound->flipped &&
       !same_elements(true_rounded.elements, true_exact.elements))
-    findings.add(Kind::bound, "the exact problem has other elements, the engine calls them certain");
-  return std::move(findings).sorted();
+    checks.add(Kind::bound, "the exact problem has other elements, the engine calls them certain");
+  return checks;
+}
+
+Checks hold_history(const reference::Answer& true_exact, const reference::Answer& true_afresh) {
+  Checks checks;
+  checks.checked(Kind::history);
+  if (true_exact != true_afresh)
+    checks.add(Kind::history,
+               "the exact problem asked after the rounded one: {} elements, force ({}, {}, {}); asked alone: {} "
+               "elements, force ({}, {}, {})",
+               true_exact.elements.size(), true_exact.force_Me.x(), true_exact.force_Me.y(), true_exact.force_Me.z(),
+               true_afresh.elements.size(), true_afresh.force_Me.x(), true_afresh.force_Me.y(),
+               true_afresh.force_Me.z());
+  return checks;
 }
 
 bool flipped(const reference::Answer& true_rounded, const reference::Answer& true_exact) {

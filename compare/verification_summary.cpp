@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "compare/verification_widths.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -63,12 +65,15 @@ std::string verification_summary(const Verification& run) {
   text += "stratum\n";
   for (const auto& [label, tally] : strata) text += agreement_row(label, tally);
   text += agreement_row("all", all);
+  if (run.plan().schemes.size() > 1) {
+    text += "scheme\n";
+    for (const auto& [label, tally] : run.by_scheme()) text += agreement_row(label, tally);
+  }
   if (run.plan().modes.size() > 1) {
     text += "mode (above a pose counts once in each)\n";
     for (const auto& [label, tally] : run.by_mode()) text += agreement_row(label, tally);
   }
-  text += "unbounded: the engine's bound on its force or torque is infinite";
-  text += run.plan().scheme == Scheme::clipped ? ", so that these are not compared\n" : "\n";
+  text += "unbounded: the engine's bound on its force or torque is infinite\n";
   text += "engine us, oracle ms: medians, everything asked for";
   text += run.plan().modes.size() > 1 ? "; a pose's first mode pays for what the others share or find in the cache\n"
                                       : "\n";
@@ -82,6 +87,7 @@ std::string verification_summary(const Verification& run) {
   for (const auto& [label, tally] : strata) text += error_row(label, tally);
   text += error_row("all", all);
   text += bounds_table(strata, all);
+  text += widths_summary(run);
   for (const std::string& omission : run.omissions()) text += "\n" + omission + "\n";
   return text;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "compare/verify.h"
@@ -10,8 +11,8 @@
 /// The tables of a verification. All but the times are the same bit for bit whenever the plan is.
 namespace pcm::compare {
 
-/// Agreement and rounding errors, a row for each pair, stratum and mode, for each stratum and mode, for each mode, and
-/// for all.
+/// Agreement and rounding errors, a row for each pair, stratum, scheme and mode, for each stratum, scheme and mode, for
+/// each mode, and for all; and how wide the checks were.
 std::string verification_markdown(const Verification& run);
 /// The same numbers, and each kind of disagreement in a column of its own.
 std::string verification_csv(const Verification& run);
@@ -19,6 +20,21 @@ nlohmann::ordered_json verification_json(const Verification& run);
 
 /// Median times of the engine, of the oracle on the rounded and of the oracle on the exact problem.
 std::string times_markdown(const Verification& run);
+
+/// What rounding errors of generic poses may be at most, at the 99.9th percentile, in units of S/p (DESIGN section 3):
+/// of areas, vector areas, volume, force and torque. The greatest penetration is no sum: in the clipped scheme it may be
+/// that of a sliver on a steep face.
+inline constexpr double kMeasure = 1e-13;
+
+/// An error that is greater, the greatest of them.
+struct MissedMeasure {
+  std::string what;
+  double error = 0;
+};
+std::optional<MissedMeasure> missed_measure(const Verification& run);
+
+/// Finished, without disagreements, and by the measure, where there are generic poses.
+bool is_verified(const Verification& run);
 
 /// The last line printed, e.g. "verified: 20160 poses, 9876 touching, 0 disagreements"; each pose once,
 /// however many modes; disagreements in all modes.

@@ -27,6 +27,11 @@ constexpr std::size_t kMostNestedFaces = 20000;
 /// One pose in this many of a hard stratum falls to the general pairs.
 constexpr std::int64_t kGeneralShare = 50;
 
+/// A scheme's share in a plan that has both.
+std::int64_t weight(Scheme scheme) {
+  return scheme == Scheme::clipped ? 1 : 2;
+}
+
 /// The stream of random numbers of a pair: 64 bits of the FNV-1a hash of its name.
 std::uint64_t stream_of(const std::string& pair_name) {
   std::uint64_t hash = 0xcbf29ce484222325;
@@ -46,16 +51,17 @@ auto merged(const std::vector<Cell>& cells, const KeyOf& key_of) {
 
 Verification::~Verification() = default;
 
-Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scenes_(plan_.pairs.size()) {
+Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
+    : plan_(std::move(plan)), seam_(&seam), scenes_(plan_.pairs.size()) {
   const bool wants_nested = std::find(plan_.strata.begin(), plan_.strata.end(), Stratum::nested) != plan_.strata.end();
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
     try {
-      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.modes, plan_.scheme);
+      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.modes, plan_.schemes.front());
       // All faces of a nested guest are active: tens of thousands cost the oracle tens of seconds a pose.
       if (!wants_nested || !pair.for_all_strata || pair.faces() > kMostNestedFaces) return;
       if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
-        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.modes, plan_.scheme);
+        scenes_[i].nested = std::make_unique<Scene>(std::move(*meshes), pair.law, plan_.modes, plan_.schemes.front());
     } catch (const BadInput& error) {
       throw BadInput("pair " + pair.name + ": " + error.what());
     }
@@ -65,15 +71,24 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
   const auto part = [](std::int64_t whole, std::int64_t before, std::int64_t weight, std::int64_t all) {
     return whole * (before + weight) / all - whole * before / all;
   };
-  const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
-    const auto share_of = [&](std::size_t k) { return plan_.pairs[k].share(stratum, plan_.scheme); };
+  const auto add_cells_in = [&](Scheme scheme, Stratum stratum, std::int64_t poses,
+                                const std::vector<std::size_t>& pairs) {
+    const auto share_of = [&](std::size_t k) { return plan_.pairs[k].share(stratum, scheme); };
     std::int64_t all = 0, before = 0;
     for (const std::size_t k : pairs) all += share_of(k);
     for (const std::size_t k : pairs) {
       const std::int64_t share = share_of(k);
       if (const std::int64_t n = part(poses, before, share, all); n > 0)
-        for (const Mode mode : plan_.modes) cells_.push_back({k, stratum, mode, n, {}});
+        for (const Mode mode : plan_.modes) cells_.push_back({k, stratum, scheme, mode, n, {}});
       before += share;
+    }
+  };
+  const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
+    std::int64_t all = 0, before = 0;
+    for (const Scheme scheme : plan_.schemes) all += weight(scheme);
+    for (const Scheme scheme : plan_.schemes) {
+      add_cells_in(scheme, stratum, part(poses, before, weight(scheme), all), pairs);
+      before += weight(scheme);
     }
   };
   const auto strata = static_cast<std::int64_t>(plan_.strata.size());
@@ -135,16 +150,26 @@ std::vector<NamedTally> Verification::by_mode() const {
   return tallies;
 }
 
-std::vector<StratumTally> Verification::by_stratum_and_mode() const {
+std::vector<NamedTally> Verification::by_scheme() const {
+  std::vector<NamedTally> tallies;
+  std::map<Scheme, Tally> groups = merged(cells_, [](const Cell& cell) { return cell.scheme; });
+  for (const Scheme scheme : plan_.schemes) tallies.push_back({std::string(name(scheme)), std::move(groups[scheme])});
+  return tallies;
+}
+
+std::vector<StratumTally> Verification::by_stratum_scheme_and_mode() const {
   std::vector<StratumTally> tallies;
-  for (const auto& [key, tally] : merged(cells_, [](const Cell& c) { return std::pair(c.stratum, c.mode); }))
-    tallies.push_back({key.first, key.second, tally});
+  for (const auto& [key, tally] :
+       merged(cells_, [](const Cell& c) { return std::tuple(c.stratum, c.scheme, c.mode); })) {
+    const auto [stratum, scheme, mode] = key;
+    tallies.push_back({stratum, scheme, mode, tally});
+  }
   return tallies;
 }
 
 std::string Verification::pose_name(const Cell& cell, std::int64_t pose) const {
   return plan_.pairs[cell.pair].name + "/" + std::string(name(cell.stratum)) + "/" + std::to_string(pose) + "/" +
-         std::string(name(cell.mode));
+         std::string(name(cell.mode)) + (plan_.schemes.size() > 1 && cell.scheme == Scheme::clipped ? "/clipped" : "");
 }
 
 const Scene& Verification::scene(const Cell& cell) const {
@@ -156,6 +181,11 @@ DrawnPose Verification::draw(const Cell& cell, std::int64_t pose) const {
   return draw_pose(cell.stratum, scene(cell).features(),
                    PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum),
                               stream_of(plan_.pairs[cell.pair].name), static_cast<std::uint64_t>(pose)));
+}
+
+Scene::State Verification::asked(const Cell& cell, std::int64_t pose) const {
+  const DrawnPose drawn = draw(cell, pose);
+  return {drawn.pose, drawn.velocity, plan_.pairs[cell.pair].law, cell.scheme};
 }
 
 Case Verification::as_case(const Finding& finding) const {
@@ -171,11 +201,12 @@ Case Verification::as_case(const Finding& finding) const {
   // The stratum nested scales meshes; they are then no longer those of the files.
   if (posed.E.name == pair.E.name) posed.file_E = pair.file_E;
   if (posed.F.name == pair.F.name) posed.file_F = pair.file_F;
-  posed.pose = drawn.pose;
-  posed.velocity = drawn.velocity;
-  posed.law = pair.law;
+  const Scene::State asked = this->asked(cell, finding.pose);
+  posed.pose = asked.pose;
+  posed.velocity = asked.velocity;
+  posed.law = asked.law;
   posed.mode = cell.mode;
-  posed.scheme = plan_.scheme;
+  posed.scheme = asked.scheme;
   return posed;
 }
 
@@ -206,8 +237,7 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
             if (done_of_batch_.contains(t)) continue;
             if (stop()) return;
             const Cell& cell = cells_[tasks[t].cell];
-            const DrawnPose drawn = draw(cell, tasks[t].pose);
-            outcomes[t] = scene(cell).hold(drawn.pose, drawn.velocity, workspaces.local());
+            outcomes[t] = scene(cell).hold(asked(cell, tasks[t].pose), workspaces.local(), *seam_);
             const std::int64_t now = before + ++done;
             if (const std::unique_lock lock(reporting, std::try_to_lock); lock) progress(now);
           }
@@ -235,11 +265,11 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
 
 nlohmann::ordered_json Verification::identity() const {
   nlohmann::ordered_json json;
-  json["format"] = "pcm verification 4";
+  json["format"] = "pcm verification 5";
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
   for (const Mode mode : plan_.modes) json["modes"].push_back(std::string(name(mode)));
-  json["scheme"] = static_cast<int>(plan_.scheme);
+  for (const Scheme scheme : plan_.schemes) json["schemes"].push_back(std::string(name(scheme)));
   for (const Stratum stratum : plan_.strata) json["strata"].push_back(std::string(name(stratum)));
   for (const SurfacePair& pair : plan_.pairs) json["pairs"].push_back({pair.name, sha256(pair.E), sha256(pair.F)});
   return json;
@@ -266,7 +296,7 @@ void Verification::restore(const nlohmann::ordered_json& state) {
     throw BadInput("it holds a run of another version of pcm; choose another folder");
   if (state.at("run") != identity())
     throw BadInput(
-        "it holds another run (other poses, seed, strata, modes, scheme or surfaces); choose another folder");
+        "it holds another run (other poses, seed, strata, modes, schemes or surfaces); choose another folder");
   for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
   batches_done_ = state.at("batches_done").get<std::int64_t>();
   done_of_batch_ = state.at("done_of_batch").get<std::set<std::size_t>>();

@@ -23,15 +23,17 @@ struct VerificationPlan {
   std::uint64_t seed = 1;
   std::vector<Stratum> strata{kStrata.begin(), kStrata.end()};
   Scene::Modes modes{Mode::both};  ///< every pose is answered in each
-  Scheme scheme = Scheme::barycentric;
+  /// With both, one pose in three is answered in the clipped scheme, the others in the barycentric one.
+  std::vector<Scheme> schemes{Scheme::barycentric};
   std::vector<SurfacePair> pairs;
 };
 
-/// The poses of one pair and one stratum, answered in one mode. The cells of a pair and stratum are neighbours, in the
-/// plan's order of modes, and have the same poses.
+/// The poses of one pair and one stratum, answered in one scheme and one mode. The cells of a pair, stratum and scheme
+/// are neighbours, in the plan's order of modes, and have the same poses.
 struct Cell {
   std::size_t pair = 0;
   Stratum stratum = Stratum::generic;
+  Scheme scheme = Scheme::barycentric;
   Mode mode = Mode::both;
   std::int64_t poses = 0;
   Tally tally;
@@ -45,6 +47,7 @@ struct NamedTally {
 
 struct StratumTally {
   Stratum stratum = Stratum::generic;
+  Scheme scheme = Scheme::barycentric;
   Mode mode = Mode::both;
   Tally tally;
 };
@@ -65,7 +68,8 @@ inline constexpr std::size_t kMostFindings = 300;
 class Verification {
  public:
   /// Prepares every pair, on all cores. Throws BadInput where a mesh is unfit, naming the pair.
-  explicit Verification(VerificationPlan plan);
+  /// `seam`, which must outlive the run, hands on the engine's answers.
+  explicit Verification(VerificationPlan plan, const EngineSeam& seam = EngineSeam::none());
   ~Verification();
 
   const VerificationPlan& plan() const { return plan_; }
@@ -83,14 +87,19 @@ class Verification {
   std::vector<NamedTally> by_stratum() const;
   /// The cells of each mode together, in the plan's order.
   std::vector<NamedTally> by_mode() const;
-  /// The cells of each stratum and mode together, by stratum, then mode.
-  std::vector<StratumTally> by_stratum_and_mode() const;
+  /// The cells of each scheme together, in the plan's order.
+  std::vector<NamedTally> by_scheme() const;
+  /// The cells of each stratum, scheme and mode together, in this order.
+  std::vector<StratumTally> by_stratum_scheme_and_mode() const;
   /// Strata of pairs that are not to be had, in words.
   const std::vector<std::string>& omissions() const { return omissions_; }
 
-  /// Name of a pose in a mode, e.g. "bubble-bubble/generic/17/both".
+  /// Name of a pose in a scheme and mode, e.g. "bubble-bubble/generic/17/both" or, where the plan has both schemes,
+  /// "bubble-bubble/generic/17/both/clipped".
   std::string pose_name(const Cell& cell, std::int64_t pose) const;
   DrawnPose draw(const Cell& cell, std::int64_t pose) const;
+  /// The drawn pose with the law and the scheme it is answered with.
+  Scene::State asked(const Cell& cell, std::int64_t pose) const;
   const Scene& scene(const Cell& cell) const;
   Case as_case(const Finding& finding) const;
 
@@ -114,6 +123,7 @@ class Verification {
   nlohmann::ordered_json identity() const;
 
   VerificationPlan plan_;
+  const EngineSeam* seam_;
   std::vector<Scenes> scenes_;
   std::vector<Cell> cells_;
   std::vector<Finding> findings_;

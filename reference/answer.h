@@ -24,6 +24,8 @@ struct Crossing {
   std::array<Index, 2> edge{};  ///< smaller vertex index first
   Index face = 0;
   Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< correctly rounded, m
+
+  bool operator==(const Crossing&) const = default;
 };
 
 /// An intersection polygon in the circulation of (5); a closed one starts at its smallest crossing.
@@ -31,6 +33,8 @@ struct Polygon {
   bool closed = true;
   std::vector<Crossing> points;
   Index patch = 0;
+
+  bool operator==(const Polygon&) const = default;
 };
 
 /// Bounds between which the area lies where faces are coplanar: coplanar overlaps left out and counted in; against an
@@ -39,6 +43,8 @@ struct Polygon {
 struct AreaInterval {
   double open = 0;
   double closed = 0;
+
+  bool operator==(const AreaInterval&) const = default;
 };
 
 /// The active area on one surface. Opposite coplanar faces count in neither area, equal ones in E's only;
@@ -49,6 +55,8 @@ struct ActiveArea {
   double area = 0;                 ///< m^2, correctly rounded
   AreaInterval area_interval;
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();
+
+  bool operator==(const ActiveArea&) const = default;
 };
 
 /// A contact element of either scheme (fast/contact.h says what they are).
@@ -68,6 +76,8 @@ struct Element {
   Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();    ///< n_k (7): -n of the master face
   Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), m
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E, N
+
+  bool operator==(const Element&) const = default;
 };
 
 /// The oracle's answer to one problem. Every number is the true value, correctly rounded (ties to even, zero as +0):
@@ -97,6 +107,8 @@ struct Answer {
   /// Barycentric scheme: every decision about the elements holds for all vertices within their rounding boxes. Clipped
   /// scheme: always true, for small changes of the vertices change its elements by slivers.
   bool certified = true;
+
+  bool operator==(const Answer&) const = default;
 };
 
 }  // namespace pcm::reference

@@ -90,6 +90,8 @@ struct Inquiry::Data {
   Pose pose;
   Velocity velocity;
   Wanted wanted;
+  ContactLaw law;
+  Scheme scheme;
   std::array<std::unique_ptr<Solution>, 2> solutions{};  ///< by problem
 
   Solution& solve(Problem problem);
@@ -98,7 +100,12 @@ struct Inquiry::Data {
 };
 
 Inquiry::Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity, const Wanted& wanted)
-    : data_(std::make_unique<Data>(Data{*oracle.data_, pose, velocity, wanted})) {
+    : Inquiry(oracle, pose, velocity, wanted, oracle.data_->law, oracle.data_->scheme) {}
+
+Inquiry::Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
+                 const ContactLaw& law, Scheme scheme)
+    : data_(std::make_unique<Data>(Data{*oracle.data_, pose, velocity, wanted, law, scheme})) {
+  require_fit(law);
   require_fit(pose, velocity);
 }
 
@@ -151,7 +158,7 @@ MasterElements& Inquiry::Data::elements(Problem problem, Side master) {
   std::unique_ptr<MasterElements>& elements = solution.elements[index_of(master)];
   if (elements) return *elements;
   elements = std::make_unique<MasterElements>();
-  if (oracle.scheme == Scheme::barycentric) {
+  if (scheme == Scheme::barycentric) {
     elements->source = std::make_unique<BarycentricElements>(pairs(problem, master).pairs);
   } else {
     const Solution* other_solution = solutions[index_of(other(problem))].get();
@@ -160,8 +167,7 @@ MasterElements& Inquiry::Data::elements(Problem problem, Side master) {
         find_clipped_elements(solution.pose, master, solution.found, known ? known->clipped : ClippedFindings());
     elements->source = std::make_unique<ClippedElements>(elements->clipped.elements);
   }
-  elements->loads =
-      std::make_unique<MasterLoads>(ForceQuestion{solution.pose, *elements->source, oracle.law, velocity});
+  elements->loads = std::make_unique<MasterLoads>(ForceQuestion{solution.pose, *elements->source, law, velocity});
   return *elements;
 }
 
@@ -175,7 +181,7 @@ Answer Inquiry::facts(Problem problem, Mode mode) {
   for (const Side master : masters_of(mode)) {
     const ElementPairs& pairs = data_->pairs(problem, master);
     answer.too_deep += pairs.too_deep;  // by the barycentres' lines in either scheme
-    if (data_->oracle.scheme == Scheme::barycentric) answer.certified = answer.certified && pairs.certified;
+    if (data_->scheme == Scheme::barycentric) answer.certified = answer.certified && pairs.certified;
   }
   return answer;
 }

@@ -39,6 +39,9 @@ class Inquiry {
  public:
   /// The oracle must outlive this. Throws as Oracle::answer.
   Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity = {}, const Wanted& wanted = {});
+  /// The same of an oracle of another law and scheme. Throws BadInput where a parameter of the law is out of its range.
+  Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity, const Wanted& wanted, const ContactLaw& law,
+          Scheme scheme);
   ~Inquiry();
   Inquiry(const Inquiry&) = delete;
   Inquiry& operator=(const Inquiry&) = delete;

@@ -359,7 +359,7 @@ TEST(Verification, TablesDoNotDependOnTheNumberOfThreads) {
 TEST(Verification, AllModesTogetherAnswerAsThreeRunsBitForBit) {
   for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
     VerificationPlan plan = small_plan(60);
-    plan.scheme = scheme;
+    plan.schemes = {scheme};
     plan.modes = {Mode::E, Mode::F, Mode::both};
     Verification together(plan);
     run_all(together, 2);

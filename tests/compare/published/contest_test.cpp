@@ -105,7 +105,7 @@ TEST(Contest, StoppedItKeepsWhatItHas) {
 
 TEST(Contest, RefusesTheClippedScheme) {
   VerificationPlan plan = small_plan(6);
-  plan.scheme = Scheme::clipped;
+  plan.schemes = {Scheme::clipped};
   EXPECT_THROW(hold_contest(
                    plan, {Engine::published_2003}, 1, [] { return false; }, [](std::int64_t) {}),
                BadInput);

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/clipped_bounds.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace pcm::compare {
+namespace {
+
+constexpr double u = kRoundoff;
+
+/// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
+constexpr double kNeedle = 0x1p-16;
+
+/// Strips lie on either side of a line.
+double strips_along(double length, double strip) {
+  return 2 * strip * (length + 4 * strip);
+}
+
+/// A point of the master's plane, in lengths along two directions at right angles, and the slave's depth there.
+using SeenPoint = Eigen::Vector3d;
+
+/// The part of a convex polygon where a linear function of the point is not negative.
+template <class Height>
+std::vector<SeenPoint> cut(const std::vector<SeenPoint>& polygon, const Height& height) {
+  std::vector<SeenPoint> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const SeenPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double at_a = height(a), at_b = height(b);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return kept;
+}
+
+double cross(const SeenPoint& a, const SeenPoint& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// What the master's triangle sees of the slave's at a depth >= 0, in double precision.
+std::vector<SeenPoint> seen_part(const std::array<SeenPoint, 3>& master, const std::array<SeenPoint, 3>& slave) {
+  std::vector<SeenPoint> part(slave.begin(), slave.end());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SeenPoint &a = master[k], side = master[(k + 1) % 3] - a;
+    part = cut(part, [&](const SeenPoint& x) { return cross(side, x - a); });
+  }
+  return cut(part, [](const SeenPoint& x) { return x.z(); });
+}
+
+}  // namespace
+
+ClippedBounds::ClippedBounds(const Question& question, const reference::Answer& true_rounded)
+    : question_(question), faces_(question) {
+  for (const reference::Element& element : true_rounded.elements) elements_.push_back(of_element(element));
+}
+
+ClippedBounds::Sight ClippedBounds::sight(Side master, Index master_face, Index slave_face) const {
+  Sight sight;
+  sight.master = faces_.face(master, master_face);
+  const RoundedFaces::Face slave = faces_.face(other(master), slave_face);
+  const Eigen::Vector3d& p0 = faces_.corner(master, master_face, 0);
+  const Eigen::Vector3d first = (faces_.corner(master, master_face, 1) - p0).stableNormalized();
+  const Eigen::Vector3d& n = sight.master.normal_Me;
+  const Eigen::Vector3d second = n.cross(first);
+  double distance = sight.master.longest, farthest_depth = 0;
+  const auto seen = [&](const Eigen::Vector3d& x) -> SeenPoint {
+    const Eigen::Vector3d offset = x - p0;
+    distance = std::max(distance, sight.master.longest + offset.stableNorm());
+    farthest_depth = std::max(farthest_depth, std::abs(n.dot(offset)));
+    return {first.dot(offset), second.dot(offset), -n.dot(offset)};
+  };
+  std::array<SeenPoint, 3> own, others;
+  for (std::size_t k = 0; k < 3; ++k) {
+    own[k] = seen(faces_.corner(master, master_face, k));
+    others[k] = seen(faces_.corner(other(master), slave_face, k));
+  }
+  // 4 u for each component of N over its terms, 4 u for n itself, and twice all of it.
+  const double thinness = sight.master.longest * sight.master.longest / (2 * sight.master.area);
+  sight.turn = 16 * u * (1 + std::min(thinness, 1 / kNeedle));
+  sight.strip = 64 * u * faces_.reach() + 16 * u * distance + 2 * sight.turn * (farthest_depth + 16 * u * distance);
+  sight.depth_error = (16 * u + sight.turn) * distance;
+  const double cosine = std::abs(n.dot(slave.normal_Me));
+  sight.slope = n.cross(slave.normal_Me).stableNorm() / cosine;
+
+  const std::vector<SeenPoint> part = seen_part(own, others);
+  double sine = 0;  // at the deepest corner
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const SeenPoint &a = part[i], &b = part[(i + 1) % part.size()], &before = part[(i + part.size() - 1) % part.size()];
+    const double side = (b - a).head<2>().stableNorm(), other_side = (before - a).head<2>().stableNorm();
+    sight.outline += side;
+    if (a.z() <= sight.depth_error && b.z() <= sight.depth_error) sight.fold += side;
+    if (a.z() <= sight.at_tip) continue;
+    sight.at_tip = a.z();
+    sine = std::abs(cross(b - a, before - a)) / (side * other_side);
+  }
+  const double greatest = std::max({others[0].z(), others[1].z(), others[2].z(), 0.0}) + sight.depth_error;
+  sight.outline += 8 * sight.strip;
+  sight.width = std::min(sight.outline / 2, sight.master.longest);
+  const double shift = times(sight.slope, 2 * sight.strip);
+  sight.deepest = std::min(greatest, sight.at_tip + sight.depth_error + shift);
+  sight.tip_error = sine > 0 ? sight.depth_error + shift / sine : sight.at_tip;
+  return sight;
+}
+
+ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e) const {
+  const Sight seen = sight(e.master, e.master_face, e.slave_face);
+  GeometryErrors errors;
+  errors.normal = seen.turn;
+  const double strips = strips_along(e.perimeter + seen.outline, seen.strip) + (16 * u + seen.turn) * e.area;
+  const double fold =
+      seen.fold > 0 ? std::min(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
+  errors.area = strips + fold;
+
+  // Of the depth at a point: what a shift by the strip's width makes along the slave's slope counts as well.
+  const double deepest = std::max(seen.deepest, e.greatest_penetration);
+  const double depth_error = std::min(seen.depth_error + times(seen.slope, seen.strip), deepest);
+  const double volume_error = (e.area + errors.area) * depth_error + strips * deepest;
+
+  OfElement result;
+  result.sliver = !(e.area > 2 * errors.area);
+  errors.penetration = deepest;
+  // The centroid of u moves within the face; where the volume is known, by no more than its relative error.
+  const double volume = e.area * e.penetration;
+  const double moved = volume > 2 * volume_error ? 2 * volume_error / (volume - volume_error) : 1;
+  errors.foot = std::min(1.0, moved) * seen.width + 16 * u * faces_.reach();
+  if (!result.sliver)
+    errors.penetration = std::min(deepest, (volume_error + errors.area * e.penetration) / (e.area - errors.area));
+  result.bounds = bounds_after_law(question_, e, errors);
+  // The greatest depth is that of a corner. Where nothing hides the deepest one that could be seen, strips take no more
+  // from it than its angle allows; elsewhere there is the mean.
+  const bool tip_is_seen = e.greatest_penetration >= seen.at_tip - seen.depth_error;
+  const double from_mean = e.penetration - result.bounds.penetration;
+  if (!result.sliver)
+    result.greatest_at_least =
+        tip_is_seen ? std::max(from_mean, e.greatest_penetration - kHigherOrder * seen.tip_error) : from_mean;
+  result.greatest_at_most = e.greatest_penetration + kHigherOrder * (deepest - e.greatest_penetration);
+  return result;
+}
+
+double ClippedBounds::sliver_area(const fast::Element& e) const {
+  const Sight seen = sight(e.master, e.master_face, e.slave_face);
+  return kHigherOrder * strips_along(2 * seen.outline, seen.strip);
+}
+
+double ClippedBounds::sliver_depth(const fast::Element& e) const {
+  return sight(e.master, e.master_face, e.slave_face).deepest;
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "compare/checks.h"
+#include "compare/law_bounds.h"
+#include "fast/contact.h"
+#include "reference/answer.h"
+
+/// Contact elements one by one.
+namespace pcm::compare {
+
+/// Holds every number of an element that both sides have. `reach`: the greatest |coordinate|, in units of which the
+/// widths of positions are told, m.
+void check_element(const Question& question, const fast::Element& subj, const reference::Element& truth,
+                   const ElementBounds& bound, double reach, Checks& checks);
+
+/// How far the totals of the clipped scheme may be off; halved in mode `both`.
+struct ClippedTotals {
+  double penetration = 0;  ///< of the greatest, m
+  double force = 0;        ///< N
+  double torque = 0;       ///< N m
+};
+
+/// Holds the clipped scheme's elements: those of either side that are no slivers must be the other's as well, with all
+/// their numbers. Both lists are in the order of masters, master faces, slave faces.
+ClippedTotals check_clipped_elements(const Question& question, const fast::Contact& subj,
+                                     const reference::Answer& truth, Checks& checks);
+
+}  // namespace pcm::compare

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/paths.h"
+
+#include <array>
+#include <bit>
+#include <string>
+
+#include "compare/contact_fields.h"
+#include "compare/wanted.h"
+#include "fast/geometry.h"
+
+namespace pcm::compare {
+namespace {
+
+/// 64 bits of the FNV-1a hash of a state's doubles.
+std::uint64_t bits_of(const Pose& pose, const Velocity& velocity) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto mix = [&hash](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3; };
+  for (int k = 0; k < 9; ++k) mix(pose.A(k / 3, k % 3));
+  for (const Eigen::Vector3d* v : {&pose.r, &velocity.v, &velocity.w})
+    for (int k = 0; k < 3; ++k) mix((*v)[k]);
+  return hash ^ (hash >> 32);
+}
+
+/// Fourteen switches from as many bits.
+Ask drawn_ask(std::uint64_t bits) {
+  Ask ask{Path::drawn, {}, {}};
+  const auto next = [&bits] {
+    const bool bit = (bits & 1) != 0;
+    bits >>= 1;
+    return bit;
+  };
+  for (bool* wanted : {&ask.wanted.polygons, &ask.wanted.areas, &ask.wanted.force, &ask.wanted.elements,
+                       &ask.wanted.bound, &ask.wanted.statistics})
+    *wanted = next();
+  for (bool* saving :
+       {&ask.savings.broad_phase, &ask.savings.certificates, &ask.savings.first_crossing, &ask.savings.lazy_vertices,
+        &ask.savings.one_sided, &ask.savings.velocities, &ask.savings.only_wanted, &ask.savings.filters})
+    *saving = next();
+  return ask;
+}
+
+bool same_numbers(const Pose& a, const Pose& b) {
+  const auto same = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
+  for (int k = 0; k < 9; ++k)
+    if (!same(a.A(k / 3, k % 3), b.A(k / 3, k % 3))) return false;
+  return same(a.r[0], b.r[0]) && same(a.r[1], b.r[1]) && same(a.r[2], b.r[2]);
+}
+
+void hold_path(Path path, const fast::Contact& whole, const fast::Contact& answer, const Wanted& wanted,
+               Checks& checks) {
+  checks.checked(Kind::paths);
+  if (const std::string difference = difference_in_bits(whole, answer, wanted); !difference.empty())
+    checks.add(Kind::paths, "{}: {}", name(path), difference);
+}
+
+/// Scenes refuse rotations that are not one to 1e-10.
+constexpr double kSceneSkew = 1e-10;
+
+/// Body E's marker is the scene's frame, so the relative pose is that of F but for signs of zeros. A step on the way
+/// makes the scene look for a certificate where the bodies are apart, and use it where it still holds.
+void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks) {
+  if (fast::orthogonality_error(pose.A) > kSceneSkew) return;
+  fast::Scene scene;
+  scene.add_body(pairing.surface_E());
+  scene.add_body(pairing.surface_F());
+  const Wanted everything;
+  scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), everything);
+  const fast::BodyState E;
+  fast::BodyState F{pose, velocity};
+  F.pose.r.x() += step;
+  scene.move({E, F});
+  // Nearby the force may be beyond all doubles; what is asked is the place itself.
+  try {
+    seam.evaluate_in(scene, workspace);
+  } catch (const std::exception&) {
+  }
+  F.pose.r = pose.r;
+  scene.move({E, F});
+  const Pose relative = scene.relative_pose(0);
+  if (same_numbers(relative, pose)) {
+    hold_path(Path::scene, whole, seam.evaluate_in(scene, workspace), everything, checks);
+    return;
+  }
+  const fast::Contact there = seam.evaluate(pairing, relative, scene.relative_velocity(0), {}, workspace);
+  hold_path(Path::scene, there, seam.evaluate_in(scene, workspace), everything, checks);
+}
+
+}  // namespace
+
+std::string_view name(Path path) {
+  constexpr std::array<std::string_view, 6> kNames = {"plain", "bounded", "force", "touch", "drawn", "scene"};
+  return kNames[static_cast<std::size_t>(path)];
+}
+
+std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity) {
+  Wanted with_bound;
+  with_bound.bound = true;
+  return {{Path::plain, {}, {}},
+          {Path::bounded, with_bound, {}},
+          {Path::force, kForceOnly, {}},
+          {Path::touch, kTouchOnly, {}},
+          drawn_ask(bits_of(pose, velocity))};
+}
+
+const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                                          const Ask& ask, fast::Workspace& workspace) const {
+  return fast::evaluate(pairing, pose, velocity, ask.wanted, workspace, ask.savings);
+}
+
+const fast::Contact& EngineSeam::evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const {
+  return scene.evaluate(0, workspace);
+}
+
+const EngineSeam& EngineSeam::none() {
+  static const EngineSeam passes;
+  return passes;
+}
+
+void hold_paths(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
+                const std::function<void(const fast::Contact&)>& on_bound) {
+  for (const Ask& ask : asks_at(pose, velocity)) {
+    if (ask.path == Path::plain) continue;
+    const fast::Contact& answer = seam.evaluate(pairing, pose, velocity, ask, workspace);
+    hold_path(ask.path, whole, answer, ask.wanted, checks);
+    if (ask.path == Path::bounded) on_bound(answer);
+  }
+  hold_scene(seam, pairing, pose, velocity, whole, step, workspace, checks);
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verification_widths.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "compare/names.h"
+
+namespace pcm::compare {
+namespace {
+
+constexpr std::array<double, 3> kQuantiles = {0.5, 0.99, 0.999};
+
+struct KindText {
+  Kind kind;
+  std::string_view unit;  ///< what widths are told in units of
+  std::string_view why;   ///< what makes a check wide
+};
+
+/// The kinds whose checks have a width; the others hold discrete facts, or doubles bit for bit.
+constexpr KindText kTexts[] = {
+    {Kind::elements, "the element's area",
+     "clipped scheme: a sliver, as narrow as projected edges are uncertain, may come or go"},
+    {Kind::crossing_position, "the greatest coordinate", "an edge nearly in the plane of the face it passes through"},
+    {Kind::area, "the area",
+     "a patch no larger than its crossings are uncertain; faces in one plane, where the tie rule gives part of the "
+     "overlap or none"},
+    {Kind::vector_area, "the area", "as the area; slivers, whose normals are uncertain"},
+    {Kind::volume, "the volume", "as the area, over a body hardly thicker than the roundings of its vertices"},
+    {Kind::element_area, "the area", "clipped scheme: a narrow part of a face, or a needle"},
+    {Kind::element_penetration, "the penetration",
+     "a penetration no greater than roundings of coordinates; a slave face nearly parallel to the line"},
+    {Kind::element_position, "the greatest coordinate", "clipped scheme: the centre of pressure of a sliver"},
+    {Kind::element_normal, "1", "a needle, whose normal is uncertain"},
+    {Kind::element_velocity, "the element's speed", "what is said of normal and position"},
+    {Kind::element_force, "the element's force", "what is said of area, penetration and normal; friction near rest"},
+    {Kind::penetration, "the greatest penetration",
+     "as an element's; clipped scheme: of the deepest, though it be a sliver"},
+    {Kind::exceeded, "1", "where the greatest penetration lies within its bound of the law's"},
+    {Kind::force, "the sum of the elements' forces", "what is said of elements, in the mean over all of them"},
+    {Kind::torque, "the sum of lever times force", "the same"},
+    {Kind::sums, "the sum of the terms' sizes", "n roundings of n terms"},
+    {Kind::statistics, "the value", "a mean pressure or centre of pressure in which tension cancels pressure"},
+    {Kind::bound, "the sum of the elements' forces, or of lever times force",
+     "the engine's own bound: where a decision may be another one in the exact problem it holds all answers"},
+};
+
+const KindText* text_of(Kind kind) {
+  for (const KindText& text : kTexts)
+    if (text.kind == kind) return &text;
+  return nullptr;
+}
+
+const Widths& widths_of(const Tally& tally, Kind kind) {
+  return tally.widths[static_cast<std::size_t>(kind)];
+}
+
+/// Strata in each scheme, over all modes.
+std::vector<StratumTally> strata_in_schemes(const Verification& run) {
+  std::vector<StratumTally> rows;
+  for (const StratumTally& t : run.by_stratum_scheme_and_mode()) {
+    if (rows.empty() || rows.back().stratum != t.stratum || rows.back().scheme != t.scheme)
+      rows.push_back(t);
+    else
+      rows.back().tally.merge(t.tally);
+  }
+  return rows;
+}
+
+std::string number(double width) {
+  return width == 0 ? "exact" : std::isinf(width) ? "any" : fmt::format("{:.1e}", width);
+}
+
+template <class Visit>
+void for_each_width(const Verification& run, const Visit& visit) {
+  for (const StratumTally& t : strata_in_schemes(run))
+    for (int k = 1; k < kKinds; ++k)
+      if (const Widths& widths = widths_of(t.tally, static_cast<Kind>(k)); widths.count() > 0)
+        visit(t, static_cast<Kind>(k), widths);
+}
+
+}  // namespace
+
+std::string widths_markdown(const Verification& run) {
+  std::string text =
+      "## How wide the checks were\n\n"
+      "A check holds a value of the engine to within a derived bound of the oracle's. Its width is that bound in units "
+      "of what it holds; `exact` checks let nothing else pass. `any`: checks that let anything pass; `wider`: finite, "
+      "but wider than what they held.\n\n"
+      "| stratum | scheme | check | checks | median | p99 | p99.9 | any | wider |\n"
+      "|---|---|---|--:|--:|--:|--:|--:|--:|\n";
+  for_each_width(run, [&text](const StratumTally& t, Kind kind, const Widths& widths) {
+    text += fmt::format("| {} | {} | {} | {} |", name(t.stratum), name(t.scheme), name(kind), widths.count());
+    for (const double q : kQuantiles) text += fmt::format(" {} |", number(widths.quantile(q)));
+    text += fmt::format(" {} | {} |\n", widths.infinite, widths.wider);
+  });
+  text += "\n| check | in units of | wide where |\n|---|---|---|\n";
+  for (const KindText& of_kind : kTexts)
+    text += fmt::format("| {} | {} | {} |\n", name(of_kind.kind), of_kind.unit, of_kind.why);
+  return text;
+}
+
+std::string widths_csv(const Verification& run) {
+  std::string text = "stratum,scheme,check,checks,median,p99,p99.9,any,wider\n";
+  for_each_width(run, [&text](const StratumTally& t, Kind kind, const Widths& widths) {
+    text += fmt::format("{},{},{},{}", name(t.stratum), name(t.scheme), name(kind), widths.count());
+    for (const double q : kQuantiles) text += fmt::format(",{}", widths.quantile(q));
+    text += fmt::format(",{},{}\n", widths.infinite, widths.wider);
+  });
+  return text;
+}
+
+nlohmann::ordered_json widths_json(const Verification& run) {
+  auto json = nlohmann::ordered_json::array();
+  // JSON has no infinity: null stands for it.
+  const auto finite = [](double x) { return std::isinf(x) ? nlohmann::ordered_json() : nlohmann::ordered_json(x); };
+  for_each_width(run, [&](const StratumTally& t, Kind kind, const Widths& widths) {
+    json.push_back({{"stratum", std::string(name(t.stratum))},
+                    {"scheme", std::string(name(t.scheme))},
+                    {"check", std::string(name(kind))},
+                    {"checks", widths.count()},
+                    {"median", finite(widths.quantile(0.5))},
+                    {"p99", finite(widths.quantile(0.99))},
+                    {"p99.9", finite(widths.quantile(0.999))},
+                    {"any", widths.infinite},
+                    {"wider", widths.wider}});
+  });
+  return json;
+}
+
+std::string widths_summary(const Verification& run) {
+  const std::vector<NamedTally> strata = run.by_stratum();
+  const Tally all = run.total();
+  std::string text =
+      "\nHow wide the checks were: medians of their bounds in units of what they hold; `any`: let anything pass; "
+      "`wider`:\nthan what they held\n";
+  text += fmt::format("{:<20}{:>12}", "check", "checks");
+  for (const NamedTally& stratum : strata) text += fmt::format("{:>17}", stratum.name);
+  text += fmt::format("{:>10}{:>10}\n", "any", "wider");
+  for (int k = 1; k < kKinds; ++k) {
+    const auto kind = static_cast<Kind>(k);
+    const Widths& widths = widths_of(all, kind);
+    if (widths.count() == 0 || text_of(kind) == nullptr) continue;
+    text += fmt::format("{:<20}{:>12}", name(kind), widths.count());
+    for (const NamedTally& stratum : strata) {
+      const Widths& of_stratum = widths_of(stratum.tally, kind);
+      text += fmt::format("{:>17}", of_stratum.count() == 0 ? "-" : number(of_stratum.quantile(0.5)));
+    }
+    text += fmt::format("{:>10}{:>10}\n", widths.infinite, widths.wider);
+  }
+  return text;
+}
+
+}  // namespace pcm::compare
