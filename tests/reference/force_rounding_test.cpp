@@ -232,7 +232,8 @@ TEST(ForceRounding, NormalThatExactArithmeticAloneKnowsToBeInAPlane) {
   pose.A << 0.8, -0.6, 0, s, c, -half, s, c, half;
   pose.r = {0.1, 0.2 * half, 3.3};
   const TriangleMesh E = generate::box({-8, -8, -3}, {8, 8, 1});
-  const TriangleMesh F = generate::box({-1.1, -1.3, -5.7}, {1.7, 1.9, 0.3});
+  const TriangleMesh F =
+      degenerate::tetrahedron({{{0, 0, -5.7}, {1.7, 3e-21, -5.7}, {5e-21, 1.9, -5.7}, {0.3, 0.3, 0.3}}});
   int flat = 0;
   for (const reference::Element& element : Oracle(E, F, stiffness(1), Mode::F).answer(Problem::exact, pose).elements) {
     const Eigen::Vector3d& n = element.normal_Me;
