@@ -107,17 +107,16 @@ std::vector<PieceSide<T>> sides_of(LiftedPose<T>& pose, const MasterFrame<T>& e,
   return sides;
 }
 
-/// Which part of side a also is of side b, on the same line.
+/// Which part of side a is also of side b, on the same line in the opposite direction; 0 for one in the same.
 template <class T>
 T common_fraction(LiftedPose<T>& pose, const PieceSide<T>& a, const PieceSide<T>& b) {
   using std::max, std::min;
-  const T zero = pose.number(0.0), one = pose.number(1.0);
   const T s = a.to.s - a.from.s, t = a.to.t - a.from.t, square = s * s + t * t;
   const auto along = [&](const PlanePoint<T>& x) -> T {
     return ((x.s - a.from.s) * s + (x.t - a.from.t) * t) / square;
   };
-  const T at_from = along(b.from), at_to = along(b.to);
-  return max(zero, T(min(one, max(at_from, at_to)) - max(zero, min(at_from, at_to))));
+  const T zero = pose.number(0.0), one = pose.number(1.0);
+  return max(zero, T(min(one, along(b.from)) - max(zero, along(b.to))));
 }
 
 /// Where the part was cut, the pieces on either side have sides on the line of the cut. No two pieces have common area,

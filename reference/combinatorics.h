@@ -20,6 +20,7 @@ struct Combinatorics {
   std::vector<Chain> polygons;
   ActiveFaces E, F;
 
+  const ActiveFaces& of(Side side) const { return side == Side::E ? E : F; }
   ClippedAreas clip(const ExactPose& pose) const {
     return clip_active_areas(pose, near->candidates(), crossings, E, F, near->columns(Side::E), near->columns(Side::F));
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "reference/box_tree.h"
 #include "reference/penetration_line.h"
@@ -12,7 +13,7 @@
 namespace pcm::reference {
 namespace {
 
-/// Whether edge and face surely cross (1), surely do not (-1), or it depends on the rounding (0).
+/// Whether edge and face surely cross (1), surely do not (-1), or it may depend on the rounding (0).
 int robust_crossing(const ExactPose& pose, Vertex a, Vertex b, Side face_side, Index face) {
   const Triangle& t = pose.face(face_side, face);
   const Box p = pose.rounding_box({face_side, t[0]}), q = pose.rounding_box({face_side, t[1]}),
@@ -27,24 +28,25 @@ int robust_crossing(const ExactPose& pose, Vertex a, Vertex b, Side face_side, I
   return sides * s0 * s1 * s2 != 0 ? 1 : 0;
 }
 
-bool pair_is_robust(const ExactPose& pose, Index e, Index f) {
+/// Calls `visit` with `robust_crossing` of each edge of either face with the other one, until it returns true.
+template <class Visit>
+bool any_edge(const ExactPose& pose, const IndexPair& pair, const Visit& visit) {
   for (const Side side : {Side::E, Side::F}) {
-    const Triangle& t = pose.face(side, side == Side::E ? e : f);
+    const auto [own, others] = side == Side::E ? pair : IndexPair{pair.second, pair.first};
+    const Triangle& t = pose.face(side, own);
     for (int i = 0; i < 3; ++i)
-      if (robust_crossing(pose, {side, t[i]}, {side, t[(i + 1) % 3]}, other(side), side == Side::E ? f : e) == 0)
-        return false;
+      if (visit(robust_crossing(pose, {side, t[i]}, {side, t[(i + 1) % 3]}, other(side), others))) return true;
   }
-  return true;
+  return false;
 }
 
-bool activity_is_robust(const ExactPose& pose, Side master, const std::vector<Index>& active,
-                        const std::vector<IndexPair>& candidates) {
-  const bool closed_slave = pose.surface(other(master)).closed;
-  return std::all_of(candidates.begin(), candidates.end(), [&](const IndexPair& pair) {
-    const Index face = master == Side::E ? pair.first : pair.second;
-    if (closed_slave && std::binary_search(active.begin(), active.end(), face)) return true;
-    return pair_is_robust(pose, pair.first, pair.second);
-  });
+/// Whether the faces cross in the same edges for all vertices within their rounding boxes.
+bool pair_is_robust(const ExactPose& pose, const IndexPair& pair) {
+  return !any_edge(pose, pair, [](int crossing) { return crossing == 0; });
+}
+
+bool pair_surely_crosses(const ExactPose& pose, const IndexPair& pair) {
+  return any_edge(pose, pair, [](int crossing) { return crossing == 1; });
 }
 
 bool has_area(const ExactPose& pose, Side side, Index face) {
@@ -91,25 +93,93 @@ bool leaves_master_first(PenetrationLine& line, Side slave, const Hit& hit, cons
   return left;
 }
 
+/// What a master face would carry if it were active.
+struct Load {
+  Index slave_face = kNone;  ///< of its element
+  bool too_deep = false;
+
+  bool any() const { return slave_face != kNone || too_deep; }
+};
+
+Load look_along(PenetrationLine& line, Side slave, const Proximity& near) {
+  const Hit first = find_first_hit(line, slave, near.tree(slave));
+  if (first.face == kNone || first.meeting.facing >= 0) return {};
+  if (leaves_master_first(line, slave, first, near.tree(line.master()))) return {kNone, true};
+  return {first.meeting.ahead ? first.face : kNone, false};
+}
+
+/// The winding number of a closed slave about the barycentre, which must not lie on it: what the line leaves more often
+/// than it enters.
+int winding_about_barycentre(PenetrationLine line, Side slave, const BoxTree& tree) {
+  int winding = 0;
+  tree.look_along([&line](const Box& box) { return line.reach(box); },
+                  [&](Index face) {
+                    const Meeting meeting = line.meets(slave, face);
+                    if (meeting.met) winding -= meeting.facing;
+                    return std::numeric_limits<double>::infinity();
+                  });
+  return winding;
+}
+
+/// Certifies the faces of a master against a closed slave, one by one (contact_elements.h).
+class Certifier {
+ public:
+  Certifier(const ExactPose& pose, Side master, const Combinatorics& combinatorics)
+      : pose_(pose), master_(master), near_(*combinatorics.near), faces_(combinatorics.of(master)) {}
+
+  /// For an active face that carries something: cases 1, 2, 4.
+  bool stays_active(const PenetrationLine& line) const {
+    if (std::binary_search(faces_.inner.begin(), faces_.inner.end(), line.face())) return true;
+    if (winding_about_barycentre(line, other(master_), near_.tree(other(master_))) >= 1) return true;
+    return std::any_of(near_.candidates().begin(), near_.candidates().end(), [&](const IndexPair& pair) {
+      return face_of(pair) == line.face() && pair_surely_crosses(pose_, pair);
+    });
+  }
+
+  /// For all that are not active: cases 1, 3.
+  bool others_carry_nothing(const std::vector<Index>& active) const {
+    std::set<Index> certified;
+    return std::all_of(near_.candidates().begin(), near_.candidates().end(), [&](const IndexPair& pair) {
+      const Index face = face_of(pair);
+      if (std::binary_search(active.begin(), active.end(), face) || pair_is_robust(pose_, pair)) return true;
+      if (!certified.insert(face).second) return true;
+      PenetrationLine line(pose_, master_, face);
+      return !look_along(line, other(master_), near_).any() && line.certified();
+    });
+  }
+
+ private:
+  Index face_of(const IndexPair& pair) const { return master_ == Side::E ? pair.first : pair.second; }
+
+  const ExactPose& pose_;
+  Side master_;
+  const Proximity& near_;
+  const ActiveFaces& faces_;
+};
+
 }  // namespace
 
 ElementPairs find_elements(const ExactPose& pose, Side master, const Combinatorics& combinatorics) {
   const Side slave = other(master);
+  const bool closed_slave = pose.surface(slave).closed;
   const Proximity& near = *combinatorics.near;
-  const std::vector<Index> active = (master == Side::E ? combinatorics.E : combinatorics.F).active();
+  const std::vector<Index> active = combinatorics.of(master).active();
+  const Certifier certifier(pose, master, combinatorics);
   ElementPairs elements;
-  elements.certified = activity_is_robust(pose, master, active, near.candidates());
+  elements.certified = closed_slave ? certifier.others_carry_nothing(active)
+                                    : std::all_of(near.candidates().begin(), near.candidates().end(),
+                                                  [&](const IndexPair& pair) { return pair_is_robust(pose, pair); });
   for (const Index face : active) {
-    if (!has_area(pose, master, face)) continue;
-    PenetrationLine line(pose, master, face);
-    const Hit first = find_first_hit(line, slave, near.tree(slave));
-    if (first.face != kNone && first.meeting.facing < 0) {
-      if (leaves_master_first(line, slave, first, near.tree(master)))
-        ++elements.too_deep;
-      else if (first.meeting.ahead)
-        elements.pairs.push_back({master, face, first.face});
+    if (!has_area(pose, master, face)) {
+      elements.certified = false;  // rounding may have taken it
+      continue;
     }
-    elements.certified = elements.certified && line.certified();
+    PenetrationLine line(pose, master, face);
+    const Load load = look_along(line, slave, near);
+    if (load.too_deep) ++elements.too_deep;
+    if (load.slave_face != kNone) elements.pairs.push_back({master, face, load.slave_face});
+    elements.certified =
+        elements.certified && line.certified() && (!load.any() || !closed_slave || certifier.stays_active(line));
   }
   return elements;
 }

@@ -168,6 +168,82 @@ TEST(ForceRounding, DampingThatExactlyBalancesTheSpringLeavesNothing) {
   }
 }
 
+/// The bottom of a box 3 m x 1 m, in F by 1/2; |N| = 3, so that v_n N / |N| is no sum of doubles where v_z is not a
+/// multiple of 3.
+reference::Element pressed_bottom(const ContactLaw& law, const Velocity& velocity, Problem problem) {
+  const TriangleMesh E = generate::box({0, 0, 0.5}, {3, 1, 4});
+  for (const reference::Element& element : Oracle(E, plate(), law).answer(problem, {}, velocity).elements)
+    if (element.normal_Me == Eigen::Vector3d(0, 0, 1)) return element;
+  ADD_FAILURE() << "the bottom has no element";
+  return {};
+}
+
+TEST(ForceRounding, SlipVelocityHalfwayBetweenTwoDoublesGoesToTheEvenOne) {
+  // (3 m, 4 m): 5 m = 10^16 + 5, where doubles are even, and 10^16 + 4 is twice an even number.
+  const double m = 2e15 + 1;
+  Velocity velocity;
+  velocity.v = {3 * m, 4 * m, 1};
+  for (const Problem problem : kProblems) {
+    const reference::Element element = pressed_bottom(stiffness(1), velocity, problem);
+    EXPECT_EQ(element.tangential_velocity, 1e16 + 4);
+    EXPECT_EQ(element.normal_velocity, 1);
+    EXPECT_EQ(element.tangential_force, 0);
+  }
+}
+
+TEST(ForceRounding, FrictionHalfwayBetweenTwoDoublesGoesToTheEvenOne) {
+  // F_n = c_l 3/2 1/2 = (3 2^52 + 3) / 4, and mu = 1. In units of 1/4, 3 2^52 + 2 is twice an odd number.
+  ContactLaw law = stiffness(0x1p52 + 1);
+  law.friction = 1;
+  Velocity velocity;
+  velocity.v = {0.1, 0.3, 1};
+  for (const double v_eps : {0.0, 0.125})
+    for (const Problem problem : kProblems) {
+      law.slip_velocity = v_eps;
+      const reference::Element element = pressed_bottom(law, velocity, problem);
+      EXPECT_EQ(element.normal_force, (0x1.8p53 + 4) / 4);
+      EXPECT_EQ(element.tangential_force, (0x1.8p53 + 4) / 4);
+    }
+}
+
+TEST(ForceRounding, VelocityAlongANormalDoesNotSlip) {
+  // The slant face's N = (9, 9, 9), and no element of this is a sum of doubles: v - (v . N / N^2) N.
+  const TriangleMesh E = degenerate::tetrahedron({{{-3, 0, 0}, {0, -3, 0}, {0, 0, -3}, {0, 0, 0}}});
+  const TriangleMesh F = generate::box({-8, -8, -8}, {-0.75, -0.5, -0.25});
+  ContactLaw law = stiffness(1);
+  law.friction = 0.5;
+  Velocity velocity;
+  velocity.v = {0.1, 0.1, 0.1};
+  for (const Problem problem : kProblems) {
+    const reference::Answer answer = Oracle(E, F, law).answer(problem, {}, velocity);
+    ASSERT_EQ(answer.elements.size(), 1u);
+    EXPECT_EQ(answer.elements[0].tangential_velocity, 0);
+    EXPECT_EQ(answer.elements[0].tangential_force, 0);
+    EXPECT_EQ(answer.elements[0].force_Me.x(), answer.elements[0].force_Me.z());
+    EXPECT_GT(answer.elements[0].normal_velocity, 0);
+  }
+}
+
+TEST(ForceRounding, NormalThatExactArithmeticAloneKnowsToBeInAPlane) {
+  // The second and third rows of A begin alike, so what is flat in F's frame has n_x = 0 in Me: a difference of two
+  // equal products of more than 240 bits.
+  Pose pose;
+  const double half = std::sqrt(0.5), c = 0.8 * half, s = 0.6 * half;
+  pose.A << 0.8, -0.6, 0, s, c, -half, s, c, half;
+  pose.r = {0.1, 0.2 * half, 3.3};
+  const TriangleMesh E = generate::box({-8, -8, -3}, {8, 8, 1});
+  const TriangleMesh F =
+      degenerate::tetrahedron({{{0, 0, -5.7}, {1.7, 3e-21, -5.7}, {5e-21, 1.9, -5.7}, {0.3, 0.3, 0.3}}});
+  int flat = 0;
+  for (const reference::Element& element : Oracle(E, F, stiffness(1), Mode::F).answer(Problem::exact, pose).elements) {
+    const Eigen::Vector3d& n = element.normal_Me;
+    if (!(n.y() < 0 && n.z() > 0)) continue;
+    EXPECT_EQ(n.x(), 0);
+    ++flat;
+  }
+  EXPECT_GT(flat, 0);
+}
+
 TEST(ForceRounding, DepthEqualToTheBoundIsNotExceeded) {
   for (const Problem problem : kProblems) {
     // u = 5/4 depth on the ramp: 15/16 at the deeper barycentre. On its bottom u = 1.
