@@ -108,6 +108,7 @@ TEST(LawDraw, EachPurposeOfAPoseHasNumbersOfItsOwn) {
 TEST(LawDraw, ChoicesHaveTheSharesPromised) {
   constexpr int kDraws = 20000;
   Shares shares(kDraws);
+  int clamp_between = 0;
   for (std::uint64_t i = 0; i < kDraws; ++i) {
     const ContactLaw law = law_for(i);
     ASSERT_NO_THROW(fast::require_valid(law)) << i;
@@ -129,6 +130,8 @@ TEST(LawDraw, ChoicesHaveTheSharesPromised) {
     shares.add(law.friction == 0 ? "frictionless" : "friction");
     shares.add("u_d " + place_of(law.transition_depth, 0, kPenetrations));
     shares.add("clamp " + place_of(law.max_penetration, std::numeric_limits<double>::infinity(), kPenetrations));
+    const auto [least, greatest] = std::minmax_element(kPenetrations.begin(), kPenetrations.end());
+    clamp_between += law.max_penetration > *least && law.max_penetration < *greatest;
     shares.add("v_eps " + place_of(law.slip_velocity, 0, kSpeeds));
   }
   for (const char* mode : {"damping mode 0", "damping mode 1", "damping mode 2"}) shares.expect(mode, 1.0 / 3);
@@ -144,6 +147,8 @@ TEST(LawDraw, ChoicesHaveTheSharesPromised) {
     for (const char* place : {"off", "generic", "at", "near"}) shares.expect(std::string(threshold) + place, 1.0 / 4);
   shares.expect("clamp off", 1.0 / 2);
   shares.expect("clamp generic", 1.0 / 4);
+  // Of four penetrations two differ in three draws of four; at or near one of the two in the middle in half the others.
+  EXPECT_GE(clamp_between, kDraws * (0.95 * 3 / 16 + 1.0 / 8));
   for (const char* place : {"clamp at", "clamp near"}) shares.expect(place, 1.0 / 8);
 }
 
