@@ -178,7 +178,7 @@ void write_cases(const fs::path& folder, const Verification& run) {
   for (const Finding& finding : run.findings()) {
     const Cell& cell = run.cells()[finding.cell];
     const Case posed = run.as_case(finding);
-    const Scene& scene = run.scene(cell);
+    const Scene& scene = run.scene(cell, finding.pose);
     nlohmann::ordered_json engine, oracle;
     try {
       const std::size_t mode = finding.cell % run.plan().modes.size();

@@ -51,7 +51,11 @@ Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scen
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
     try {
-      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.modes, plan_.scheme);
+      const auto add_scene = [&](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
+        scenes_[i].usual.push_back(std::make_unique<Scene>(mesh_E, mesh_F, pair.law, plan_.modes, plan_.scheme));
+      };
+      add_scene(pair.E, pair.F);
+      for (const auto& [mesh_E, mesh_F] : pair.variants) add_scene(mesh_E, mesh_F);
       // All faces of a nested guest are active: tens of thousands cost the oracle tens of seconds a pose.
       if (!wants_nested || !pair.for_all_strata || pair.faces() > kMostNestedFaces) return;
       if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
@@ -147,13 +151,14 @@ std::string Verification::pose_name(const Cell& cell, std::int64_t pose) const {
          std::string(name(cell.mode));
 }
 
-const Scene& Verification::scene(const Cell& cell) const {
+const Scene& Verification::scene(const Cell& cell, std::int64_t pose) const {
   const Scenes& scenes = scenes_[cell.pair];
-  return cell.stratum == Stratum::nested ? *scenes.nested : *scenes.usual;
+  if (cell.stratum == Stratum::nested) return *scenes.nested;
+  return *scenes.usual[static_cast<std::size_t>(pose) % scenes.usual.size()];
 }
 
 DrawnPose Verification::draw(const Cell& cell, std::int64_t pose) const {
-  return draw_pose(cell.stratum, scene(cell).features(),
+  return draw_pose(cell.stratum, scene(cell, pose).features(),
                    PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum),
                               stream_of(plan_.pairs[cell.pair].name), static_cast<std::uint64_t>(pose)));
 }
@@ -162,7 +167,7 @@ Case Verification::as_case(const Finding& finding) const {
   const Cell& cell = cells_[finding.cell];
   const SurfacePair& pair = plan_.pairs[cell.pair];
   const DrawnPose drawn = draw(cell, finding.pose);
-  const FeaturePair& meshes = scene(cell).features();
+  const FeaturePair& meshes = scene(cell, finding.pose).features();
   Case posed;
   posed.origin = "seed " + std::to_string(plan_.seed) + ", " + pose_name(cell, finding.pose) + ", " +
                  std::string(drawn.construction);
@@ -207,7 +212,7 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
             if (stop()) return;
             const Cell& cell = cells_[tasks[t].cell];
             const DrawnPose drawn = draw(cell, tasks[t].pose);
-            outcomes[t] = scene(cell).hold(drawn.pose, drawn.velocity, workspaces.local());
+            outcomes[t] = scene(cell, tasks[t].pose).hold(drawn.pose, drawn.velocity, workspaces.local());
             const std::int64_t now = before + ++done;
             if (const std::unique_lock lock(reporting, std::try_to_lock); lock) progress(now);
           }

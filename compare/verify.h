@@ -91,7 +91,8 @@ class Verification {
   /// Name of a pose in a mode, e.g. "bubble-bubble/generic/17/both".
   std::string pose_name(const Cell& cell, std::int64_t pose) const;
   DrawnPose draw(const Cell& cell, std::int64_t pose) const;
-  const Scene& scene(const Cell& cell) const;
+  /// Where that pose is asked: pairs with variants have several scenes.
+  const Scene& scene(const Cell& cell, std::int64_t pose) const;
   Case as_case(const Finding& finding) const;
 
   /// Runs what is left of the next batch on `jobs` threads. `stop` is asked before each pose: once it says yes, the
@@ -106,7 +107,7 @@ class Verification {
 
  private:
   struct Scenes {
-    std::unique_ptr<Scene> usual;
+    std::vector<std::unique_ptr<Scene>> usual;  ///< of the pair itself, then of its variants
     std::unique_ptr<Scene> nested;
   };
 

@@ -293,7 +293,7 @@ TEST(Verdict, SlaveNearlyParallelToTheLineOfAClampedElementAtRestHasABound) {
     const Verification run(plan);
     const DrawnPose drawn = run.draw(run.cells().front(), 3090);
     fast::Workspace workspace;
-    const PoseOutcome outcome = run.scene(run.cells().front()).hold(drawn.pose, drawn.velocity, workspace).front();
+    const PoseOutcome outcome = run.scene(run.cells().front(), 3090).hold(drawn.pose, drawn.velocity, workspace).front();
     EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
     return;
   }
