@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify.h"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -12,6 +13,7 @@
 #include <mutex>
 
 #include "compare/names.h"
+#include "compare/program_hash.h"
 #include "compare/sha256.h"
 #include "meshes/bad_input.h"
 
@@ -34,6 +36,17 @@ std::uint64_t stream_of(const std::string& pair_name) {
   return hash;
 }
 
+/// All that a law is, in hexadecimal floating point.
+nlohmann::ordered_json numbers_of(const ContactLaw& law) {
+  static_assert(sizeof(ContactLaw) == 10 * sizeof(double), "a number more or less: does the list below hold them all?");
+  const LayerStiffness layers = law.layers.value_or(LayerStiffness{0, 0});
+  nlohmann::ordered_json numbers;
+  for (const double x : {law.stiffness, layers.c_E, layers.c_F, law.damping, law.transition_depth, law.friction,
+                         law.slip_velocity, law.max_penetration, static_cast<double>(law.damping_mode)})
+    numbers.push_back(fmt::format("{:a}", x));
+  return numbers;
+}
+
 /// The cells that have the same value of `key`, together.
 template <class KeyOf>
 auto merged(const std::vector<Cell>& cells, const KeyOf& key_of) {
@@ -47,6 +60,7 @@ auto merged(const std::vector<Cell>& cells, const KeyOf& key_of) {
 Verification::~Verification() = default;
 
 Verification::Verification(VerificationPlan plan) : plan_(std::move(plan)), scenes_(plan_.pairs.size()) {
+  if (plan_.build.empty()) plan_.build = program_hash();
   const bool wants_nested = std::find(plan_.strata.begin(), plan_.strata.end(), Stratum::nested) != plan_.strata.end();
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
@@ -240,14 +254,36 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
 
 nlohmann::ordered_json Verification::identity() const {
   nlohmann::ordered_json json;
-  json["format"] = "pcm verification 4";
+  json["format"] = "pcm verification 5";
+  json["build"] = plan_.build;
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
   for (const Mode mode : plan_.modes) json["modes"].push_back(std::string(name(mode)));
   json["scheme"] = static_cast<int>(plan_.scheme);
   for (const Stratum stratum : plan_.strata) json["strata"].push_back(std::string(name(stratum)));
-  for (const SurfacePair& pair : plan_.pairs) json["pairs"].push_back({pair.name, sha256(pair.E), sha256(pair.F)});
+  for (const SurfacePair& pair : plan_.pairs) {
+    nlohmann::ordered_json surfaces{sha256(pair.E), sha256(pair.F)};
+    for (const auto& [mesh_E, mesh_F] : pair.variants) {
+      surfaces.push_back(sha256(mesh_E));
+      surfaces.push_back(sha256(mesh_F));
+    }
+    json["pairs"].push_back({{"name", pair.name}, {"surfaces", surfaces}, {"law", numbers_of(pair.law)}});
+  }
   return json;
+}
+
+bool Verification::same_arguments(const nlohmann::ordered_json& state) const {
+  // What the program and its pairs add is compared apart, and an argument that only one of two programs knows is not.
+  const nlohmann::ordered_json ours = identity();
+  for (const auto& [key, value] : state.at("run").items())
+    if (key != "format" && key != "build" && key != "pairs" && ours.contains(key) && ours[key] != value) return false;
+  return true;
+}
+
+std::string Verification::difference_from(const nlohmann::ordered_json& state) const {
+  const nlohmann::ordered_json& run = state.at("run");
+  if (!run.contains("build") || run["build"] != plan_.build) return "of another build of pcm";
+  return run == identity() ? "" : "under other laws or on other surfaces";
 }
 
 nlohmann::ordered_json Verification::state() const {
@@ -267,11 +303,7 @@ nlohmann::ordered_json Verification::state() const {
 }
 
 void Verification::restore(const nlohmann::ordered_json& state) {
-  if (state.at("run").at("format") != identity()["format"])
-    throw BadInput("it holds a run of another version of pcm; choose another folder");
-  if (state.at("run") != identity())
-    throw BadInput(
-        "it holds another run (other poses, seed, strata, modes, scheme or surfaces); choose another folder");
+  if (state.at("run") != identity()) throw BadInput("the state is of another run");
   for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
   batches_done_ = state.at("batches_done").get<std::int64_t>();
   done_of_batch_ = state.at("done_of_batch").get<std::set<std::size_t>>();

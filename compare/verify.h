@@ -25,6 +25,7 @@ struct VerificationPlan {
   Scene::Modes modes{Mode::both};  ///< every pose is answered in each
   Scheme scheme = Scheme::barycentric;
   std::vector<SurfacePair> pairs;
+  std::string build;  ///< which program answers; by default the hash of the one that runs
 };
 
 /// The poses of one pair and one stratum, answered in one mode. The cells of a pair and stratum are neighbours, in the
@@ -101,9 +102,14 @@ class Verification {
   void run_batch(int jobs, const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
 
   /// The whole state, to continue from: no pose done is lost. `restore` throws BadInput where the state is of another
-  /// plan.
+  /// plan, or of another program's run.
   nlohmann::ordered_json state() const;
   void restore(const nlohmann::ordered_json& state);
+  /// Whether the state is of a run with the same arguments, whatever program, laws and surfaces it ran with.
+  bool same_arguments(const nlohmann::ordered_json& state) const;
+  /// What makes the state one of another run with the same arguments, e.g. "of another build of pcm"; empty where
+  /// nothing does.
+  std::string difference_from(const nlohmann::ordered_json& state) const;
 
  private:
   struct Scenes {
