@@ -69,8 +69,10 @@ constexpr std::int64_t kFamilyWeight = 4;
 /// Poses of less than this, in milliseconds, are not told apart by what they cost.
 constexpr double kSmallCost = 5;
 
-/// Of pairs that are made to hurt and beside the hard strata take part in the others too: the large surfaces keep the
-/// bulk of those.
+/// Of other small pairs in the strata that are not hard, so that large ones have the bulk of these.
+constexpr std::int64_t kHalfShare = kWholeShare / 2;
+
+/// Of pairs that are made to hurt, where they take part in these strata too.
 constexpr std::int64_t kSmallShare = kWholeShare / 16;
 
 class PairList {
@@ -234,10 +236,10 @@ std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfac
   list.add_general("torus-plate", torus(0.5, 0.2, 48, 24), plate(2, 2, 0.25));
   list.add_general("gear-gear", spur_gear(20, 0.1, 0.5, 4, 2), spur_gear(20, 0.1, 0.5, 4, 2));
   list.add_general("knot-box", knotted_tube(0.5, 0.1, 96, 12), box({1.5, 1, 0.5}));
-  list.add_general("box-gridded box", box({1, 1, 1}), gridded_box(1, 4));
+  list.add_general("box-gridded box", box({1, 1, 1}), gridded_box(1, 4), kHalfShare);
   list.add_general("socket-ball", socket(1.01, 0.5, 32, 16), icosphere(1, 3));
-  list.add_general("wedge-box", wedge(30, 1, 1, 4), box({1.5, 1.5, 0.5}));
-  list.add_general("cylinder-cone", cylinder(0.3, 1, 24, 4, 2), cone(0.5, 1, 24, 4, 2));
+  list.add_general("wedge-box", wedge(30, 1, 1, 4), box({1.5, 1.5, 0.5}), kHalfShare);
+  list.add_general("cylinder-cone", cylinder(0.3, 1, 24, 4, 2), cone(0.5, 1, 24, 4, 2), kHalfShare);
 
   list.add_hard("cube-cube", box({1, 1, 1}), box({1, 1, 1}));
   list.add_hard("slab-gridded cube", box({2, 2, 0.5}), gridded_box(1, 3));
