@@ -19,8 +19,8 @@
 #include "compare/command_verify_engines.h"
 #include "compare/command_verify_error_budget.h"
 #include "compare/command_verify_known_answers.h"
+#include "compare/kept_run.h"
 #include "compare/law_options.h"
-#include "compare/sha256.h"
 #include "compare/surface_warnings.h"
 #include "compare/verification_summary.h"
 #include "compare/verification_table.h"
@@ -147,40 +147,13 @@ fs::path prepare_folder(const std::string& out) {
   return folder;
 }
 
-std::string dump(const nlohmann::ordered_json& json) {
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
-/// The state with its SHA-256, so that a damaged file is not continued from.
-void keep_state(const fs::path& state_file, const Verification& run) {
-  const std::string state = dump(run.state());
-  write_text_file(state_file, R"({"sha256":")" + sha256(state) + R"(","state":)" + state + "}\n");
-}
-
-void continue_from(const fs::path& state_file, Verification& run) {
-  if (!fs::exists(state_file)) return;
-  const std::string text = read_text_file(state_file);
-  try {
-    const auto kept = nlohmann::ordered_json::parse(text);
-    const nlohmann::ordered_json& state = kept.at("state");
-    if (sha256(dump(state)) != kept.at("sha256").get<std::string>())
-      throw BadInput("its state.json is damaged; choose another folder");
-    run.restore(state);
-  } catch (const nlohmann::json::exception&) {
-    throw BadInput(state_file.string() + ": this is no state of a verification; choose another folder");
-  } catch (const BadInput& error) {
-    throw BadInput("--out " + state_file.parent_path().string() + ": " + error.what());
-  }
-  std::cerr << fmt::format("continued after {} poses\n", run.poses_done());
-}
-
 void write_cases(const fs::path& folder, const Verification& run) {
   fast::Workspace workspace;
   const Wanted everything;
   for (const Finding& finding : run.findings()) {
     const Cell& cell = run.cells()[finding.cell];
     const Case posed = run.as_case(finding);
-    const Scene& scene = run.scene(cell);
+    const Scene& scene = run.scene(cell, finding.pose);
     nlohmann::ordered_json engine, oracle;
     try {
       const std::size_t mode = finding.cell % run.plan().modes.size();
@@ -199,14 +172,20 @@ void write_cases(const fs::path& folder, const Verification& run) {
   }
 }
 
+/// The verdict ends this table, which is written last: with it there, all is.
 void write_tables(const fs::path& folder, const Verification& run) {
-  write_text_file(folder / "verification.md",
-                  verification_markdown(run) + "\n" + widths_markdown(run) + "\n" + verdict_line(run) + "\n");
+  write_cases(folder, run);
   write_text_file(folder / "widths.csv", widths_csv(run));
   write_text_file(folder / "verification.csv", verification_csv(run));
   write_text_file(folder / "verification.json", verification_json(run).dump(1) + "\n");
   write_text_file(folder / "times.md", times_markdown(run));
-  write_cases(folder, run);
+  write_text_file(folder / "verification.md",
+                  verification_markdown(run) + "\n" + widths_markdown(run) + "\n" + verdict_line(run) + "\n");
+}
+
+bool has_tables(const fs::path& folder, const Verification& run) {
+  const fs::path table = folder / "verification.md";
+  return fs::exists(table) && read_text_file(table).ends_with("\n" + verdict_line(run) + "\n");
 }
 
 Exit verify(const VerifyOptions& options) {
@@ -218,15 +197,17 @@ Exit verify(const VerifyOptions& options) {
   std::optional<Interruptible> work(std::in_place, plan.poses);
   Verification run(std::move(plan));
   for (const std::string& notice : notices) complain(notice);
-  if (folder) continue_from(*folder / "state.json", run);
+  Resumption kept;
+  if (folder) kept = resume_run(*folder, run);
+  if (!kept.notice.empty()) complain(kept.notice);
 
   while (!run.finished() && !work->interrupted()) {
     run.run_batch(
         jobs, [&] { return work->interrupted(); }, [&](std::int64_t done) { work->show(done); });
-    if (folder) keep_state(*folder / "state.json", run);
+    if (folder) keep_run(*folder, run);
   }
   work.reset();
-  if (folder) write_tables(*folder, run);
+  if (folder && !(kept.finished_at && has_tables(*folder, run))) write_tables(*folder, run);
   std::cout << verification_summary(run) << '\n';
   for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
     const Finding& finding = run.findings()[k];
@@ -234,7 +215,15 @@ Exit verify(const VerifyOptions& options) {
       std::cout << fmt::format("{}: {}: {}\n", run.pose_name(run.cells()[finding.cell], finding.pose), name(d.kind),
                                d.text);
   }
-  std::cout << verdict_line(run) << '\n';
+  if (kept.finished_at)
+    std::cout << fmt::format(
+        "These tables and this verdict are those of an earlier run of the same build, laws and surfaces, finished {}.\n"
+        "Nothing was evaluated now.\n",
+        *kept.finished_at);
+  std::cout << verdict_line(run);
+  if (kept.finished_at)
+    std::cout << fmt::format(" (an earlier run's, finished {}; nothing evaluated now)", *kept.finished_at);
+  std::cout << '\n';
   return is_verified(run) ? Exit::success : Exit::negative;
 }
 
@@ -348,8 +337,10 @@ void add_verify_command(CLI::App& program, Run& run) {
       ->check(CLI::IsMember({"fast", "published-2003", "published-2023"}));
   command->add_option("--jobs", options->jobs, "Threads (default: as many as cores)")->type_name("N");
   command
-      ->add_option("--out", options->out,
-                   "Folder for tables and case files; an unfinished run with the same arguments is continued")
+      ->add_option(
+          "--out", options->out,
+          "Folder for tables and case files; a run with the same arguments is continued, but one of another build, "
+          "laws or surfaces is removed, its case_*.json too")
       ->type_name("DIR");
   command->add_option("--case", options->case_file, "Replay a case file instead")
       ->type_name("FILE")

@@ -103,9 +103,11 @@ ContestResult hold_contest(VerificationPlan plan, const std::vector<Engine>& eng
   std::map<std::pair<const Scene*, Mode>, Subjects> known;
   std::int64_t done = 0;
   for (const Cell& cell : poses.cells()) {
-    const Scene& scene = poses.scene(cell);
-    Subjects& subjects = known[{&scene, cell.mode}];
-    if (subjects.empty()) subjects = subjects_of(scene, cell.mode, engines);
+    for (std::int64_t pose = 0; pose < cell.poses; ++pose) {
+      const Scene& scene = poses.scene(cell, pose);
+      Subjects& subjects = known[{&scene, cell.mode}];
+      if (subjects.empty()) subjects = subjects_of(scene, cell.mode, engines);
+    }
     struct Local {
       SubjectWorkspace workspace;
       ContestTally tally;
@@ -116,7 +118,9 @@ ContestResult hold_contest(VerificationPlan plan, const std::vector<Engine>& eng
       oneapi::tbb::parallel_for(std::int64_t{0}, cell.poses, [&](std::int64_t pose) {
         if (stop()) return;
         Local& local = locals.local();
-        local.tally.merge(hold(scene, cell.mode, poses.draw(cell, pose), engines, subjects, local.workspace));
+        const Scene& scene = poses.scene(cell, pose);
+        local.tally.merge(
+            hold(scene, cell.mode, poses.draw(cell, pose), engines, known.at({&scene, cell.mode}), local.workspace));
       });
     });
     for (const Local& local : locals) strata[cell.stratum].merge(local.tally);

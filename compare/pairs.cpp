@@ -8,6 +8,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "meshes/degenerate/hard_bodies.h"
+#include "meshes/degenerate/lattice_tetrahedra.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_parts.h"
@@ -61,18 +63,43 @@ constexpr ClippedCost kClippedCosts[] = {
     {"fandisk-pinion", 2300, 690}, {"rotor-pinion", 190, 260},  {"elephant-elephant", 200, 670},
 };
 
+/// A pair with variants is a whole family: it counts as so many pairs in the hard strata.
+constexpr std::int64_t kFamilyWeight = 4;
+
 /// Poses of less than this, in milliseconds, are not told apart by what they cost.
 constexpr double kSmallCost = 5;
 
+/// Of other small pairs in the strata that are not hard, so that large ones have the bulk of these.
+constexpr std::int64_t kHalfShare = kWholeShare / 2;
+
+/// Of pairs that are made to hurt, where they take part in these strata too.
+constexpr std::int64_t kSmallShare = kWholeShare / 16;
+
 class PairList {
  public:
-  void add_general(std::string name, TriangleMesh mesh_E, TriangleMesh mesh_F) {
+  void add_general(std::string name, TriangleMesh mesh_E, TriangleMesh mesh_F,
+                   std::int64_t greatest_share = kWholeShare) {
     add(std::move(name), std::move(mesh_E), std::move(mesh_F));
+    pairs.back().greatest_share = greatest_share;
   }
   void add_hard(std::string name, TriangleMesh mesh_E, TriangleMesh mesh_F) {
     add(std::move(name), on_dyadic_grid(std::move(mesh_E)), on_dyadic_grid(std::move(mesh_F)));
     pairs.back().for_hard_strata = true;
     pairs.back().for_all_strata = false;
+  }
+  /// Coordinates as they are, which must be dyadic. `greatest_share`: in the strata that are not hard; 0: no part
+  /// there.
+  void add_hurting(std::string name, TriangleMesh mesh_E, TriangleMesh mesh_F, std::int64_t greatest_share) {
+    add(std::move(name), std::move(mesh_E), std::move(mesh_F));
+    pairs.back().for_hard_strata = true;
+    pairs.back().for_all_strata = greatest_share > 0;
+    pairs.back().greatest_share = greatest_share;
+  }
+  /// The same and the pair with its bodies exchanged, each with its own name and so with poses of its own.
+  void add_both_orders(const std::string& name_E, const TriangleMesh& mesh_E, const std::string& name_F,
+                       const TriangleMesh& mesh_F, std::int64_t greatest_share) {
+    add_hurting(name_E + "-" + name_F, mesh_E, mesh_F, greatest_share);
+    add_hurting(name_F + "-" + name_E, mesh_F, mesh_E, greatest_share);
   }
   void add_files(std::string name, const std::filesystem::path& file_E, const std::filesystem::path& file_F,
                  std::vector<std::string>& missing) {
@@ -107,6 +134,52 @@ class PairList {
 
   std::size_t turn_ = 0;
 };
+
+/// Pairs of lattice tetrahedra.
+constexpr std::uint64_t kLatticePairs = 48;
+
+void add_lattice_tetrahedra(PairList& list) {
+  auto [first_E, first_F] = degenerate::lattice_tetrahedra(0);
+  list.add_hurting("lattice tetrahedra", std::move(first_E), std::move(first_F), 0);
+  for (std::uint64_t number = 1; number < kLatticePairs; ++number)
+    list.pairs.back().variants.push_back(degenerate::lattice_tetrahedra(number));
+}
+
+void add_hurting_pairs(PairList& list) {
+  using namespace degenerate;
+  using namespace generate;
+  add_lattice_tetrahedra(list);
+
+  // Thin or tiny parts: thinner than the penetration, or far smaller than the body.
+  const TriangleMesh cube = box({1, 1, 1}), spike = fan_tipped_spike(0x1p-20), thin_plate = plate(1, 1, 0x1p-20, 2, 2);
+  const TriangleMesh thin_needle = needle(0x1p-16), cubes = shrinking_cubes(4, 15);
+  list.add_both_orders("spike", spike, "thin plate", thin_plate, kSmallShare);
+  list.add_both_orders("spike", spike, "gridded cube", gridded_box(1, 2), 0);
+  list.add_both_orders("needle", thin_needle, "cube", cube, kSmallShare);
+  list.add_hurting("needles", thin_needle, thin_needle, 0);
+  list.add_both_orders("thin plate", thin_plate, "cube", cube, kSmallShare);
+  list.add_both_orders("shrinking cubes", cubes, "cube", cube, kSmallShare);
+  list.add_hurting("shrinking cubes", cubes, cubes, 0);
+
+  // Open surfaces.
+  const TriangleMesh sheet = rectangle(1, 1, 2, 2), tray = open_box({1, 1, 0.5});
+  list.add_both_orders("cube", cube, "sheet", sheet, kSmallShare);
+  list.add_both_orders("cube", cube, "tray", tray, kSmallShare);
+  list.add_both_orders("tray", tray, "sheet", sheet, kSmallShare);
+  list.add_both_orders("cube without a face", without_face(cube, 3), "small wedge", on_dyadic_grid(wedge(45, 1, 1, 1)),
+                       kSmallShare);
+
+  // Cavities, folds, several windings, several components.
+  const TriangleMesh star = pentagram(), eight = figure_of_eight();
+  list.add_both_orders("hollow cube", hollow_cube(0.5), "cube", cube, kSmallShare);
+  list.add_both_orders("pentagram", star, "cube", cube, kSmallShare);
+  list.add_both_orders("figure of eight", eight, "cube", cube, kSmallShare);
+  list.add_both_orders("pentagram", star, "figure of eight", eight, 0);
+  list.add_both_orders("square chain", torus_chain(3, 1, 0.25, 4, 4), "square ring", torus(1, 0.25, 4, 4), 0);
+  const TriangleMesh chain = torus_chain(3, 0.5, 0.125, 16, 8), link = torus(0.5, 0.125, 16, 8);
+  list.add_general("torus chain-torus", chain, link, kSmallShare);
+  list.add_general("torus-torus chain", link, chain, kSmallShare);
+}
 
 }  // namespace
 
@@ -145,11 +218,12 @@ std::int64_t SurfacePair::share(Stratum stratum, Scheme scheme) const {
   const bool nested = stratum == Stratum::nested;
   const double cost = nested ? clipped_nested_cost : clipped_cost;
   if (scheme == Scheme::clipped && cost > 0) {
-    const double share = static_cast<double>(kWholeShare) * std::min(1.0, kSmallCost / cost);
-    return std::max<std::int64_t>(2, std::llround(share));
+    const auto whole = static_cast<double>(hard(stratum) ? kWholeShare : greatest_share);
+    return std::max<std::int64_t>(2, std::llround(whole * std::min(1.0, kSmallCost / cost)));
   }
   const std::int64_t usual = faces() > 20000 ? kWholeShare / 16 : faces() > 8000 ? kWholeShare / 4 : kWholeShare;
-  return nested && faces() > 2000 ? std::max(kWholeShare / 16, usual / 8) : usual;
+  if (hard(stratum)) return variants.empty() ? usual : kFamilyWeight * usual;
+  return std::min(greatest_share, nested && faces() > 2000 ? std::max(kWholeShare / 16, usual / 8) : usual);
 }
 
 std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfaces, std::vector<std::string>& missing) {
@@ -162,10 +236,10 @@ std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfac
   list.add_general("torus-plate", torus(0.5, 0.2, 48, 24), plate(2, 2, 0.25));
   list.add_general("gear-gear", spur_gear(20, 0.1, 0.5, 4, 2), spur_gear(20, 0.1, 0.5, 4, 2));
   list.add_general("knot-box", knotted_tube(0.5, 0.1, 96, 12), box({1.5, 1, 0.5}));
-  list.add_general("box-gridded box", box({1, 1, 1}), gridded_box(1, 4));
+  list.add_general("box-gridded box", box({1, 1, 1}), gridded_box(1, 4), kHalfShare);
   list.add_general("socket-ball", socket(1.01, 0.5, 32, 16), icosphere(1, 3));
-  list.add_general("wedge-box", wedge(30, 1, 1, 4), box({1.5, 1.5, 0.5}));
-  list.add_general("cylinder-cone", cylinder(0.3, 1, 24, 4, 2), cone(0.5, 1, 24, 4, 2));
+  list.add_general("wedge-box", wedge(30, 1, 1, 4), box({1.5, 1.5, 0.5}), kHalfShare);
+  list.add_general("cylinder-cone", cylinder(0.3, 1, 24, 4, 2), cone(0.5, 1, 24, 4, 2), kHalfShare);
 
   list.add_hard("cube-cube", box({1, 1, 1}), box({1, 1, 1}));
   list.add_hard("slab-gridded cube", box({2, 2, 0.5}), gridded_box(1, 3));
@@ -184,6 +258,8 @@ std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfac
   list.add_files("fandisk-pinion", file("fandisk"), file("pinion"), missing);
   list.add_files("rotor-pinion", file("rotor"), file("pinion"), missing);
   list.add_files("elephant-elephant", file("elephant"), file("elephant"), missing);
+
+  add_hurting_pairs(list);
   return std::move(list.pairs);
 }
 

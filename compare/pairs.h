@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -21,14 +22,18 @@ struct SurfacePair {
   std::string name;  ///< names the pair in tables and, with the seed, its random numbers
   TriangleMesh E;
   TriangleMesh F;
+  /// Further surfaces E and F of the same kind: with n of them pose i is that of number i modulo n + 1, the pair's own
+  /// surfaces being number 0. Hard strata only.
+  std::vector<std::array<TriangleMesh, 2>> variants;
   std::filesystem::path file_E;  ///< where it was read from; empty where it was generated
   std::filesystem::path file_F;
   ContactLaw law;
-  bool for_hard_strata = false;  ///< takes the bulk of degenerate and near-degenerate
-  bool for_all_strata = true;    ///< takes part in the others, and in one of fifty poses of the hard ones
+  bool for_hard_strata = false;               ///< takes the bulk of degenerate and near-degenerate
+  bool for_all_strata = true;                 ///< takes part in the others, and in one of fifty poses of the hard ones
+  std::int64_t greatest_share = kWholeShare;  ///< in the strata that are not hard
 
-  /// Its part of the poses of a stratum beside that of the other pairs, at most kWholeShare: costly pairs take less, or
-  /// a run's time would be theirs alone.
+  /// Its part of the poses of a stratum beside that of the other pairs, kWholeShare for most: costly pairs take less,
+  /// or a run's time would be theirs alone, pairs with variants more.
   ///
   /// Barycentric scheme: a quarter above 8,000 faces together, a sixteenth above 20,000; of nested poses, where every
   /// face of the guest is active, an eighth of that above 2,000. Clipped scheme: in inverse proportion to what a pose
@@ -49,10 +54,11 @@ struct SurfacePair {
 /// compression, deep elements clamped).
 ContactLaw verification_law(std::size_t turn, const TriangleMesh& mesh_E, const TriangleMesh& mesh_F);
 
-/// The built-in pairs: generated ones first, then those of the real surfaces found in `real_surfaces` (a folder of OFF
-/// files). Their order and names never change with what is installed, so neither do their poses. The small pairs of the
-/// hard strata have at most 200 faces together, and coordinates on a dyadic grid, so that coincidences are exact.
-/// The name of every file missed is added to `missing`.
+/// The built-in pairs: generated ones, those of the real surfaces found in `real_surfaces` (a folder of OFF files),
+/// then generated ones made to hurt (meshes/degenerate/hard_bodies.h), most of them in both orders. Their order and
+/// names never change with what is installed, so neither do their poses. The small pairs of the hard strata have at
+/// most 200 faces together, and coordinates on a dyadic grid, so that coincidences are exact. The name of every file
+/// missed is added to `missing`.
 std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfaces, std::vector<std::string>& missing);
 
 /// Where `./run` unpacks the real surfaces: beside the folder of the executable, wherever the program is called from.

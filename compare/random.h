@@ -11,13 +11,18 @@
 /// Random numbers of the verification poses: the same bits on every machine, compiler and thread (DESIGN section 4).
 namespace pcm::compare {
 
-/// The random numbers of one pose: a pure function of (seed, stratum, pair, pose), by the counter-based generator
-/// Philox4x64 (Salmon et al. 2011). No state outlives the pose. Only + - * / sqrt and exact scalings turn bits into
-/// numbers, each correctly rounded, in a fixed order of operations.
+/// What random numbers of a pose are for: each purpose has a stream of its own, so that drawing more for one changes
+/// nothing in the others.
+enum class Purpose : std::uint64_t { pose, law, velocity };
+
+/// The random numbers of one pose: a pure function of (seed, stratum, pair, pose, purpose), by the counter-based
+/// generator Philox4x64 (Salmon et al. 2011). No state outlives the pose. Only + - * / sqrt and exact scalings turn
+/// bits into numbers, each correctly rounded, in a fixed order of operations.
 class PoseRandom {
  public:
-  PoseRandom(std::uint64_t seed, std::uint64_t stratum, std::uint64_t pair, std::uint64_t pose)
-      : key_{{seed, stratum}}, counter_{{pair, pose, 0, 0}} {}
+  PoseRandom(std::uint64_t seed, std::uint64_t stratum, std::uint64_t pair, std::uint64_t pose,
+             Purpose purpose = Purpose::pose)
+      : key_{{seed, stratum}}, counter_{{pair, pose, 0, static_cast<std::uint64_t>(purpose)}} {}
 
   /// 64 uniform bits.
   std::uint64_t bits() {

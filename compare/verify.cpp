@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify.h"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -12,7 +13,9 @@
 #include <mutex>
 
 #include "compare/names.h"
+#include "compare/program_hash.h"
 #include "compare/sha256.h"
+#include "compare/state_draw.h"
 #include "meshes/bad_input.h"
 
 namespace pcm::compare {
@@ -27,6 +30,9 @@ constexpr std::size_t kMostNestedFaces = 20000;
 /// One pose in this many of a hard stratum falls to the general pairs.
 constexpr std::int64_t kGeneralShare = 50;
 
+/// Laws have random numbers of their own, apart from those of the strata.
+constexpr std::uint64_t kLawStream = 256;
+
 /// A scheme's share in a plan that has both.
 std::int64_t weight(Scheme scheme) {
   return scheme == Scheme::clipped ? 1 : 2;
@@ -37,6 +43,17 @@ std::uint64_t stream_of(const std::string& pair_name) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : pair_name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
+}
+
+/// All that a law is, in hexadecimal floating point.
+nlohmann::ordered_json numbers_of(const ContactLaw& law) {
+  static_assert(sizeof(ContactLaw) == 10 * sizeof(double), "a number more or less: does the list below hold them all?");
+  const LayerStiffness layers = law.layers.value_or(LayerStiffness{0, 0});
+  nlohmann::ordered_json numbers;
+  for (const double x : {law.stiffness, layers.c_E, layers.c_F, law.damping, law.transition_depth, law.friction,
+                         law.slip_velocity, law.max_penetration, static_cast<double>(law.damping_mode)})
+    numbers.push_back(fmt::format("{:a}", x));
+  return numbers;
 }
 
 /// The cells that have the same value of `key`, together.
@@ -53,11 +70,17 @@ Verification::~Verification() = default;
 
 Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
     : plan_(std::move(plan)), seam_(&seam), scenes_(plan_.pairs.size()) {
+  if (plan_.build.empty()) plan_.build = program_hash();
   const bool wants_nested = std::find(plan_.strata.begin(), plan_.strata.end(), Stratum::nested) != plan_.strata.end();
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
     try {
-      scenes_[i].usual = std::make_unique<Scene>(pair.E, pair.F, pair.law, plan_.modes, plan_.schemes.front());
+      const auto add_scene = [&](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
+        scenes_[i].usual.push_back(
+            std::make_unique<Scene>(mesh_E, mesh_F, pair.law, plan_.modes, plan_.schemes.front()));
+      };
+      add_scene(pair.E, pair.F);
+      for (const auto& [mesh_E, mesh_F] : pair.variants) add_scene(mesh_E, mesh_F);
       // All faces of a nested guest are active: tens of thousands cost the oracle tens of seconds a pose.
       if (!wants_nested || !pair.for_all_strata || pair.faces() > kMostNestedFaces) return;
       if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
@@ -172,27 +195,29 @@ std::string Verification::pose_name(const Cell& cell, std::int64_t pose) const {
          std::string(name(cell.mode)) + (plan_.schemes.size() > 1 && cell.scheme == Scheme::clipped ? "/clipped" : "");
 }
 
-const Scene& Verification::scene(const Cell& cell) const {
+const Scene& Verification::scene(const Cell& cell, std::int64_t pose) const {
   const Scenes& scenes = scenes_[cell.pair];
-  return cell.stratum == Stratum::nested ? *scenes.nested : *scenes.usual;
+  if (cell.stratum == Stratum::nested) return *scenes.nested;
+  return *scenes.usual[static_cast<std::size_t>(pose) % scenes.usual.size()];
 }
 
 DrawnPose Verification::draw(const Cell& cell, std::int64_t pose) const {
-  return draw_pose(cell.stratum, scene(cell).features(),
+  return draw_pose(cell.stratum, scene(cell, pose).features(),
                    PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum),
                               stream_of(plan_.pairs[cell.pair].name), static_cast<std::uint64_t>(pose)));
 }
 
 Scene::State Verification::asked(const Cell& cell, std::int64_t pose) const {
-  const DrawnPose drawn = draw(cell, pose);
-  return {drawn.pose, drawn.velocity, plan_.pairs[cell.pair].law, cell.scheme};
+  return draw_state(scene(cell, pose), cell.stratum, draw(cell, pose), cell.scheme,
+                    PoseRandom(plan_.seed, kLawStream + static_cast<std::uint64_t>(cell.stratum),
+                               stream_of(plan_.pairs[cell.pair].name), static_cast<std::uint64_t>(pose)));
 }
 
 Case Verification::as_case(const Finding& finding) const {
   const Cell& cell = cells_[finding.cell];
   const SurfacePair& pair = plan_.pairs[cell.pair];
   const DrawnPose drawn = draw(cell, finding.pose);
-  const FeaturePair& meshes = scene(cell).features();
+  const FeaturePair& meshes = scene(cell, finding.pose).features();
   Case posed;
   posed.origin = "seed " + std::to_string(plan_.seed) + ", " + pose_name(cell, finding.pose) + ", " +
                  std::string(drawn.construction);
@@ -237,7 +262,8 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
             if (done_of_batch_.contains(t)) continue;
             if (stop()) return;
             const Cell& cell = cells_[tasks[t].cell];
-            outcomes[t] = scene(cell).hold(asked(cell, tasks[t].pose), workspaces.local(), *seam_);
+            const std::int64_t pose = tasks[t].pose;
+            outcomes[t] = scene(cell, pose).hold(asked(cell, pose), workspaces.local(), *seam_);
             const std::int64_t now = before + ++done;
             if (const std::unique_lock lock(reporting, std::try_to_lock); lock) progress(now);
           }
@@ -266,13 +292,35 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
 nlohmann::ordered_json Verification::identity() const {
   nlohmann::ordered_json json;
   json["format"] = "pcm verification 5";
+  json["build"] = plan_.build;
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
   for (const Mode mode : plan_.modes) json["modes"].push_back(std::string(name(mode)));
   for (const Scheme scheme : plan_.schemes) json["schemes"].push_back(std::string(name(scheme)));
   for (const Stratum stratum : plan_.strata) json["strata"].push_back(std::string(name(stratum)));
-  for (const SurfacePair& pair : plan_.pairs) json["pairs"].push_back({pair.name, sha256(pair.E), sha256(pair.F)});
+  for (const SurfacePair& pair : plan_.pairs) {
+    nlohmann::ordered_json surfaces{sha256(pair.E), sha256(pair.F)};
+    for (const auto& [mesh_E, mesh_F] : pair.variants) {
+      surfaces.push_back(sha256(mesh_E));
+      surfaces.push_back(sha256(mesh_F));
+    }
+    json["pairs"].push_back({{"name", pair.name}, {"surfaces", surfaces}, {"law", numbers_of(pair.law)}});
+  }
   return json;
+}
+
+bool Verification::same_arguments(const nlohmann::ordered_json& state) const {
+  // What the program and its pairs add is compared apart, and an argument that only one of two programs knows is not.
+  const nlohmann::ordered_json ours = identity();
+  for (const auto& [key, value] : state.at("run").items())
+    if (key != "format" && key != "build" && key != "pairs" && ours.contains(key) && ours[key] != value) return false;
+  return true;
+}
+
+std::string Verification::difference_from(const nlohmann::ordered_json& state) const {
+  const nlohmann::ordered_json& run = state.at("run");
+  if (!run.contains("build") || run["build"] != plan_.build) return "of another build of pcm";
+  return run == identity() ? "" : "under other laws or on other surfaces";
 }
 
 nlohmann::ordered_json Verification::state() const {
@@ -292,11 +340,7 @@ nlohmann::ordered_json Verification::state() const {
 }
 
 void Verification::restore(const nlohmann::ordered_json& state) {
-  if (state.at("run").at("format") != identity()["format"])
-    throw BadInput("it holds a run of another version of pcm; choose another folder");
-  if (state.at("run") != identity())
-    throw BadInput(
-        "it holds another run (other poses, seed, strata, modes, schemes or surfaces); choose another folder");
+  if (state.at("run") != identity()) throw BadInput("the state is of another run");
   for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
   batches_done_ = state.at("batches_done").get<std::int64_t>();
   done_of_batch_ = state.at("done_of_batch").get<std::set<std::size_t>>();

@@ -26,6 +26,7 @@ struct VerificationPlan {
   /// With both, one pose in three is answered in the clipped scheme, the others in the barycentric one.
   std::vector<Scheme> schemes{Scheme::barycentric};
   std::vector<SurfacePair> pairs;
+  std::string build;  ///< which program answers; by default the hash of the one that runs
 };
 
 /// The poses of one pair and one stratum, answered in one scheme and one mode. The cells of a pair, stratum and scheme
@@ -100,7 +101,8 @@ class Verification {
   DrawnPose draw(const Cell& cell, std::int64_t pose) const;
   /// The drawn pose with the law and the scheme it is answered with.
   Scene::State asked(const Cell& cell, std::int64_t pose) const;
-  const Scene& scene(const Cell& cell) const;
+  /// Where that pose is asked: pairs with variants have several scenes.
+  const Scene& scene(const Cell& cell, std::int64_t pose) const;
   Case as_case(const Finding& finding) const;
 
   /// Runs what is left of the next batch on `jobs` threads. `stop` is asked before each pose: once it says yes, the
@@ -109,13 +111,18 @@ class Verification {
   void run_batch(int jobs, const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
 
   /// The whole state, to continue from: no pose done is lost. `restore` throws BadInput where the state is of another
-  /// plan.
+  /// plan, or of another program's run.
   nlohmann::ordered_json state() const;
   void restore(const nlohmann::ordered_json& state);
+  /// Whether the state is of a run with the same arguments, whatever program, laws and surfaces it ran with.
+  bool same_arguments(const nlohmann::ordered_json& state) const;
+  /// What makes the state one of another run with the same arguments, e.g. "of another build of pcm"; empty where
+  /// nothing does.
+  std::string difference_from(const nlohmann::ordered_json& state) const;
 
  private:
   struct Scenes {
-    std::unique_ptr<Scene> usual;
+    std::vector<std::unique_ptr<Scene>> usual;  ///< of the pair itself, then of its variants
     std::unique_ptr<Scene> nested;
   };
 

@@ -6,15 +6,19 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 
 #include "compare/pairs.h"
 #include "compare/rounded_vertices.h"
 #include "compare/strata.h"
 #include "fast/geometry.h"
+#include "meshes/check.h"
+#include "meshes/exact_signs.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_round.h"
@@ -169,20 +173,16 @@ TEST(Strata, OpenSurfaceIsNeverTheHost) {
   EXPECT_FALSE(nested_meshes(generate::pyramid(), generate::pyramid()));
 }
 
-/// True if a vertex of one surface lies exactly in the plane of a face of the other, in the rounded problem: exact
-/// in doubles because all coordinates are small multiples of a power of two, or because the vertices are equal.
+/// True if a vertex of one surface lies exactly in the plane of a face of the other, in the rounded problem.
 bool has_vertex_in_a_plane(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
   const std::vector<Eigen::Vector3d> F_Me = rounded_vertices(F, pose);
   const auto any = [](const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& corners,
                       const std::vector<Triangle>& faces) {
-    for (const Triangle& face : faces) {
-      const Eigen::Vector3d& p = corners[static_cast<std::size_t>(face[0])];
-      const Eigen::Vector3d N =
-          (corners[static_cast<std::size_t>(face[1])] - p).cross(corners[static_cast<std::size_t>(face[2])] - p);
-      for (const Eigen::Vector3d& x : points)
-        if (N.dot(x - p) == 0) return true;
-    }
-    return false;
+    return std::any_of(faces.begin(), faces.end(), [&](const Triangle& face) {
+      return std::any_of(points.begin(), points.end(), [&](const Eigen::Vector3d& x) {
+        return side_sign(corners[face[0]], corners[face[1]], corners[face[2]], x) == 0;
+      });
+    });
   };
   return any(F_Me, E.vertices, E.faces) || any(E.vertices, F_Me, F.faces);
 }
@@ -193,14 +193,20 @@ TEST(Strata, DegeneratePosesOfTheSmallPairsCoincideExactly) {
   for (const SurfacePair& pair : built_in_pairs("", missing)) {
     if (!pair.for_hard_strata) continue;
     EXPECT_LE(pair.faces(), 200U) << pair.name;
-    const FeaturePair features(pair.E, pair.F);
     for (std::uint64_t i = 0; i < 100; ++i) {
+      const std::size_t variant = i % (pair.variants.size() + 1);
+      const TriangleMesh& E = variant == 0 ? pair.E : pair.variants[variant - 1][0];
+      const TriangleMesh& F = variant == 0 ? pair.F : pair.variants[variant - 1][1];
+      const FeaturePair features(E, F);
       const DrawnPose drawn = draw_pose(Stratum::degenerate, features, random_for(Stratum::degenerate, i));
       EXPECT_TRUE(drawn.exact) << pair.name << ' ' << i << ' ' << drawn.construction;
       ++constructions[std::string(drawn.construction)];
-      const bool of_points = drawn.construction == "edge across edge";
+      // Stacked are the boxes about the bodies: these meet for certain where they are boxes themselves.
+      const bool boxes =
+          features.E.axis_faces.size() == E.faces.size() && features.F.axis_faces.size() == F.faces.size();
+      const bool of_points = drawn.construction == "edge across edge" || (drawn.construction == "stacked" && !boxes);
       if (!of_points && drawn.pose.A.cwiseAbs().sum() == 3) {
-        EXPECT_TRUE(has_vertex_in_a_plane(pair.E, pair.F, drawn.pose)) << pair.name << ' ' << i << drawn.construction;
+        EXPECT_TRUE(has_vertex_in_a_plane(E, F, drawn.pose)) << pair.name << ' ' << i << drawn.construction;
       }
     }
   }
@@ -248,6 +254,67 @@ TEST(Pairs, AThirdOfThePosesFallsToLargePairs) {
   EXPECT_GE(pairs.size(), 12U);
   // Four of six strata spread evenly over the general pairs.
   EXPECT_GE(large / general * 4 / 6, 1.0 / 3);
+}
+
+TEST(Pairs, AreFitForContactAndHaveNamesOfTheirOwn) {
+  std::vector<std::string> missing;
+  std::set<std::string> names;
+  for (const SurfacePair& pair : built_in_pairs("", missing)) {
+    EXPECT_TRUE(names.insert(pair.name).second) << pair.name;
+    EXPECT_TRUE(pair.for_hard_strata || pair.for_all_strata) << pair.name;
+    EXPECT_NO_THROW(require_fit(pair.E)) << pair.name;
+    EXPECT_NO_THROW(require_fit(pair.F)) << pair.name;
+    for (const auto& [E, F] : pair.variants) {
+      EXPECT_NO_THROW(require_fit(E)) << pair.name << ' ' << E.name;
+      EXPECT_NO_THROW(require_fit(F)) << pair.name << ' ' << F.name;
+    }
+  }
+}
+
+TEST(Pairs, ThatHurtComeInBothOrders) {
+  std::vector<std::string> missing;
+  const std::vector<SurfacePair> pairs = built_in_pairs("", missing);
+  const auto named = [&](const std::string& name) -> const SurfacePair* {
+    const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.name == name; });
+    return found == pairs.end() ? nullptr : &*found;
+  };
+  int both = 0, open_slaves = 0, both_open = 0;
+  for (const auto& [one, other] : {std::pair{"spike", "thin plate"},
+                                   {"spike", "gridded cube"},
+                                   {"needle", "cube"},
+                                   {"thin plate", "cube"},
+                                   {"shrinking cubes", "cube"},
+                                   {"cube", "sheet"},
+                                   {"cube", "tray"},
+                                   {"tray", "sheet"},
+                                   {"cube without a face", "small wedge"},
+                                   {"hollow cube", "cube"},
+                                   {"pentagram", "cube"},
+                                   {"figure of eight", "cube"},
+                                   {"pentagram", "figure of eight"},
+                                   {"square chain", "square ring"},
+                                   {"torus chain", "torus"}}) {
+    const SurfacePair* pair = named(std::string(one) + "-" + other);
+    const SurfacePair* exchanged = named(std::string(other) + "-" + one);
+    ASSERT_TRUE(pair && exchanged) << one << ' ' << other;
+    EXPECT_EQ(pair->E.vertices, exchanged->F.vertices) << one << ' ' << other;
+    EXPECT_EQ(pair->F.faces, exchanged->E.faces) << one << ' ' << other;
+    EXPECT_EQ(pair->for_hard_strata, exchanged->for_hard_strata) << one << ' ' << other;
+    for (const Stratum stratum : kStrata)
+      for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped})
+        EXPECT_EQ(pair->share(stratum, scheme), exchanged->share(stratum, scheme)) << one << ' ' << other;
+    const bool closed_E = check(pair->E).closed(), closed_F = check(pair->F).closed();
+    ++both;
+    open_slaves += closed_E != closed_F;
+    both_open += !closed_E && !closed_F;
+  }
+  EXPECT_EQ(both, 15);
+  EXPECT_EQ(open_slaves, 3);
+  EXPECT_EQ(both_open, 1);
+  const SurfacePair* tetrahedra = named("lattice tetrahedra");
+  ASSERT_TRUE(tetrahedra);
+  EXPECT_EQ(tetrahedra->variants.size(), 47U);
+  EXPECT_GT(tetrahedra->share(Stratum::degenerate, Scheme::clipped), kWholeShare);
 }
 
 }  // namespace

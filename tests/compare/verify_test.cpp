@@ -16,6 +16,7 @@
 #include "compare/verification_table.h"
 #include "compare/verify.h"
 #include "meshes/bad_input.h"
+#include "meshes/degenerate/lattice_tetrahedra.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_round.h"
 #include "tests/compare/small_pair.h"
@@ -293,7 +294,8 @@ TEST(Verdict, SlaveNearlyParallelToTheLineOfAClampedElementAtRestHasABound) {
     const Verification run(plan);
     const DrawnPose drawn = run.draw(run.cells().front(), 3090);
     fast::Workspace workspace;
-    const PoseOutcome outcome = run.scene(run.cells().front()).hold(drawn.pose, drawn.velocity, workspace).front();
+    const PoseOutcome outcome =
+        run.scene(run.cells().front(), 3090).hold(drawn.pose, drawn.velocity, workspace).front();
     EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
     return;
   }
@@ -345,6 +347,25 @@ TEST(Verification, SmallPairAgreesInEveryStratum) {
       EXPECT_EQ(cell.tally.nested, cell.poses);
     }
   }
+}
+
+TEST(Verification, PosesOfAPairWithVariantsTakeThemInTurn) {
+  VerificationPlan plan;
+  plan.poses = 60;
+  plan.strata = {Stratum::degenerate};
+  SurfacePair& pair = plan.pairs.emplace_back(small_pair());
+  for (const std::uint64_t number : {0, 2}) pair.variants.push_back(degenerate::lattice_tetrahedra(number));
+  Verification run(plan);
+  const Cell& cell = run.cells().front();
+  std::vector<std::vector<Eigen::Vector3d>> expected = {pair.E.vertices, pair.variants[0][0].vertices,
+                                                        pair.variants[1][0].vertices};
+  for (std::int64_t pose = 0; pose < 6; ++pose) {
+    EXPECT_EQ(run.scene(cell, pose).features().E.mesh.vertices, expected[static_cast<std::size_t>(pose % 3)]) << pose;
+    EXPECT_EQ(run.as_case({0, pose, {}}).E.vertices, expected[static_cast<std::size_t>(pose % 3)]) << pose;
+  }
+  run_all(run, 2);
+  EXPECT_EQ(run.total().disagreeing, 0);
+  EXPECT_GT(run.total().touching, 30);
 }
 
 TEST(Verification, TablesDoNotDependOnTheNumberOfThreads) {

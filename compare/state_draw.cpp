@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/state_draw.h"
+
+#include <vector>
+
+#include "compare/law_draw.h"
+#include "meshes/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+struct Figures {
+  std::vector<double> penetrations;
+  std::vector<double> speeds;
+};
+
+/// Of the elements under the state's law; none where the engine refuses.
+Figures figures_at(const Scene& scene, const Scene::State& state) {
+  Wanted elements{.polygons = false, .areas = false, .force = true, .elements = true};
+  const fast::Pairing& surfaces = scene.engine();
+  const fast::Pairing pairing(surfaces.surface_E(), surfaces.surface_F(), state.law, Mode::both, state.scheme);
+  fast::Workspace workspace;
+  Figures figures;
+  try {
+    for (const fast::Element& e : fast::evaluate(pairing, state.pose, state.velocity, elements, workspace).elements) {
+      figures.penetrations.push_back(e.penetration);
+      figures.speeds.push_back(e.tangential_velocity);
+    }
+  } catch (const BadInput&) {
+  }
+  return figures;
+}
+
+}  // namespace
+
+Scene::State draw_state(const Scene& scene, Stratum stratum, const DrawnPose& drawn, Scheme scheme, PoseRandom random) {
+  Scene::State state{drawn.pose, drawn.velocity, draw_law_without_thresholds(random), scheme};
+  if (hard(stratum)) state.velocity = draw_velocity(random, scene.features(), drawn.pose);
+  const double size = scene.features().size();
+  draw_depths(random, size, figures_at(scene, state).penetrations, state.law);
+  draw_slip_velocity(random, size, figures_at(scene, state).speeds, state.law);
+  return state;
+}
+
+}  // namespace pcm::compare
