@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "fast/number_vector.h"
-#include "fast/orientation.h"
 
 namespace pcm::fast {
 
@@ -55,13 +54,13 @@ double product_of_sides(const std::array<Eigen::Vector3d, 3>& p) {
   return (p[1] - p[0]).lpNorm<1>() * (p[2] - p[0]).lpNorm<1>();
 }
 
-/// `height`, N . (x - p0), exactly where its sign would not be sure. It is the determinant of orient3d(p0, p1, p2, x),
-/// term by term, and so is the bound of its error.
+/// `height`, N . (x - p0), exactly where it would not be sure to kHeightError of itself. It is the determinant of
+/// orient3d(p0, p1, p2, x), term by term, and so is the bound of its error, kFilterRelative of the magnitude.
 double sure_height(double height, const Eigen::Vector3d& N_magnitude, const std::array<Eigen::Vector3d, 3>& p,
                    const Eigen::Vector3d& x, WorkCounters& work) {
   const double magnitude = N_magnitude.dot((x - p[0]).cwiseAbs());
   ++work.predicates;
-  if (std::abs(height) > kFilterRelative * (magnitude + kFilterUnderflow)) return height;
+  if (std::abs(height) > kExactHeight * (magnitude + kFilterUnderflow)) return height;
   ++work.exact_predicates;
   return exact_height(p, x, (p[1] - p[0]).cwiseAbs().maxCoeff());
 }

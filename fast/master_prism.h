@@ -9,8 +9,19 @@
 #include "fast/contact.h"
 #include "fast/convex_polygon.h"
 #include "fast/geometry.h"
+#include "fast/orientation.h"
 
 namespace pcm::fast {
+
+/// A vertex's height over the plane of a face, N . (x - p0), places lines: where a face passes through the master's
+/// plane, and where two faces pass through each other. It is computed exactly where it is less than this part of what
+/// its terms add up to, so it is always sure to this part of itself, besides a few ulps. Between corners at heights a >
+/// 0 > -b the line lies at a / (a + b) of the way, which is off by at most half of that part, however flat the faces
+/// lie to each other: where they meet at an angle whose sine is greater than about kExactHeight, by what roundings of
+/// the corners' places make, over that sine; where they lie flatter, by no more than kHeightError of the face's size.
+/// Of faces in no special place one height in some 2^16 is computed exactly.
+inline constexpr double kExactHeight = 0x1p-16;
+inline constexpr double kHeightError = kFilterRelative / kExactHeight;
 
 /// A face with N to a few ulps of itself also where it is a needle: there the cross product of rounded differences
 /// loses its digits, and with them the direction of the penetration lines, so it is computed exactly.
@@ -24,8 +35,9 @@ class MasterPrism {
   explicit MasterPrism(const FaceGeometry& face);
 
   /// What the face sees of x. Each weight is taken from an end of the side where it is 0, so its error is a few ulps of
-  /// the distance over the face's height. The depth is computed exactly where it is not sure of its sign: it is 0 where
-  /// x lies exactly in the face's plane. What is flush is decided here.
+  /// the distance over the face's height. The depth is off by no more than kHeightError of itself, besides a few ulps
+  /// and a factor that is the same for all depths below the face; it is 0 where x lies exactly in the face's plane.
+  /// What is flush, or nearly so, is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
   /// The same weights alone.
   Eigen::Vector3d weights(const Eigen::Vector3d& x_Me) const { return products(x_Me).head<3>(); }
@@ -121,8 +133,8 @@ class TreePrism {
   double slack_;                           ///< m
 };
 
-/// ((f1 - f0) x (f2 - f0)) . (x - f0): positive where x is above the plane of f, 0 where it lies in it, exactly; to a
-/// few ulps where roundings might change its sign.
+/// ((f1 - f0) x (f2 - f0)) . (x - f0): positive where x is above the plane of f, 0 where it lies in it, exactly; off by
+/// no more than kHeightError of itself, besides a few ulps.
 double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work);
 
 }  // namespace pcm::fast

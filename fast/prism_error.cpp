@@ -78,10 +78,10 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   any_moved_ = displacement(rounding_Me);
   const PrismShift moved = displacement(own_rounding_Me);
   height_ = moved.depth;
-  // A product N . (x - p0) has 4 roundings, its quotient by |N| three more. Where its sign is not sure, it is taken
-  // exactly and may differ by the 4 u q of N; not where it is more than 9 u q.
+  // A product N . (x - p0) has 4 roundings, its quotient by |N| three more. Where it is small (kExactHeight), it is
+  // taken exactly and may differ by the 4 u q of N; not where it is more than that part of q, by more than roundings.
   exact_depth_noise_ = 4 * q * u;
-  exact_depth_ = 16 * q * u;
+  exact_depth_ = (1 + 0x1p-20) * kExactHeight * q;
 
   constexpr double k = kProductRoundings * u;
   const auto& p = prism.face().points_Me;
@@ -131,7 +131,7 @@ PrismNoise PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me, co
     double height_off = roundings_of_product(face.N_Me, x, p[0]) / (2 * face.area);
     const double square = (x - p[0]).squaredNorm();
     // Filters take what may have underflown exactly, too.
-    const double underflown = 4 * kFilterRelative * kFilterUnderflow * (1 + (x - p[0]).lpNorm<1>());
+    const double underflown = 4 * kExactHeight * kFilterUnderflow * (1 + (x - p[0]).lpNorm<1>());
     if (depth * depth < exact_depth_ * exact_depth_ * square || 2 * face.area * depth <= underflown)
       height_off += exact_depth_noise_ * std::sqrt(square);
     greatest.depth = std::max(greatest.depth, kSecondOrder * height_off + 4 * u * depth);
