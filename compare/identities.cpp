@@ -151,9 +151,10 @@ void negate_axes(const Posed& posed, Findings& findings) {
   }
 }
 
-/// The elastic law of a pair: faces split carry elements of their own, at other velocities.
+/// The elastic law of a pair, clamped as it is: faces split carry elements of their own, at other velocities.
 Posed elastic(Posed posed) {
   ContactLaw law = stiffness(posed.law.stiffness);
+  law.max_penetration = posed.law.max_penetration;
   posed.law = law;
   return posed;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "fast/clipped_error.h"
 #include "fast/force_bound.h"
@@ -26,9 +27,9 @@ struct FaceBound {
   SightError sight;
   double slack;  ///< how far from the computed prism the exact problem's may be, m
 
-  FaceBound(Workspace::Data& workspace, const MasterPrism& prism, const MasterBound& bound, bool continuous)
+  FaceBound(Workspace::Data& workspace, const MasterPrism& prism, const MasterBound& bound, const ContactLaw& law)
       : prism_error(prism, bound.face_error(), bound.master(), bound.own_rounding_Me(), bound.rounding_Me()),
-        sight(workspace.sight, prism, prism_error, continuous),
+        sight(workspace.sight, prism, prism_error, law),
         slack(bound.slack()) {}
   FaceBound(const FaceBound&) = delete;
   FaceBound& operator=(const FaceBound&) = delete;
@@ -216,17 +217,27 @@ PlacedFace placed(Workspace::Data& workspace, Side side, const ProjectedFace& fa
            posed.vertex_Me(face.vertices[2], work)}};
 }
 
-/// Integrals over the part of the master face that sees the slave face at `index` of the projected ones first.
-/// `overlap` is the first overlap that may concern it and moves on past them.
+/// Integrals over parts of one face; of min(depth, most) in place of the depth. Area and greatest depth are none of the
+/// clamp's.
+Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
+  Moments moments;
+  for (const ConvexPolygon& part : parts) moments.add(part);
+  if (!(moments.greatest > most)) return moments;
+  Moments clamped;
+  for (const ConvexPolygon& part : parts) clamped.add_clamped(part, most);
+  clamped.area = moments.area;
+  clamped.greatest = moments.greatest;
+  return clamped;
+}
+
+/// Integrals over the part of the master face that sees the slave face at `index` of the projected ones first; of
+/// min(depth, most) in place of the depth. `overlap` is the first overlap that may concern it and moves on past them.
 Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const Uncertainty& uncertainty,
-                                std::size_t index, std::vector<Overlap>::const_iterator& overlap, Neglect& neglect) {
+                                std::size_t index, double most, std::vector<Overlap>::const_iterator& overlap,
+                                Neglect& neglect) {
   ProjectionScratch& scratch = workspace.projection;
   const ProjectedFace& f = scratch.faces[index];
-  Moments moments;
-  if (overlap == scratch.overlaps.end() || overlap->first != index) {
-    moments.add(f.seen);
-    return moments;
-  }
+  if (overlap == scratch.overlaps.end() || overlap->first != index) return moments_of({&f.seen, 1}, most);
   const PlacedFace placed_f = placed(workspace, opposite(master), f);
   scratch.parts.assign(1, f.seen);
   for (; overlap != scratch.overlaps.end() && overlap->first == index; ++overlap) {
@@ -235,11 +246,8 @@ Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const U
     const PlacedFace placed_g = placed(workspace, g.own ? master : opposite(master), g);
     subtract_hidden(uncertainty, placed_f, placed_g, scratch.parts, scratch.remaining, neglect, workspace.contact.work);
   }
-  for (const ConvexPolygon& part : scratch.parts) {
-    moments.add(part);
-    neglect.add_part(part, f.seen);
-  }
-  return moments;
+  for (const ConvexPolygon& part : scratch.parts) neglect.add_part(part, f.seen);
+  return moments_of(scratch.parts, most);
 }
 
 /// x = p0 + s (p1 - p0) + t (p2 - p0), within the face.
@@ -280,7 +288,7 @@ bool underflows(const FaceGeometry& geometry) {
 }
 
 /// Forms the elements of one master face and enters them: `enter(element, greatest penetration, centre of pressure,
-/// error)`, the error where it is known. `master_bound`, where given, hears of the face.
+/// error)`, the first before clamping, the error where it is known. `master_bound`, where given, hears of the face.
 template <class Enter>
 void form_elements_of(Workspace::Data& workspace, Side master, Index face, const ForceProblem& problem,
                       MasterBound* master_bound, Contact& contact, const Enter& enter) {
@@ -300,10 +308,7 @@ void form_elements_of(Workspace::Data& workspace, Side master, Index face, const
   const MasterPrism prism(geometry);
   std::optional<FaceBound> face_bound;
   if (master_bound != nullptr && master_bound->face_error().normal_known) {
-    // Without velocities and clamping, forces are linear in the integrals.
-    const bool continuous =
-        problem.law.damping == 0 && problem.law.friction == 0 && std::isinf(problem.law.max_penetration);
-    face_bound.emplace(workspace, prism, *master_bound, continuous);
+    face_bound.emplace(workspace, prism, *master_bound, problem.law);
   }
   FaceBound* const bound = face_bound ? &*face_bound : nullptr;
   scratch.faces.clear();
@@ -345,9 +350,10 @@ void form_elements_of(Workspace::Data& workspace, Side master, Index face, const
       continue;
     }
     Neglect neglect;
-    const Moments moments = moments_of_visible_part(workspace, master, view.uncertainty, i, overlap, neglect);
+    const double most = problem.law.max_penetration;
+    const Moments moments = moments_of_visible_part(workspace, master, view.uncertainty, i, most, overlap, neglect);
     const double area = moments.area * (2 * geometry.area);
-    const double mean = std::min(moments.depth / moments.area, moments.greatest);
+    const double mean = std::min({moments.depth / moments.area, moments.greatest, most});
     if (!(area > 0 && mean > 0)) {
       if (bound != nullptr) bound->sight.leave_out(slave_face, std::abs(moments.area) + neglect.area);
       continue;

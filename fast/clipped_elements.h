@@ -8,9 +8,9 @@ namespace pcm::fast {
 
 /// Forms the contact elements of a master in the clipped scheme (PCM section 6): for each active face e and each slave
 /// face f one element, the part of e whose penetration lines leave the slave through f first, before they meet
-/// another face of the master. Its area A_k, mean penetration u_k and centre of pressure are integrals of the linear
-/// penetration over that part, which need be neither convex nor connected. Counts and sums as `sum_elements`; elements
-/// by master face, then slave face.
+/// another face of the master. Its area A_k, mean penetration u_k and centre of pressure are integrals over that part,
+/// which need be neither convex nor connected, of the linear penetration u, or of min(u, max_penetration) where the law
+/// clamps it. Counts and sums as `sum_elements`; elements by master face, then slave face.
 ///
 /// Degenerate cases: a face of the slave with the same normal that lies in e's plane is met at distance 0, so u = 0
 /// there (flush faces: the force jumps when the pose passes through); one of opposite normal in e's plane carries

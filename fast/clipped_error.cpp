@@ -38,6 +38,17 @@ struct AreaAndVolume {
   double area, volume;
 };
 
+/// What an element's integrals are off by where its polygons, within this box, are cut at u_max.
+struct ClampRoundings {
+  double area = 0;   ///< over which what is integrated may be missing or counted twice, in (s, t)
+  int cuts = 0;      ///< of a polygon, that would put the depth off its plane by as much
+  double sums = 1;   ///< how many times more roundings the sums have
+  double least = 0;  ///< and what underflow may add, m
+
+  ClampRoundings() = default;
+  ClampRoundings(const BoxST& box, int polygons);
+};
+
 /// What roundings make of the cuts along the master's sides, where the depth ends with a jump, and of the integrals
 /// over the part `seen`. Such a side of it, and no other but for slivers, lies within f's shift and a cut's roundings
 /// of the master's; what is between both is known. Where nothing was cut: what such cuts may have made nothing of.
@@ -68,6 +79,24 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
     sum.volume += between * std::max(a[kDepth], b[kDepth]);
   }
   return sum;
+}
+
+// A polygon has a fan of five triangles; u is the linear depth that it carries. Where the edge from a to b of a
+// triangle passes u_max, the share of the way from the nearer end has 4 roundings, and the point 2 of the way and one
+// of itself: it is off the edge by delta = 1.01 roundings of (width + 1), in either piece its own way, and the depth
+// there is off by less than 4 roundings of the greatest depth and of what u changes by over the master.
+//
+//   - Field: so each piece carries min(u, u_max) but for that, which is less than two other cuts make of it.
+//   - Area: the two points move the border of either piece over no more than delta_s width_t + delta_t width_s, and the
+//     areas of three triangles in all have 4 roundings of width_s width_t each. Five times
+//     2 (delta_s width_t + delta_t width_s) + 12 u width_s width_t is less than what a border passes over that is
+//     shifted by 6 u and 21 u times the width.
+//
+// Three triangles in place of one have no more than twice the roundings. What is small enough may underflow.
+ClampRoundings::ClampRoundings(const BoxST& box, int polygons) : cuts(2), sums(2), least(0x1p-1060) {
+  const double width_s = box.width_s(), width_t = box.width_t();
+  const double off_s = (6 + 21 * width_s) * u, off_t = (6 + 21 * width_t) * u;
+  area = polygons * (2 * (width_s * off_t + width_t * off_s) + 48 * off_s * off_t);
 }
 
 }  // namespace
@@ -301,23 +330,30 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   if (sight == nullptr) {  // The exact problem has none.
     error.area = twice_area * moments.area;
     error.volume = twice_area * moments.depth;
-    error.penetration = moments.greatest;
+    error.penetration = clamped(moments.greatest);
     error.foot_Me = prism_.edge_s_Me().cwiseAbs() + prism_.edge_t_Me().cwiseAbs();
     return error;
   }
   sight->has_element = true;
   const Footprint& f = sight->footprint;
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
-  const double passed_area = sight->passed_area, passed_volume = sight->passed_volume;
-  const double area_error = std::min(sight->area_error, f.box.area() + moments.area) + neglect.area + neglect.cut_area +
-                            16 * u * moments.area;
-  const double greatest = std::max(f.greatest, moments.greatest);
-  const double off_plane = 3 * u * neglect.cuts * (greatest + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
-  const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error + off_plane, f.greatest);
+  const double deepest = std::max(f.greatest, moments.greatest), greatest = clamped(deepest);
+  const double passed_area = sight->passed_area;
+  const double passed_volume = clamped_volume(sight->passed_volume, passed_area, deepest);
+  const double differing = std::min(sight->area_error, f.box.area() + moments.area);
+  const double area_error = differing + neglect.area + neglect.cut_area + 16 * u * moments.area;
+  ClampRoundings clamp;
+  if (moments.greatest > greatest_allowed_) clamp = ClampRoundings(f.box, std::max(neglect.parts, 1));
+  const double off_plane =
+      3 * u * (neglect.cuts + clamp.cuts) * (deepest + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
+  const double depth_error =
+      f.facing == 0 ? clamped(f.greatest) : std::min(f.field_error + off_plane, clamped(f.greatest));
   // A triangle's integral has 8 roundings, the sum one for each, of which a part has ten at most.
-  const double volume_error = sight->volume_error + neglect.area * greatest + neglect.cut_volume +
+  const double volume_error = clamped_volume(sight->volume_error, differing + passed_area, deepest) +
+                              neglect.area * greatest + clamped_volume(neglect.cut_volume, neglect.cut_area, deepest) +
                               (moments.area + area_error + passed_area) * depth_error +
-                              (18 + 10 * neglect.parts) * u * (moments.depth + area_error * greatest);
+                              clamp.sums * (18 + 10 * neglect.parts) * u * (moments.depth + area_error * greatest) +
+                              (clamp.area * greatest + clamp.least);
   const double mean = moments.depth / moments.area;
   error.area = twice_area * area_error + 2 * face.area * (moments.area + area_error + passed_area);
   error.volume = twice_area * volume_error + 2 * face.area * (moments.depth + volume_error + passed_volume);
@@ -334,7 +370,9 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
   double share = 1;
   if (2 * volume_off < moments.depth) share = std::min(1.0, volume_off / (moments.depth - volume_off));
-  const double noise = 64 * u * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth);
+  const double noise =
+      64 * u * clamp.sums * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth) +
+      clamp.least / moments.depth;
   error.foot_Me = (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
                   (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
   return error;
@@ -352,13 +390,14 @@ SightError::Beside SightError::beside() const {
   for (const Sight& sight : scratch_->sights) {
     if (!sight.may_carry || sight.has_element) continue;
     const Footprint& f = sight.footprint;
-    const double depth_error = f.facing == 0 ? f.greatest : std::min(f.field_error, f.greatest);
+    const double greatest = clamped(f.greatest);
+    const double depth_error = f.facing == 0 ? greatest : std::min(f.field_error, greatest);
     const double area = sight.area_error + sight.passed_area;
     sum.area += area;
-    sum.volume += std::min(sight.volume_error + sight.passed_volume + area * depth_error, area * f.greatest);
+    sum.volume += std::min(sight.volume_error + sight.passed_volume + area * depth_error, area * greatest);
     sum.passed_area += sight.passed_area;
-    sum.passed_volume += sight.passed_volume;
-    sum.depth = std::max(sum.depth, f.greatest);
+    sum.passed_volume += clamped_volume(sight.passed_volume, sight.passed_area, f.greatest);
+    sum.depth = std::max(sum.depth, greatest);
   }
   return sum;
 }

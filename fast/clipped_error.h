@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "fast/footprint.h"
 #include "fast/prism_error.h"
 #include "fast/surface.h"
@@ -24,19 +26,25 @@ namespace pcm::fast {
 /// is off by no more than its error. Where nothing is sure over all that f and g have in common, g lies nearly flush
 /// with f or with the master: all of it counts. Roundings of cuts and integrals count as shifts (fast/footprint.cpp,
 /// fast/strips.cpp). What the engine knowingly leaves out is added (Neglect).
+///
+/// Where the law clamps the depth u to u_max, point by point, |min(u, u_max) - min(u', u_max)| <= |u - u'|: all of this
+/// holds of the integrals of the clamped depth as well, and no area costs more than itself times u_max. Where a part is
+/// cut at u_max, that cut has roundings of its own (fast/clipped_error.cpp).
 class SightError {
  public:
-  /// `continuous`: forces are sums of integrals of the depth, whatever elements these are parted into; only lines where
-  /// the depth itself jumps count for them.
-  SightError(SightScratch& scratch, const MasterPrism& prism, const PrismError& error, bool continuous)
-      : scratch_(&scratch), prism_(prism), error_(error), continuous_(continuous) {
+  SightError(SightScratch& scratch, const MasterPrism& prism, const PrismError& error, const ContactLaw& law)
+      : scratch_(&scratch),
+        prism_(prism),
+        error_(error),
+        continuous_(law.damping == 0 && law.friction == 0),
+        greatest_allowed_(law.max_penetration) {
     scratch.sights.clear();
   }
 
   /// Any face that the master's prism may meet, ascending, the slave's first. `shared`: corners that are the master's.
   void see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
            const std::array<bool, 3>& shared, WorkCounters& work);
-  /// No part is seen deeper in either problem; less than 0 where no face may carry anything, m.
+  /// No part is seen deeper in either problem, before clamping; less than 0 where no face may carry anything, m.
   double greatest_depth() const { return greatest_depth_; }
   /// No face of the master itself need be entered, but its lines deviate from where it would be so by up to this times
   /// the depth: upright faces beside its prism may hide as much.
@@ -56,8 +64,8 @@ class SightError {
   /// What the exact problem may have beside the computed elements.
   struct Beside {
     double area = 0;                            ///< in (s, t)
-    double volume = 0;                          ///< integral of the depth, m
-    double depth = 0;                           ///< no deeper, m
+    double volume = 0;                          ///< integral of the depth, clamped, m
+    double depth = 0;                           ///< no deeper, clamped, m
     double passed_area = 0, passed_volume = 0;  ///< of these, what may pass between them and the computed ones
   };
   Beside beside() const;
@@ -67,6 +75,11 @@ class SightError {
   bool flush() const { return flush_; }
 
  private:
+  double clamped(double depth) const { return std::min(depth, greatest_allowed_); }
+  /// An integral of the depth over no more than this area, where that is nowhere greater than `greatest`, m.
+  double clamped_volume(double volume, double area, double greatest) const {
+    return greatest > greatest_allowed_ ? std::min(volume, area * greatest_allowed_) : volume;
+  }
   /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
   void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
   double area_leant_over(const Footprint& f) const;
@@ -77,7 +90,10 @@ class SightError {
   SightScratch* scratch_;
   const MasterPrism& prism_;
   const PrismError& error_;
+  /// Forces are sums of integrals of the depth, whatever elements these are parted into: only lines where the depth
+  /// itself jumps count for them.
   bool continuous_;
+  double greatest_allowed_;  ///< u_max, m
   double lean_ = 0;
   std::size_t next_ = 0;
   double greatest_depth_ = -1;

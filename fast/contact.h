@@ -41,19 +41,20 @@ struct ActiveArea {
 
 /// A contact element: a master face and the slave face its penetration lines leave through. Barycentric scheme: the
 /// whole face, with the penetration of its barycentre; clipped scheme: the part of the face that sees the slave face,
-/// with the mean penetration there.
+/// with the mean penetration there. Both are clamped to max_penetration: at the barycentre, or at every point before the
+/// mean is taken.
 struct Element {
   Side master = Side::E;
   Index master_face = 0;
   Index slave_face = 0;
   double area = 0;                                        ///< A_k (6), m^2
-  double penetration = 0;                                 ///< u_k (11) or mean u, m, > 0, clamped to max_penetration
+  double penetration = 0;                                 ///< u_k (11) or mean u, clamped, m, > 0
   double normal_velocity = 0;                             ///< v_n (16), m/s, positive when approaching
   double tangential_velocity = 0;                         ///< v_t (19), m/s
   double normal_force = 0;                                ///< F_n (18), N
   double tangential_force = 0;                            ///< F_t (20), N
   Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();    ///< n_k = -n of the master face
-  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), from C_e or the centre of pressure, m
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), from C_e or the centroid of u, clamped, m
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E, N (not halved in mode `both`)
 };
 
@@ -80,7 +81,7 @@ struct ForceBound {
   bool flipped = false;
   /// The exact problem's greatest penetration lies between these, m. Whether it exceeds the law's bound is certain
   /// where that does not. The upper one may be infinite, and is too great where what lies deepest is hidden; the lower
-  /// one of the clipped scheme is that of the deepest mean over an element.
+  /// one of the clipped scheme is that of the deepest mean over an element, clamped as the law has it.
   double penetration_at_least = 0;
   double penetration_at_most = 0;
 };

@@ -48,7 +48,7 @@ MasterForce sum_bounded_elements(Workspace::Data& workspace, Side master, const 
     element.master_face = face;
     element.slave_face = penetration.slave_face;
     element.area = geometry.area;
-    element.penetration = penetration.depth;
+    element.penetration = std::min(penetration.depth, problem.law.max_penetration);
     element.normal_Me = -geometry.n_Me;
     add_element(contact, problem, penetration.depth, geometry.barycentre_Me(), element, total);
     bound.add_element(geometry, element, total);
@@ -134,7 +134,7 @@ void ElementQueue::add(const Element& element, double greatest_penetration, cons
   const std::size_t lane = waiting_++;
   set_faces(lane, element.master_face, element.slave_face, greatest_penetration);
   lanes.area.value[lane] = element.area;
-  lanes.depth.value[lane] = std::min(element.penetration, problem_.law.max_penetration);
+  lanes.depth.value[lane] = element.penetration;
   lanes.n_Me.set(lane, -element.normal_Me);
   lanes.barycentre_Me.set(lane, foot_Me);
   if (waiting_ == kElementLanes) form_waiting();
@@ -183,7 +183,6 @@ void ElementQueue::add_lane(std::size_t lane, bool forced) {
 void add_element(Contact& contact, const ForceProblem& problem, double greatest_penetration,
                  const Eigen::Vector3d& foot_Me, Element& element, MasterForce& total) {
   count_element(contact, problem, greatest_penetration);
-  element.penetration = std::min(element.penetration, problem.law.max_penetration);
   apply_force(problem, foot_Me, element);
   sum_element(contact, problem, element, (element.position_Me - problem.pose.r).cross(element.force_Me), total);
 }

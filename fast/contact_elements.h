@@ -38,9 +38,9 @@ class ElementQueue {
  public:
   ElementQueue(Workspace::Data& workspace, Side master, const ForceProblem& problem);
 
-  /// `element` brings its faces, area, normal and penetration; see `add_element`.
+  /// See `add_element`.
   void add(const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me);
-  /// Elements whose areas, normals, feet and penetrations, clamped, are in the lanes already; none may wait.
+  /// Elements whose areas, normals, feet and penetrations are in the lanes already; none may wait.
   void add_lanes(LaneBits which);
   /// The faces of a lane for `add_lanes`.
   void set_faces(std::size_t lane, Index master_face, Index slave_face, double greatest_penetration) {
@@ -86,8 +86,8 @@ void for_each_active_face(const SideState& side, const Visit& visit) {
 }
 
 /// Enters an element into the answer and its force into the total (21)-(24). `element` brings its faces, area, normal
-/// and penetration, which is clamped here; `greatest_penetration` is that of any of its points, before clamping;
-/// `foot_Me` is C_e (8) or the centre of pressure.
+/// and penetration, clamped; `greatest_penetration` is that of any of its points, before clamping; `foot_Me` is C_e (8)
+/// or the centre of pressure.
 void add_element(Contact& contact, const ForceProblem& problem, double greatest_penetration,
                  const Eigen::Vector3d& foot_Me, Element& element, MasterForce& total);
 

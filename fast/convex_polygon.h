@@ -159,6 +159,29 @@ struct Moments {
       t_depth += twelfth * (sum[kT] * sum[kDepth] + a[kT] * a[kDepth] + b[kT] * b[kDepth] + c[kT] * c[kDepth]);
     }
   }
+
+  /// The same of min(depth, most). Each triangle of the fan is parted where it is that deep: along three corners the
+  /// difference changes its sign no more than twice, so that nothing gets lost between both parts, even of a polygon
+  /// that lies at that depth but for roundings.
+  void add_clamped(const ConvexPolygon& polygon, double most) {
+    for (int i = 1; i + 1 < polygon.count; ++i) {
+      ConvexPolygon shallow;
+      for (const int corner : {0, i, i + 1}) shallow.add(polygon[corner]);
+      ConvexPolygon deep = shallow;
+      Heights above, below;
+      for (std::size_t k = 0; k < 3; ++k) {
+        above[k] = most - shallow.points[k][kDepth];
+        below[k] = -above[k];
+      }
+      keep_where_not_negative(shallow, above);
+      keep_where_not_negative(deep, below);
+      for (int k = 0; k < shallow.count; ++k) shallow[k][kDepth] = std::min(shallow[k][kDepth], most);
+      for (int k = 0; k < deep.count; ++k) deep[k][kDepth] = most;
+      for (const ConvexPolygon* const part : {&shallow, &deep}) {
+        if (!part->empty()) add(*part);
+      }
+    }
+  }
 };
 
 }  // namespace pcm::fast

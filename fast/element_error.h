@@ -14,9 +14,9 @@ namespace pcm::fast {
 /// the evaluation and those of F's vertices together. Either scheme fills it; fast/force_error.h makes bounds of it.
 struct ElementError {
   double area = 0;         ///< of A_k, m^2
-  double penetration = 0;  ///< of u_k before clamping, m
-  double mean = 0;         ///< u_k itself before clamping, where areas may pass, m
-  /// Of A_k u_k before clamping, m^3, where that is known better than A_k and u_k say.
+  double penetration = 0;  ///< of u_k, m; barycentric scheme: before clamping, which never widens an error
+  double mean = 0;         ///< u_k itself, where areas may pass, m
+  /// Of A_k u_k, m^3, where that is known better than A_k and u_k say.
   double volume = std::numeric_limits<double>::infinity();
   /// What may pass between it and other elements of its master face (fast/passing_error.h), m^2 and m^3: not part of
   /// the errors of area and volume, but of those of penetration and foot.

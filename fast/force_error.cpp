@@ -52,17 +52,14 @@ VelocityErrors velocity_errors(const ForceProblem& problem, const Element& eleme
   return errors;
 }
 
-/// F_n (14), (15), (18) with its error. With V = A u: clamped, A u is min(V, A u_max), and faded, A is min(A, V / u_d);
-/// neither is off by more than the greater of its arguments' errors.
+/// F_n (14), (15), (18) with its error. With V = A u: faded, A is min(A, V / u_d), which is off by no more than the
+/// greater of both errors.
 Uncertain normal_force(const ForceProblem& problem, const Element& element, const ElementError& error,
                        double v_n_error) {
   const ContactLaw& law = problem.law;
   const Uncertain area{element.area, error.area}, depth{element.penetration, error.penetration};
   const double c_l = problem.stiffness.c_l;
-  double volume_error = error.volume;
-  if (depth.greatest() >= law.max_penetration) {
-    volume_error = std::max(volume_error, law.max_penetration * area.error);
-  }
+  const double volume_error = error.volume;
   const double elastic = c_l * area.size * depth.size;
   const double greatest_volume =
       std::min(area.greatest() * depth.greatest(), area.size * depth.size * kBoundMargin + volume_error);
@@ -118,7 +115,6 @@ ElementForceError force_error(const ForceProblem& problem, const Element& elemen
   const ContactLaw& law = problem.law;
   const Eigen::Vector3d n = element.normal_Me.cwiseAbs();
   const double depth = element.penetration;
-  // Clamping never widens an error.
   const double depth_error = error.penetration;
 
   // (13): C_k = foot + (shift u_k) n; lever L = C_k - r.

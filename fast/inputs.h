@@ -56,7 +56,9 @@ struct ContactLaw {
   double transition_depth = 0;           ///< u_d, m: damping fades in up to this penetration (15); 0 turns the fade off
   double friction = 0;                   ///< mu
   double slip_velocity = 0;              ///< v_eps, m/s: friction is regularised below it (20)
-  double max_penetration = std::numeric_limits<double>::infinity();  ///< m > 0: deeper is clamped and flagged
+  /// u_max, m > 0: deeper is clamped, point by point, and flagged. The barycentric scheme takes min(u, u_max) at a
+  /// face's barycentre, the clipped scheme integrates it.
+  double max_penetration = std::numeric_limits<double>::infinity();
   DampingMode damping_mode = DampingMode::no_tension;
 };
 

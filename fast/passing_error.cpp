@@ -27,19 +27,14 @@ std::optional<NormalRates> surely_linear(const ForceProblem& problem, const Elem
   if (!(error.passed_area + error.area < kGreatestShare * element.area)) return {};
   if (!(error.passed_volume + error.volume < kGreatestShare * volume)) return {};
   NormalRates rates{c_l, 0};
-  if (depth - error.penetration > law.max_penetration) {
-    rates = {0, c_l * law.max_penetration};
-  } else if (!(depth + error.penetration < law.max_penetration)) {
-    return {};
-  }
   if (law.damping == 0) return rates;
   const double v_n =
       law.damping_mode == DampingMode::compression ? std::max(element.normal_velocity, 0.0) : element.normal_velocity;
   double fade = 1;
-  if (depth + error.penetration < std::min(law.transition_depth, law.max_penetration)) {
+  if (depth + error.penetration < law.transition_depth) {
     fade = depth / law.transition_depth;
     rates.per_volume += law.damping * v_n / law.transition_depth;
-  } else if (std::min(depth - error.penetration, law.max_penetration) > law.transition_depth) {
+  } else if (depth - error.penetration > law.transition_depth) {
     rates.per_area += law.damping * v_n;
   } else {
     return {};

@@ -11,20 +11,22 @@ namespace pcm::fast {
 /// What it costs that the exact problem may part a master face otherwise between its elements (clipped scheme): where
 /// two faces of the slave go on smoothly into each other, an area that one element loses the other one gains.
 ///
-/// With fixed velocities the force (14)-(22) of an element k is linear in its integrals, dF = c_k dV + b_k dA, as long
-/// as nothing is clamped. What passes sums up to nothing, so the force is off by no more than the sum of |c_k - c| |dV|
-/// + |b_k - b| |dA|, c and b those of any one element: as much as the velocities differ from element to element. An
-/// element that may be clamped counts in full, and what it may pass to the others as well.
+/// With fixed velocities the force (14)-(22) of an element k is linear in its integrals, dF = c_k dV + b_k dA, but
+/// where damping begins to fade or the normal force to vanish; V is the integral of the clamped depth. What passes sums
+/// up to nothing, so the force is off by no more than the sum of |c_k - c| |dV| + |b_k - b| |dA|, c and b those of any
+/// one element: as much as the velocities differ from element to element. An element whose force may not be linear
+/// counts in full, and what it may pass to the others as well.
 class PassingError {
  public:
-  /// An element and its errors, of which those that pass are not part yet. If it may be clamped, they become so.
+  /// An element and its errors, of which those that pass are not part yet. If its force may not be linear, they become
+  /// so.
   void add(const ForceProblem& problem, const Element& element, ElementError& error, ElementForceError& sum);
   /// What may pass to or from where no element was computed, m^2 and m^3.
   void add_elsewhere(double area, double volume);
   /// Once all the face's elements are entered.
   void finish(ElementForceError& sum) const;
 
-  /// By how much the other errors of an element that is not clamped may grow through what passes.
+  /// By how much the other errors of an element whose force is linear may grow through what passes.
   static constexpr double kGrowth = 1 + 0x1p-10;
 
  private:

@@ -40,6 +40,8 @@ void expect_no_allocation_once_grown(Scheme scheme) {
   law.friction = 0.5;
   const Pairing closed(bubble, bubble, law, Mode::both, scheme);
   const Pairing open(Surface(generate::pyramid()), bubble, law, Mode::both, scheme);
+  law.max_penetration = 0.03125;
+  const Pairing clamped(bubble, bubble, law, Mode::both, scheme);
   Workspace workspace;
   Wanted bounded;
   bounded.bound = true;
@@ -49,6 +51,7 @@ void expect_no_allocation_once_grown(Scheme scheme) {
       EXPECT_TRUE(evaluate(closed, deep, {}, {}, workspace).touching);
       EXPECT_TRUE(evaluate(open, test::turned(0.3 * i, {0.01, 0.02, 0.05}), {}, {}, workspace).touching);
       EXPECT_TRUE(evaluate(closed, deep, {}, bounded, workspace).bound.has_value());
+      EXPECT_TRUE(evaluate(clamped, deep, {}, bounded, workspace).penetration_exceeded);
     }
     EXPECT_TRUE(evaluate(closed, {}, {}, bounded, workspace).bound->flipped);
   };

@@ -229,20 +229,6 @@ TEST(ClippedElements, FoldOfTheSlaveHidesWhatIsBehindItExactlyByHalves) {
   EXPECT_NEAR(barycentric.force_Me.z() / coarse.force_Me.z(), 1, 5e-2);
 }
 
-TEST(ClippedElements, MaxPenetrationIsThatOfTheDeepestPointAndClampsTheMean) {
-  ContactLaw law = stiffness(1);
-  law.max_penetration = 0.2;
-  const TriangleMesh plate = generate::plate(8, 8, 3);
-  const TriangleMesh wedge = generate::wedge(45, 1, 1);
-  // Depths from 0 to 0.3, so 0.15 in the mean.
-  const Contact contact = clipped(plate, wedge, shifted(2.5, -2.5, -0.3), law);
-  EXPECT_NEAR(contact.max_penetration, 0.3, 1e-15);
-  EXPECT_TRUE(contact.penetration_exceeded);
-  EXPECT_NEAR(contact.force_Me.z(), -0.09, 1e-15);
-  law.max_penetration = 0.1;
-  EXPECT_NEAR(clipped(plate, wedge, shifted(2.5, -2.5, -0.3), law).force_Me.z(), -0.06, 1e-15);
-}
-
 TEST(ClippedElements, AreOrderedByMasterThenMasterFaceThenSlaveFace) {
   const Contact contact =
       clipped(generate::icosphere(1, 2), generate::icosphere(1, 2), turned(0.3, {1.1, 0.9, 0.9}), {}, Mode::both);

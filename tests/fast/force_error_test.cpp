@@ -97,10 +97,11 @@ TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
     const RealVector true_foot = foot.cast<Real>() + error.foot_Me.cwiseProduct(ends).cast<Real>();
     const Real true_area = Real(element.area) + Real(error.area) * Real(end());
     const Real true_depth = Real(depth) + Real(error.penetration) * Real(end());
-    // The clipped scheme knows the volume better than its factors, which may be off together.
+    // The clipped scheme knows the volume, of the depth as clamped, better than its factors, which may be off together.
     if (trial % 3 == 0) {
-      error.volume = static_cast<double>(std::abs(true_area * true_depth - Real(element.area) * Real(depth)) +
-                                         1e-19L * true_area * true_depth);
+      const Real true_volume = true_area * std::min(true_depth, static_cast<Real>(example.law.max_penetration));
+      error.volume = static_cast<double>(std::abs(true_volume - Real(element.area) * Real(element.penetration)) +
+                                         1e-19L * true_volume);
     }
     const TrueForce truth =
         true_force(example.law, pose, velocity, element.master, true_area, true_depth, n, true_foot);
