@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reference/disjoint_sets.h"
+
 namespace pcm::reference {
 namespace {
 
@@ -55,46 +57,55 @@ std::vector<int> edge_sums(Side side, const Crossings& crossings, const Surface&
   return sums;
 }
 
-void locate_in_open(Side side, const Crossings& crossings, const Surface& surface, const std::vector<FaceState>& states,
-                    ActiveFaces& active) {
-  const std::size_t vertices = surface.mesh.vertices.size();
-  active.inside.assign(vertices, false);
-  active.outside.assign(vertices, false);
+/// Which labels something got.
+struct Labels {
+  bool inside = false, outside = false;
+  void add(const Labels& more) {
+    inside = inside || more.inside;
+    outside = outside || more.outside;
+  }
+};
+
+/// Of each vertex, by the edges that end in it.
+std::vector<Labels> labels_by_edges(Side side, const Crossings& crossings, const Surface& surface) {
+  std::vector<Labels> labels(surface.mesh.vertices.size());
   const std::vector<int> sums = edge_sums(side, crossings, surface);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     if (sums[i] == 0) continue;
     const auto [a, b] = surface.edges[i];
-    active.inside[sums[i] > 0 ? b : a] = true;
-    active.outside[sums[i] > 0 ? a : b] = true;
+    labels[sums[i] > 0 ? b : a].inside = true;
+    labels[sums[i] > 0 ? a : b].outside = true;
   }
-  const std::vector<bool> inside_directly = active.inside, outside_directly = active.outside;
-  const Index faces = static_cast<Index>(surface.mesh.faces.size());
-  std::vector<bool> visited(faces, false);
-  std::vector<Index> set;
-  for (Index seed = 0; seed < faces; ++seed) {
-    if (visited[seed] || states[seed] == FaceState::intersected) continue;
-    visited[seed] = true;
-    set.assign(1, seed);
-    bool inside = false, outside = false;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-      for (const Index v : surface.mesh.faces[set[i]]) {
-        inside = inside || inside_directly[v];
-        outside = outside || outside_directly[v];
-      }
-      for (const Index edge : surface.face_edges[set[i]])
-        for (const Index next : surface.edge_faces[edge])
-          if (next != kNone && !visited[next] && states[next] != FaceState::intersected) {
-            visited[next] = true;
-            set.push_back(next);
-          }
-    }
-    if (inside && outside) active.ambiguous = true;
-    if (inside == outside) continue;
-    for (const Index f : set)
-      for (const Index v : surface.mesh.faces[f]) (inside ? active.inside : active.outside)[v] = true;
-    if (inside) active.inner.insert(active.inner.end(), set.begin(), set.end());
+  return labels;
+}
+
+/// PCM section 5 speaks of sets of uncrossed faces: the classes of the relation "share an edge". A set has the labels
+/// of all its vertices.
+void locate_in_open(Side side, const Crossings& crossings, const Surface& surface, const std::vector<FaceState>& states,
+                    ActiveFaces& active) {
+  const auto uncrossed = [&states](Index f) { return f != kNone && states[f] != FaceState::intersected; };
+  const Index faces = static_cast<Index>(states.size());
+  DisjointSets sets(states.size());
+  for (const auto& [f, g] : surface.edge_faces)
+    if (uncrossed(f) && uncrossed(g)) sets.join(f, g);
+
+  std::vector<Labels> of_vertex = labels_by_edges(side, crossings, surface);
+  std::vector<Labels> of_set(states.size());  // at the root
+  for (Index f = 0; f < faces; ++f)
+    for (const Index v : surface.mesh.faces[f])
+      if (uncrossed(f)) of_set[sets.root(f)].add(of_vertex[v]);
+
+  for (Index f = 0; f < faces; ++f) {
+    const Labels& labels = of_set[sets.root(f)];
+    if (labels.inside && labels.outside) active.ambiguous = true;
+    if (!uncrossed(f) || labels.inside == labels.outside) continue;
+    if (labels.inside) active.inner.push_back(f);
+    for (const Index v : surface.mesh.faces[f]) of_vertex[v].add(labels);
   }
-  std::sort(active.inner.begin(), active.inner.end());
+  for (const Labels& labels : of_vertex) {
+    active.inside.push_back(labels.inside);
+    active.outside.push_back(labels.outside);
+  }
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ int winding_number(const Orientation& orientation, Vertex v, const std::vector<I
 
 /// `side`'s faces and vertices against the other surface. Other surface closed: every vertex by its winding number.
 /// Open (no inside without a rule): an edge along which crossings sum up to s > 0 goes in, s < 0 comes out; its ends
-/// label the uncrossed faces at them, and these one another over shared edges.
+/// label the uncrossed faces at them, and all uncrossed faces that shared edges join to these.
 ActiveFaces find_active_faces(const Orientation& orientation, Side side, const Crossings& crossings,
                               const std::vector<IndexPair>& columns);
 

@@ -1,34 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <numeric>
 
 #include "reference/active_areas.h"
+#include "reference/disjoint_sets.h"
 
 namespace pcm::reference {
-namespace {
-
-/// Disjoint sets of polygons and of both surfaces' vertices.
-class Classes {
- public:
-  explicit Classes(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-}  // namespace
 
 std::vector<Index> group_into_patches(const ExactPose& pose, const Crossings& crossings,
                                       const std::vector<Chain>& polygons, const ActiveFaces& E, const ActiveFaces& F) {
   const std::size_t vertices_E = E.inside.size();
   const std::size_t first_polygon = vertices_E + F.inside.size();
-  Classes classes(first_polygon + polygons.size());
+  DisjointSets classes(first_polygon + polygons.size());  // of both surfaces' vertices and of polygons
   std::vector<std::size_t> polygon_of(crossings.ids.size());
   for (std::size_t i = 0; i < polygons.size(); ++i)
     for (const Index point : polygons[i].points) polygon_of[point] = first_polygon + i;
