@@ -110,10 +110,12 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e) 
   const Sight seen = sight(e.master, e.master_face, e.slave_face);
   GeometryErrors errors;
   errors.normal = seen.turn;
-  const double strips = strips_along(e.perimeter + seen.outline, seen.strip) + (16 * u + seen.turn) * e.area;
-  const double fold =
+  const double around = e.perimeter + seen.outline;
+  const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
+  const double strips = strips_along(around, seen.strip) + (16 * u + seen.turn) * e.area + folds;
+  const double at_depth_0 =
       seen.fold > 0 ? std::min(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
-  errors.area = strips + fold;
+  errors.area = strips + at_depth_0;
 
   // Of the depth at a point: what a shift by the strip's width makes along the slave's slope counts as well.
   const double deepest = std::max(seen.deepest, e.greatest_penetration);

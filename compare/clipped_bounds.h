@@ -22,6 +22,9 @@ namespace pcm::compare {
 /// along that of all the master face would see of the slave face if nothing hid it; an element no larger than that is a
 /// sliver: it may be missing, and the engine may have one of its own.
 ///
+/// Where the slave face and another one, of either surface, pass through each other, the line on which they lie at the
+/// same depth is off by what a vertex's height over a face is, over the slope of the difference of both depths.
+///
 /// A depth is off by its own roundings, which count 1 / |cos| across a slanting face. So is the line where it is 0, by
 /// these roundings over the slope; but there it carries nothing. Which side of a face's plane a vertex lies on is
 /// decided exactly, so what lies flush hides, or does not, without any error.

@@ -41,13 +41,14 @@ Ask drawn_ask(std::uint64_t bits) {
   return ask;
 }
 
-bool same_numbers(const Pose& a, const Pose& b) {
-  const auto same = [](double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-  };
-  for (int k = 0; k < 9; ++k)
-    if (!same(a.A(k / 3, k % 3), b.A(k / 3, k % 3))) return false;
-  return same(a.r[0], b.r[0]) && same(a.r[1], b.r[1]) && same(a.r[2], b.r[2]);
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+template <class Derived>
+bool same_bits(const Eigen::MatrixBase<Derived>& a, const Eigen::MatrixBase<Derived>& b) {
+  for (Eigen::Index k = 0; k < a.size(); ++k)
+    if (!same_bits(a.derived().data()[k], b.derived().data()[k])) return false;
+  return true;
 }
 
 void hold_path(Path path, const fast::Contact& whole, const fast::Contact& answer, const Wanted& wanted,
@@ -60,7 +61,8 @@ void hold_path(Path path, const fast::Contact& whole, const fast::Contact& answe
 /// Scenes refuse rotations that are not one to 1e-10.
 constexpr double kSceneSkew = 1e-10;
 
-/// Body E's marker is the scene's frame, so the relative pose is that of F but for signs of zeros. A step on the way
+/// Body E's marker is the scene's frame, so relative pose and velocity are those of F but for signs of
+/// zeros. A step on the way
 /// makes the scene look for a certificate where the bodies are apart, and use it where it still holds.
 void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                 const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks) {
@@ -82,11 +84,13 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   F.pose.r = pose.r;
   scene.move({E, F});
   const Pose relative = scene.relative_pose(0);
-  if (same_numbers(relative, pose)) {
+  const Velocity motion = scene.relative_velocity(0);
+  if (same_bits(relative.A, pose.A) && same_bits(relative.r, pose.r) && same_bits(motion.v, velocity.v) &&
+      same_bits(motion.w, velocity.w)) {
     hold_path(Path::scene, whole, seam.evaluate_in(scene, workspace), everything, checks);
     return;
   }
-  const fast::Contact there = seam.evaluate(pairing, relative, scene.relative_velocity(0), {}, workspace);
+  const fast::Contact there = seam.evaluate(pairing, relative, motion, {}, workspace);
   hold_path(Path::scene, there, seam.evaluate_in(scene, workspace), everything, checks);
 }
 
@@ -124,11 +128,14 @@ const EngineSeam& EngineSeam::none() {
 void hold_paths(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                 const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
                 const std::function<void(const fast::Contact&)>& on_bound) {
+  fast::Contact expected = whole;
   for (const Ask& ask : asks_at(pose, velocity)) {
     if (ask.path == Path::plain) continue;
     const fast::Contact& answer = seam.evaluate(pairing, pose, velocity, ask, workspace);
-    hold_path(ask.path, whole, answer, ask.wanted, checks);
-    if (ask.path == Path::bounded) on_bound(answer);
+    hold_path(ask.path, expected, answer, ask.wanted, checks);
+    if (ask.path != Path::bounded) continue;
+    expected.bound = answer.bound;  // others that have a bound have this one
+    on_bound(answer);
   }
   hold_scene(seam, pairing, pose, velocity, whole, step, workspace, checks);
 }

@@ -92,6 +92,17 @@ RoundingBounds::PositionError RoundingBounds::position_error(const reference::Cr
   return {kHigherOrder * std::min(length, along), kHigherOrder * height};
 }
 
+// The corners that the other surface does not wind about bound nothing; all do where it is open.
+double RoundingBounds::width_of(Part part, Side side, Index face) const {
+  const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
+  const bool closed = faces_.surface(other(side)).closed;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index v = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)][k];
+    if (!closed || std::binary_search(active.wound.begin(), active.wound.end(), v)) part.add(faces_.vertex(side, v), 0);
+  }
+  return part.terms > 0 ? (part.high - part.low).stableNorm() : std::numeric_limits<double>::infinity();
+}
+
 // The clipped area of a face is a sum of (p - o) x (q - o) / 2 over a closed boundary, linear in each boundary point. A
 // crossing x moved by s along its edge's direction d, its neighbours p and q on the polygon unmoved, changes
 // - the area of the face it passes through, whose boundary runs p, x, q, by s |d x (q - p)| / 2;
@@ -105,9 +116,9 @@ RoundingBounds::PositionError RoundingBounds::position_error(const reference::Cr
 // than its area times the distance from the origin, a third of it counted.
 AreaBounds RoundingBounds::area() const {
   AreaBounds bounds;
-  std::array<double, 2> moved{};                 // area errors by side, from crossings moved
-  double moved_volume = 0, gaps = 0;             // three times the volume, and the gaps' area
-  std::array<std::map<Index, double>, 2> terms;  // boundary points by side and face
+  std::array<double, 2> moved{};               // area errors by side, from crossings moved
+  double moved_volume = 0, gaps = 0;           // three times the volume, and the gaps' area
+  std::array<std::map<Index, Part>, 2> parts;  // by side and face
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const reference::Polygon& polygon : true_.polygons) {
     const std::size_t n = polygon.points.size();
@@ -147,9 +158,9 @@ AreaBounds RoundingBounds::area() const {
         for (double& m : moved) m += s[k] * s[next] * d[k].cross(d[next]).stableNorm() / 2;
       }
       s[k] += kHigherOrder * stored;
-      terms[crossed][x.face] += 2;
+      parts[crossed][x.face].add(x.position_Me, 2);
       const SurfaceFeatures& edges = faces_.surface(x.edge_side);
-      for (const Index f : edges.faces_at(x.edge)) terms[own][f] += 3;
+      for (const Index f : edges.faces_at(x.edge)) parts[own][f].add(x.position_Me, 3);
     }
   }
   for (const Side side : {Side::E, Side::F}) {
@@ -162,28 +173,33 @@ AreaBounds RoundingBounds::area() const {
   }
   const double patch = (high - low).cwiseMax(0).stableNorm();
 
-  // Each cross product of the sum has 4 roundings of |p - o| |q - o| <= L^2, the origin o taken in the face; projecting
-  // on n_e costs the normal's error once more; face after face is then added up. The volume is the sum of
-  // (x_e - o) . n_e area_e / 3 with o near the patch, so |x_e - o| <= patch + L.
+  // The part of an intersected face is summed about a point of its own: each cross product has 4 roundings of
+  // |p - o| |q - o|, no more than the square of the part's width, and so has the normal's length; the normal's
+  // direction tells in the vector area alone. Face after face is then added up. The volume is the sum of (x_e - o) .
+  // n_e area_e / 3 with x_e and o in the patch.
   for (const Side side : {Side::E, Side::F}) {
     const auto i = static_cast<std::size_t>(side == Side::E ? 0 : 1);
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
     double area_error = moved[i], normal_error = 0, volume_error = 0, size = 0;
-    const auto add = [&](Index f, double sum_terms) {
-      const Face e = faces_.face(side, f);
-      const double value_error = e.area_error + 4 * u * sum_terms * e.longest * e.longest;
-      // A sliver's normal may be wrong altogether; its area is then no larger than its error. The total area bounds
-      // no face's clipped one: where the other surface folds over, areas count negative.
-      const double turned = std::min(e.area * e.normal_error, 2 * e.area_error + 6 * u * e.longest * e.longest);
-      size += e.area;
+    const auto add = [&](const Face& e, double area, double value_error) {
+      // A sliver's normal may be wrong altogether; its area is then no larger than its error.
+      const double turned = std::min(area * e.normal_error, 2 * e.area_error + 6 * u * e.longest * e.longest);
+      size += area;
       area_error += value_error;
       normal_error += turned;
-      volume_error += (patch + e.longest) * (value_error + turned + 6 * u * e.area);
+      volume_error += patch * (value_error + turned + 6 * u * area);
     };
-    for (const Index f : active.inner) add(f, 0);
+    for (const Index f : active.inner) {
+      const Face e = faces_.face(side, f);
+      add(e, e.area, e.area_error);
+    }
     for (const Index f : active.intersected) {
-      const auto found = terms[i].find(f);
-      add(f, 3 + (found == terms[i].end() ? 0 : found->second));
+      const Face e = faces_.face(side, f);
+      const auto found = parts[i].find(f);
+      const Part part = found == parts[i].end() ? Part{} : found->second;
+      const double width = std::min(e.longest, width_of(part, side, f));
+      const double sum_terms = part.terms + 3 * std::max(1, active.most_wound);
+      add(e, std::min(e.area, width * width), 4 * u * (sum_terms + 2) * width * width);
     }
     const double summing = u * static_cast<double>(active.inner.size() + active.intersected.size() + 1) * size;
     (side == Side::E ? bounds.area_E : bounds.area_F) = kHigherOrder * (area_error + summing);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "compare/law_bounds.h"
@@ -50,6 +51,20 @@ class RoundingBounds {
     double height = 0;  ///< over the plane of the face, m
   };
   PositionError position_error(const reference::Crossing& crossing) const;
+  /// The points that bound the clipped part of a face.
+  struct Part {
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Vector3d high = -low;
+    double terms = 0;  ///< of the sum that is its area
+
+    void add(const Eigen::Vector3d& x_Me, double more_terms) {
+      low = low.cwiseMin(x_Me);
+      high = high.cwiseMax(x_Me);
+      terms += more_terms;
+    }
+  };
+  /// No two points of it are farther apart, m.
+  double width_of(Part part, Side side, Index face) const;
 
   const Question& question_;
   const reference::Answer& true_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <tuple>
 
@@ -23,6 +24,23 @@ char letter(Side side) {
 
 std::string describe(Side edge_side, const std::array<Index, 2>& edge, Index face) {
   return fmt::format("{} edge ({}, {}) through face {}", letter(edge_side), edge[0], edge[1], face);
+}
+
+/// Whether the polygons' ranges and the elements' faces exist: all else relies on that.
+bool is_sound(const Question& question, const fast::Contact& subj, Checks& checks) {
+  const auto crossings = static_cast<std::int64_t>(subj.crossings.size());
+  for (const fast::Polygon& p : subj.polygons)
+    if (p.first < 0 || p.count < 0 || std::int64_t{p.first} + p.count > crossings)
+      checks.add(Kind::polygon_cycle, "polygon of {} crossings from {} on, of {}", p.count, p.first, crossings);
+  const auto exists = [&](Side side, Index face) {
+    const SurfaceFeatures& surface = side == Side::E ? question.E : question.F;
+    return face >= 0 && static_cast<std::size_t>(face) < surface.mesh.faces.size();
+  };
+  for (const fast::Element& e : subj.elements)
+    if ((e.master != Side::E && e.master != Side::F) || !exists(e.master, e.master_face) ||
+        !exists(other(e.master), e.slave_face))
+      checks.add(Kind::elements, "an element of faces {} and {}, which do not exist", e.master_face, e.slave_face);
+  return checks.disagreements().empty();
 }
 
 /// True if all polygons are the same cycles in the same order.
@@ -186,6 +204,7 @@ double mean_thickness(const reference::Answer& truth) {
 Checks hold_answer(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded) {
   const reference::Answer& truth = true_rounded;
   Checks checks;
+  if (!is_sound(question, subj, checks)) return checks;
   checks.check_equal(Kind::touching, "touching", subj.touching, truth.touching);
   checks.check_equal(Kind::nested, "nested", subj.nested, truth.nested);
   checks.check_equal(Kind::ambiguous, "ambiguous", subj.ambiguous, truth.ambiguous);

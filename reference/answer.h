@@ -52,6 +52,9 @@ struct AreaInterval {
 struct ActiveArea {
   std::vector<Index> intersected;  ///< ascending
   std::vector<Index> inner;        ///< ascending, nested ones included
+  /// Vertices of intersected faces about which the other surface, where it is closed, winds; ascending.
+  std::vector<Index> wound;
+  int most_wound = 0;  ///< how often at most, either way round
   double area = 0;                 ///< m^2, correctly rounded
   AreaInterval area_interval;
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();
@@ -68,6 +71,7 @@ struct Element {
   double penetration = 0;           ///< u_k (11), m, after clamping
   double greatest_penetration = 0;  ///< greatest u over the element (barycentric: u of the barycentre), before clamping
   double perimeter = 0;             ///< m, of the part of the master face that is the element; barycentric: 0
+  double folds = 0;                 ///< m: area that changes with heights between the slave face and others, over these; barycentric: 0
   double cosine = 0;                ///< n_master . n_slave, < 0: 1/|cosine| is the condition of u_k
   double normal_velocity = 0;       ///< v_n (16), m/s, positive when approaching
   double tangential_velocity = 0;   ///< v_t (19), m/s
@@ -82,7 +86,7 @@ struct Element {
 
 /// The oracle's answer to one problem. Every number is the true value, correctly rounded (ties to even, zero as +0):
 /// positions, areas, volume, and all of elements, force, torque and penetration, with two exceptions (contact_force.h).
-/// The scales and the elements' perimeters are near enough for what they are for. And where an element is clamped to
+/// The scales and the elements' perimeters and folds are near enough for what they are for. And where an element is clamped to
 /// max_penetration while F turns (w != 0), its v_t is a root of a root, and with friction so are forces and torque:
 /// those are enclosed to 4096 bits, and where that does not tell which way to round, the middle of the enclosure is
 /// rounded.

@@ -136,7 +136,40 @@ T perimeter_of(LiftedPose<T>& pose, const ClippedElement& element) {
   return sum;
 }
 
+/// The gradient g of a difference of depths, (d_a - d_b) |N|, in the master's plane: g . v1 and g . v2 are |N| times
+/// its coefficients, so |N| g = b (N x v1) - a (N x v2). A height over a face is its cosine times a depth.
+template <class T>
+T folds_of(LiftedPose<T>& pose, const ClippedElement& element) {
+  using std::min;
+  const Face master{element.faces.master, element.faces.master_face};
+  const MasterFrame<T> e = make_frame(pose, master);
+  T sum = pose.number(0.0);
+  for (const PieceSide<T>& side : sides_of(pose, e, element)) {
+    const Face a{side.line.side_a, side.line.a}, b{side.line.side_b, side.line.b};
+    if (side.line.kind != SightLine::Kind::fold || a == master || b == master) continue;
+    const Depth<T> d_a = depth_of(pose, e, a), d_b = depth_of(pose, e, b);
+    const T slope_s = d_a.numerator.x / d_a.denominator - d_b.numerator.x / d_b.denominator;
+    const T slope_t = d_a.numerator.y / d_a.denominator - d_b.numerator.y / d_b.denominator;
+    const Vec3<T> gradient_N = slope_t * e.N_x_v1 - slope_s * e.N_x_v2;
+    const Vec3<T> along = T(side.to.s - side.from.s) * e.v1 + T(side.to.t - side.from.t) * e.v2;
+    const auto square_cosine = [&](const Depth<T>& d) -> T {
+      return d.denominator * d.denominator / (dot(e.N, e.N) * dot(d.N_g, d.N_g));
+    };
+    const T least = min(square_cosine(d_a), square_cosine(d_b));
+    sum = sum + sqrt(dot(along, along) * dot(e.N, e.N) / (dot(gradient_N, gradient_N) * least));
+  }
+  return sum;
+}
+
 }  // namespace
+
+DoubleDouble ClippedElements::folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
+  return folds_of(pose, elements_[i]);
+}
+
+Ball ClippedElements::folds(std::size_t i, LiftedPose<Ball>& pose) const {
+  return folds_of(pose, elements_[i]);
+}
 
 DoubleDouble ClippedElements::perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
   return perimeter_of(pose, elements_[i]);

@@ -43,6 +43,7 @@ class EnclosedLoads {
     return *known_[i];
   }
   T perimeter(std::size_t i) { return question_.elements.perimeter(i, pose_); }
+  T folds(std::size_t i) { return question_.elements.folds(i, pose_); }
 
  private:
   EnclosedLoad<T> enclose(std::size_t i) {
@@ -111,6 +112,7 @@ bool settle_element(EnclosedLoads<T>& loads, std::size_t i, BackedSettler<ExactL
   settle(load.greatest_penetration, target.greatest_penetration,
          [i](ExactLoads& exact) { return exact.greatest_penetration(i); });
   settle(loads.perimeter(i), target.perimeter, [i](ExactLoads& exact) { return exact.perimeter(i); });
+  settle(loads.folds(i), target.folds, [i](ExactLoads& exact) { return exact.folds(i); });
   settle(element.cosine, target.cosine, [i](ExactLoads& exact) { return exact.cosine(i); });
   settle(load.normal_velocity, target.normal_velocity, [i](ExactLoads& exact) { return exact.normal_velocity(i); });
   settle(element.tangential_velocity, target.tangential_velocity,

@@ -26,6 +26,11 @@ class ElementSource {
   /// The length of the border of the part of the master face that is the element, m; 0 for the barycentre's.
   virtual DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const = 0;
+  /// The sides of that border where another face lies at the same depth, each one's length over the slope of the
+  /// difference of both depths and the lesser of both faces' cosines to the master face: by how much the area changes
+  /// for each metre that a corner's height over the other face is off, m.
+  virtual DoubleDouble folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
+  virtual Ball folds(std::size_t i, LiftedPose<Ball>& pose) const = 0;
 };
 
 /// Elements of the barycentric scheme: whole master faces, seen from their barycentres (8), (11). The pairs must
@@ -40,6 +45,8 @@ class BarycentricElements final : public ElementSource {
   ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
   DoubleDouble perimeter(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
   Ball perimeter(std::size_t, LiftedPose<Ball>& pose) const override { return pose.number(0.0); }
+  DoubleDouble folds(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
+  Ball folds(std::size_t, LiftedPose<Ball>& pose) const override { return pose.number(0.0); }
 
  private:
   const std::vector<ElementPair>& pairs_;

@@ -5,7 +5,7 @@
 namespace pcm::reference {
 namespace {
 
-/// Of the scales and perimeters, of which no rounding is claimed.
+/// Of the scales, perimeters and folds, of which no rounding is claimed.
 constexpr mpfr_prec_t kScalePrecision = 256;
 
 Vec3<Quadratic> lifted(const Vec3<Rational>& v) {
@@ -59,6 +59,11 @@ double ExactLoads::greatest_penetration(std::size_t i) {
 double ExactLoads::perimeter(std::size_t i) {
   LiftedPose<Ball> pose(question_.pose, {kScalePrecision});
   return question_.elements.perimeter(i, pose).middle();
+}
+
+double ExactLoads::folds(std::size_t i) {
+  LiftedPose<Ball> pose(question_.pose, {kScalePrecision});
+  return question_.elements.folds(i, pose).middle();
 }
 
 double ExactLoads::cosine(std::size_t i) {

@@ -28,6 +28,7 @@ class ExactLoads {
   double penetration(std::size_t i);
   double greatest_penetration(std::size_t i);
   double perimeter(std::size_t i);  ///< not claimed to be correctly rounded: the middle of an enclosure
+  double folds(std::size_t i);      ///< likewise
   double cosine(std::size_t i);
   double normal_velocity(std::size_t i);
   double tangential_velocity(std::size_t i);

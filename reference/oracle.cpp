@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/oracle.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -37,6 +39,19 @@ std::vector<Side> masters_of(Mode mode) {
 
 Problem other(Problem problem) {
   return problem == Problem::rounded ? Problem::exact : Problem::rounded;
+}
+
+void report_wound(const Surface& surface, const ActiveFaces& found, ActiveArea& active) {
+  if (found.winding.empty()) return;
+  for (const Index f : found.intersected)
+    for (const Index v : surface.mesh.faces[f]) {
+      const int winding = found.winding[v];
+      if (winding == 0) continue;
+      active.wound.push_back(v);
+      active.most_wound = std::max(active.most_wound, std::abs(winding));
+    }
+  std::sort(active.wound.begin(), active.wound.end());
+  active.wound.erase(std::unique(active.wound.begin(), active.wound.end()), active.wound.end());
 }
 
 }  // namespace
@@ -130,6 +145,8 @@ Solution& Inquiry::Data::solve(Problem problem) {
   answer.E.inner = facts.E.inner;
   answer.F.intersected = facts.F.intersected;
   answer.F.inner = facts.F.inner;
+  report_wound(oracle.E, facts.E, answer.E);
+  report_wound(oracle.F, facts.F, answer.F);
   if (wanted.polygons) {
     const std::vector<Index> patches =
         group_into_patches(solution->pose, facts.crossings, facts.polygons, facts.E, facts.F);

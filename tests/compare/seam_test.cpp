@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The comparison is shown to notice: answers are altered between engine and comparison, field by field and path by
+// path, and by faults as an engine makes them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compare/contact_fields.h"
+#include "compare/rounded_vertices.h"
+#include "compare/scene.h"
+#include "compare/state_draw.h"
+#include "compare/verify.h"
+#include "tests/compare/altering_seam.h"
+#include "tests/compare/small_pair.h"
+
+namespace pcm::compare {
+namespace {
+
+constexpr std::uint64_t kSeed = 41;
+
+/// Moves a value far from what it is.
+void scramble(bool& x) {
+  x = !x;
+}
+void scramble(double& x) {
+  x += 1 + 2 * std::abs(x);
+}
+void scramble(Eigen::Vector3d& x) {
+  scramble(x[1]);
+}
+void scramble(Side& x) {
+  x = x == Side::E ? Side::F : Side::E;
+}
+void scramble(std::array<Index, 2>& x) {
+  ++x[0];
+}
+void scramble(std::vector<Index>& list) {
+  if (list.empty())
+    list.push_back(0);
+  else
+    list.pop_back();
+}
+template <class T>
+void scramble(T& x) {
+  x = -x - 1;
+}
+
+/// Bounds are wrong where they are too small.
+void narrow(double& x) {
+  x = -1;
+}
+void narrow(Eigen::Vector3d& x) {
+  x[2] = -1;
+}
+template <class T>
+void narrow(T&) {}
+
+/// Alters the first value of the field.
+bool alter(fast::Contact& contact, std::string_view field) {
+  bool altered = false;
+  for_each_field(contact, [&](const Field& known, auto& value) {
+    if (altered || known.name != field) return;
+    altered = true;
+    const bool is_upper_bound = known.asked == Asked::bound && field != "bound.penetration_at_least";
+    is_upper_bound ? narrow(value) : scramble(value);
+  });
+  return altered;
+}
+
+struct Held {
+  int altered = 0;
+  int flagged = 0;
+  std::set<Kind> kinds;
+};
+
+/// Holds altered answers at drawn poses of the stratum until `enough` have been altered.
+Held hold_altered(const AlteringSeam& seam, Stratum stratum, Scheme scheme, int enough, int most_poses = 400) {
+  const SurfacePair pair = small_pair();
+  static const Scene usual(pair.E, pair.F, ContactLaw{}, Scene::Modes{Mode::E, Mode::F, Mode::both});
+  static const Scene nested(*nested_meshes(pair.E, pair.F), ContactLaw{}, Scene::Modes{Mode::E, Mode::F, Mode::both});
+  const Scene& scene = stratum == Stratum::nested ? nested : usual;
+  fast::Workspace workspace;
+  Held held;
+  for (int i = 0; i < most_poses && held.altered < enough; ++i) {
+    const auto number = static_cast<std::uint64_t>(i);
+    const DrawnPose drawn = draw_pose(stratum, scene.features(), PoseRandom(kSeed, 0, 0, number));
+    const Scene::State state = draw_state(scene, stratum, drawn, scheme, PoseRandom(kSeed, 1, 0, number));
+    seam.take_altered();
+    const std::vector<PoseOutcome> outcomes = scene.hold(state, workspace, seam);
+    if (!seam.take_altered()) continue;
+    ++held.altered;
+    bool flagged = false;
+    for (const PoseOutcome& outcome : outcomes)
+      for (const Disagreement& d : outcome.disagreements) {
+        flagged = true;
+        held.kinds.insert(d.kind);
+      }
+    held.flagged += flagged;
+  }
+  return held;
+}
+
+const AlteringSeam kUnaltered([](fast::Contact&) { return false; });
+
+class SeamOverSchemes : public testing::TestWithParam<Scheme> {};
+
+INSTANTIATE_TEST_SUITE_P(Schemes, SeamOverSchemes, testing::Values(Scheme::barycentric, Scheme::clipped),
+                         [](const testing::TestParamInfo<Scheme>& scheme) {
+                           return scheme.param == Scheme::clipped ? "clipped" : "barycentric";
+                         });
+
+TEST_P(SeamOverSchemes, EveryFieldScrambledOnAllPathsAlikeIsFlaggedByTheCheckThatHoldsIt) {
+  for (const Field& field : all_fields()) {
+    if (field.name == "bound.flipped") continue;  // below
+    const AlteringSeam seam([&](fast::Contact& contact) { return alter(contact, field.name); });
+    const Held held = hold_altered(seam, Stratum::generic, GetParam(), 3);
+    EXPECT_EQ(held.altered, 3) << field.name;
+    EXPECT_EQ(held.flagged, held.altered) << field.name;
+    EXPECT_TRUE(held.kinds.contains(field.held_by)) << field.name << " is held by " << name(field.held_by);
+  }
+}
+
+TEST_P(SeamOverSchemes, EveryFieldScrambledOnOnePathAloneIsFlagged) {
+  for (const Path path : {Path::bounded, Path::force, Path::touch, Path::drawn, Path::scene})
+    for (const Field& field : all_fields()) {
+      if (field.asked == Asked::work || field.asked == Asked::bound) continue;
+      const AlteringSeam seam([&](fast::Contact& contact) { return alter(contact, field.name); }, path);
+      const Held held = hold_altered(seam, Stratum::generic, GetParam(), 1, 12);
+      EXPECT_EQ(held.flagged, held.altered) << field.name << " on " << name(path);
+      EXPECT_TRUE(held.altered == 0 || held.kinds.contains(Kind::paths)) << field.name << " on " << name(path);
+    }
+}
+
+TEST(Seam, FlipThatIsNotAnnouncedIsFlagged) {
+  const AlteringSeam seam([](fast::Contact& contact) {
+    if (!contact.bound || !contact.bound->flipped) return false;
+    contact.bound->flipped = false;
+    return true;
+  });
+  // That the exact problem has other elements is possible there, not certain.
+  const Held held = hold_altered(seam, Stratum::degenerate, Scheme::barycentric, 40);
+  EXPECT_GT(held.altered, 20);
+  EXPECT_GT(held.flagged, 0);
+}
+
+struct Fault {
+  const char* name;
+  AlteringSeam::Alteration alter;
+};
+
+/// The element that carries most: what an engine that is wrong there could not hide among slivers.
+std::vector<fast::Element>::iterator heaviest(fast::Contact& contact) {
+  return std::max_element(
+      contact.elements.begin(), contact.elements.end(),
+      [](const fast::Element& a, const fast::Element& b) { return a.force_Me.stableNorm() < b.force_Me.stableNorm(); });
+}
+
+/// Takes an element's share of all sums, so that the answer is in itself consistent.
+void weigh(fast::Contact& contact, const fast::Element& e, double factor) {
+  contact.force_Me += factor * e.force_Me;
+  contact.torque_Me += factor * e.position_Me.cross(e.force_Me);
+  contact.statistics.patch_area += factor * e.area;
+}
+
+std::vector<Fault> faults() {
+  return {{"dropped element",
+           [](fast::Contact& contact) {
+             if (contact.elements.empty()) return false;
+             const auto e = heaviest(contact);
+             weigh(contact, *e, -1);
+             contact.elements.erase(e);
+             --contact.element_count;
+             return true;
+           }},
+          {"doubled element",
+           [](fast::Contact& contact) {
+             if (contact.elements.empty()) return false;
+             const auto e = heaviest(contact);
+             weigh(contact, *e, 1);
+             contact.elements.insert(e, fast::Element(*e));
+             ++contact.element_count;
+             return true;
+           }},
+          {"doubled force",
+           [](fast::Contact& contact) {
+             contact.force_Me *= 2;
+             return !contact.force_Me.isZero(0);
+           }},
+          {"element on another slave face",
+           [](fast::Contact& contact) {
+             if (contact.elements.empty()) return false;
+             heaviest(contact)->slave_face ^= 1;
+             return true;
+           }},
+          {"a hundredth of an element's force missing",
+           [](fast::Contact& contact) {
+             const auto e = heaviest(contact);
+             if (e == contact.elements.end() || e->force_Me.isZero(0)) return false;
+             weigh(contact, *e, -0.01);
+             e->force_Me *= 0.99;
+             e->normal_force *= 0.99;
+             e->tangential_force *= 0.99;
+             return true;
+           }},
+          {"area of E a thousandth too large", [](fast::Contact& contact) {
+             // Where faces lie in one plane any area up to the overlap is right.
+             if (!contact.has_volume || !(contact.volume > 1e-3)) return false;
+             contact.E.area *= 1.001;
+             contact.E.vector_area_Me *= 1.001;
+             return true;
+           }}};
+}
+
+TEST_P(SeamOverSchemes, FaultsOfAnEngineAreFlaggedInEveryStratum) {
+  for (const Stratum stratum : kStrata)
+    for (const Fault& fault : faults()) {
+      const AlteringSeam seam(fault.alter);
+      const Held held = hold_altered(seam, stratum, GetParam(), 6, 60);
+      const bool force_is_flush = hard(stratum) && std::string(fault.name).find("area") != std::string::npos;
+      if (!force_is_flush) EXPECT_EQ(held.flagged, held.altered) << fault.name << ", " << name(stratum);
+      if (stratum == Stratum::generic) EXPECT_EQ(held.altered, 6) << fault.name;
+    }
+}
+
+TEST_P(SeamOverSchemes, UnalteredAnswersPassInEveryStratum) {
+  for (const Stratum stratum : kStrata) {
+    const Held held = hold_altered(kUnaltered, stratum, GetParam(), 1, 20);
+    EXPECT_EQ(held.altered, 0);
+    EXPECT_TRUE(held.kinds.empty());
+  }
+}
+
+TEST_P(SeamOverSchemes, FaultOnTheDefaultPathAloneIsFlagged) {
+  const AlteringSeam seam(
+      [](fast::Contact& contact) {
+        if (contact.elements.empty()) return false;
+        for (fast::Element& e : contact.elements) e.force_Me *= 2;
+        contact.force_Me *= 2;
+        return true;
+      },
+      Path::plain);
+  const Held held = hold_altered(seam, Stratum::generic, GetParam(), 10);
+  EXPECT_EQ(held.flagged, 10);
+}
+
+/// Answers each question as at the pose asked before.
+class StaleSeam final : public EngineSeam {
+ public:
+  const fast::Contact& evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                                const Ask& ask, fast::Workspace& workspace) const override {
+    if (ask.path == Path::plain) std::swap(stale_, now_);
+    now_ = {pose, velocity};
+    return EngineSeam::evaluate(pairing, stale_.first, stale_.second, ask, workspace);
+  }
+
+ private:
+  mutable std::pair<Pose, Velocity> stale_, now_;
+};
+
+TEST_P(SeamOverSchemes, AnswersToThePoseBeforeAreFlagged) {
+  const SurfacePair pair = small_pair();
+  const Scene scene(pair.E, pair.F, ContactLaw{}, Mode::both, GetParam());
+  const StaleSeam seam;
+  fast::Workspace workspace;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const DrawnPose drawn = draw_pose(Stratum::generic, scene.features(), PoseRandom(kSeed, 0, 0, i));
+    EXPECT_FALSE(scene.hold(drawn.pose, drawn.velocity, workspace, seam).front().disagreements.empty()) << i;
+  }
+}
+
+TEST(Seam, EngineThatThrowsIsAFailure) {
+  const AlteringSeam seam([](fast::Contact&) -> bool { throw std::runtime_error("engine is out of order"); });
+  const SurfacePair pair = small_pair();
+  const Scene scene(pair.E, pair.F, ContactLaw{}, Mode::E);
+  fast::Workspace workspace;
+  const PoseOutcome outcome = scene.hold(Pose{}, Velocity{}, workspace, seam).front();
+  ASSERT_EQ(outcome.disagreements.size(), 1U);
+  EXPECT_EQ(outcome.disagreements.front().kind, Kind::failure);
+}
+
+TEST(Seam, OracleThatAnswersOtherwiseAfreshIsFlagged) {
+  reference::Answer asked, afresh;
+  EXPECT_TRUE(hold_history(asked, afresh).disagreements().empty());
+  afresh.force_Me.x() = 18;
+  ASSERT_EQ(hold_history(asked, afresh).disagreements().size(), 1U);
+  EXPECT_EQ(hold_history(asked, afresh).disagreements().front().kind, Kind::history);
+}
+
+TEST(Seam, EveryKindOfDisagreementIsRaisedBySomeField) {
+  std::set<Kind> raised{Kind::failure, Kind::history, Kind::paths};  // above
+  for (const Field& field : all_fields()) raised.insert(field.held_by);
+  raised.insert(Kind::polygon_count);  // verify_test.cpp
+  raised.insert(Kind::sums);           // below
+  for (int k = 0; k < kKinds; ++k) EXPECT_TRUE(raised.contains(static_cast<Kind>(k))) << name(static_cast<Kind>(k));
+}
+
+TEST_P(SeamOverSchemes, SumsThatAreNotThoseOfTheElementsAreFlagged) {
+  const AlteringSeam seam([](fast::Contact& contact) {
+    contact.torque_Me *= 1 + 0x1p-30;
+    return !contact.torque_Me.isZero(0) && !contact.elements.empty();
+  });
+  const Held held = hold_altered(seam, Stratum::generic, GetParam(), 20);
+  EXPECT_EQ(held.flagged, 20);
+  EXPECT_TRUE(held.kinds.contains(Kind::sums));
+}
+
+TEST_P(SeamOverSchemes, ForceOffByABillionthIsFlaggedIn99Of100AnswersThatAreNotShallow) {
+  const SurfacePair pair = small_pair();
+  const Scene scene(pair.E, pair.F, ContactLaw{}, Mode::both, GetParam());
+  fast::Workspace workspace;
+  int altered = 0, flagged = 0;
+  for (std::uint64_t i = 0; altered < 300; ++i) {
+    ASSERT_LT(i, 3000U);
+    const DrawnPose drawn = draw_pose(Stratum::generic, scene.features(), PoseRandom(kSeed, 2, 0, i));
+    const Scene::State state = draw_state(scene, Stratum::generic, drawn, GetParam(), PoseRandom(kSeed, 3, 0, i));
+    reference::Inquiry inquiry(scene.oracle(), state.pose, state.velocity, {}, state.law, state.scheme);
+    const reference::Answer truth = inquiry.answer(reference::Problem::rounded, Mode::both);
+    const double p = mean_thickness(truth), S = coordinate_scale(pair.E, pair.F, state.pose);
+    if (!(S < 1e3 * p)) continue;
+    const fast::Pairing& of_scene = scene.engine();
+    const fast::Pairing pairing(of_scene.surface_E(), of_scene.surface_F(), state.law, Mode::both, state.scheme);
+    fast::Contact subj = fast::evaluate(pairing, state.pose, state.velocity, {}, workspace);
+    if (subj.force_Me.isZero(0)) continue;
+    // All of it, as a wrong factor of the law would: the answer's own sums still agree.
+    subj.force_Me *= 1 + 1e-9;
+    subj.torque_Me *= 1 + 1e-9;
+    for (fast::Element& e : subj.elements) {
+      e.force_Me *= 1 + 1e-9;
+      e.normal_force *= 1 + 1e-9;
+      e.tangential_force *= 1 + 1e-9;
+    }
+    ++altered;
+    const Question question{scene.features().E, scene.features().F, state.law,     Mode::both,
+                            state.scheme,       state.pose,         state.velocity};
+    const std::vector<Disagreement> found = disagreements(question, subj, truth);
+    flagged += std::any_of(found.begin(), found.end(), [](const Disagreement& d) { return d.kind == Kind::force; });
+  }
+  EXPECT_GE(flagged, 297) << "of " << altered;
+}
+
+}  // namespace
+}  // namespace pcm::compare
