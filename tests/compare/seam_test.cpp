@@ -221,9 +221,13 @@ TEST_P(SeamOverSchemes, FaultsOfAnEngineAreFlaggedInEveryStratum) {
     for (const Fault& fault : faults()) {
       const AlteringSeam seam(fault.alter);
       const Held held = hold_altered(seam, stratum, GetParam(), 6, 60);
-      const bool force_is_flush = hard(stratum) && std::string(fault.name).find("area") != std::string::npos;
-      if (!force_is_flush) EXPECT_EQ(held.flagged, held.altered) << fault.name << ", " << name(stratum);
-      if (stratum == Stratum::generic) EXPECT_EQ(held.altered, 6) << fault.name;
+      const bool area_is_an_interval = hard(stratum) && std::string(fault.name).find("area") != std::string::npos;
+      if (!area_is_an_interval) {
+        EXPECT_EQ(held.flagged, held.altered) << fault.name << ", " << name(stratum);
+      }
+      if (stratum == Stratum::generic) {
+        EXPECT_EQ(held.altered, 6) << fault.name;
+      }
     }
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/rounding_bounds.h"
 #include "compare/sha256.h"
 #include "compare/verification_table.h"
 #include "compare/verify.h"
