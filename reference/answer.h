@@ -55,7 +55,7 @@ struct ActiveArea {
   /// Vertices of intersected faces about which the other surface, where it is closed, winds; ascending.
   std::vector<Index> wound;
   int most_wound = 0;  ///< how often at most, either way round
-  double area = 0;                 ///< m^2, correctly rounded
+  double area = 0;     ///< m^2, correctly rounded
   AreaInterval area_interval;
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();
 
@@ -68,17 +68,17 @@ struct Element {
   Index master_face = 0;
   Index slave_face = 0;
   double area = 0;                  ///< A_k (6), m^2
-  double penetration = 0;           ///< u_k (11), m, after clamping
+  double penetration = 0;           ///< u_k (11), m, clamped; clipped: the mean of u clamped point by point
   double greatest_penetration = 0;  ///< greatest u over the element (barycentric: u of the barycentre), before clamping
   double perimeter = 0;             ///< m, of the part of the master face that is the element; barycentric: 0
-  double folds = 0;                 ///< m: area that changes with heights between the slave face and others, over these; barycentric: 0
+  double folds = 0;                 ///< m: how its area changes with heights over faces; barycentric: 0
   double cosine = 0;                ///< n_master . n_slave, < 0: 1/|cosine| is the condition of u_k
   double normal_velocity = 0;       ///< v_n (16), m/s, positive when approaching
   double tangential_velocity = 0;   ///< v_t (19), m/s
   double normal_force = 0;          ///< F_n (18), N
   double tangential_force = 0;      ///< F_t (20), N
   Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();    ///< n_k (7): -n of the master face
-  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), m
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), m, from C_e or the centre of clamped pressure
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E, N
 
   bool operator==(const Element&) const = default;
@@ -86,10 +86,10 @@ struct Element {
 
 /// The oracle's answer to one problem. Every number is the true value, correctly rounded (ties to even, zero as +0):
 /// positions, areas, volume, and all of elements, force, torque and penetration, with two exceptions (contact_force.h).
-/// The scales and the elements' perimeters and folds are near enough for what they are for. And where an element is clamped to
-/// max_penetration while F turns (w != 0), its v_t is a root of a root, and with friction so are forces and torque:
-/// those are enclosed to 4096 bits, and where that does not tell which way to round, the middle of the enclosure is
-/// rounded.
+/// The scales and the elements' perimeters and folds are near enough for what they are for. And where an element is
+/// clamped to max_penetration, if only in part, while F turns (w != 0), its v_t is a root of a root, and with friction
+/// so are forces and torque: those are enclosed to 4096 bits, and where that does not tell which way to round, the
+/// middle of the enclosure is rounded.
 struct Answer {
   bool touching = false;
   bool nested = false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "reference/combinatorics.h"
@@ -43,16 +44,20 @@ ClippedFindings find_clipped_elements(const ExactPose& pose, Side master, const 
                                       const ClippedFindings& other = {});
 
 /// Their values by exact moments of a linear field over convex pieces: alpha = area of P_ef in (s, t), q = (integral of
-/// d_f) / alpha, q_greatest = the greatest d_f at a corner, foot = (integral of x d_f) / (integral of d_f).
+/// d) / alpha, q_greatest = the greatest d_f at a corner, foot = (integral of x d) / (integral of d), where d =
+/// min(d_f, max_penetration / |N|), the penetration clamped point by point (PCM section 6). A piece that the line d_f =
+/// max_penetration / |N| passes through is cut in two there: d_f on one side, constant on the other.
 class ClippedElements final : public ElementSource {
  public:
-  /// The elements must outlive this.
-  explicit ClippedElements(const std::vector<ClippedElement>& elements) : elements_(elements) {}
+  /// The elements must outlive this. `max_penetration` in m.
+  explicit ClippedElements(const std::vector<ClippedElement>& elements,
+                           double max_penetration = std::numeric_limits<double>::infinity())
+      : elements_(elements), max_penetration_(max_penetration) {}
   std::size_t size() const override { return elements_.size(); }
   ElementPair pair(std::size_t i) const override { return elements_[i].faces; }
   ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
-  ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
+  ElementGeometry<Quadratic> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
   DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const override;
   DoubleDouble folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
@@ -60,6 +65,7 @@ class ClippedElements final : public ElementSource {
 
  private:
   const std::vector<ClippedElement>& elements_;
+  double max_penetration_;
 };
 
 }  // namespace pcm::reference

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "reference/clipped_elements.h"
 
@@ -43,47 +45,142 @@ std::vector<Sample<T>> with_depth(const std::vector<PlanePoint<T>>& corners, con
   return samples;
 }
 
-/// Twice the area of a polygon in (s, t), six times the integral of d over it and 24 times those of s d and t d.
+/// Twice the area of polygons in (s, t), six times the integral of d over them and 24 times those of s d and t d.
 template <class T>
 struct Moments {
   T area2, d6, sd24, td24;
 
-  /// Over a triangle of area A whose corners are x_i with depths d_i, for linear d, the integral of d is A/3 sum d_i,
-  /// that of x d is A/12 (sum x_i d_i + sum x_i sum d_i).
-  void add(const Sample<T>& a, const Sample<T>& b, const Sample<T>& c) {
-    const T A2 = (b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s);
-    const T d = a.d + b.d + c.d;
-    area2 = area2 + A2;
-    d6 = d6 + A2 * d;
-    sd24 = sd24 + A2 * (a.s * (a.d + d) + b.s * (b.d + d) + c.s * (c.d + d));
-    td24 = td24 + A2 * (a.t * (a.d + d) + b.t * (b.d + d) + c.t * (c.d + d));
+  /// A convex polygon. Over a triangle of area A whose corners are x_i with depths d_i, for linear d, the integral of d
+  /// is A/3 sum d_i, that of x d is A/12 (sum x_i d_i + sum x_i sum d_i).
+  void add(const std::vector<Sample<T>>& polygon) {
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const Sample<T>&a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
+      const T A2 = (b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s);
+      const T d = a.d + b.d + c.d;
+      area2 = area2 + A2;
+      d6 = d6 + A2 * d;
+      sd24 = sd24 + A2 * (a.s * (a.d + d) + b.s * (b.d + d) + c.s * (c.d + d));
+      td24 = td24 + A2 * (a.t * (a.d + d) + b.t * (b.d + d) + c.t * (c.d + d));
+    }
   }
 };
 
+/// Adds a convex polygon with min(d, q_max) instead of d, cut in two by the line d = q_max.
+///
+/// An enclosure may not tell on which side of that line a corner x_i lies. Where no corner surely lies beyond it, or
+/// none surely before it, it is near the line, and the polygon need not be cut: min is concave, so at any point of the
+/// polygon min(d, q_max) is at least the mean of min(d_i, q_max) with that point's weights, and at most that of d_i and
+/// at most q_max; and s and t are not negative. So to enclose both d_i and q_max at such corners encloses the moments.
+/// Where there are corners on both sides as well, d_i and min(d_i, q_max) at all of them do, if not tightly.
 template <class T>
-ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ClippedElement& element) {
-  using std::max;
+void add_clamped(const std::vector<Sample<T>>& polygon, const T& q_max, Moments<T>& sum) {
+  std::vector<std::optional<int>> signs;
+  const T* in_doubt = nullptr;
+  bool any_before = false, any_beyond = false;
+  for (const Sample<T>& corner : polygon) {
+    signs.push_back(T(corner.d - q_max).sign());
+    if (!signs.back()) in_doubt = &corner.d;
+    any_before = any_before || signs.back() == -1;
+    any_beyond = any_beyond || signs.back() == 1;
+  }
+  std::vector<Sample<T>> before, beyond;
+  if (!any_before || !any_beyond || in_doubt != nullptr) {
+    const bool both = any_before && any_beyond;
+    for (const Sample<T>& x : polygon)
+      before.push_back({x.s, x.t,
+                        both ? where_negative(T(*in_doubt - q_max), x.d, min(x.d, q_max))
+                             : where_negative(T(x.d - q_max), x.d, q_max)});
+    sum.add(before);
+    return;
+  }
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t next = i + 1 == polygon.size() ? 0 : i + 1;
+    const Sample<T>&x = polygon[i], &y = polygon[next];
+    if (*signs[i] <= 0) before.push_back(x);
+    if (*signs[i] >= 0) beyond.push_back({x.s, x.t, q_max});
+    if (*signs[i] * *signs[next] >= 0) continue;
+    const T fraction = (q_max - x.d) / (y.d - x.d);
+    before.push_back({x.s + fraction * (y.s - x.s), x.t + fraction * (y.t - x.t), q_max});
+    beyond.push_back(before.back());
+  }
+  sum.add(before);
+  sum.add(beyond);
+}
+
+/// The part of a master face that is an element, in numbers of kind T.
+template <class T>
+struct SeenPart {
+  MasterFrame<T> e;
+  Vec3<T> slave_N;
+  std::vector<std::vector<Sample<T>>> pieces;
+};
+
+template <class T>
+SeenPart<T> part_of(LiftedPose<T>& pose, const ClippedElement& element) {
   const Face master{element.faces.master, element.faces.master_face};
   const Face slave{other(master.side), element.faces.slave_face};
-  const MasterFrame<T> e = make_frame(pose, master);
-  const Depth<T> fraction = depth_of(pose, e, slave);
+  SeenPart<T> part{make_frame(pose, master), pose.zero(), {}};
+  const Depth<T> fraction = depth_of(pose, part.e, slave);
+  part.slave_N = fraction.N_g;
   const Vec3<T> depth = T(pose.number(1.0) / fraction.denominator) * fraction.numerator;
+  part.pieces.reserve(element.pieces.size());
+  for (const PieceOutline& outline : element.pieces)
+    part.pieces.push_back(with_depth(corners_of(pose, part.e, master, outline), depth));
+  return part;
+}
 
-  const T zero = pose.number(0.0);
+SeenPart<Quadratic> lifted(const SeenPart<Rational>& part) {
+  const auto& [p0, v1, v2, N, N_x_v1, N_x_v2] = part.e;
+  SeenPart<Quadratic> result{
+      {lifted(p0), lifted(v1), lifted(v2), lifted(N), lifted(N_x_v1), lifted(N_x_v2)}, lifted(part.slave_N), {}};
+  for (const std::vector<Sample<Rational>>& piece : part.pieces) {
+    std::vector<Sample<Quadratic>>& samples = result.pieces.emplace_back();
+    for (const auto& [s, t, d] : piece) samples.push_back({Quadratic(s), Quadratic(t), Quadratic(d)});
+  }
+  return result;
+}
+
+/// Not clamped.
+template <class T>
+ElementGeometry<T> geometry_of(const SeenPart<T>& part, const Field<T>& field) {
+  using std::max;
+  const T zero = field(0.0);
   Moments<T> sum{zero, zero, zero, zero};
   T greatest = zero;
-  for (const PieceOutline& outline : element.pieces) {
-    const std::vector<Sample<T>> x = with_depth(corners_of(pose, e, master, outline), depth);
-    for (const Sample<T>& corner : x) greatest = max(greatest, corner.d);
-    for (std::size_t i = 2; i < x.size(); ++i) sum.add(x[0], x[i - 1], x[i]);
+  for (const std::vector<Sample<T>>& piece : part.pieces) {
+    for (const Sample<T>& corner : piece) greatest = max(greatest, corner.d);
+    sum.add(piece);
   }
-  const T d24 = pose.number(4.0) * sum.d6;
-  return {e.N,
-          fraction.N_g,
-          sum.area2 / pose.number(2.0),
-          sum.d6 / (pose.number(3.0) * sum.area2),
+  const T d24 = field(4.0) * sum.d6;
+  return {part.e.N,
+          part.slave_N,
+          sum.area2 / field(2.0),
+          sum.d6 / (field(3.0) * sum.area2),
           greatest,
-          e.p0 + T(sum.sd24 / d24) * e.v1 + T(sum.td24 / d24) * e.v2};
+          part.e.p0 + T(sum.sd24 / d24) * part.e.v1 + T(sum.td24 / d24) * part.e.v2};
+}
+
+/// The same with q and foot clamped; `g` is not.
+template <class T>
+ElementGeometry<T> clamped_geometry_of(const SeenPart<T>& part, ElementGeometry<T> g, const T& q_max,
+                                       const Field<T>& field) {
+  const T zero = field(0.0);
+  Moments<T> sum{zero, zero, zero, zero};
+  for (const std::vector<Sample<T>>& piece : part.pieces) add_clamped(piece, q_max, sum);
+  const T d24 = field(4.0) * sum.d6;
+  g.q = sum.d6 / (field(6.0) * g.alpha);
+  g.foot = part.e.p0 + T(sum.sd24 / d24) * part.e.v1 + T(sum.td24 / d24) * part.e.v2;
+  return g;
+}
+
+template <class T>
+ElementGeometry<T> enclosed_geometry(LiftedPose<T>& pose, const ClippedElement& element, double max_penetration) {
+  const SeenPart<T> part = part_of(pose, element);
+  const ElementGeometry<T> g = geometry_of(part, pose.field());
+  if (std::isinf(max_penetration)) return g;
+  const T q_max = pose.number(max_penetration) / sqrt(dot(g.N, g.N));
+  if (T(g.q_greatest - q_max).sign() == -1) return g;
+  return clamped_geometry_of(part, g, q_max, pose.field());
 }
 
 /// A side of a convex piece.
@@ -180,15 +277,21 @@ Ball ClippedElements::perimeter(std::size_t i, LiftedPose<Ball>& pose) const {
 }
 
 ElementGeometry<DoubleDouble> ClippedElements::geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
-  return geometry_of(pose, elements_[i]);
+  return enclosed_geometry(pose, elements_[i], max_penetration_);
 }
 
 ElementGeometry<Ball> ClippedElements::geometry(std::size_t i, LiftedPose<Ball>& pose) const {
-  return geometry_of(pose, elements_[i]);
+  return enclosed_geometry(pose, elements_[i], max_penetration_);
 }
 
-ElementGeometry<Rational> ClippedElements::geometry(std::size_t i, LiftedPose<Rational>& pose) const {
-  return geometry_of(pose, elements_[i]);
+ElementGeometry<Quadratic> ClippedElements::geometry(std::size_t i, LiftedPose<Rational>& pose) const {
+  const SeenPart<Rational> part = part_of(pose, elements_[i]);
+  const ElementGeometry<Rational> g = geometry_of(part, pose.field());
+  if (std::isinf(max_penetration_)) return lifted(g);
+  const Rational bound = pose.number(max_penetration_), square = dot(g.N, g.N);
+  if (g.q_greatest * g.q_greatest * square <= bound * bound) return lifted(g);
+  const Quadratic q_max = Quadratic(bound) / sqrt(Quadratic(square));
+  return clamped_geometry_of(lifted(part), lifted(g), q_max, Field<Quadratic>{});
 }
 
 }  // namespace pcm::reference

@@ -77,6 +77,7 @@ ElementLoad<T> load_of(const ElementGeometry<T>& g, Side master, const ContactLa
   const Layers<T> layers = layers_of(law, master, field);
   const T zero = field(0.0), one = field(1.0), minus_one = field(-1.0);
   const T NN = dot(g.N, g.N), length = sqrt(NN);
+  // The clipped scheme's q is no greater: a mean of what is clamped point by point.
   const T q = std::isinf(law.max_penetration) ? g.q : min(g.q, T(field(law.max_penetration) / length));
 
   const T A_k = g.alpha * length;                                // (6)

@@ -25,8 +25,8 @@ ElementGeometry<Ball> BarycentricElements::geometry(std::size_t i, LiftedPose<Ba
   return geometry_of(pose, pairs_[i]);
 }
 
-ElementGeometry<Rational> BarycentricElements::geometry(std::size_t i, LiftedPose<Rational>& pose) const {
-  return geometry_of(pose, pairs_[i]);
+ElementGeometry<Quadratic> BarycentricElements::geometry(std::size_t i, LiftedPose<Rational>& pose) const {
+  return lifted(geometry_of(pose, pairs_[i]));
 }
 
 }  // namespace pcm::reference

@@ -14,7 +14,7 @@
 namespace pcm::reference {
 
 /// The contact elements that one master carries in one pose, as the force law sees them, of either scheme: faces, and
-/// geometry both enclosed and exact. Ordered by master face, then slave face.
+/// geometry both enclosed and, out of rational points, exact. Ordered by master face, then slave face.
 class ElementSource {
  public:
   virtual ~ElementSource() = default;
@@ -22,7 +22,7 @@ class ElementSource {
   virtual ElementPair pair(std::size_t i) const = 0;
   virtual ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const = 0;
-  virtual ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const = 0;
+  virtual ElementGeometry<Quadratic> geometry(std::size_t i, LiftedPose<Rational>& pose) const = 0;
   /// The length of the border of the part of the master face that is the element, m; 0 for the barycentre's.
   virtual DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const = 0;
@@ -42,7 +42,7 @@ class BarycentricElements final : public ElementSource {
   ElementPair pair(std::size_t i) const override { return pairs_[i]; }
   ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
-  ElementGeometry<Rational> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
+  ElementGeometry<Quadratic> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
   DoubleDouble perimeter(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
   Ball perimeter(std::size_t, LiftedPose<Ball>& pose) const override { return pose.number(0.0); }
   DoubleDouble folds(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }

@@ -8,14 +8,6 @@ namespace {
 /// Of the scales, perimeters and folds, of which no rounding is claimed.
 constexpr mpfr_prec_t kScalePrecision = 256;
 
-Vec3<Quadratic> lifted(const Vec3<Rational>& v) {
-  return {Quadratic(v.x), Quadratic(v.y), Quadratic(v.z)};
-}
-
-ElementGeometry<Quadratic> lifted(const ElementGeometry<Rational>& g) {
-  return {lifted(g.N), lifted(g.slave_N), Quadratic(g.alpha), Quadratic(g.q), Quadratic(g.q_greatest), lifted(g.foot)};
-}
-
 double rounded(const Quadratic& x) {
   RadicalSum sum;
   sum.add(x);
@@ -37,8 +29,8 @@ Ball force_size(const ElementLoad<Quadratic>& load) {
 const ExactLoads::Known& ExactLoads::at(std::size_t i) {
   std::optional<Known>& known = known_[i];
   if (!known) {
-    const ElementGeometry<Rational> g = question_.elements.geometry(i, pose_);
-    known = Known{g, load_of(lifted(g), question_.elements.pair(i).master, question_.law, question_.pose.pose(),
+    const ElementGeometry<Quadratic> g = question_.elements.geometry(i, pose_);
+    known = Known{g, load_of(g, question_.elements.pair(i).master, question_.law, question_.pose.pose(),
                              question_.velocity, Field<Quadratic>{})};
   }
   return *known;
@@ -67,10 +59,10 @@ double ExactLoads::folds(std::size_t i) {
 }
 
 double ExactLoads::cosine(std::size_t i) {
-  const ElementGeometry<Rational>& g = at(i).geometry;
-  const Rational squares = dot(g.N, g.N) * dot(g.slave_N, g.slave_N);
+  const ElementGeometry<Quadratic>& g = at(i).geometry;
+  const Rational squares = (dot(g.N, g.N) * dot(g.slave_N, g.slave_N)).a();
   RadicalSum quotient;
-  quotient.add(Rational(dot(g.N, g.slave_N) / squares), squares);
+  quotient.add(Rational(dot(g.N, g.slave_N).a() / squares), squares);
   return quotient.rounded();
 }
 
@@ -141,8 +133,8 @@ std::optional<Quadratic> ExactTotals::greatest() {
   Rational greatest_squared;
   for (ExactLoads* master : masters_)
     for (std::size_t i = 0; i < master->size(); ++i) {
-      const ElementGeometry<Rational>& g = master->geometry(i);
-      const Rational squared = g.q_greatest * g.q_greatest * dot(g.N, g.N);
+      const ElementGeometry<Quadratic>& g = master->geometry(i);
+      const Rational squared = (g.q_greatest * g.q_greatest * dot(g.N, g.N)).a();
       if (greatest && squared <= greatest_squared) continue;
       greatest_squared = squared;
       greatest = master->load(i).greatest_penetration;

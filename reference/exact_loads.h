@@ -21,7 +21,7 @@ class ExactLoads {
       : question_(question), pose_(question.pose), known_(question.elements.size()) {}
 
   std::size_t size() const { return known_.size(); }
-  const ElementGeometry<Rational>& geometry(std::size_t i) { return at(i).geometry; }
+  const ElementGeometry<Quadratic>& geometry(std::size_t i) { return at(i).geometry; }
   const ElementLoad<Quadratic>& load(std::size_t i) { return at(i).load; }
 
   double area(std::size_t i);
@@ -40,7 +40,7 @@ class ExactLoads {
 
  private:
   struct Known {
-    ElementGeometry<Rational> geometry;
+    ElementGeometry<Quadratic> geometry;
     ElementLoad<Quadratic> load;
   };
   const Known& at(std::size_t i);
@@ -51,7 +51,7 @@ class ExactLoads {
 };
 
 /// Totals over masters with every sum exact, correctly rounded. A root of a root arises where, with friction and
-/// w != 0, an element's u_k is clamped to max_penetration: its force has one, and every total it enters.
+/// w != 0, an element is clamped, if only in part: its force has one, and every total it enters.
 class ExactTotals {
  public:
   /// The masters must outlive this. Force, torque and scales are multiplied by `share`.

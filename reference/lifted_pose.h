@@ -26,6 +26,7 @@ class LiftedPose {
   }
 
   const ExactPose& pose() const { return pose_; }
+  const Field<T>& field() const { return field_; }
 
   template <class Number>
   T number(const Number& x) const {

@@ -96,5 +96,22 @@ TEST(ClippedBruteForce, KeelInPlateHasItsMeanAndGreatestPenetration) {
   EXPECT_EQ(elastic_force(a, 1, Mode::E).force, (Point{0, 0, std::sqrt(0.125)}));
 }
 
+TEST(ClippedBruteForce, KeelIsClampedPointByPoint) {
+  // On the same flanks the integral of min(u, 1/4) is sqrt2 / 8 - 1/32, the greatest u what it was; the perimeter is
+  // that of a rectangle 1 m by sqrt2 / 2, wherever the clamp divides it.
+  const Answer a = answer(degenerate::keel(), generate::plate(8, 8, 4), shifted(0, 0, 0.5), reference::Problem::exact,
+                          Mode::E, Scheme::clipped, 0.25);
+  double integral = 0, perimeter = 0;
+  for (const Element& element : a.elements) {
+    integral += element_area(a.scene, element) * penetration(a.scene, element);
+    EXPECT_EQ(greatest_penetration(a.scene, element), std::sqrt(0.5));
+    perimeter += element.perimeter * a.scene.unit.get_d();
+  }
+  EXPECT_DOUBLE_EQ(integral, 2 * (std::sqrt(2) / 8 - 1.0 / 32));
+  EXPECT_EQ(a.elements.size(),
+            clipped_answer(degenerate::keel(), generate::plate(8, 8, 4), shifted(0, 0, 0.5), Mode::E).elements.size());
+  EXPECT_GT(perimeter, 4 + 2 * std::sqrt(2) - 1e-12);
+}
+
 }  // namespace
 }  // namespace pcm::brute_force

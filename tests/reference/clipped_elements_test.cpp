@@ -27,6 +27,12 @@ ContactLaw stiffness(double c_l) {
   return law;
 }
 
+ContactLaw clamped_at(double max_penetration) {
+  ContactLaw law = stiffness(1);
+  law.max_penetration = max_penetration;
+  return law;
+}
+
 Oracle clipped(const TriangleMesh& E, const TriangleMesh& F, Mode mode = Mode::E,
                const ContactLaw& law = stiffness(1)) {
   return Oracle(E, F, law, mode, Scheme::clipped);
@@ -112,11 +118,11 @@ Immersed pressed(const ExactPose& pose) {
   LiftedPose<Rational> points(pose);
   Immersed sum;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const ElementGeometry<Rational> g = ClippedElements(elements).geometry(i, points);
-    const Rational volume = g.alpha * g.q * dot(g.N, g.N);
+    const ElementGeometry<Quadratic> g = ClippedElements(elements).geometry(i, points);
+    const Rational volume = (g.alpha * g.q * dot(g.N, g.N)).a();
     sum.volume += volume;
-    sum.x += volume * g.foot.x;
-    sum.y += volume * g.foot.y;
+    sum.x += volume * g.foot.x.a();
+    sum.y += volume * g.foot.y.a();
   }
   return sum;
 }
@@ -258,20 +264,23 @@ TEST(ClippedElements, SplittingFacesInTheirPlanesChangesNothing) {
   std::mt19937_64 random(5);
   const TriangleMesh meshes[] = {on_grid(generate::icosphere(1, 1)), on_grid(generate::torus(1, 0.375, 6, 5)),
                                  on_grid(generate::box(Eigen::Vector3d(1, 1.5, 0.5)))};
-  int pushing = 0;
+  int pushing = 0, clamped = 0;
   for (int i = 0; i < 12; ++i) {
     const TriangleMesh &E = meshes[i % 3], &F = meshes[(i / 3) % 3];
     const Pose pose = random_pose(random, 0.75);
-    const Answer plain = clipped(E, F).answer(Problem::exact, pose);
+    const ContactLaw law = i % 4 == 3 ? stiffness(1) : clamped_at(0.125);
+    const Answer plain = clipped(E, F, Mode::E, law).answer(Problem::exact, pose);
     for (const auto& [split_E, split_F] : {std::pair{split(E), F}, {E, split(F)}, {split(E), split(F)}}) {
-      const Answer answer = clipped(split_E, split_F).answer(Problem::exact, pose);
+      const Answer answer = clipped(split_E, split_F, Mode::E, law).answer(Problem::exact, pose);
       EXPECT_EQ(answer.force_Me, plain.force_Me);
       EXPECT_EQ(answer.torque_Me, plain.torque_Me);
       EXPECT_EQ(answer.max_penetration, plain.max_penetration);
     }
     pushing += plain.force_scale > 0;
+    clamped += plain.penetration_exceeded;
   }
   EXPECT_GE(pushing, 8);
+  EXPECT_GE(clamped, 4);
 }
 
 TEST(ClippedElements, SplittingTheMasterChangesNothingInTheRoundedProblem) {
@@ -342,15 +351,77 @@ TEST(ClippedElements, RidgeIsIntegratedFaceByFace) {
   }
 }
 
-TEST(ClippedElements, MaxPenetrationClampsTheMeanAndFlagsTheGreatest) {
-  // The same ridge: on each face the mean is 1/4, the greatest 1/2.
-  const TriangleMesh master = box(-4, -4, 0, 4, 4, 4), roof = prism({{-1, -0.5}, {1, -0.5}, {0, 0.5}}, -1, 1);
-  ContactLaw law = stiffness(1);
-  law.max_penetration = 0.375;
+TEST(ClippedElements, MaxPenetrationClampsPointByPointAndFlagsTheGreatest) {
+  // Half a ridge: u = 1/2 - x over 0 <= x <= 1/2, 2 m wide. With u_max = 1/4 the integrals of min(u, u_max) and of its
+  // product with x are 1/16 + 1/32 and 1/128 + 1/96 a metre. No mean over an element is greater than u_max.
+  const TriangleMesh master = box(-4, -4, 0, 4, 4, 4), roof = prism({{0, -0.5}, {1, -0.5}, {0, 0.5}}, -1, 1);
   for (const Problem problem : kProblems) {
-    const Answer answer = clipped(master, roof, Mode::E, law).answer(problem, {});
+    const Answer answer = clipped(master, roof, Mode::E, clamped_at(0.25)).answer(problem, {});
+    EXPECT_EQ(answer.force_Me, Eigen::Vector3d(0, 0, 3.0 / 16));
+    EXPECT_EQ(answer.torque_Me, Eigen::Vector3d(0, -7.0 / 192, 0));
     EXPECT_TRUE(answer.penetration_exceeded);
     EXPECT_EQ(answer.max_penetration, 0.5);
+    double integral = 0;
+    for (const Element& element : answer.elements) {
+      EXPECT_LT(element.penetration, 0.25);
+      EXPECT_LE(element.penetration, element.greatest_penetration);
+      integral += element.area * element.penetration;
+    }
+    EXPECT_DOUBLE_EQ(integral, 3.0 / 16);
+  }
+}
+
+TEST(ClippedElements, ClampedSlopeWhoseNormalIsNoRationalNumberLong) {
+  // The keel of half a metre: on either flank u goes from 0 to sqrt2 / 2 along sqrt2 / 2 m, 1 m wide. The integral of
+  // min(u, 1/4) is sqrt2 / 8 - 1/32, of which 1 / sqrt2 pushes upwards.
+  for (const Problem problem : kProblems) {
+    const Answer answer = clipped(degenerate::keel(), generate::plate(8, 8, 4), Mode::E, clamped_at(0.25))
+                              .answer(problem, shifted(0, 0, 0.5));
+    EXPECT_EQ(answer.force_Me, Eigen::Vector3d(0, 0, static_cast<double>(0.25L - std::sqrt(2.0L) / 32)));
+    EXPECT_EQ(answer.max_penetration, std::sqrt(0.5));
+  }
+}
+
+TEST(ClippedElements, ClampedSpikeLosesTheConeBeyondTheClamp) {
+  // The plate's top over a spike: what is deeper than half of its depth h is a spike of half its size.
+  const TriangleMesh plate = generate::plate(4, 4, 1);
+  const Pose pose = shifted(0.125, 0.0625, -0.625);
+  for (const Problem problem : kProblems) {
+    const Answer free = clipped(plate, degenerate::spike()).answer(problem, pose);
+    const Answer answer = clipped(plate, degenerate::spike(), Mode::E, clamped_at(0.3125)).answer(problem, pose);
+    EXPECT_DOUBLE_EQ(answer.force_Me.z(), -7.0 / 8 * *free.volume);
+    EXPECT_EQ(answer.max_penetration, 0.625);
+  }
+}
+
+TEST(ClippedElements, ClampAtADepthOfTheMeshesAndAnUlpBesideIt) {
+  const TriangleMesh master = box(-4, -4, 0, 4, 4, 4), roof = prism({{-1, -0.5}, {1, -0.5}, {0, 0.5}}, -1, 1);
+  const TriangleMesh cube = box(-0.25, -0.25, 0, 0.25, 0.25, 0.5), plate = box(-2, -2, -1, 2, 2, 0);
+  for (const Problem problem : kProblems) {
+    // A ridge: only its edge is 1/2 deep.
+    for (const double u_max : {std::nextafter(0.5, 0.0), 0.5, std::nextafter(0.5, 1.0)}) {
+      const Answer answer = clipped(master, roof, Mode::E, clamped_at(u_max)).answer(problem, {});
+      EXPECT_EQ(answer.force_Me, Eigen::Vector3d(0, 0, 0.5));
+      EXPECT_EQ(answer.penetration_exceeded, u_max < 0.5);
+    }
+    // A flat bottom, all of which is 1/16 deep.
+    for (const double u_max : {std::nextafter(0.0625, 0.0), 0.0625, std::nextafter(0.0625, 1.0)})
+      for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
+        const Answer answer = clipped(cube, plate, mode, clamped_at(u_max)).answer(problem, shifted(0, 0, 0.0625));
+        EXPECT_EQ(answer.force_Me, Eigen::Vector3d(0, 0, std::min(u_max, 0.0625) / 4));
+        for (const Element& element : answer.elements) EXPECT_EQ(element.penetration, std::min(u_max, 0.0625));
+      }
+  }
+}
+
+TEST(ClippedElements, ClampThroughACornerOfAPiece) {
+  // The same half of a ridge, its slope divided at x = 1/4, where u = u_max: 2 (1/16) and 2 (1/32), no piece cut.
+  const TriangleMesh master = box(-4, -4, 0, 4, 4, 4),
+                     roof = prism({{0, -0.5}, {1, -0.5}, {0.25, 0.25}, {0, 0.5}}, -1, 1);
+  for (const Problem problem : kProblems) {
+    const Answer answer = clipped(master, roof, Mode::E, clamped_at(0.25)).answer(problem, {});
+    EXPECT_EQ(answer.force_Me, Eigen::Vector3d(0, 0, 3.0 / 16));
+    EXPECT_EQ(answer.torque_Me, Eigen::Vector3d(0, -7.0 / 192, 0));
   }
 }
 

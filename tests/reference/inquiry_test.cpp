@@ -122,10 +122,10 @@ ContactLaw some_law() {
 }
 
 /// Asks both problems in either order and each alone, all modes of a problem after one another.
-void expect_same_in_any_order(const Scene& scene) {
+void expect_same_in_any_order(const Scene& scene, const ContactLaw& law = some_law()) {
   for (const Scheme scheme : kSchemes) {
     SCOPED_TRACE(scheme == Scheme::clipped ? "clipped" : "barycentric");
-    const Oracle oracle(scene.E, scene.F, some_law(), Mode::E, scheme);
+    const Oracle oracle(scene.E, scene.F, law, Mode::E, scheme);
     for (const Problem first : {Problem::rounded, Problem::exact}) {
       SCOPED_TRACE(first == Problem::rounded ? "exact after rounded" : "rounded after exact");
       const Problem second = first == Problem::rounded ? Problem::exact : Problem::rounded;
@@ -297,7 +297,9 @@ TEST(Inquiry, AnswersOfFoldedBodiesDoNotDependOnWhatWasAskedBefore) {
   for (int number = 0; number < brute_force::affordable(220) && !HasFailure(); ++number) {
     SCOPED_TRACE("number " + std::to_string(number));
     const Scene scene = Draw(kSeed * 1000003 + static_cast<std::uint64_t>(number)).scene();
-    expect_same_in_any_order(scene);
+    ContactLaw law = some_law();
+    if (number % 8 == 0) law.max_penetration = 0.75;
+    expect_same_in_any_order(scene, law);
     const Oracle oracle(scene.E, scene.F, some_law(), Mode::both);
     Inquiry inquiry(oracle, scene.pose);
     const Answer rounded = inquiry.answer(Problem::rounded), exact = inquiry.answer(Problem::exact);

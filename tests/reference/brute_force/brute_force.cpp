@@ -78,7 +78,7 @@ void sum_areas(Answer& answer) {
 }
 
 Answer answer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose& pose, reference::Problem problem,
-              Mode mode, Scheme scheme) {
+              Mode mode, Scheme scheme, double max_penetration) {
   Answer answer;
   Steps steps;
   answer.scene = scene_of(mesh_E, mesh_F, pose, problem);
@@ -90,7 +90,7 @@ Answer answer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose
   sweep_perturbed_areas(answer, steps);
   sum_areas(answer);
   find_elements(answer, steps, mode);
-  if (scheme == Scheme::clipped) find_clipped_elements(answer, mode);
+  if (scheme == Scheme::clipped) find_clipped_elements(answer, mode, max_penetration);
   return answer;
 }
 

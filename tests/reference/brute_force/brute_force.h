@@ -3,6 +3,7 @@
 #pragma once
 
 #include <compare>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -17,7 +18,8 @@
 /// - Clipped areas of closed surfaces: the winding number of F is the sum over its faces f of +-1 on the prism below f,
 ///   so a face's area inside F is a sum of convex clippings.
 /// - Elements: the penetration line against all faces. Clipped scheme: the lines of sample points, one between any two
-///   neighbours of all boundaries that matter, against all faces.
+///   neighbours of all boundaries that matter, against all faces. Where the penetration is clamped is one more
+///   boundary.
 namespace pcm::brute_force {
 
 /// An edge of one surface passes through a face of the other.
@@ -66,9 +68,9 @@ struct Element {
   Side master = Side::E;
   Index master_face = 0;
   Index slave_face = 0;
-  Rational q;            ///< u_k = q |N|
+  Rational q;            ///< u_k = q |N|; clipped scheme: clamped point by point, to 200 digits where it is
   Rational alpha;        ///< A_k = alpha |N|
-  Rational q_greatest;   ///< of all points of the element
+  Rational q_greatest;   ///< of all points of the element, before clamping
   Vector foot;           ///< what C_k (13) is measured from, in units
   double perimeter = 0;  ///< of the part of the master face, to some roundings, in units; barycentric scheme: 0
 };
@@ -94,9 +96,11 @@ struct Answer {
 };
 
 /// Everything about one pose. Asserts what must hold of itself: two crossings a pair, one start and one end; the
-/// winding number the same along two segments.
+/// winding number the same along two segments. `max_penetration` in m, of the clipped scheme only: elsewhere the
+/// clamped u_k is that of q.
 Answer answer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose& pose, reference::Problem problem,
-              Mode mode = Mode::E, Scheme scheme = Scheme::barycentric);
+              Mode mode = Mode::E, Scheme scheme = Scheme::barycentric,
+              double max_penetration = std::numeric_limits<double>::infinity());
 
 /// u, its greatest value, A, C_k and force of an element, and the elastic force and torque at rest (14), (21)-(24),
 /// both layers of equal stiffness.

@@ -119,13 +119,14 @@ struct Integrals {
 /// A point (s, t).
 using Corner = std::array<Rational, 2>;
 
-void add_triangle(Integrals& sum, const std::array<Corner, 3>& x, const Linear& distance) {
+/// `clamped`: the distance as it counts there, linear too.
+void add_triangle(Integrals& sum, const std::array<Corner, 3>& x, const Linear& distance, const Linear& clamped) {
   const Rational doubled = (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]);
   if (doubled == 0) return;
   std::array<Rational, 3> d;
   for (std::size_t i = 0; i < 3; ++i) {
-    d[i] = distance.at(x[i][0], x[i][1]);
-    sum.greatest = std::max(sum.greatest, d[i]);
+    d[i] = clamped.at(x[i][0], x[i][1]);
+    sum.greatest = std::max(sum.greatest, distance.at(x[i][0], x[i][1]));
   }
   const Rational d_sum = d[0] + d[1] + d[2];
   sum.area += doubled / 2;
@@ -162,22 +163,46 @@ double perimeter_of(const View& view, const std::vector<Strip>& strips) {
   return sum;
 }
 
-void find_elements_of(Answer& answer, Side master, Index face) {
+/// The length of a vector of integers, to 2^-700.
+Rational length_of(const Vector& N) {
+  const mpz_class square(dot(N, N).get_num() << 1400);
+  return Rational(sqrt(square)) / Rational(mpz_class(1) << 700);
+}
+
+/// A slave face that a point sees, and whether it does from beyond the clamp, in one number.
+Index sight_of(Index face, bool beyond) {
+  return 2 * face + (beyond ? 1 : 0);
+}
+
+void find_elements_of(Answer& answer, Side master, Index face, const std::optional<Rational>& q_max) {
   const View view = view_of(answer.scene, master, face);
   if (view.N == Vector{}) return;
-  const auto question = [&](const Rational& s, const Rational& t) { return seen_from(view, master, s, t); };
+  const auto face_of = [&](Index f) {
+    return *std::ranges::find_if(view.faces, [&](const SeenFace& g) { return g.side != master && g.index == f; });
+  };
+  const auto question = [&](const Rational& s, const Rational& t) -> std::optional<Index> {
+    const std::optional<Index> f = seen_from(view, master, s, t);
+    if (!f) return {};
+    return sight_of(*f, q_max && face_of(*f).distance.at(s, t) > *q_max);
+  };
+  std::vector<Boundary> boundaries = boundaries_of(view, master);
+  if (q_max)
+    for (const SeenFace& f : view.faces)
+      if (f.side != master && f.leaves)
+        boundaries.push_back({f.distance - Linear{*q_max, 0, 0}, {f.sides[0], f.sides[1], f.sides[2]}});
   std::map<Index, Integrals> parts;
   std::map<Index, std::vector<Strip>> strips;
-  for (const Strip& strip : strips_of(boundaries_of(view, master), question)) {
-    const auto seen = std::ranges::find_if(
-        view.faces, [&](const SeenFace& f) { return f.side != master && f.index == strip.answer; });
-    strips[strip.answer].push_back(strip);
+  for (const Strip& strip : strips_of(boundaries, question)) {
+    const Index f = strip.answer / 2;
+    const Linear distance = face_of(f).distance;
+    const Linear clamped = strip.answer == sight_of(f, true) ? Linear{*q_max, 0, 0} : distance;
+    strips[f].push_back(strip);
     const Corner a{strip.from, strip.lower.at(strip.from)};
     const Corner b{strip.to, strip.lower.at(strip.to)};
     const Corner c{strip.to, strip.upper.at(strip.to)};
     const Corner d{strip.from, strip.upper.at(strip.from)};
-    add_triangle(parts[strip.answer], {a, b, c}, seen->distance);
-    add_triangle(parts[strip.answer], {a, c, d}, seen->distance);
+    add_triangle(parts[f], {a, b, c}, distance, clamped);
+    add_triangle(parts[f], {a, c, d}, distance, clamped);
   }
   for (const auto& [f, part] : parts) {
     if (part.distance == 0) continue;
@@ -190,14 +215,20 @@ void find_elements_of(Answer& answer, Side master, Index face) {
 
 }  // namespace
 
-void find_clipped_elements(Answer& answer, Mode mode) {
+void find_clipped_elements(Answer& answer, Mode mode, double max_penetration) {
   answer.elements.clear();
   for (const Side master : {Side::E, Side::F}) {
     if (mode != Mode::both && (mode == Mode::E) != (master == Side::E)) continue;
     const ActiveArea& active = answer.active(master);
     std::set<Index> faces(active.intersected.begin(), active.intersected.end());
     faces.insert(active.inner.begin(), active.inner.end());
-    for (const Index face : faces) find_elements_of(answer, master, face);
+    for (const Index face : faces) {
+      std::optional<Rational> q_max;
+      const Vector& N = answer.scene.body(master).normals[face];
+      if (!std::isinf(max_penetration) && N != Vector{})
+        q_max = Rational(max_penetration) / answer.scene.unit / length_of(N);
+      find_elements_of(answer, master, face, q_max);
+    }
   }
 }
 

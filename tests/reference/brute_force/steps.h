@@ -35,8 +35,8 @@ void sweep_perturbed_areas(Answer& answer, const Steps& steps);
 void sum_areas(Answer& answer);
 void find_elements(Answer& answer, const Steps& steps, Mode mode);
 
-/// Replaces the elements by those of the clipped scheme.
-void find_clipped_elements(Answer& answer, Mode mode);
+/// Replaces the elements by those of the clipped scheme, clamped to max_penetration, m.
+void find_clipped_elements(Answer& answer, Mode mode, double max_penetration);
 
 /// Signed sum of the passages along the directed edge a -> b: the change of the winding number.
 int change_along(const Steps& steps, Side side, Index a, Index b);
