@@ -19,8 +19,8 @@ namespace pcm::fast {
 /// 0 > -b the line lies at a / (a + b) of the way, which is off by at most half of that part, however flat the faces
 /// lie to each other: where they meet at an angle whose sine is greater than about kExactHeight, by what roundings of
 /// the corners' places make, over that sine; where they lie flatter, by no more than kHeightError of the face's size.
-/// Of faces in no special place one height in some 2^16 is computed exactly.
-inline constexpr double kExactHeight = 0x1p-16;
+/// Of faces in no special place one height in some 2^12 is computed exactly.
+inline constexpr double kExactHeight = 0x1p-12;
 inline constexpr double kHeightError = kFilterRelative / kExactHeight;
 
 /// A face with N to a few ulps of itself also where it is a needle: there the cross product of rounded differences

@@ -59,6 +59,20 @@ TEST(HeightOver, IsSureToKHeightErrorOfItselfHoweverNearThePlane) {
   }
 }
 
+TEST(HeightOver, ScalesBitForBitWithPowersOfTwo) {
+  Doubles random(154);
+  WorkCounters work;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const FacePoints f = draw_face(random);
+    const Eigen::Vector3d x = draw_point_near(f, static_cast<int>(random.integer(0, 60)), random);
+    const double height = height_over(f, x, work);
+    for (const int k : {-100, -64, -33, -1, 1, 31, 63, 100}) {
+      const double scale = std::ldexp(1, k);
+      EXPECT_EQ(height_over({scale * f[0], scale * f[1], scale * f[2]}, scale * x, work), std::ldexp(height, 3 * k));
+    }
+  }
+}
+
 TEST(HeightOver, IsZeroExactlyInThePlane) {
   Doubles random(152);
   WorkCounters work;
