@@ -41,8 +41,8 @@ struct ActiveArea {
 
 /// A contact element: a master face and the slave face its penetration lines leave through. Barycentric scheme: the
 /// whole face, with the penetration of its barycentre; clipped scheme: the part of the face that sees the slave face,
-/// with the mean penetration there. Both are clamped to max_penetration: at the barycentre, or at every point before the
-/// mean is taken.
+/// with the mean penetration there. Both are clamped to max_penetration: at the barycentre, or at every point before
+/// the mean is taken.
 struct Element {
   Side master = Side::E;
   Index master_face = 0;

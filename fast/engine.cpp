@@ -7,6 +7,7 @@
 #include "fast/active_areas.h"
 #include "fast/contact_force.h"
 #include "fast/crossings.h"
+#include "fast/floating_point_environment.h"
 #include "fast/law.h"
 #include "fast/polygons.h"
 #include "fast/surface.h"
@@ -107,6 +108,7 @@ Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode
       law_(std::move(law)),
       mode_(mode),
       scheme_(scheme) {
+  const DefaultFloatingPoint environment;
   require_valid(law_);
 }
 
@@ -120,14 +122,17 @@ Workspace::Data& Workspace::data() {
   return *data_;
 }
 
-const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                        Workspace& workspace, const Savings& savings) {
+namespace {
+
+[[gnu::noinline]] const Contact& evaluate_in_default_environment(const Pairing& pairing, const Pose& pose,
+                                                                 const Velocity& velocity, const Wanted& wanted,
+                                                                 Workspace& workspace, const Savings& savings) {
   if (!savings.only_wanted) {
     Savings others = savings;
     others.only_wanted = true;
     Wanted all;
     all.bound = wanted.bound;  // a promise of its own, and all of its cost
-    evaluate(pairing, pose, velocity, all, workspace, others);
+    evaluate_in_default_environment(pairing, pose, velocity, all, workspace, others);
     keep_only(wanted, workspace.data().contact);
     return workspace.data().contact;
   }
@@ -174,6 +179,14 @@ const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity
     require_finite_force(contact);
   }
   return contact;
+}
+
+}  // namespace
+
+const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
+                        Workspace& workspace, const Savings& savings) {
+  const DefaultFloatingPoint environment;
+  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings);
 }
 
 }  // namespace pcm::fast

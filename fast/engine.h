@@ -11,6 +11,9 @@
 
 /// The engine: three tasks, three interfaces (PCM section 1). Define a Pairing of two Surfaces, `evaluate` it for as
 /// many poses as wanted, let it go. Floating point, but every discrete decision is exact on the rounded problem.
+///
+/// No answer depends on the caller's floating-point environment (rounding mode, denormals flushed, traps enabled),
+/// which is as before on return, sticky exception flags included, also where something is thrown.
 namespace pcm::fast {
 
 /// A surface prepared for contact: adjacency, bounding volume tree, thickness filter. Immutable, so it can be shared by

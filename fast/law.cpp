@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "fast/floating_point_environment.h"
 #include "fast/geometry.h"
 #include "meshes/bad_input.h"
 
@@ -64,13 +65,22 @@ void require_valid(const Pose& pose, const Velocity& velocity) {
   if (!(pose.A.determinant() > 0)) throw BadInput("pose: A is a reflection (its determinant is negative), no rotation");
 }
 
-double layer_stiffness(double young, double poisson, double thickness) {
+namespace {
+
+[[gnu::noinline]] double stiffness_of_layer(double young, double poisson, double thickness) {
   require_positive("elastic layer: Young's modulus", young);
   require_positive("elastic layer: thickness", thickness);
   if (!(poisson > -1 && poisson < 0.45)) {
     refuse("elastic layer: Poisson's ratio", poisson, "greater than -1 and less than 0.45");
   }
   return (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) * young / thickness;
+}
+
+}  // namespace
+
+double layer_stiffness(double young, double poisson, double thickness) {
+  const DefaultFloatingPoint environment;
+  return stiffness_of_layer(young, poisson, thickness);
 }
 
 SeriesStiffness::SeriesStiffness(const ContactLaw& law) {

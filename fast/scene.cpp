@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "fast/floating_point_environment.h"
 #include "fast/geometry.h"
 #include "fast/law.h"
 #include "fast/separation.h"
@@ -154,13 +155,13 @@ struct Scene::Data {
   const Contact* answer(ScenePairing& pairing, Workspace& workspace) const;
 };
 
-Pose Scene::Data::relative_pose(const ScenePairing& pairing) const {
+[[gnu::noinline]] Pose Scene::Data::relative_pose(const ScenePairing& pairing) const {
   const Pose& E = body(pairing.body_E).state.pose;
   const Pose& F = body(pairing.body_F).state.pose;
   return {E.A.transpose() * F.A, E.A.transpose() * (F.r - E.r)};
 }
 
-Velocity Scene::Data::relative_velocity(const ScenePairing& pairing) const {
+[[gnu::noinline]] Velocity Scene::Data::relative_velocity(const ScenePairing& pairing) const {
   const BodyState& E = body(pairing.body_E).state;
   const BodyState& F = body(pairing.body_F).state;
   const Eigen::Matrix3d to_Me = E.pose.A.transpose();
@@ -203,6 +204,7 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 Index Scene::add_body(Surface surface) {
+  const DefaultFloatingPoint environment;
   Body body{std::move(surface), {}, {}};
   body.box = WorldBox(body.surface.data(), body.state.pose);
   data_->bodies.push_back(std::move(body));
@@ -217,6 +219,7 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
     }
   }
   if (body_E == body_F) throw BadInput("pairing: body " + std::to_string(body_E) + " with itself");
+  const DefaultFloatingPoint environment;
   const Surface& F = data_->body(body_F).surface;
   ScenePairing pairing{body_E,
                        body_F,
@@ -251,6 +254,7 @@ void Scene::move(const std::vector<BodyState>& states) {
     throw BadInput("scene: " + std::to_string(states.size()) + " states for " + std::to_string(data_->bodies.size()) +
                    " bodies");
   }
+  const DefaultFloatingPoint environment;
   for (std::size_t b = 0; b < states.size(); ++b) require_valid_state(b, states[b]);
   for (std::size_t b = 0; b < states.size(); ++b) {
     Body& body = data_->bodies[b];
@@ -265,14 +269,17 @@ void Scene::move(const std::vector<BodyState>& states) {
 }
 
 Pose Scene::relative_pose(Index pairing) const {
+  const DefaultFloatingPoint environment;
   return data_->relative_pose(data_->at(pairing));
 }
 
 Velocity Scene::relative_velocity(Index pairing) const {
+  const DefaultFloatingPoint environment;
   return data_->relative_velocity(data_->at(pairing));
 }
 
 const Contact& Scene::evaluate(Index pairing, Workspace& workspace) {
+  const DefaultFloatingPoint environment;
   ScenePairing& asked = data_->at(pairing);
   if (const Contact* contact = data_->answer(asked, workspace)) return *contact;
   // The only things said of what is apart.
@@ -290,6 +297,7 @@ void Scene::evaluate_all(int threads, const Visit& visit) {
   std::atomic<std::size_t> next = 0;
   std::vector<ScenePairing>& all = data_->pairings;
   const auto take_part = [&](std::size_t member) {
+    const DefaultFloatingPoint environment;
     Workspace& workspace = data_->workspaces[member];
     for (std::size_t begin = next.fetch_add(kChunk); begin < all.size(); begin = next.fetch_add(kChunk)) {
       for (std::size_t i = begin; i < std::min(begin + kChunk, all.size()); ++i) {
@@ -319,6 +327,7 @@ const PairingLoad& Scene::load(Index pairing) const {
 }
 
 std::vector<BodyLoad> Scene::body_loads() const {
+  const DefaultFloatingPoint environment;
   std::vector<BodyLoad> loads(data_->bodies.size());
   for (const ScenePairing& pairing : data_->pairings) {
     if (!pairing.load.touching && !pairing.load.nested) continue;

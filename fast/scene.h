@@ -43,7 +43,8 @@ struct SceneCounters {
 };
 
 /// Bodies that move, and the pairings among them; a pairing that can't be in contact costs nanoseconds. Answers are
-/// those of `evaluate` for each pairing's relative pose, bit for bit, whatever is skipped and however many threads.
+/// those of `evaluate` for each pairing's relative pose, bit for bit, whatever is skipped, however many threads, and
+/// whatever their floating-point environment.
 ///
 /// For one caller at a time, except where it says otherwise. A number that is no pairing's throws BadInput.
 class Scene {
@@ -80,8 +81,8 @@ class Scene {
   /// Called with each answer in `evaluate_all`, from the thread that has it.
   using Visit = std::function<void(Index pairing, const Contact& contact)>;
   /// Answers all pairings, `threads` at once (at least 1, else BadInput), and keeps their loads. `visit`, where given,
-  /// sees the answers of those that touch or are nested, at once and in any order. What is thrown for the first pairing
-  /// that fails is thrown on, when all threads are done.
+  /// sees the answers of those that touch or are nested, at once and in any order, and in the default floating-point
+  /// environment. What is thrown for the first pairing that fails is thrown on, when all threads are done.
   void evaluate_all(int threads = 1, const Visit& visit = {});
 
   /// Of the last evaluate_all.

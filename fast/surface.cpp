@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fast/clearance.h"
+#include "fast/floating_point_environment.h"
 #include "fast/geometry.h"
 #include "fast/thickness.h"
 #include "meshes/bad_input.h"
@@ -135,7 +136,7 @@ std::string out_of_range(double reach) {
   return why.str();
 }
 
-Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
+[[gnu::noinline]] Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   require_fit(mesh);
   require_countable(mesh);
   reach = reach_of(mesh);
@@ -160,7 +161,10 @@ Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
   clear_of_neighbours = faces_clear_of_neighbours(*this);
 }
 
-Surface::Surface(TriangleMesh mesh) : data_(std::make_shared<const Data>(std::move(mesh))) {}
+Surface::Surface(TriangleMesh mesh) {
+  const DefaultFloatingPoint environment;
+  data_ = std::make_shared<const Data>(std::move(mesh));
+}
 
 const TriangleMesh& Surface::mesh() const {
   return data_->mesh;
