@@ -141,7 +141,7 @@ void for_each_field(Answer& contact, const Visit& visit) {
   visit(Field{"has_volume", Asked::areas, Kind::has_volume}, has_volume);
   visit(Field{"volume", Asked::areas, Kind::volume}, volume);
   for (auto& element : elements) fields::visit_element(element, visit);
-  visit(Field{"element_count", Asked::force, Kind::elements}, element_count);
+  visit(Field{"element_count", Asked::force, Kind::sums}, element_count);
   visit(Field{"too_deep", Asked::force, Kind::too_deep}, too_deep);
   visit(Field{"max_penetration", Asked::force, Kind::penetration}, max_penetration);
   visit(Field{"penetration_exceeded", Asked::force, Kind::exceeded}, penetration_exceeded);

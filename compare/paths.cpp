@@ -78,7 +78,7 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   scene.move({E, F});
   // Nearby the force may be beyond all doubles; what is asked is the place itself.
   try {
-    seam.evaluate_in(scene, workspace);
+    scene.evaluate(0, workspace);
   } catch (const std::exception&) {
   }
   F.pose.r = pose.r;

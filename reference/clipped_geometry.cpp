@@ -235,25 +235,34 @@ T perimeter_of(LiftedPose<T>& pose, const ClippedElement& element) {
 
 /// The gradient g of a difference of depths, (d_a - d_b) |N|, in the master's plane: g . v1 and g . v2 are |N| times
 /// its coefficients, so |N| g = b (N x v1) - a (N x v2). A height over a face is its cosine times a depth.
+/// Depth 0 is that of the master's own plane: the slave face carries nothing there, but what hides it begins there.
 template <class T>
 T folds_of(LiftedPose<T>& pose, const ClippedElement& element) {
   using std::min;
   const Face master{element.faces.master, element.faces.master_face};
+  const Face slave{other(master.side), element.faces.slave_face};
   const MasterFrame<T> e = make_frame(pose, master);
+  const T NN = dot(e.N, e.N);
   T sum = pose.number(0.0);
   for (const PieceSide<T>& side : sides_of(pose, e, element)) {
-    const Face a{side.line.side_a, side.line.a}, b{side.line.side_b, side.line.b};
-    if (side.line.kind != SightLine::Kind::fold || a == master || b == master) continue;
-    const Depth<T> d_a = depth_of(pose, e, a), d_b = depth_of(pose, e, b);
-    const T slope_s = d_a.numerator.x / d_a.denominator - d_b.numerator.x / d_b.denominator;
-    const T slope_t = d_a.numerator.y / d_a.denominator - d_b.numerator.y / d_b.denominator;
+    if (side.line.kind != SightLine::Kind::fold) continue;
+    T slope_s = pose.number(0.0), slope_t = slope_s, least_square_cosine = pose.number(1.0);
+    bool hides = true;
+    for (const auto& [face, sign] :
+         {std::pair(Face{side.line.side_a, side.line.a}, 1.0), std::pair(Face{side.line.side_b, side.line.b}, -1.0)}) {
+      if (face == master) {
+        hides = side.line.a != slave.index || side.line.side_a != slave.side;
+        continue;
+      }
+      const Depth<T> d = depth_of(pose, e, face);
+      slope_s = slope_s + pose.number(sign) * d.numerator.x / d.denominator;
+      slope_t = slope_t + pose.number(sign) * d.numerator.y / d.denominator;
+      least_square_cosine = min(least_square_cosine, T(d.denominator * d.denominator / (NN * dot(d.N_g, d.N_g))));
+    }
+    if (!hides) continue;
     const Vec3<T> gradient_N = slope_t * e.N_x_v1 - slope_s * e.N_x_v2;
     const Vec3<T> along = T(side.to.s - side.from.s) * e.v1 + T(side.to.t - side.from.t) * e.v2;
-    const auto square_cosine = [&](const Depth<T>& d) -> T {
-      return d.denominator * d.denominator / (dot(e.N, e.N) * dot(d.N_g, d.N_g));
-    };
-    const T least = min(square_cosine(d_a), square_cosine(d_b));
-    sum = sum + sqrt(dot(along, along) * dot(e.N, e.N) / (dot(gradient_N, gradient_N) * least));
+    sum = sum + sqrt(dot(along, along) * NN / (dot(gradient_N, gradient_N) * least_square_cosine));
   }
   return sum;
 }

@@ -182,7 +182,7 @@ MasterElements& Inquiry::Data::elements(Problem problem, Side master) {
     const MasterElements* known = other_solution ? other_solution->elements[index_of(master)].get() : nullptr;
     elements->clipped =
         find_clipped_elements(solution.pose, master, solution.found, known ? known->clipped : ClippedFindings());
-    elements->source = std::make_unique<ClippedElements>(elements->clipped.elements, oracle.law.max_penetration);
+    elements->source = std::make_unique<ClippedElements>(elements->clipped.elements, law.max_penetration);
   }
   elements->loads = std::make_unique<MasterLoads>(ForceQuestion{solution.pose, *elements->source, law, velocity});
   return *elements;
