@@ -31,9 +31,11 @@ struct SurfacePair {
   bool for_hard_strata = false;               ///< takes the bulk of degenerate and near-degenerate
   bool for_all_strata = true;                 ///< takes part in the others, and in one of fifty poses of the hard ones
   std::int64_t greatest_share = kWholeShare;  ///< in the strata that are not hard
+  /// Has needles, folds or coplanar faces of its own, of which S / p says little (DESIGN section 3).
+  bool made_to_hurt = false;
 
-  /// Its part of the poses of a stratum beside that of the other pairs, kWholeShare for most: costly pairs take less, or
-  /// a run's time would be theirs alone, pairs with variants more.
+  /// Its part of the poses of a stratum beside that of the other pairs, kWholeShare for most: costly pairs take less,
+  /// or a run's time would be theirs alone, pairs with variants more.
   ///
   /// Barycentric scheme: a quarter above 8,000 faces together, a sixteenth above 20,000; of nested poses, where every
   /// face of the guest is active, an eighth of that above 2,000. Clipped scheme: in inverse proportion to what a pose
