@@ -79,7 +79,8 @@ std::vector<Posed> posed_pairs(std::uint64_t seed, int each) {
         const DrawnPose drawn =
             draw_pose(stratum, features, PoseRandom(seed, static_cast<std::uint64_t>(stratum), k, i));
         poses.push_back({pair.E, pair.F, pair.law, drawn.pose, drawn.velocity,
-                         fmt::format("{}/{}/{}, seed {}", pair.name, name(stratum), i, seed), poses.size()});
+                         fmt::format("{}/{}/{}, seed {}", pair.name, name(stratum), i, seed), poses.size(),
+                         pair.made_to_hurt});
       }
   }
   return poses;

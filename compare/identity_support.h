@@ -22,8 +22,9 @@ struct Posed {
   ContactLaw law;
   Pose pose;
   Velocity velocity;
-  std::string where;     ///< pair, stratum, number and seed
-  std::uint64_t stream;  ///< of further random numbers
+  std::string where;          ///< pair, stratum, number and seed
+  std::uint64_t stream;       ///< of further random numbers
+  bool made_to_hurt = false;  ///< as its pair is
 };
 
 /// Poses of the built-in pairs: `each` of every general pair in the strata generic and grazing, and as many of every

@@ -93,7 +93,7 @@ class PairList {
     add(std::move(name), std::move(mesh_E), std::move(mesh_F));
     pairs.back().for_hard_strata = true;
     pairs.back().for_all_strata = greatest_share > 0;
-    pairs.back().hurts = true;
+    pairs.back().made_to_hurt = true;
     pairs.back().greatest_share = greatest_share;
   }
   /// The same and the pair with its bodies exchanged, each with its own name and so with poses of its own.

@@ -31,9 +31,9 @@ struct SurfacePair {
   bool for_hard_strata = false;               ///< takes the bulk of degenerate and near-degenerate
   bool for_all_strata = true;                 ///< takes part in the others, and in one of fifty poses of the hard ones
   std::int64_t greatest_share = kWholeShare;  ///< in the strata that are not hard
-  /// Made to hurt, by parts far thinner or smaller than the body, by folds: its errors are its shape's condition, so the
-  /// measure of generic poses is not demanded of it. All else is.
-  bool hurts = false;
+  /// Has needles, folds, coplanar faces of its own or parts far smaller than the body, of whose errors S / p says
+  /// little: the measure of generic poses is not demanded of it. All else is.
+  bool made_to_hurt = false;
 
   /// Its part of the poses of a stratum beside that of the other pairs, kWholeShare for most: costly pairs take less,
   /// or a run's time would be theirs alone, pairs with variants more.

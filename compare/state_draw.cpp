@@ -34,12 +34,13 @@ Figures figures_at(const Scene& scene, const Scene::State& state) {
 
 }  // namespace
 
-Scene::State draw_state(const Scene& scene, Stratum stratum, const DrawnPose& drawn, Scheme scheme, PoseRandom random) {
-  Scene::State state{drawn.pose, drawn.velocity, draw_law_without_thresholds(random), scheme};
-  if (hard(stratum)) state.velocity = draw_velocity(random, scene.features(), drawn.pose);
+Scene::State draw_state(const Scene& scene, Stratum stratum, const DrawnPose& drawn, Scheme scheme, PoseRandom for_law,
+                        PoseRandom for_velocity) {
+  Scene::State state{drawn.pose, drawn.velocity, draw_law_without_thresholds(for_law), scheme};
+  if (hard(stratum)) state.velocity = draw_velocity(for_velocity, scene.features(), drawn.pose);
   const double size = scene.features().size();
-  draw_depths(random, size, figures_at(scene, state).penetrations, state.law);
-  draw_slip_velocity(random, size, figures_at(scene, state).speeds, state.law);
+  draw_depths(for_law, size, figures_at(scene, state).penetrations, state.law);
+  draw_slip_velocity(for_law, size, figures_at(scene, state).speeds, state.law);
   return state;
 }
 

@@ -227,7 +227,7 @@ std::string times_markdown(const Verification& run) {
 std::optional<MissedMeasure> missed_measure(const Verification& run) {
   Tally measured;
   for (const Cell& cell : run.cells())
-    if (cell.stratum == Stratum::generic && !run.plan().pairs[cell.pair].hurts) measured.merge(cell.tally);
+    if (cell.stratum == Stratum::generic && !run.plan().pairs[cell.pair].made_to_hurt) measured.merge(cell.tally);
   std::optional<MissedMeasure> worst;
   for (std::size_t k = 0; k < kFirstBound; ++k) {
     if (k == kPenetrationError) continue;

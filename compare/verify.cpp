@@ -30,9 +30,6 @@ constexpr std::size_t kMostNestedFaces = 20000;
 /// One pose in this many of a hard stratum falls to the general pairs.
 constexpr std::int64_t kGeneralShare = 50;
 
-/// Laws have random numbers of their own, apart from those of the strata.
-constexpr std::uint64_t kLawStream = 256;
-
 /// A scheme's share in a plan that has both.
 std::int64_t weight(Scheme scheme) {
   return scheme == Scheme::clipped ? 1 : 2;
@@ -208,9 +205,12 @@ DrawnPose Verification::draw(const Cell& cell, std::int64_t pose) const {
 }
 
 Scene::State Verification::asked(const Cell& cell, std::int64_t pose) const {
-  return draw_state(scene(cell, pose), cell.stratum, draw(cell, pose), cell.scheme,
-                    PoseRandom(plan_.seed, kLawStream + static_cast<std::uint64_t>(cell.stratum),
-                               stream_of(plan_.pairs[cell.pair].name), static_cast<std::uint64_t>(pose)));
+  const auto random = [&](Purpose purpose) {
+    return PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum), stream_of(plan_.pairs[cell.pair].name),
+                      static_cast<std::uint64_t>(pose), purpose);
+  };
+  return draw_state(scene(cell, pose), cell.stratum, draw(cell, pose), cell.scheme, random(Purpose::law),
+                    random(Purpose::velocity));
 }
 
 Case Verification::as_case(const Finding& finding) const {

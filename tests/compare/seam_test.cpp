@@ -90,7 +90,8 @@ Held hold_altered(const AlteringSeam& seam, Stratum stratum, Scheme scheme, int 
   for (int i = 0; i < most_poses && held.altered < enough; ++i) {
     const auto number = static_cast<std::uint64_t>(i);
     const DrawnPose drawn = draw_pose(stratum, scene.features(), PoseRandom(kSeed, 0, 0, number));
-    const Scene::State state = draw_state(scene, stratum, drawn, scheme, PoseRandom(kSeed, 1, 0, number));
+    const Scene::State state = draw_state(scene, stratum, drawn, scheme, PoseRandom(kSeed, 0, 0, number, Purpose::law),
+                                          PoseRandom(kSeed, 0, 0, number, Purpose::velocity));
     seam.take_altered();
     const std::vector<PoseOutcome> outcomes = scene.hold(state, workspace, seam);
     if (!seam.take_altered()) continue;
@@ -322,7 +323,9 @@ TEST_P(SeamOverSchemes, ForceOffByABillionthIsFlaggedIn99Of100AnswersThatAreNotS
   for (std::uint64_t i = 0; altered < 300; ++i) {
     ASSERT_LT(i, 3000U);
     const DrawnPose drawn = draw_pose(Stratum::generic, scene.features(), PoseRandom(kSeed, 2, 0, i));
-    const Scene::State state = draw_state(scene, Stratum::generic, drawn, GetParam(), PoseRandom(kSeed, 3, 0, i));
+    const Scene::State state =
+        draw_state(scene, Stratum::generic, drawn, GetParam(), PoseRandom(kSeed, 2, 0, i, Purpose::law),
+                   PoseRandom(kSeed, 2, 0, i, Purpose::velocity));
     reference::Inquiry inquiry(scene.oracle(), state.pose, state.velocity, {}, state.law, state.scheme);
     const reference::Answer truth = inquiry.answer(reference::Problem::rounded, Mode::both);
     const double p = mean_thickness(truth), S = coordinate_scale(pair.E, pair.F, state.pose);
