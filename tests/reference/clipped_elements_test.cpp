@@ -425,6 +425,36 @@ TEST(ClippedElements, ClampThroughACornerOfAPiece) {
   }
 }
 
+TEST(ClippedElements, EnclosuresThatDoNotTellTheSideOfTheClampHoldTheTruth) {
+  // The same slope under bottoms 6 m wide, so that (s, t) and the clamp are no sums of doubles. The corners at x = 1/4
+  // are those of the slope's division, or where the other bottom's diagonal passes y = 1: a corner between corners on
+  // both sides of the clamp.
+  const TriangleMesh divided = prism({{0, -0.5}, {1, -0.5}, {0.25, 0.25}, {0, 0.5}}, -1, 1);
+  const TriangleMesh whole = prism({{0, -0.5}, {1, -0.5}, {0, 0.5}}, -1, 1);
+  for (const auto& [master, roof] :
+       {std::pair{box(-3, -3, 0, 3, 3, 4), divided}, {box(-2.75, -2, 0, 3.25, 4, 4), whole}})
+    for (const Problem problem : kProblems) {
+      EXPECT_EQ(clipped(master, roof, Mode::E, clamped_at(0.25)).answer(problem, {}).torque_Me,
+                Eigen::Vector3d(0, -7.0 / 192, 0));
+      const Surface E = make_surface(master), F = make_surface(roof);
+      const ExactPose pose(problem, E, F, {});
+      const std::vector<ClippedElement> elements =
+          find_clipped_elements(pose, Side::E, find_combinatorics(pose)).elements;
+      ASSERT_GE(elements.size(), 2u);
+      for (const double u_max : {0.125, 0.25, 0.5}) {
+        LiftedPose<DoubleDouble> shortly(pose);
+        LiftedPose<Rational> exactly(pose);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+          const ElementGeometry<DoubleDouble> g = ClippedElements(elements, u_max).geometry(i, shortly);
+          const ElementGeometry<Quadratic> truth = ClippedElements(elements, u_max).geometry(i, exactly);
+          ASSERT_TRUE(truth.q.rational());
+          EXPECT_TRUE(g.q.holds(truth.q.a()));
+          for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(g.foot[axis].holds(truth.foot[axis].a()));
+        }
+      }
+    }
+}
+
 TEST(ClippedElements, IdenticalBodiesAtTheIdentityPoseCarryNothing) {
   // Every line meets the slave at once, where it enters: u = 0 (C7).
   const TriangleMesh cube = generate::gridded_box(1, 2);
