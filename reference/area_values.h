@@ -3,10 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "reference/clipped_areas.h"
+#include "reference/face_points.h"
 
 /// Areas, vector areas and volume as numbers of any kind with division: DoubleDouble and Ball to report them,
 /// Rational to prove identities.
@@ -26,33 +26,29 @@ T limited_to(const T& low, const T& x, const T& high) {
   return max(low, min(x, high));
 }
 
-/// Green's theorem (clipped_areas.h): the integral of the winding number over the face, divided by |N|.
+/// The integral of the winding number over the face, divided by |N|.
 template <class T>
-T inside_share(const FaceClip& clip, const std::array<Vec3<T>, 3>& corners, const std::vector<Vec3<T>>& positions,
-               const LiftedPose<T>& pose) {
+T inside_share(const FaceClip& clip, Side side, LiftedPose<T>& pose) {
   T sum = pose.number(0.0);
-  if (clip.axis < 0) return sum;
-  const auto& [w0, w1, w2] = clip.winding;
-  if (clip.segments.empty() && clip.on_edges.empty() && w0 == w1 && w1 == w2)  // wholly within: half of |N| each time
-    return pose.number(clip.limited ? std::clamp(w0, 0, 1) / 2.0 : w0 / 2.0);
-  const int i = (clip.axis + 1) % 3, j = (clip.axis + 2) % 3;
-  const Vec3<T>& o = corners[0];
-  const auto moment = [&](const Vec3<T>& p, const Vec3<T>& q) -> T {
-    return (p[i] - o[i]) * (q[j] - o[j]) - (p[j] - o[j]) * (q[i] - o[i]);
-  };
-  for_each_chord(clip, corners, positions, [&](int weight, const Vec3<T>& p, const Vec3<T>& q) {
-    if (&p == &o || &q == &o) return;  // no moment about a corner of its own
-    sum = sum + (weight == 1 ? moment(p, q) : pose.number(static_cast<double>(weight)) * moment(p, q));
-  });
-  const T share = sum / (pose.number(2.0) * moment(corners[1], corners[2]));
-  return clip.limited ? limited_to(pose.number(0.0), share, pose.number(0.5)) : share;
+  if (!clip.has_area) return sum;
+  if (clip.planes.empty()) {
+    const int winding = clip.cells.empty() ? 0 : clip.cells[0].winding;
+    return pose.number((clip.limited ? std::clamp(winding, 0, 1) : winding) / 2.0);
+  }
+  const T half = pose.number(0.5);
+  for_each_triangle(pose, side, clip,
+                    [&](int winding, const FacePoint<T>& a, const FacePoint<T>& b, const FacePoint<T>& c) {
+                      const T share = share_of(a, b, c, half);
+                      sum = sum + (winding == 1 ? share : pose.number(static_cast<double>(winding)) * share);
+                    });
+  return clip.limited ? limited_to(pose.number(0.0), sum, pose.number(0.5)) : sum;
 }
 
 template <class T>
 Shares<T> shares_of(const ClippedAreas& areas, Side side, const FaceClip& clip, const T& from_inside,
                     const LiftedPose<T>& pose) {
   if (clip.overlaps.empty()) return {from_inside, from_inside, from_inside};
-  if (clip.limited) return {pose.number(0.0), from_inside, pose.number(clip.axis < 0 ? 0.0 : 0.5)};
+  if (clip.limited) return {pose.number(0.0), from_inside, pose.number(clip.has_area ? 0.5 : 0.0)};
   Rational equal = 0, opposite = 0;
   for (const Index i : clip.overlaps)
     (areas.overlaps[i].equal_normals ? equal : opposite) += areas.overlaps[i].share(side);
@@ -70,14 +66,12 @@ struct FaceArea {
 };
 
 template <class T>
-std::vector<FaceArea<T>> face_areas(const ClippedAreas& areas, Side side, const std::vector<Vec3<T>>& positions,
-                                    LiftedPose<T>& pose) {
+std::vector<FaceArea<T>> face_areas(const ClippedAreas& areas, Side side, LiftedPose<T>& pose) {
   std::vector<FaceArea<T>> faces;
   for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) {
     const auto corners = pose.corners(side, clip.face);
     faces.push_back({corners[0], doubled_normal(corners[0], corners[1], corners[2]),
-                     shares_of(areas, side, clip, inside_share(clip, corners, positions, pose), pose),
-                     !clip.overlaps.empty()});
+                     shares_of(areas, side, clip, inside_share(clip, side, pose), pose), !clip.overlaps.empty()});
   }
   return faces;
 }

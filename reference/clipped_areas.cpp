@@ -6,35 +6,36 @@
 #include <map>
 #include <utility>
 
+#include "reference/face_cells.h"
+#include "reference/face_paths.h"
+
 namespace pcm::reference {
 namespace {
 
-int greatest_component_of_normal(const ExactPose& pose, Side side, Index face) {
+bool has_area(const ExactPose& pose, Side side, Index face) {
+  const Triangle& t = pose.face(side, face);
+  {
+    const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
+    const auto at = [&](int i) { return interval_point(pose.enclosure({side, t[i]})); };
+    const Vec3<Interval> normal = doubled_normal(at(0), at(1), at(2));
+    for (int i = 0; i < 3; ++i)
+      if (certain_sign(normal[i]) != 0) return true;
+  }
   const auto [p0, p1, p2] = pose.corners<Exact>(side, face);
   const Vec3<Exact> normal = doubled_normal(p0, p1, p2);
-  int axis = -1;
-  Exact greatest(0);
-  for (int c = 0; c < 3; ++c) {
-    const Exact size = sign_of(normal[c]) < 0 ? -normal[c] : normal[c];
-    if (size > greatest) {
-      greatest = size;
-      axis = c;
-    }
-  }
-  return axis;
+  return sign_of(normal.x) != 0 || sign_of(normal.y) != 0 || sign_of(normal.z) != 0;
 }
 
 /// Clips the faces of one side.
 class FaceClipper {
  public:
   FaceClipper(const ExactPose& pose, Side side, const ActiveFaces& active, const std::vector<IndexPair>& columns,
-              std::vector<CrossingId>& ids, Index& undefined)
+              Index& undefined)
       : pose_(pose),
         side_(side),
         others_(pose.surface(other(side))),
         active_(active),
         columns_(columns),
-        ids_(ids),
         undefined_(undefined) {}
 
   bool against_closed() const { return others_.closed; }
@@ -43,44 +44,46 @@ class FaceClipper {
   FaceClip uncrossed(Index face) const {
     FaceClip clip = bare(face);
     const bool inner = std::binary_search(active_.inner.begin(), active_.inner.end(), face);
-    clip.winding.fill(others_.closed ? active_.winding[pose_.face(side_, face)[0]] : inner ? 1 : 0);
+    const int winding = others_.closed ? active_.winding[pose_.face(side_, face)[0]] : inner ? 1 : 0;
+    if (winding != 0) clip.cells.push_back({winding, {{1, 2}, {2, 0}, {0, 1}}});
     return clip;
   }
 
   /// A face in crossing pairs, under the plain tie rule.
   FaceClip intersected(Index face, const Crossings& crossings, const std::vector<const Segment*>& segments) const {
     FaceClip clip = bare(face);
-    for (const Segment* segment : segments) {
-      add_segment(clip, segment->start, segment->end);
-      for (const Index point : {segment->start, segment->end}) add_edge_crossing(clip, point, crossings.deltas[point]);
+    std::vector<FaceSegment> parts;
+    for (const Segment* segment : segments)
+      parts.push_back({side_ == Side::E ? segment->face_F : segment->face_E,
+                       {crossings.ids[segment->start], crossings.ids[segment->end]}});
+    if (!others_.closed && border_ends_within(parts)) {
+      ++undefined_;
+      return clip;
     }
+    const Orientation orientation(pose_);
     const Triangle& t = pose_.face(side_, face);
-    if (others_.closed)
-      clip.winding = {active_.winding[t[0]], active_.winding[t[1]], active_.winding[t[2]]};
-    else
-      set_relative_winding(clip, labelled_inside(t));
+    cut(clip, orientation, parts, [&](FaceLines& lines, const std::vector<FaceCell>& cells) {
+      if (others_.closed) return active_.winding[t[lines.apex()]];
+      return relative_winding(FacePaths(orientation, side_, face, lines, cells[0].corners), lines.apex(),
+                              labelled_inside(t));
+    });
     return clip;
   }
 
-  /// A face with coplanar overlaps, the other surface closed: moved inward. Its crossings are appended to the common
-  /// list.
+  /// A face with coplanar overlaps, the other surface closed: moved inward.
   FaceClip moved_inward(Index face, const std::vector<Index>& others, std::vector<Index> overlaps) const {
     const Orientation orientation(pose_, ShiftedFace{side_, face});
     FaceClip clip = bare(face);
     clip.overlaps = std::move(overlaps);
+    std::vector<FaceSegment> parts;
     for (const Index f : others) {
       const std::vector<PairCrossing> pair =
           side_ == Side::E ? pair_crossings(orientation, face, f) : pair_crossings(orientation, f, face);
-      if (pair.empty()) continue;
-      const Index first = static_cast<Index>(ids_.size());
-      for (const PairCrossing& crossing : pair) {
-        ids_.push_back(crossing.id);
-        add_edge_crossing(clip, static_cast<Index>(ids_.size()) - 1, crossing.delta);
-      }
-      add_segment(clip, pair[0].starts ? first : first + 1, pair[0].starts ? first + 1 : first);
+      if (!pair.empty()) parts.push_back({f, {pair[0].id, pair[1].id}});
     }
-    const Triangle& t = pose_.face(side_, face);
-    for (int i = 0; i < 3; ++i) clip.winding[i] = winding_number(orientation, {side_, t[i]}, columns_);
+    cut(clip, orientation, parts, [&](FaceLines& lines, const std::vector<FaceCell>&) {
+      return winding_number(orientation, {side_, pose_.face(side_, face)[lines.apex()]}, columns_);
+    });
     return clip;
   }
 
@@ -88,29 +91,35 @@ class FaceClipper {
   FaceClip bare(Index face) const {
     FaceClip clip;
     clip.face = face;
-    clip.axis = greatest_component_of_normal(pose_, side_, face);
+    clip.has_area = has_area(pose_, side_, face);
     clip.limited = !others_.closed;
     return clip;
   }
 
-  /// Start and end in the circulation on E; seen from outside F the inside is on the right, so F's run backwards.
-  void add_segment(FaceClip& clip, Index start, Index end) const {
-    if (side_ == Side::E)
-      clip.segments.push_back({start, end});
-    else
-      clip.segments.push_back({end, start});
+  /// Cuts a face into cells; `winding_at_apex(lines, cells)` tells how often the other surface winds about its apex.
+  template <class WindingAtApex>
+  void cut(FaceClip& clip, const Orientation& orientation, const std::vector<FaceSegment>& segments,
+           const WindingAtApex& winding_at_apex) const {
+    if (!clip.has_area) return;
+    const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
+    FaceLines lines(pose_, side_, clip.face, segments);
+    const std::vector<FaceCell> cells = cut_into_cells(orientation, side_, clip.face, lines);
+    const int at_apex = winding_at_apex(lines, cells);
+    for (const FaceCell& cell : cells)
+      if (const int winding = at_apex + cell.change; winding != 0) clip.cells.push_back({winding, cell.corners});
+    clip.apex = lines.apex();
+    clip.planes = lines.faces();
+    clip.crossings = lines.crossings();
   }
 
-  /// If the crossing lies on an edge of this face, each pair with the other face meets it once.
-  void add_edge_crossing(FaceClip& clip, Index crossing, int delta) const {
-    const CrossingId& id = ids_[crossing];
-    if (id.edge_side != side_) return;
-    const Triangle& t = pose_.face(side_, clip.face);
-    for (int i = 0; i < 3; ++i) {
-      const Index a = t[i], b = t[(i + 1) % 3];
-      if (std::minmax(a, b) == std::minmax(id.edge[0], id.edge[1]))
-        clip.on_edges.push_back({i, a < b ? delta : -delta, crossing});
-    }
+  /// The other surface ends within this face: no part of it is bounded.
+  bool border_ends_within(const std::vector<FaceSegment>& segments) const {
+    const auto on_border = [this](const CrossingId& id) {
+      return id.edge_side != side_ && others_.edge_faces[find_edge(others_, id.edge)][1] == kNone;
+    };
+    return std::any_of(segments.begin(), segments.end(), [&](const FaceSegment& segment) {
+      return on_border(segment.ends[0]) || on_border(segment.ends[1]);
+    });
   }
 
   bool labelled_inside(const Triangle& t) const {
@@ -118,27 +127,12 @@ class FaceClipper {
     return any(active_.inside) && !any(active_.outside);
   }
 
-  /// Other surface open: winding numbers follow from the crossings of the edges, up to one number for the face. The
-  /// smallest of them is 0, and where they are all alike `inside` tells.
-  void set_relative_winding(FaceClip& clip, bool inside) const {
-    for (const auto& segment : clip.segments)
-      for (const Index point : segment) {
-        const CrossingId& id = ids_[point];
-        if (id.edge_side == side_) continue;
-        if (others_.edge_faces[find_edge(others_, id.edge)][1] != kNone) continue;
-        // The other surface ends within this face: no part of it is bounded.
-        clip.segments.clear();
-        clip.on_edges.clear();
-        clip.winding = {0, 0, 0};
-        ++undefined_;
-        return;
-      }
-    std::array<int, 3> sums{};
-    for (const FaceClip::EdgeCrossing& x : clip.on_edges) sums[x.corner] += x.delta;
-    clip.winding = {0, sums[0], sums[0] + sums[1]};
-    const int smallest = *std::min_element(clip.winding.begin(), clip.winding.end());
-    const bool alike = sums == std::array<int, 3>{};
-    for (int& w : clip.winding) w += (alike && inside ? 1 : 0) - smallest;
+  /// Other surface open: how its winding number changes along a path in the face is all that is known. It is taken such
+  /// that the smallest at the three corners is 0; where they are alike, all are 1 if labelled inside, otherwise 0.
+  static int relative_winding(FacePaths paths, int apex, bool inside) {
+    const std::array<int, 3> below_x{paths.change(0), paths.change(1), paths.change(2)};
+    const auto [least, greatest] = std::minmax_element(below_x.begin(), below_x.end());
+    return *least == *greatest ? (inside ? 1 : 0) : *greatest - below_x[apex];
   }
 
   const ExactPose& pose_;
@@ -146,7 +140,6 @@ class FaceClipper {
   const Surface& others_;
   const ActiveFaces& active_;
   const std::vector<IndexPair>& columns_;
-  std::vector<CrossingId>& ids_;
   Index& undefined_;
 };
 
@@ -187,14 +180,13 @@ std::vector<FaceClip> clip_side(const FaceClipper& clipper, Side side, const Cro
 ClippedAreas clip_active_areas(const ExactPose& pose, const std::vector<IndexPair>& candidates,
                                const Crossings& crossings, const ActiveFaces& active_E, const ActiveFaces& active_F,
                                const std::vector<IndexPair>& columns_E, const std::vector<IndexPair>& columns_F) {
-  std::vector<CrossingId> ids = crossings.ids;
   Index undefined = 0;
   std::vector<CoplanarOverlap> overlaps = find_coplanar_overlaps(pose, candidates);
-  const FaceClipper clipper_E(pose, Side::E, active_E, columns_E, ids, undefined);
-  const FaceClipper clipper_F(pose, Side::F, active_F, columns_F, ids, undefined);
+  const FaceClipper clipper_E(pose, Side::E, active_E, columns_E, undefined);
+  const FaceClipper clipper_F(pose, Side::F, active_F, columns_F, undefined);
   std::vector<FaceClip> E = clip_side(clipper_E, Side::E, crossings, active_E, candidates, overlaps);
   std::vector<FaceClip> F = clip_side(clipper_F, Side::F, crossings, active_F, candidates, overlaps);
-  return {CrossingPoints(pose, std::move(ids)), std::move(overlaps), std::move(E), std::move(F), undefined};
+  return {std::move(overlaps), std::move(E), std::move(F), undefined};
 }
 
 }  // namespace pcm::reference

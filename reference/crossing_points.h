@@ -33,14 +33,6 @@ class CrossingPoints {
     return a + t * (b - a);
   }
 
-  template <class T>
-  std::vector<Vec3<T>> positions(LiftedPose<T>& pose) const {
-    std::vector<Vec3<T>> all;
-    all.reserve(ids_.size());
-    for (Index i = 0; i < static_cast<Index>(ids_.size()); ++i) all.push_back(position(i, pose));
-    return all;
-  }
-
  private:
   std::vector<CrossingId> ids_;
   std::vector<std::optional<Vec3<Rational>>> midpoints_;

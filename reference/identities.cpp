@@ -19,15 +19,17 @@ Vec3<Rational> triangle_moment(const Vec3<Rational>& o, const Vec3<Rational>& p,
 }
 
 /// Adds the fluxes of x n_x, y n_y, z n_z through a face's clipped part: component by component, N times its moment.
-void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip,
-                const std::array<Vec3<Rational>, 3>& corners, const std::vector<Vec3<Rational>>& positions,
+void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip, LiftedPose<Rational>& pose,
                 Vec3<Rational>& fluxes) {
-  if (clip.axis < 0) return;
-  const Vec3<Rational>& o = corners[0];
-  const Vec3<Rational> normal = doubled_normal(corners[0], corners[1], corners[2]);
+  if (!clip.has_area) return;
+  const auto [p0, p1, p2] = pose.corners(side, clip.face);
+  const Vec3<Rational> v1 = p1 - p0, v2 = p2 - p0, normal = cross(v1, v2);
   Vec3<Rational> moment{0, 0, 0};
-  for_each_chord(clip, corners, positions, [&](int weight, const Vec3<Rational>& p, const Vec3<Rational>& q) {
-    moment = moment + Rational(weight) * triangle_moment(o, p, q, normal);
+  using Point = FacePoint<Rational>;
+  for_each_triangle(pose, side, clip, [&](int winding, const Point& a, const Point& b, const Point& c) {
+    const Rational share = Rational(winding) * share_of(a, b, c, Rational(1, 2));
+    const Rational x1 = (a.x1 + b.x1 + c.x1) / Rational(3), x2 = (a.x2 + b.x2 + c.x2) / Rational(3);
+    moment = moment + share * (p0 + x1 * v1 + x2 * v2);
   });
   if (side == Side::F)
     for (const Index i : clip.overlaps) {
@@ -54,12 +56,10 @@ Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh
   const ExactPose exact_pose(problem, E, F, pose_doubles);
   const ClippedAreas areas = find_combinatorics(exact_pose).clip(exact_pose);
   LiftedPose<Rational> pose(exact_pose);
-  const std::vector<Vec3<Rational>> positions = areas.points.positions(pose);
   Vec3<Rational> sum{0, 0, 0}, fluxes{0, 0, 0};
   for (const Side side : {Side::E, Side::F}) {
-    sum = sum + vector_area(face_areas(areas, side, positions, pose), pose);
-    for (const FaceClip& clip : side == Side::E ? areas.E : areas.F)
-      add_fluxes(areas, side, clip, pose.corners(side, clip.face), positions, fluxes);
+    sum = sum + vector_area(face_areas(areas, side, pose), pose);
+    for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) add_fluxes(areas, side, clip, pose, fluxes);
   }
   identities.vector_areas_cancel = sum.x == 0 && sum.y == 0 && sum.z == 0;
   identities.fluxes_agree = fluxes.x == fluxes.y && fluxes.y == fluxes.z;

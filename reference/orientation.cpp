@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 namespace pcm::reference {
@@ -46,31 +47,63 @@ Linear generic_determinant(const std::array<std::array<Linear, N>, N>& m) {
   }
 }
 
+/// The power of eps that a matching carries, given each point's rank.
+template <int D>
+int power_of(const PerturbationTerm<D>& matching, const std::array<int, D + 1>& rank) {
+  int power = 0;
+  for (int point = 0; point <= D; ++point)
+    if (matching[point] >= 0) power += 1 << (3 * (rank[point] + 1) - (matching[point] + 1));
+  return power;
+}
+
 /// Every partial matching of points to coordinates, with the power of eps it carries. Only the order of the ranks
 /// matters for the order of the powers (they are sums of distinct powers of two), so ranks 1 .. D + 1 stand for all.
 template <int D>
 std::vector<PerturbationTerm<D>> make_terms() {
   std::vector<std::pair<int, PerturbationTerm<D>>> terms;
+  std::array<int, D + 1> rank;
+  std::iota(rank.begin(), rank.end(), 0);
   PerturbationTerm<D> term;
-  const auto extend = [&](const auto& self, int point, int power) -> void {
+  const auto extend = [&](const auto& self, int point) -> void {
     if (point > D) {
-      terms.emplace_back(power, term);
+      terms.emplace_back(power_of<D>(term, rank), term);
       return;
     }
     term[point] = -1;
-    self(self, point + 1, power);
+    self(self, point + 1);
     for (int coordinate = 0; coordinate < D; ++coordinate) {
       if (std::find(term.begin(), term.begin() + point, coordinate) != term.begin() + point) continue;
       term[point] = coordinate;
-      const int i = point + 1, j = coordinate + 1;
-      self(self, point + 1, power + (1 << (3 * i - j)));
+      self(self, point + 1);
     }
   };
-  extend(extend, 0, 0);
+  extend(extend, 0);
   std::sort(terms.begin(), terms.end());
   std::vector<PerturbationTerm<D>> sorted;
   for (const auto& [power, matching] : terms) sorted.push_back(matching);
   return sorted;
+}
+
+template <int D>
+using Rows = std::array<std::array<Linear, D + 1>, D + 1>;
+
+/// Which place each vertex has among `all`, which are different ones.
+template <int D>
+std::array<int, D + 1> ranks_among(const std::array<Vertex, D + 1>& vertices, const auto& all) {
+  std::array<int, D + 1> rank{};
+  for (int v = 0; v <= D; ++v)
+    rank[v] = static_cast<int>(std::count_if(all.begin(), all.end(), [&](Vertex u) { return u < vertices[v]; }));
+  return rank;
+}
+
+/// The coefficient of one term in the determinant of the rows.
+template <int D>
+Linear coefficient(Rows<D> rows, const std::array<int, D + 1>& rank, const PerturbationTerm<D>& term) {
+  for (int v = 0; v <= D; ++v) {
+    if (term[rank[v]] < 0) continue;
+    for (int j = 0; j <= D; ++j) rows[v][j] = {Exact(j == term[rank[v]] + 1 ? 1 : 0), Exact(0)};
+  }
+  return generic_determinant<D + 1>(rows);
 }
 
 }  // namespace
@@ -89,31 +122,66 @@ bool Orientation::is_shifted(Vertex v) const {
   return std::find(t.begin(), t.end(), v.index) != t.end();
 }
 
+/// Rows (1, x, y, z); one row for each vertex.
 template <int D>
-int Orientation::tie_break(const std::array<Vertex, D + 1>& vertices) const {
+auto Orientation::rows_of(const std::array<Vertex, D + 1>& vertices) const {
   Vec3<Exact> normal{Exact(0), Exact(0), Exact(0)};
   if (std::any_of(vertices.begin(), vertices.end(), [this](Vertex v) { return is_shifted(v); })) {
     const auto [p0, p1, p2] = pose_.corners<Exact>(shifted_->side, shifted_->face);
     normal = doubled_normal(p0, p1, p2);
   }
-  // Rows (1, x, y, z); one row for each vertex.
-  std::array<std::array<Linear, D + 1>, D + 1> rows;
-  std::array<int, D + 1> rank{};
+  Rows<D> rows;
   for (int v = 0; v <= D; ++v) {
     const Vec3<Exact> point = pose_.point<Exact>(vertices[v]);
     rows[v][0] = {Exact(1), Exact(0)};
     for (int j = 0; j < D; ++j) rows[v][j + 1] = {point[j], is_shifted(vertices[v]) ? -normal[j] : Exact(0)};
-    for (int u = 0; u <= D; ++u) rank[v] += vertices[u] < vertices[v];
   }
-  for (const PerturbationTerm<D>& term : perturbation_terms<D>()) {
-    auto coefficient = rows;
-    for (int v = 0; v <= D; ++v) {
-      if (term[rank[v]] < 0) continue;
-      for (int j = 0; j <= D; ++j) coefficient[v][j] = {Exact(j == term[rank[v]] + 1 ? 1 : 0), Exact(0)};
-    }
-    if (const int sign = sign_of(generic_determinant<D + 1>(coefficient)); sign != 0) return sign;
-  }
+  return rows;
+}
+
+template <int D>
+int Orientation::tie_break(const std::array<Vertex, D + 1>& vertices) const {
+  const Rows<D> rows = rows_of<D>(vertices);
+  const std::array<int, D + 1> rank = ranks_among<D>(vertices, vertices);
+  for (const PerturbationTerm<D>& term : perturbation_terms<D>())
+    if (const int sign = sign_of(coefficient<D>(rows, rank, term)); sign != 0) return sign;
   assert(false && "the coefficients of full matchings are +1 or -1");
+  return 0;
+}
+
+int Orientation::sign_of_sum(const std::vector<WeightedDeterminant>& sum) const {
+  std::vector<Vertex> all;
+  for (const WeightedDeterminant& summand : sum)
+    all.insert(all.end(), summand.vertices.begin(), summand.vertices.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+
+  struct Term {
+    int power;  // of eps, the vertices of all determinants ranked together
+    std::size_t summand;
+    const PerturbationTerm<3>* matching;
+  };
+  std::vector<Term> terms;
+  std::vector<Rows<3>> rows;
+  std::vector<std::array<int, 4>> ranks;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    rows.push_back(rows_of<3>(sum[i].vertices));
+    ranks.push_back(ranks_among<3>(sum[i].vertices, sum[i].vertices));
+    std::array<Vertex, 4> ascending = sum[i].vertices;
+    std::sort(ascending.begin(), ascending.end());
+    const std::array<int, 4> rank_among_all = ranks_among<3>(ascending, all);
+    for (const PerturbationTerm<3>& matching : perturbation_terms<3>())
+      terms.push_back({power_of<3>(matching, rank_among_all), i, &matching});
+  }
+  std::stable_sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.power < b.power; });
+  for (std::size_t first = 0, next = 0; first < terms.size(); first = next) {
+    Linear total{Exact(0), Exact(0)};
+    for (; next < terms.size() && terms[next].power == terms[first].power; ++next) {
+      const std::size_t i = terms[next].summand;
+      total = total + Linear{sum[i].weight, Exact(0)} * coefficient<3>(rows[i], ranks[i], *terms[next].matching);
+    }
+    if (const int sign = sign_of(total); sign != 0) return sign;
+  }
   return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "reference/exact_pose.h"
 
@@ -13,6 +14,12 @@ namespace pcm::reference {
 struct ShiftedFace {
   Side side = Side::E;
   Index face = 0;
+};
+
+/// A number times det[b - a, c - a, d - a] of four vertices (a, b, c, d).
+struct WeightedDeterminant {
+  Exact weight;
+  std::array<Vertex, 4> vertices;
 };
 
 /// The one predicate on which crossings, polygons and active areas hang: on which side of a plane a vertex lies.
@@ -37,12 +44,19 @@ class Orientation {
   /// Sign of the perturbed det[b - a, c - a] of the projections on the x-y plane: +1 counterclockwise seen from +z.
   int orient_xy(Vertex a, Vertex b, Vertex c) const;
 
+  /// Sign of a sum of determinants, perturbed. A determinant is linear in each of its points; so this is the sign of
+  /// one that has a point with barycentric coordinates in a face, as its weights, in the place of a vertex, and that
+  /// moves with the face. 0 only where the sum is without any term, however perturbed.
+  int sign_of_sum(const std::vector<WeightedDeterminant>& sum) const;
+
   /// Sign of the same determinant as orient3d, before any perturbation: 0 where the four points are coplanar.
   int unperturbed(Vertex a, Vertex b, Vertex c, Vertex d) const;
 
  private:
   template <int D>
   int tie_break(const std::array<Vertex, D + 1>& vertices) const;
+  template <int D>
+  auto rows_of(const std::array<Vertex, D + 1>& vertices) const;
   bool is_shifted(Vertex v) const;
 
   const ExactPose& pose_;

@@ -51,9 +51,8 @@ Vec3<T> flux_origin(const std::vector<FaceArea<T>>& E, const std::vector<FaceAre
 template <class T>
 bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, const Field<T>& field, Answer& answer) {
   LiftedPose<T> pose(pose_doubles, field);
-  const std::vector<Vec3<T>> positions = areas.points.positions(pose);
-  const auto E = face_areas(areas, Side::E, positions, pose);
-  const auto F = face_areas(areas, Side::F, positions, pose);
+  const auto E = face_areas(areas, Side::E, pose);
+  const auto F = face_areas(areas, Side::F, pose);
   Settler settle;
   settle_areas(E, field, settle, answer.E);
   settle_areas(F, field, settle, answer.F);
@@ -68,9 +67,8 @@ bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, c
 
 void report_rational(const ExactPose& pose_doubles, const ClippedAreas& areas, Answer& answer) {
   LiftedPose<Rational> pose(pose_doubles);
-  const std::vector<Vec3<Rational>> positions = areas.points.positions(pose);
-  const auto E = face_areas(areas, Side::E, positions, pose);
-  const auto F = face_areas(areas, Side::F, positions, pose);
+  const auto E = face_areas(areas, Side::E, pose);
+  const auto F = face_areas(areas, Side::F, pose);
   answer.E.vector_area_Me = nearest_doubles(vector_area(E, pose));
   answer.F.vector_area_Me = nearest_doubles(vector_area(F, pose));
   if (answer.volume) {

@@ -7,6 +7,7 @@
 #include "reference/answer.h"
 #include "reference/area_values.h"
 #include "reference/clipped_areas.h"
+#include "reference/crossing_points.h"
 #include "reference/polygons.h"
 
 /// From exact combinatorics to correctly rounded doubles: enclosures are refined until both ends round alike; where
