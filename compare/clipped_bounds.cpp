@@ -16,6 +16,9 @@ constexpr double u = kRoundoff;
 /// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
 constexpr double kNeedle = 0x1p-16;
 
+/// As many of an element's parts may be dropped.
+constexpr double kParts = 4;
+
 /// Strips lie on either side of a line.
 double strips_along(double length, double strip) {
   return 2 * strip * (length + 4 * strip);
@@ -97,6 +100,21 @@ ClippedBounds::Sight ClippedBounds::sight(Side master, Index master_face, Index 
     sight.at_tip = a.z();
     sine = std::abs(cross(b - a, before - a)) / (side * other_side);
   }
+  // A part is dropped where its area in (s, t) is less than its extent in t times the uncertainty of s, and the
+  // reverse: 64 u R times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t. Cuts may leave several such parts.
+  const SeenPoint first_edge = own[1] - own[0], second_edge = own[2] - own[0];
+  const double doubled_area = cross(first_edge, second_edge);
+  double low_s = 0, high_s = 0, low_t = 0, high_t = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const double s = cross(part[i] - own[0], second_edge) / doubled_area;
+    const double t = cross(first_edge, part[i] - own[0]) / doubled_area;
+    low_s = i == 0 ? s : std::min(low_s, s);
+    high_s = i == 0 ? s : std::max(high_s, s);
+    low_t = i == 0 ? t : std::min(low_t, t);
+    high_t = i == 0 ? t : std::max(high_t, t);
+  }
+  sight.dropped = kParts * 64 * u * faces_.reach() *
+                  ((high_t - low_t) * second_edge.stableNorm() + (high_s - low_s) * first_edge.stableNorm());
   const double greatest = std::max({others[0].z(), others[1].z(), others[2].z(), 0.0}) + sight.depth_error;
   sight.outline += 8 * sight.strip;
   sight.width = std::min(sight.outline / 2, sight.master.longest);
@@ -112,7 +130,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e) 
   errors.normal = seen.turn;
   const double around = e.perimeter + seen.outline;
   const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
-  const double strips = strips_along(around, seen.strip) + (16 * u + seen.turn) * e.area + folds;
+  const double strips = strips_along(around, seen.strip) + (16 * u + seen.turn) * e.area + folds + seen.dropped;
   const double at_depth_0 =
       seen.fold > 0 ? std::min(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
   errors.area = strips + at_depth_0;
@@ -145,7 +163,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e) 
 
 double ClippedBounds::sliver_area(const fast::Element& e) const {
   const Sight seen = sight(e.master, e.master_face, e.slave_face);
-  return kHigherOrder * strips_along(2 * seen.outline, seen.strip);
+  return kHigherOrder * (strips_along(2 * seen.outline, seen.strip) + seen.dropped);
 }
 
 double ClippedBounds::sliver_depth(const fast::Element& e) const {

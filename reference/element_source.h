@@ -26,9 +26,10 @@ class ElementSource {
   /// The length of the border of the part of the master face that is the element, m; 0 for the barycentre's.
   virtual DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const = 0;
-  /// The sides of that border where another face lies at the same depth, each one's length over the slope of the
-  /// difference of both depths and the lesser of both faces' cosines to the master face: by how much the area changes
-  /// for each metre that a corner's height over the other face is off, m.
+  /// The sides of that border where what hides the slave face lies at the same depth, or begins at depth 0: the sum of
+  /// their lengths, each over the slope of the difference of both depths and the faces' cosines to the master face,
+  /// times the faces' thinness (longest side squared over |N|). By so much the area changes for each metre that heights
+  /// over fair faces are off, m.
   virtual DoubleDouble folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual Ball folds(std::size_t i, LiftedPose<Ball>& pose) const = 0;
 };
