@@ -15,10 +15,11 @@ namespace pcm::fast {
 /// Degenerate cases: a face of the slave with the same normal that lies in e's plane is met at distance 0, so u = 0
 /// there (flush faces: the force jumps when the pose passes through); one of opposite normal in e's plane carries
 /// nothing and hides what is behind it. Slivers of rounding size may appear or not, their share is as small. Parts
-/// whose area or penetration underflows to 0 make no element. Error: that of a master and slave moved by a few ulps of
-/// the greatest coordinate S, so relative to the sum of |F_k| a few ulps times S over the mean penetration, short of
-/// flush poses. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets overlap.
-/// `bound`, where given, gathers what the errors may be.
+/// whose area or penetration underflows to 0 make no element. Error against the rounded problem: that of lines and
+/// depths moved by a few ulps of the greatest coordinate S (fast/visible_parts.h), so relative to the sum of |F_k| a
+/// few ulps times S over the mean penetration, or over the width of what is seen where that is less; flush and nearly
+/// flush faces included. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets
+/// overlap. `bound`, where given, gathers what the errors may be.
 MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
                                  MasterBound* bound = nullptr);
 

@@ -8,6 +8,45 @@
 
 namespace pcm::fast {
 
+/// How far what a master face is found to see may be from the rounded problem, whose vertices are given (PCM section
+/// 1). Which of two faces lies before the other, wherever their order is one, and what is met at depth 0 is decided
+/// exactly; only places are rounded. With u = 2^-53, S the greatest |coordinate| of E, F, A x_F and r, so that no two
+/// points of bodies that touch are farther apart than D = 3 sqrt(3) S, no edge is longer than 2 sqrt(3) S, and
+/// Placement::reach is no more than (1 + sqrt(3)) S, and q = |p1 - p0| |p2 - p0| / |N| of the master face, lengths
+/// being sums of |components|:
+///
+/// Places. A weight has 4 roundings, its gradient 8: with errors of s and t apart, a corner is off by 2 q 12 u D in the
+/// plane, at most 125 q u S, and by the lines' direction, 4 u (1 + q), at most 42 q u S more. The four cuts that shape
+/// a projected face round by 3 u of segments up to 2 q D long, together 125 q u S; a half plane's value at a point by
+/// 42 q u S; each further cut, within the master, by 10 q u S. Strips that are dropped or kept though they are not
+/// certain are as wide as the uncertainty of s and t, 64 u (1 + sqrt(3)) S each: 350 q u S. With no more than 34
+/// further cuts that is delta = kPlaceRoundings q u S.
+///
+/// Depths. A height has kFilterRelative of its terms, which is 47 q u S of depth, the lines' direction and the four
+/// cuts add 84 q u S, and being off in place adds tan theta times 292 q u S, theta the angle between the planes of the
+/// face and of the master: no more than epsilon = kDepthRoundings q u S / cos theta.
+///
+/// Lines that part what is seen, each off by
+///   - a projected edge: delta;
+///   - where f and g have one depth, or g has depth 0 (f the master), their planes at an angle a: delta
+///     + min(2 kDepthRoundings q u S / sin a, 2 kHeightError S). For |grad (d_f - d_g)| >= sin a / min(cos theta_f, cos
+///     theta_g); and between its corners' sure heights a line is off by no more than kHeightError / 2 of an edge. Where
+///     the face h whose corners it is laid through is seen nearly edgewise, roundings of its slopes may add
+///     kSlantRoundings q u S l^2 / (2 A_h cos theta_h), l its longest edge; but it only ever lies on h, whose projected
+///     area is A_h cos theta_h.
+///
+/// So of an element {e, f} with the outline P of what e sees of f (in any number of convex pieces), its sides as long
+/// as l_i and off by delta_i, meeting at angles b_ij, the area is off by no more than
+///     sum l_i delta_i + sum (delta_i + delta_j) min((delta_i + delta_j) / sin b_ij, |p1 - p0| + |p2 - p0|)
+///     + 4 delta^2 / cos theta_f,
+/// nor by more than what e and f's projection have in common; the integral of the depth by each of these terms times
+/// the greatest depth near it, and by area times epsilon. An element that only one of them has is no greater than the
+/// strips along the outlines of its master face's elements, and of the face itself. A force of the clipped scheme is
+/// off by the sum over the elements times the stiffness, however many of them there are.
+inline constexpr double kPlaceRoundings = 1024;
+inline constexpr double kDepthRoundings = 512;
+inline constexpr double kSlantRoundings = 256;
+
 /// A face in the prism together with its vertices in Me.
 struct PlacedFace {
   const ProjectedFace& projected;

@@ -15,6 +15,7 @@
 #include "compare/random.h"
 #include "compare/rounded_vertices.h"
 #include "fast/engine.h"
+#include "fast/visible_parts.h"
 #include "meshes/bad_input.h"
 #include "meshes/generate_boxes.h"
 #include "reference/oracle.h"
@@ -39,9 +40,9 @@ struct Held {
 
 /// Where faces cross at an angle of some ulps, heights over their planes are some ulps too and hence exact; elsewhere
 /// the angle is that of the bodies themselves. So every line that parts what is seen is where the rounded problem has
-/// it but for roundings of its ends' places, less than 2^10 u S for these shapes. What two bodies of so few faces see
-/// of each other has rims of less than 2^7 S in all and lies no deeper than 2 S beneath them.
-constexpr double kGreatestError = 0x1p10 * 0x1p-53 * 0x1p7 * 2;
+/// it but for roundings of its ends' places (fast/visible_parts.h), q of these faces being a few. What two bodies of so
+/// few faces see of each other has rims of less than 2^7 S in all and lies no deeper than 2 S beneath them.
+constexpr double kGreatestError = fast::kPlaceRoundings * 0x1p-53 * 0x1p7 * 2;
 
 Held hold(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose = {}) {
   ContactLaw law;
@@ -135,6 +136,30 @@ Bodies draw_boxes(PoseRandom& random) {
   return boxes;
 }
 
+/// The slave's second component overlaps the first and has its lower and upper side in the same planes.
+Bodies draw_overlapping_components(PoseRandom& random) {
+  Bodies boxes = draw_boxes(random);
+  const auto eighth = [&random] { return static_cast<double>(2 * random.below(3) + 1) / 8; };
+  const double x = eighth(), y = eighth();
+  const Eigen::Vector3d along = (boxes.F.vertices[1] - boxes.F.vertices[0]).normalized();
+  const Eigen::Vector3d across = (boxes.F.vertices[3] - boxes.F.vertices[0]).normalized();
+  TriangleMesh second = boxes.F;
+  for (Eigen::Vector3d& corner : second.vertices) corner += x * along + y * across;
+  const auto first = static_cast<Index>(boxes.F.vertices.size());
+  boxes.F.vertices.insert(boxes.F.vertices.end(), second.vertices.begin(), second.vertices.end());
+  for (const Triangle& t : second.faces) boxes.F.faces.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return boxes;
+}
+
+/// Turned out of each other's planes about a drawn axis, by any angle.
+Bodies draw_tilted_boxes(PoseRandom& random) {
+  Bodies boxes = draw_boxes(random);
+  const Eigen::Vector3d axis = random.direction();
+  const double angle = random.log_uniform(0x1p-50, 0x1p-2);
+  for (Eigen::Vector3d& x : boxes.F.vertices) x += angle * ordered_cross(axis, x);
+  return boxes;
+}
+
 template <class Draw>
 void expect_forces_as_the_oracle_has_them(const Draw& draw, std::uint64_t seed, int trials) {
   std::printf("  seed %llu\n", static_cast<unsigned long long>(seed));
@@ -164,6 +189,14 @@ TEST(NearlyFlush, TetrahedraMovedByUlpsOutOfOnePlaneGetTheRoundedProblemsForce) 
 
 TEST(NearlyFlush, BoxesMovedByUlpsOutOfTheirPlanesGetTheRoundedProblemsForce) {
   expect_forces_as_the_oracle_has_them(draw_boxes, 16, 500);
+}
+
+TEST(NearlyFlush, FlushSidesOfOverlappingComponentsCountOnce) {
+  expect_forces_as_the_oracle_has_them(draw_overlapping_components, 18, 60);
+}
+
+TEST(NearlyFlush, BoxesTiltedByAnyAngleOutOfTheirPlanesGetTheRoundedProblemsForce) {
+  expect_forces_as_the_oracle_has_them(draw_tilted_boxes, 17, 500);
 }
 
 /// The pose, and those some ulps of 1 beside it.
