@@ -9,16 +9,17 @@
 namespace pcm::reference {
 namespace {
 
-template <class T>
-LineNumbers<T> make_line(const std::array<Vec3<T>, 3>& p) {
-  LineNumbers<T> line;
-  line.C3 = p[0] + p[1] + p[2];
-  line.v1 = p[1] - p[0];
-  line.v2 = p[2] - p[0];
-  line.N = cross(line.v1, line.v2);
-  line.N_x_v1 = cross(line.N, line.v1);
-  line.N_x_v2 = cross(line.N, line.v2);
-  return line;
+EnclosedLine make_line(const std::array<Vec3<Interval>, 3>& p) {
+  const Vec3<Interval> v1 = p[1] - p[0], v2 = p[2] - p[0], N = cross(v1, v2);
+  return {{p[0] + p[1] + p[2], N}, p[0], cross(v1 + v2, N)};
+}
+
+Vec3<Shifted> constant(const Vec3<Exact>& x) {
+  return {{x.x, 0, 0}, {x.y, 0, 0}, {x.z, 0, 0}};
+}
+
+std::array<Vec3<Shifted>, 3> constant(const std::array<Vec3<Exact>, 3>& p) {
+  return {constant(p[0]), constant(p[1]), constant(p[2])};
 }
 
 template <class T>
@@ -32,11 +33,18 @@ std::array<Vec3<Interval>, 3> rounding_corners(const ExactPose& pose, Side side,
           interval_point(pose.rounding_box({side, t[2]}))};
 }
 
-/// D(C) = N . ((f_i - C) x (f_j - C)), nine times: on which side of the line the face's edge passes.
-template <class T>
-T side_of_edge(const LineNumbers<T>& line, const Vec3<T>& f_i, const Vec3<T>& f_j) {
-  const T three(3);
-  return determinant(line.N, three * f_i - line.C3, three * f_j - line.C3);
+/// The sign of the first coefficient that is not 0.
+int sign_of(const Shifted& x) {
+  if (const int sign = reference::sign_of(x.a); sign != 0) return sign;
+  if (const int sign = reference::sign_of(x.b); sign != 0) return sign;
+  return reference::sign_of(x.c);
+}
+
+/// The permuted inner product of the line and the directed edge, thrice: of one sign for all edges of a face that the
+/// line passes through.
+Interval inner_product(const EnclosedLine& line, const Vec3<Interval>& f_i, const Vec3<Interval>& f_j) {
+  const Vec3<Interval> moment = cross(f_i - line.p0, f_j - line.p0);
+  return Interval(3) * dot(line.N, moment) + dot(line.moment3, f_j - f_i);
 }
 
 /// q = -height / (3 slope).
@@ -49,45 +57,52 @@ T slope(const LineNumbers<T>& line, const FaceNumbers<T>& f) {
   return dot(line.N, f.normal);
 }
 
-/// (q_a - q_b) * 3 slope_a slope_b.
+/// The point x at which the line meets the plane of a face that it is not parallel to.
 template <class T>
-T distance_between(const LineNumbers<T>& line, const FaceNumbers<T>& a, const FaceNumbers<T>& b) {
-  return height(line, b) * slope(line, a) - height(line, a) * slope(line, b);
-}
+struct PlanePoint {
+  const LineNumbers<T>& line;
+  T slope, height;
+  /// 3 slope (x - a).
+  Vec3<T> from(const Vec3<T>& a) const { return slope * (line.C3 - T(3) * a) + height * line.N; }
+};
 
-/// The same for the change of q_a - q_b when C moves by v: dq = (v . N_f) / slope.
 template <class T>
-T change_between(const LineNumbers<T>& line, const FaceNumbers<T>& a, const FaceNumbers<T>& b, const Vec3<T>& v) {
-  return dot(v, a.normal) * slope(line, b) - dot(v, b.normal) * slope(line, a);
+PlanePoint<T> point_in_plane(const LineNumbers<T>& line, const FaceNumbers<T>& f) {
+  return {line, slope(line, f), height(line, f)};
 }
 
-/// The side test with its tie rule.
-int exact_side(const LineNumbers<Exact>& line, const Vec3<Exact>& f_i, const Vec3<Exact>& f_j) {
-  if (const int sign = sign_of(side_of_edge(line, f_i, f_j)); sign != 0) return sign;
-  if (const int sign = sign_of(dot(f_i - f_j, line.N_x_v1)); sign != 0) return sign;
-  return sign_of(dot(f_i - f_j, line.N_x_v2));
+/// (q_b - q_a) * 3 slope_a slope_b: the height, above the plane of b, of the point where the line meets that of a.
+template <class T>
+T height_above(const LineNumbers<T>& line, const FaceNumbers<T>& a, const FaceNumbers<T>& b) {
+  return dot(point_in_plane(line, a).from(b.corners[0]), b.normal);
 }
 
-Meeting exact_meeting(const LineNumbers<Exact>& line, const FaceNumbers<Exact>& f) {
+/// Whether the point lies in the face: its barycentric coordinates are positive.
+bool is_within(const PlanePoint<Shifted>& x, const FaceNumbers<Shifted>& f) {
+  const std::array<Vec3<Shifted>, 3> from{x.from(f.corners[0]), x.from(f.corners[1]), x.from(f.corners[2])};
+  for (int i = 0; i < 3; ++i)
+    if (sign_of(determinant(f.normal, from[i], from[(i + 1) % 3])) <= 0) return false;
+  return true;
+}
+
+Meeting exact_meeting(const LineNumbers<Shifted>& line, const FaceNumbers<Shifted>& f) {
   Meeting meeting;
   meeting.facing = sign_of(slope(line, f));
   if (meeting.facing == 0) return meeting;
-  const int ahead = -meeting.facing * sign_of(height(line, f));
+  const int ahead = -meeting.facing * reference::sign_of(height(line, f).a);
   if (ahead < 0) return meeting;
-  const int side = exact_side(line, f.corners[0], f.corners[1]);
-  meeting.met =
-      exact_side(line, f.corners[1], f.corners[2]) == side && exact_side(line, f.corners[2], f.corners[0]) == side;
+  meeting.met = is_within(point_in_plane(line, f), f);
   meeting.ahead = ahead > 0;
   return meeting;
 }
 
 /// What holds for all vertices within their boxes; nothing where that is not one answer.
-std::optional<Meeting> robust_meeting(const LineNumbers<Interval>& line, const FaceNumbers<Interval>& f) {
+std::optional<Meeting> robust_meeting(const EnclosedLine& line, const FaceNumbers<Interval>& f) {
   Meeting meeting;
-  const int s0 = certain_sign(side_of_edge(line, f.corners[0], f.corners[1]));
-  const int s1 = certain_sign(side_of_edge(line, f.corners[1], f.corners[2]));
+  const int s0 = certain_sign(inner_product(line, f.corners[0], f.corners[1]));
+  const int s1 = certain_sign(inner_product(line, f.corners[1], f.corners[2]));
   if (s0 * s1 < 0) return meeting;
-  const int s2 = certain_sign(side_of_edge(line, f.corners[2], f.corners[0]));
+  const int s2 = certain_sign(inner_product(line, f.corners[2], f.corners[0]));
   if (s1 * s2 < 0 || s2 * s0 < 0) return meeting;
   meeting.facing = certain_sign(slope(line, f));
   const int ahead = -meeting.facing * certain_sign(height(line, f));
@@ -106,8 +121,12 @@ PenetrationLine::PenetrationLine(const ExactPose& pose, Side master, Index face)
   C_ = Interval(Interval(1) / Interval(3)) * enclosed_.C3;
 }
 
-const LineNumbers<Exact>& PenetrationLine::exact() {
-  if (!exact_) exact_ = make_line(pose_.corners<Exact>(master_, face_));
+const LineNumbers<Shifted>& PenetrationLine::exact() {
+  if (exact_) return *exact_;
+  const std::array<Vec3<Exact>, 3> p = pose_.corners<Exact>(master_, face_);
+  const Vec3<Shifted> v1 = constant(p[1] - p[0]), v2 = constant(p[2] - p[0]);
+  const Vec3<Shifted> shift = Shifted(0, 1, 0) * v1 + Shifted(0, 0, 1) * v2;
+  exact_ = {constant(p[0] + p[1] + p[2]) + Shifted(3) * shift, cross(v1, v2)};
   return *exact_;
 }
 
@@ -117,7 +136,7 @@ Meeting PenetrationLine::meets(Side side, Index face) {
     if (const auto robust = robust_meeting(enclosed_, make_face(rounding_corners(pose_, side, face)))) return *robust;
   }
   certified_ = false;
-  return exact_meeting(exact(), make_face(pose_.corners<Exact>(side, face)));
+  return exact_meeting(exact(), make_face(constant(pose_.corners<Exact>(side, face))));
 }
 
 int PenetrationLine::compare(Side side_a, Index face_a, Side side_b, Index face_b) {
@@ -125,18 +144,15 @@ int PenetrationLine::compare(Side side_a, Index face_a, Side side_b, Index face_
     const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
     const auto a = make_face(rounding_corners(pose_, side_a, face_a));
     const auto b = make_face(rounding_corners(pose_, side_b, face_b));
-    const int robust = certain_sign(slope(enclosed_, a)) * certain_sign(slope(enclosed_, b)) *
-                       certain_sign(distance_between(enclosed_, a, b));
+    const int robust = -certain_sign(slope(enclosed_, a)) * certain_sign(slope(enclosed_, b)) *
+                       certain_sign(height_above(enclosed_, a, b));
     if (robust != 0) return robust;
   }
   certified_ = false;
-  const LineNumbers<Exact>& line = exact();
-  const auto a = make_face(pose_.corners<Exact>(side_a, face_a));
-  const auto b = make_face(pose_.corners<Exact>(side_b, face_b));
-  const int slopes = sign_of(slope(line, a)) * sign_of(slope(line, b));
-  if (const int sign = sign_of(distance_between(line, a, b)); sign != 0) return slopes * sign;
-  if (const int sign = sign_of(change_between(line, a, b, line.v1)); sign != 0) return slopes * sign;
-  return slopes * sign_of(change_between(line, a, b, line.v2));
+  const LineNumbers<Shifted>& line = exact();
+  const auto a = make_face(constant(pose_.corners<Exact>(side_a, face_a)));
+  const auto b = make_face(constant(pose_.corners<Exact>(side_b, face_b)));
+  return -sign_of(slope(line, a)) * sign_of(slope(line, b)) * sign_of(height_above(line, a, b));
 }
 
 double reach(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box) {

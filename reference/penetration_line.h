@@ -13,8 +13,28 @@ namespace pcm::reference {
 /// barycentre and N its doubled normal (PCM section 6). Three times C is kept, so that no division is needed.
 template <class T>
 struct LineNumbers {
-  Vec3<T> C3, N, v1, v2;  ///< 3 C, N, and the shifts p1 - p0, p2 - p0 that break ties
-  Vec3<T> N_x_v1, N_x_v2;
+  Vec3<T> C3, N;  ///< 3 C, N
+};
+
+/// The line for all vertices within their rounding boxes.
+struct EnclosedLine : LineNumbers<Interval> {
+  Vec3<Interval> p0;       ///< a corner of e
+  Vec3<Interval> moment3;  ///< 3 (C - p0) x N: with N the line's Pluecker coordinates about p0
+};
+
+/// a + b d + c d^2, d -> 0+: what comes of C moved by d v1 + d^2 v2, v1 = p1 - p0, v2 = p2 - p0. Products keep no
+/// higher powers; what is asked of the line is linear in C, so none are left in the end.
+struct Shifted {
+  Exact a, b, c;
+
+  Shifted() = default;
+  explicit Shifted(double constant) : a(constant), b(0), c(0) {}
+  Shifted(Exact constant, Exact linear, Exact square) : a(constant), b(linear), c(square) {}
+  friend Shifted operator+(const Shifted& x, const Shifted& y) { return {x.a + y.a, x.b + y.b, x.c + y.c}; }
+  friend Shifted operator-(const Shifted& x, const Shifted& y) { return {x.a - y.a, x.b - y.b, x.c - y.c}; }
+  friend Shifted operator*(const Shifted& x, const Shifted& y) {
+    return {x.a * y.a, x.a * y.b + x.b * y.a, x.a * y.c + x.b * y.b + x.c * y.a};
+  }
 };
 
 /// A face in the way of a line, with its normal, in numbers of kind T.
@@ -35,8 +55,11 @@ struct Meeting {
 /// it. To be called while the rounding mode is upward.
 double reach(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box);
 
-/// The penetration line of one master face. Every decision is made for all vertices within their rounding boxes at once
-/// where that is possible; where it is not, exactly on the pose's own problem, and `certified` drops to false.
+/// The penetration line of one master face. How it passes a face's edges is told by permuted inner products of Pluecker
+/// coordinates; where these do not tell, the point where it meets the face's plane, explicitly, with its barycentric
+/// coordinates there. The same point tells which of two faces is met first. Every decision is made for all vertices
+/// within their rounding boxes at once where that is possible; where it is not, exactly on the pose's own problem, and
+/// `certified` drops to false.
 class PenetrationLine {
  public:
   PenetrationLine(const ExactPose& pose, Side master, Index face);
@@ -59,14 +82,14 @@ class PenetrationLine {
   double farthest(Side side, Index face) const;
 
  private:
-  const LineNumbers<Exact>& exact();
+  const LineNumbers<Shifted>& exact();
 
   const ExactPose& pose_;
   Side master_;
   Index face_;
-  LineNumbers<Interval> enclosed_;
+  EnclosedLine enclosed_;
   Vec3<Interval> C_;
-  std::optional<LineNumbers<Exact>> exact_;
+  std::optional<LineNumbers<Shifted>> exact_;
   bool certified_ = true;
 };
 
