@@ -16,8 +16,8 @@ constexpr double u = kRoundoff;
 /// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
 constexpr double kNeedle = 0x1p-16;
 
-/// As many of an element's parts may be dropped.
-constexpr double kParts = 4;
+/// As many parts of an element may be dropped where other faces hide some of it.
+constexpr double kParts = 8;
 
 /// Strips lie on either side of a line.
 double strips_along(double length, double strip) {
@@ -84,7 +84,7 @@ ClippedBounds::Sight ClippedBounds::sight(Side master, Index master_face, Index 
   // 4 u for each component of N over its terms, 4 u for n itself, and twice all of it.
   const double thinness = sight.master.longest * sight.master.longest / (2 * sight.master.area);
   sight.turn = 16 * u * (1 + std::min(thinness, 1 / kNeedle));
-  sight.strip = 64 * u * faces_.reach() + 16 * u * distance + 2 * sight.turn * (farthest_depth + 16 * u * distance);
+  sight.strip = 32 * u * distance + 2 * sight.turn * (farthest_depth + 16 * u * distance);
   sight.depth_error = (16 * u + sight.turn) * distance;
   const double cosine = std::abs(n.dot(slave.normal_Me));
   sight.slope = n.cross(slave.normal_Me).stableNorm() / cosine;
@@ -95,13 +95,14 @@ ClippedBounds::Sight ClippedBounds::sight(Side master, Index master_face, Index 
     const SeenPoint &a = part[i], &b = part[(i + 1) % part.size()], &before = part[(i + part.size() - 1) % part.size()];
     const double side = (b - a).head<2>().stableNorm(), other_side = (before - a).head<2>().stableNorm();
     sight.outline += side;
+    sight.area += cross(a - part[0], b - part[0]) / 2;
     if (a.z() <= sight.depth_error && b.z() <= sight.depth_error) sight.fold += side;
     if (a.z() <= sight.at_tip) continue;
     sight.at_tip = a.z();
     sine = std::abs(cross(b - a, before - a)) / (side * other_side);
   }
   // A part is dropped where its area in (s, t) is less than its extent in t times the uncertainty of s, and the
-  // reverse: 64 u R times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t. Cuts may leave several such parts.
+  // reverse: 64 u R times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t.
   const SeenPoint first_edge = own[1] - own[0], second_edge = own[2] - own[0];
   const double doubled_area = cross(first_edge, second_edge);
   double low_s = 0, high_s = 0, low_t = 0, high_t = 0;
@@ -113,8 +114,9 @@ ClippedBounds::Sight ClippedBounds::sight(Side master, Index master_face, Index 
     low_t = i == 0 ? t : std::min(low_t, t);
     high_t = i == 0 ? t : std::max(high_t, t);
   }
-  sight.dropped = kParts * 64 * u * faces_.reach() *
-                  ((high_t - low_t) * second_edge.stableNorm() + (high_s - low_s) * first_edge.stableNorm());
+  const double width_2 = (high_t - low_t) * second_edge.stableNorm();
+  const double width_1 = (high_s - low_s) * first_edge.stableNorm();
+  sight.uncertain = 64 * u * faces_.reach() * (width_1 + width_2);
   const double greatest = std::max({others[0].z(), others[1].z(), others[2].z(), 0.0}) + sight.depth_error;
   sight.outline += 8 * sight.strip;
   sight.width = std::min(sight.outline / 2, sight.master.longest);
@@ -129,26 +131,30 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e) 
   GeometryErrors errors;
   errors.normal = seen.turn;
   const double around = e.perimeter + seen.outline;
+  const double moved = strips_along(around, seen.strip) + (16 * u + seen.turn) * e.area;
   const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
-  const double strips = strips_along(around, seen.strip) + (16 * u + seen.turn) * e.area + folds + seen.dropped;
+  const bool hidden_in_part = e.area + kHigherOrder * moved < std::abs(seen.area);
+  const double strips = moved + folds + (hidden_in_part ? kParts * seen.uncertain : 0);
   const double at_depth_0 =
       seen.fold > 0 ? std::min(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
   errors.area = strips + at_depth_0;
 
-  // Of the depth at a point: what a shift by the strip's width makes along the slave's slope counts as well.
+  // Of the depth at a point: what a shift by the strip's width makes along the slave's slope counts as well. Clamped
+  // point by point, no depth counts more than the clamp.
   const double deepest = std::max(seen.deepest, e.greatest_penetration);
-  const double depth_error = std::min(seen.depth_error + times(seen.slope, seen.strip), deepest);
-  const double volume_error = (e.area + errors.area) * depth_error + strips * deepest;
+  const double counted = std::min(deepest, question_.law.max_penetration);
+  const double depth_error = std::min(seen.depth_error + times(seen.slope, seen.strip), counted);
+  const double volume_error = (e.area + errors.area) * depth_error + strips * counted;
 
   OfElement result;
-  result.sliver = !(e.area > 2 * errors.area);
-  errors.penetration = deepest;
+  result.sliver = !(e.area > 2 * (errors.area + seen.uncertain));
+  errors.penetration = counted;
   // The centroid of u moves within the face; where the volume is known, by no more than its relative error.
   const double volume = e.area * e.penetration;
-  const double moved = volume > 2 * volume_error ? 2 * volume_error / (volume - volume_error) : 1;
-  errors.foot = std::min(1.0, moved) * seen.width + 16 * u * faces_.reach();
+  const double share = volume > 2 * volume_error ? 2 * volume_error / (volume - volume_error) : 1;
+  errors.foot = std::min(1.0, share) * seen.width + 16 * u * faces_.reach();
   if (!result.sliver)
-    errors.penetration = std::min(deepest, (volume_error + errors.area * e.penetration) / (e.area - errors.area));
+    errors.penetration = std::min(counted, (volume_error + errors.area * e.penetration) / (e.area - errors.area));
   result.bounds = bounds_after_law(question_, e, errors);
   // The greatest depth is that of a corner. Where nothing hides the deepest one that could be seen, strips take no more
   // from it than its angle allows; elsewhere there is the mean.
@@ -163,7 +169,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e) 
 
 double ClippedBounds::sliver_area(const fast::Element& e) const {
   const Sight seen = sight(e.master, e.master_face, e.slave_face);
-  return kHigherOrder * (strips_along(2 * seen.outline, seen.strip) + seen.dropped);
+  return kHigherOrder * (strips_along(2 * seen.outline, seen.strip) + kParts * seen.uncertain);
 }
 
 double ClippedBounds::sliver_depth(const fast::Element& e) const {

@@ -20,8 +20,10 @@ namespace pcm::compare {
 /// certain, 16 u of the distance from the master face for the roundings of a projection, and what a turn of the lines
 /// by the error of their direction moves points by. So an element's part is right but for strips along its outline, and
 /// along that of all the master face would see of the slave face if nothing hid it; an element no larger than that is a
-/// sliver: it may be missing, and the engine may have one of its own. What is certain is decided in the master face's
-/// own skew coordinates (fast/convex_polygon.h): on a needle parts are dropped that are wider than the strips.
+/// sliver: it may be missing, and the engine may have one of its own. Parts that are not certain to have area are
+/// dropped as well: certain to 64 u R, R the greatest |coordinate|, in the master face's own skew coordinates
+/// (fast/convex_polygon.h), so that on a needle they are wider than the strips. That may be a whole element, or what
+/// faces that hide some of it leave of it.
 ///
 /// Where the slave face and another one, of either surface, pass through each other, the line on which they lie at the
 /// same depth is off by what a vertex's height over a face is, over the slope of the difference of both depths.
@@ -57,11 +59,12 @@ class ClippedBounds {
     RoundedFaces::Face master;
     double turn = 0;         ///< of the lines, by the error of their direction
     double strip = 0;        ///< m
-    double dropped = 0;      ///< what is not certain to have area, and so is dropped, m^2
+    double uncertain = 0;    ///< a part of no more area may be dropped, m^2
+    double area = 0;         ///< of what nothing but the border of both and depth 0 limits, m^2
     double depth_error = 0;  ///< at a point of the plane, without any shift of it, m
     double slope = 0;        ///< of the depth
-    double outline = 0;      ///< of what nothing but the border of both and depth 0 limits, m
-    double fold = 0;         ///< that part of it where the depth is 0, m
+    double outline = 0;      ///< its border, m
+    double fold = 0;         ///< the part of that where the depth is 0, m
     double width = 0;        ///< no two points of it are farther apart, m
     double deepest = 0;      ///< there, m
     double at_tip = 0;       ///< the depth of its deepest corner in double precision, m

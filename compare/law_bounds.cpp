@@ -29,6 +29,10 @@ ElementBounds bounds_after_law(const Question& question, const reference::Elemen
   // Clamping to max_penetration magnifies no error, and leaves none greater than what it clamps to.
   bounds.depth = errors.penetration;
   bounds.penetration = std::min(errors.penetration, law.max_penetration);
+  // A whole element that is deeper than that for certain has that penetration.
+  const bool clamped = question.scheme == Scheme::barycentric &&
+                       truth.greatest_penetration - kHigherOrder * errors.penetration > law.max_penetration;
+  if (clamped) bounds.penetration = 0;
   const double most_area = truth.area + bounds.area, most_penetration = truth.penetration + bounds.penetration;
 
   // Position (13), C_k = C + w u_k n_k, 0 <= w <= 1.
@@ -52,14 +56,22 @@ ElementBounds bounds_after_law(const Question& question, const reference::Elemen
   const double elastic_error =
       c_l * (bounds.area * truth.penetration + times(most_area, bounds.penetration)) + 6 * u * elastic;
   const double v_n = std::abs(truth.normal_velocity), most_v_n = v_n + bounds.normal_velocity;
-  const double damping = law.damping * most_area * most_v_n;
+  const double fade = law.transition_depth > 0 ? std::min(1.0, truth.penetration / law.transition_depth) : 1;
   const double fade_error = law.transition_depth > 0 && truth.penetration < law.transition_depth + bounds.penetration
                                 ? std::min(1.0, bounds.penetration / law.transition_depth + u)
                                 : 0;
-  const double damping_error = times(law.damping, bounds.area * v_n + times(most_area, bounds.normal_velocity)) +
-                               times(damping, fade_error + 4 * u);
-  const double normal_force = elastic + damping;  // an upper bound of |F_n|
-  bounds.normal_force = elastic_error + damping_error + u * normal_force;
+  const double damping = law.damping * most_area * most_v_n;
+  double damping_error = times(law.damping, (bounds.area * v_n + times(most_area, bounds.normal_velocity)) * fade) +
+                         times(damping, fade_error + 4 * u);
+  const bool parts = truth.normal_velocity < -kHigherOrder * bounds.normal_velocity;
+  if (law.damping_mode == DampingMode::compression && parts) damping_error = 0;
+  bounds.normal_force = elastic_error + damping_error;
+  bounds.normal_force += u * (std::abs(truth.normal_force) + bounds.normal_force);
+  // Where damping pulls harder than the foundation pushes, for certain, F_n is 0 whatever the errors.
+  const double pull = law.damping * truth.area * v_n * fade - c_l * truth.area * truth.penetration;
+  if (law.damping_mode == DampingMode::no_tension && parts && pull > kHigherOrder * bounds.normal_force)
+    bounds.normal_force = 0;
+  const double normal_force = std::abs(truth.normal_force) + bounds.normal_force;  // an upper bound of |F_n|
 
   // Friction (20), (21): mu F_n g with g = t (2 - t) v_T / v_t, t = min(1, v_t / v_eps). |g| <= 1, and g is Lipschitz
   // with 2 / max(v_eps, v_t): twice 1 / v_t where it is a unit vector, 2 / v_eps at rest.

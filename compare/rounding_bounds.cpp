@@ -39,12 +39,12 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   double D = 0;
   for (std::size_t k = 0; k < 3; ++k)
     D = std::max(D, (faces_.corner(other(e.master), e.slave_face, k) - C).stableNorm());
-  const double deepest = std::max(e.penetration, std::min(true_.max_penetration, 2 * D));
   const double cosine_error = master.normal_error + slave.normal_error + 4 * u;
   const double height_error = errors.foot + D * (slave.normal_error + 5 * u);
   const double cosine = std::abs(e.cosine) - cosine_error;
-  errors.penetration = cosine > 0 ? (height_error + deepest * cosine_error) / cosine + 2 * u * deepest
-                                  : std::numeric_limits<double>::infinity();
+  errors.penetration =
+      cosine > 0 ? (height_error + e.greatest_penetration * cosine_error) / cosine + 2 * u * e.greatest_penetration
+                 : std::numeric_limits<double>::infinity();
 
   return bounds_after_law(question_, e, errors);
 }
