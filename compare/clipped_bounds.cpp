@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "fast/visible_parts.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -15,6 +17,9 @@ constexpr double u = kRoundoff;
 
 /// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
 constexpr double kNeedle = 0x1p-16;
+
+/// Roundings are followed one by one on fair master faces; on thinner ones what the engine promises is taken as it is.
+constexpr double kThin = 64;
 
 /// As many parts of an element may be dropped where other faces hide some of it.
 constexpr double kParts = 8;
@@ -85,6 +90,7 @@ ClippedBounds::Sight ClippedBounds::sight(Side master, Index master_face, Index 
   const double thinness = sight.master.longest * sight.master.longest / (2 * sight.master.area);
   sight.turn = 16 * u * (1 + std::min(thinness, 1 / kNeedle));
   sight.strip = 32 * u * distance + 2 * sight.turn * (farthest_depth + 16 * u * distance);
+  if (thinness > kThin) sight.strip = std::max(sight.strip, fast::kPlaceRoundings * thinness * u * faces_.reach());
   sight.depth_error = (16 * u + sight.turn) * distance;
   const double cosine = std::abs(n.dot(slave.normal_Me));
   sight.slope = n.cross(slave.normal_Me).stableNorm() / cosine;
@@ -131,7 +137,10 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e) 
   GeometryErrors errors;
   errors.normal = seen.turn;
   const double around = e.perimeter + seen.outline;
-  const double moved = strips_along(around, seen.strip) + (16 * u + seen.turn) * e.area;
+  // Both sides of a face that is seen nearly edgewise are projected onto almost one line: moving them apart by the
+  // strip's width moves where they meet by that over the face's cosine (fast/visible_parts.h).
+  const double edgewise = 4 * seen.strip * seen.strip / std::abs(e.cosine);
+  const double moved = strips_along(around, seen.strip) + edgewise + (16 * u + seen.turn) * e.area;
   const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
   const bool hidden_in_part = e.area + kHigherOrder * moved < std::abs(seen.area);
   const double strips = moved + folds + (hidden_in_part ? kParts * seen.uncertain : 0);

@@ -15,6 +15,14 @@ constexpr double u = kRoundoff;
 
 using Face = RoundedFaces::Face;
 
+/// How far apart true points may be whose doubles lie in the box, each coordinate off by four roundings at most; 0 for
+/// none.
+double width_between(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+  if (!(low.array() <= high.array()).all()) return 0;
+  const double farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  return (high - low).stableNorm() + 2 * std::sqrt(3.0) * 4 * u * farthest;
+}
+
 }  // namespace
 
 RoundingBounds::RoundingBounds(const Question& question, const reference::Answer& true_rounded)
@@ -100,7 +108,7 @@ double RoundingBounds::width_of(Part part, Side side, Index face) const {
     const Index v = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)][k];
     if (!closed || std::binary_search(active.wound.begin(), active.wound.end(), v)) part.add(faces_.vertex(side, v), 0);
   }
-  return part.terms > 0 ? (part.high - part.low).stableNorm() : std::numeric_limits<double>::infinity();
+  return part.terms > 0 ? width_between(part.low, part.high) : std::numeric_limits<double>::infinity();
 }
 
 // The clipped area of a face is a sum of (p - o) x (q - o) / 2 over a closed boundary, linear in each boundary point. A
@@ -171,7 +179,7 @@ AreaBounds RoundingBounds::area() const {
         high = high.cwiseMax(faces_.corner(side, f, k));
       }
   }
-  const double patch = (high - low).cwiseMax(0).stableNorm();
+  const double patch = width_between(low, high);
 
   // The part of an intersected face is summed about a point of its own: each cross product has 4 roundings of
   // |p - o| |q - o|, no more than the square of the part's width, and so has the normal's length; the normal's

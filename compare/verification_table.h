@@ -23,7 +23,8 @@ std::string times_markdown(const Verification& run);
 
 /// What rounding errors of generic poses may be at most, at the 99.9th percentile, in units of S/p (DESIGN section 3):
 /// of areas, vector areas, volume, force and torque. The greatest penetration is no sum: in the clipped scheme it may
-/// be that of a sliver on a steep face.
+/// be that of a sliver on a steep face. One answer in a thousand is left out, and one at least; so are pairs that are
+/// made to hurt (SurfacePair::made_to_hurt).
 inline constexpr double kMeasure = 1e-13;
 
 /// An error that is greater, the greatest of them.

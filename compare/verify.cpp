@@ -30,10 +30,8 @@ constexpr std::size_t kMostNestedFaces = 20000;
 /// One pose in this many of a hard stratum falls to the general pairs.
 constexpr std::int64_t kGeneralShare = 50;
 
-/// A scheme's share in a plan that has both.
-std::int64_t weight(Scheme scheme) {
-  return scheme == Scheme::clipped ? 1 : 2;
-}
+/// In a plan that has both schemes one pose in this many is answered in the clipped one.
+constexpr std::int64_t kClippedShare = 3;
 
 /// The stream of random numbers of a pair: 64 bits of the FNV-1a hash of its name.
 std::uint64_t stream_of(const std::string& pair_name) {
@@ -104,12 +102,10 @@ Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
     }
   };
   const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
-    std::int64_t all = 0, before = 0;
-    for (const Scheme scheme : plan_.schemes) all += weight(scheme);
-    for (const Scheme scheme : plan_.schemes) {
-      add_cells_in(scheme, stratum, part(poses, before, weight(scheme), all), pairs);
-      before += weight(scheme);
-    }
+    const bool both = plan_.schemes.size() > 1;
+    const std::int64_t clipped = poses / kClippedShare;
+    for (const Scheme scheme : plan_.schemes)
+      add_cells_in(scheme, stratum, !both ? poses : scheme == Scheme::clipped ? clipped : poses - clipped, pairs);
   };
   const auto strata = static_cast<std::int64_t>(plan_.strata.size());
   for (std::size_t s = 0; s < plan_.strata.size(); ++s) {

@@ -258,7 +258,7 @@ TEST_F(Program, VerifyLabelsPairsSoThatTablesCanHoldThem) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("\na_b__c__-box "), std::string::npos) << outcome.out;
   const std::string table = read_text_file(scratch_.path("tables/verification.md"));
-  EXPECT_NE(table.find("| a_b__c__-box | generic | both | 1 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| a_b__c__-box | generic | barycentric | both | 1 |"), std::string::npos) << table;
   EXPECT_TRUE(std::filesystem::exists(scratch_.path("tables/verification.json")));
   EXPECT_TRUE(lines_of(outcome.out).back().starts_with("verified: 6 poses")) << outcome.out;
 }
