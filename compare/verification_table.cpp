@@ -226,10 +226,15 @@ std::string times_markdown(const Verification& run) {
   return text;
 }
 
-std::optional<MissedMeasure> missed_measure(const Verification& run) {
+Tally measured_poses(const Verification& run) {
   Tally measured;
   for (const Cell& cell : run.cells())
     if (cell.stratum == Stratum::generic && !run.plan().pairs[cell.pair].made_to_hurt) measured.merge(cell.tally);
+  return measured;
+}
+
+std::optional<MissedMeasure> missed_measure(const Verification& run) {
+  const Tally measured = measured_poses(run);
   std::optional<MissedMeasure> worst;
   for (std::size_t k = 0; k < kFirstBound; ++k) {
     if (k == kPenetrationError) continue;

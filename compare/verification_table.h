@@ -27,6 +27,9 @@ std::string times_markdown(const Verification& run);
 /// made to hurt (SurfacePair::made_to_hurt).
 inline constexpr double kMeasure = 1e-13;
 
+/// The generic poses that the measure is demanded of, together.
+Tally measured_poses(const Verification& run);
+
 /// An error that is greater, the greatest of them.
 struct MissedMeasure {
   std::string what;

@@ -103,7 +103,7 @@ Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
   };
   const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
     const bool both = plan_.schemes.size() > 1;
-    const std::int64_t clipped = poses / kClippedShare;
+    const std::int64_t clipped = (poses + 1) / kClippedShare;
     for (const Scheme scheme : plan_.schemes)
       add_cells_in(scheme, stratum, !both ? poses : scheme == Scheme::clipped ? clipped : poses - clipped, pairs);
   };
