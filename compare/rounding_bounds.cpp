@@ -132,14 +132,15 @@ AreaBounds RoundingBounds::area() const {
     const std::size_t n = polygon.points.size();
     std::vector<double>& s = bounds.positions.emplace_back();
     std::vector<Eigen::Vector3d> d;
-    std::vector<double> edge_length, height;
+    std::vector<double> along, edge_length, height;
     for (const reference::Crossing& x : polygon.points) {
       const PositionError error = position_error(x);
       s.push_back(error.along);
+      along.push_back(error.along);
       height.push_back(error.height);
-      const Eigen::Vector3d along = faces_.vertex(x.edge_side, x.edge[1]) - faces_.vertex(x.edge_side, x.edge[0]);
-      edge_length.push_back(along.stableNorm());
-      d.push_back(along.stableNorm() > 0 ? (along / along.stableNorm()).eval() : along);
+      const Eigen::Vector3d edge = faces_.vertex(x.edge_side, x.edge[1]) - faces_.vertex(x.edge_side, x.edge[0]);
+      edge_length.push_back(edge.stableNorm());
+      d.push_back(edge.stableNorm() > 0 ? (edge / edge.stableNorm()).eval() : edge);
       low = low.cwiseMin(x.position_Me);
       high = high.cwiseMax(x.position_Me);
     }
@@ -155,8 +156,11 @@ AreaBounds RoundingBounds::area() const {
       // The point as stored is off its edge by two roundings, the oracle's by one.
       const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
       const double reach = (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
-      moved_volume += height[k] * (p - x.position_Me).cross(q - x.position_Me).stableNorm() / 2;
-      gaps += (height[k] + stored) * reach + stored * edge_length[k];
+      // The neighbours may have moved along their edges as well.
+      const double to_p = (p - x.position_Me).stableNorm() + along[k] + (has_p ? along[(k + n - 1) % n] : 0);
+      const double to_q = (q - x.position_Me).stableNorm() + along[k] + (has_q ? along[(k + 1) % n] : 0);
+      moved_volume += height[k] * to_p * to_q / 2;
+      gaps += (height[k] + stored) * (2 * to_p + 2 * to_q) + stored * edge_length[k];
       // The neighbours as stored are off as well, and move with it.
       for (double& m : moved) m += stored * (reach + 4 * (stored + s[k]));
       // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
@@ -184,7 +188,7 @@ AreaBounds RoundingBounds::area() const {
   // The part of an intersected face is summed about a point of its own: each cross product has 4 roundings of
   // |p - o| |q - o|, no more than the square of the part's width, and so has the normal's length; the normal's
   // direction tells in the vector area alone. Face after face is then added up. The volume is the sum of (x_e - o) .
-  // n_e area_e / 3 with x_e and o in the patch.
+  // n_e area_e / 3 with x_e and o in the patch, x_e as stored off the face by four roundings of a coordinate.
   for (const Side side : {Side::E, Side::F}) {
     const auto i = static_cast<std::size_t>(side == Side::E ? 0 : 1);
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
@@ -195,7 +199,7 @@ AreaBounds RoundingBounds::area() const {
       size += area;
       area_error += value_error;
       normal_error += turned;
-      volume_error += patch * (value_error + turned + 6 * u * area);
+      volume_error += patch * (value_error + turned + 6 * u * area) + 8 * u * e.farthest * area;
     };
     for (const Index f : active.inner) {
       const Face e = faces_.face(side, f);
