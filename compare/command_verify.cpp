@@ -287,7 +287,8 @@ void add_verify_command(CLI::App& program, Run& run) {
   command->footer(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
       "jobs. A summary is printed; the tables by pair and stratum are written to --out. The last line printed is the\n"
-      "verdict; the exit status is 1 with a disagreement, with rounding errors of generic poses above 1e-13 S/p at the\n"
+      "verdict; the exit status is 1 with a disagreement, with rounding errors of generic poses above 1e-13 S/p at "
+      "the\n"
       "99.9th percentile, with a wrong answer of any --engine, or when interrupted.\n"
       "Every pose is answered on all paths that callers take (everything, with a bound, force only, touch only, drawn\n"
       "choices, in a scene), under a law drawn for it; widths.csv says how wide each kind of check was.\n"
