@@ -13,32 +13,29 @@ namespace {
 constexpr double u = kRoundoff;
 
 /// A sum, and that of the terms' sizes: n terms added up in any order are off by n u times these.
+template <class Value>
 struct Sum {
-  double value = 0;
+  Value value;
   double sizes = 0;
   double terms = 0;
 
-  void add(double term) {
+  void add(const Value& term, double size) {
     value += term;
-    sizes += std::abs(term);
+    sizes += size;
     ++terms;
   }
   /// Of a sum of doubles like this one; both are off. `roundings`: of a term.
   double bound(double roundings) const { return kHigherOrder * 2 * (terms + roundings) * u * sizes; }
 };
+using NumberSum = Sum<double>;
+using VectorSum = Sum<Eigen::Vector3d>;
 
-struct VectorSum {
-  Eigen::Vector3d value = Eigen::Vector3d::Zero();
-  double sizes = 0;
-  double terms = 0;
-
-  void add(const Eigen::Vector3d& term, double size) {
-    value += term;
-    sizes += size;
-    ++terms;
-  }
-  double bound(double roundings) const { return kHigherOrder * 2 * (terms + roundings) * u * sizes; }
-};
+NumberSum no_numbers() {
+  return {0};
+}
+VectorSum no_vectors() {
+  return {Eigen::Vector3d::Zero()};
+}
 
 /// a / b, both off by their bounds; infinite where b may be 0.
 double bound_of_quotient(double a, double a_bound, double b, double b_bound) {
@@ -47,13 +44,13 @@ double bound_of_quotient(double a, double a_bound, double b, double b_bound) {
 }
 
 void check_statistics(const fast::Contact& subj, Checks& checks) {
-  Sum area, volume, force;
-  VectorSum moment;
+  NumberSum area = no_numbers(), volume = area, force = area;
+  VectorSum moment = no_vectors();
   double pressure = 0, v_n = 0, v_t = 0;
   for (const fast::Element& e : subj.elements) {
-    area.add(e.area);
-    volume.add(e.area * e.penetration);
-    force.add(e.normal_force);
+    area.add(e.area, std::abs(e.area));
+    volume.add(e.area * e.penetration, std::abs(e.area * e.penetration));
+    force.add(e.normal_force, std::abs(e.normal_force));
     moment.add(e.normal_force * e.position_Me, std::abs(e.normal_force) * e.position_Me.stableNorm());
     if (e.area > 0) pressure = std::max(pressure, e.normal_force / e.area);
     v_n = std::max(v_n, std::abs(e.normal_velocity));
@@ -114,7 +111,7 @@ void check_own_sums(const Question& question, const fast::Contact& subj, Checks&
   if (static_cast<std::size_t>(subj.element_count) != subj.elements.size())
     checks.add(Kind::sums, "element count {}, elements {}", subj.element_count, subj.elements.size());
   const double share = question.mode == Mode::both ? 0.5 : 1;
-  VectorSum force, torque;
+  VectorSum force = no_vectors(), torque = force;
   for (const fast::Element& e : subj.elements) {
     const Eigen::Vector3d arm = e.position_Me - question.pose.r;
     force.add(share * e.force_Me, share * e.force_Me.stableNorm());

@@ -39,7 +39,6 @@ RoundedFaces::Face RoundedFaces::face(Side side, Index index) const {
   face.normal_error = length > N_error ? std::min(2.0, 2 * N_error / length + 4 * u) : 2;
   if (length > 0) face.normal_Me = N / length;
   face.longest = sides[2];
-  face.outline = sides[0] + sides[1] + sides[2];
   face.farthest = std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), s.cwiseAbs().maxCoeff()});
   return face;
 }

@@ -56,7 +56,6 @@ class RoundedFaces {
     double area_error = 0;    ///< m^2
     double normal_error = 0;  ///< of the unit normal, at most 2
     double longest = 0;       ///< longest side, m
-    double outline = 0;       ///< sum of the sides, m
     double farthest = 0;      ///< greatest |coordinate|, m
   };
 

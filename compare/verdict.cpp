@@ -97,8 +97,8 @@ bool check_elements(const fast::Contact& subj, const reference::Answer& truth, C
   return true;
 }
 
-void check_areas(const Question& question, const fast::Contact& subj, const reference::Answer& truth, Checks& checks) {
-  const RoundingBounds rounding(question, truth);
+void check_areas(const fast::Contact& subj, const reference::Answer& truth, const RoundingBounds& rounding,
+                 Checks& checks) {
   const AreaBounds bounds = rounding.area();
   for (std::size_t i = 0; i < truth.polygons.size(); ++i)
     for (std::size_t k = 0; k < truth.polygons[i].points.size(); ++k)
@@ -132,8 +132,7 @@ void check_exceeded(const Question& question, const fast::Contact& subj, const r
 }
 
 void check_barycentric_forces(const Question& question, const fast::Contact& subj, const reference::Answer& truth,
-                              Checks& checks) {
-  const RoundingBounds rounding(question, truth);
+                              const RoundingBounds& rounding, Checks& checks) {
   const ForceBounds bounds = rounding.force();
   for (std::size_t k = 0; k < truth.elements.size(); ++k)
     check_element(question, subj.elements[k], truth.elements[k], bounds.elements[k], rounding.reach(), checks);
@@ -217,11 +216,12 @@ Checks hold_answer(const Question& question, const fast::Contact& subj, const re
   const bool same_faces = subj.E.intersected == truth.E.intersected && subj.F.intersected == truth.F.intersected &&
                           subj.E.inner == truth.E.inner && subj.F.inner == truth.F.inner;
   checks.check_equal(Kind::too_deep, "too deep", subj.too_deep, truth.too_deep);
-  if (same_polygons && same_faces) check_areas(question, subj, truth, checks);
+  const RoundingBounds rounding(question, truth);
+  if (same_polygons && same_faces) check_areas(subj, truth, rounding, checks);
   if (question.scheme == Scheme::clipped)
     check_clipped_forces(question, subj, truth, checks);
   else if (check_elements(subj, truth, checks))
-    check_barycentric_forces(question, subj, truth, checks);
+    check_barycentric_forces(question, subj, truth, rounding, checks);
   check_own_sums(question, subj, checks);
   return checks;
 }

@@ -19,19 +19,10 @@
 #include "meshes/bad_input.h"
 #include "meshes/generate_boxes.h"
 #include "reference/oracle.h"
+#include "tests/compare/tetrahedron.h"
 
 namespace pcm::compare {
 namespace {
-
-using Corners = std::array<Eigen::Vector3d, 4>;
-
-TriangleMesh tetrahedron(Corners x) {
-  if ((x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) < 0) std::swap(x[0], x[1]);
-  TriangleMesh mesh;
-  mesh.vertices.assign(x.begin(), x.end());
-  mesh.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  return mesh;
-}
 
 struct Held {
   double error = 0;  ///< of force or torque, over the greatest coordinate to the third or fourth, at stiffness 1
