@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "compare/law_bounds.h"
+#include "compare/master_view.h"
 #include "compare/rounded_faces.h"
 #include "fast/contact.h"
 #include "reference/answer.h"
@@ -16,14 +15,16 @@ namespace pcm::compare {
 /// How far a right engine's clipped elements may be from the oracle's on the same rounded problem.
 ///
 /// Which slave face a point of a master face sees hangs on where projected edges and folds run. A right engine places
-/// projected edges to within a strip of width `strip`: 64 u R, R the greatest |coordinate|, for what it takes to be
-/// certain, 16 u of the distance from the master face for the roundings of a projection, and what a turn of the lines
-/// by the error of their direction moves points by. So an element's part is right but for strips along its outline, and
-/// along that of all the master face would see of the slave face if nothing hid it; an element no larger than that is a
-/// sliver: it may be missing, and the engine may have one of its own. Parts that are not certain to have area are
-/// dropped as well: certain to 64 u R, R the greatest |coordinate|, in the master face's own skew coordinates
-/// (fast/convex_polygon.h), so that on a needle they are wider than the strips. That may be a whole element, or what
-/// faces that hide some of it leave of it.
+/// projected edges to within a strip of width `strip`: 16 u of the distance from the master face for the roundings of a
+/// projection, twice that for what it takes to be certain, and what a turn of the lines by the error of their direction
+/// moves points by. So an element's part is right but for strips along its outline, and along that of all the master
+/// face would see of the slave face if nothing hid it; an element no larger than that is a sliver: it may be missing,
+/// and the engine may have one of its own.
+///
+/// Where other faces may hide some of the slave face, two things are added. Their edges may end far away, so that the
+/// strips are wider. And parts that are not certain to have area (MasterPrism::uncertainty, in the master face's own
+/// skew coordinates, so that on a needle they are wider than the strips) are dropped, or kept though they are hidden,
+/// at each cut.
 ///
 /// Where the slave face and another one, of either surface, pass through each other, the line on which they lie at the
 /// same depth is off by what a vertex's height over a face is, over the slope of the difference of both depths.
@@ -54,24 +55,7 @@ class ClippedBounds {
   double sliver_depth(const fast::Element& element) const;
 
  private:
-  /// What a master face sees of a slave face.
-  struct Sight {
-    RoundedFaces::Face master;
-    double turn = 0;         ///< of the lines, by the error of their direction
-    double strip = 0;        ///< m
-    double uncertain = 0;    ///< a part of no more area may be dropped, m^2
-    double area = 0;         ///< of what nothing but the border of both and depth 0 limits, m^2
-    double depth_error = 0;  ///< at a point of the plane, without any shift of it, m
-    double slope = 0;        ///< of the depth
-    double outline = 0;      ///< its border, m
-    double fold = 0;         ///< the part of that where the depth is 0, m
-    double width = 0;        ///< no two points of it are farther apart, m
-    double deepest = 0;      ///< there, m
-    double at_tip = 0;       ///< the depth of its deepest corner in double precision, m
-    double tip_error = 0;    ///< what strips may take from that, m
-  };
-  Sight sight(Side master, Index master_face, Index slave_face) const;
-  OfElement of_element(const reference::Element& element) const;
+  OfElement of_element(const reference::Element& element, const MasterView& view) const;
 
   const Question& question_;
   RoundedFaces faces_;

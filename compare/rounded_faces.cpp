@@ -19,6 +19,13 @@ RoundedFaces::RoundedFaces(const Question& question)
     : E_(question.E), F_(question.F), vertices_F_Me_(rounded_vertices(question.F.mesh, question.pose)) {
   for (const Eigen::Vector3d& x : E_.mesh.vertices) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
   for (const Eigen::Vector3d& x : vertices_F_Me_) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
+  for (const Side side : {Side::E, Side::F}) {
+    for (std::size_t i = 0; i < surface(side).mesh.faces.size(); ++i) {
+      const Index face = static_cast<Index>(i);
+      for (std::size_t k = 0; k < 3; ++k)
+        longest_side_ = std::max(longest_side_, (corner(side, face, (k + 1) % 3) - corner(side, face, k)).stableNorm());
+    }
+  }
 }
 
 // N = d1 x d2 with d1, d2 two sides. A difference has the relative error u in each component, each product of two

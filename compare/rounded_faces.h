@@ -59,7 +59,7 @@ class RoundedFaces {
     double farthest = 0;      ///< greatest |coordinate|, m
   };
 
-  /// O(n) in the vertices of F. The question's surfaces must outlive this.
+  /// O(n) in the vertices and faces. The question's surfaces must outlive this.
   explicit RoundedFaces(const Question& question);
 
   const SurfaceFeatures& surface(Side side) const { return side == Side::E ? E_ : F_; }
@@ -73,12 +73,15 @@ class RoundedFaces {
   Face face(Side side, Index face) const;
   /// Greatest |coordinate| of either surface in Me, m.
   double reach() const { return reach_; }
+  /// Longest side of any face of either surface, m.
+  double longest_side() const { return longest_side_; }
 
  private:
   const SurfaceFeatures& E_;
   const SurfaceFeatures& F_;
   std::vector<Eigen::Vector3d> vertices_F_Me_;
   double reach_ = 0;
+  double longest_side_ = 0;
 };
 
 }  // namespace pcm::compare

@@ -91,7 +91,6 @@ bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& 
 
 /// What the penetration lines of one master face meet.
 struct View {
-  Uncertainty uncertainty;
   double deepest = -1;               ///< greatest depth at which the slave may be left, whatever lies before, m
   double deepest_corner = -1;        ///< greatest depth of a corner of a candidate, m
   bool slave_at_barycentre = false;  ///< the line of the barycentre may leave the slave
@@ -144,7 +143,8 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
       scratch.faces.pop_back();
       continue;
     }
-    const bool is_certain = certain(projected.seen, view.uncertainty);
+    projected.uncertainty = prism.uncertainty(corners, workspace.placement.reach);
+    const bool is_certain = certain(projected.seen, projected.uncertainty);
     if (is_certain && !projected.leaves) scratch.entered.push_back(face);
     projected.face = face;
     projected.own = false;
@@ -202,6 +202,7 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
       workspace.projection.faces.pop_back();
       continue;
     }
+    projected.uncertainty = prism.uncertainty(corners, workspace.placement.reach);
     projected.face = face;
     projected.own = true;
     projected.carries = false;
@@ -232,9 +233,8 @@ Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
 
 /// Integrals over the part of the master face that sees the slave face at `index` of the projected ones first; of
 /// min(depth, most) in place of the depth. `overlap` is the first overlap that may concern it and moves on past them.
-Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const Uncertainty& uncertainty,
-                                std::size_t index, double most, std::vector<Overlap>::const_iterator& overlap,
-                                Neglect& neglect) {
+Moments moments_of_visible_part(Workspace::Data& workspace, Side master, std::size_t index, double most,
+                                std::vector<Overlap>::const_iterator& overlap, Neglect& neglect) {
   ProjectionScratch& scratch = workspace.projection;
   const ProjectedFace& f = scratch.faces[index];
   if (overlap == scratch.overlaps.end() || overlap->first != index) return moments_of({&f.seen, 1}, most);
@@ -244,7 +244,7 @@ Moments moments_of_visible_part(Workspace::Data& workspace, Side master, const U
     if (scratch.parts.empty()) continue;
     const ProjectedFace& g = scratch.faces[overlap->second];
     const PlacedFace placed_g = placed(workspace, g.own ? master : opposite(master), g);
-    subtract_hidden(uncertainty, placed_f, placed_g, scratch.parts, scratch.remaining, neglect, workspace.contact.work);
+    subtract_hidden(placed_f, placed_g, scratch.parts, scratch.remaining, neglect, workspace.contact.work);
   }
   for (const ConvexPolygon& part : scratch.parts) neglect.add_part(part, f.seen);
   return moments_of(scratch.parts, most);
@@ -312,7 +312,7 @@ void form_elements_of(Workspace::Data& workspace, Side master, Index face, const
   }
   FaceBound* const bound = face_bound ? &*face_bound : nullptr;
   scratch.faces.clear();
-  View view{prism.uncertainty(workspace.placement.reach)};
+  View view;
   project_slave(workspace, opposite(master), prism, bound, view);
   const auto surely_thick = [&](double deepest) {
     const double farthest = deepest + farthest_off(prism, workspace.placement);
@@ -351,7 +351,7 @@ void form_elements_of(Workspace::Data& workspace, Side master, Index face, const
     }
     Neglect neglect;
     const double most = problem.law.max_penetration;
-    const Moments moments = moments_of_visible_part(workspace, master, view.uncertainty, i, most, overlap, neglect);
+    const Moments moments = moments_of_visible_part(workspace, master, i, most, overlap, neglect);
     const double area = moments.area * (2 * geometry.area);
     const double mean = std::min({moments.depth / moments.area, moments.greatest, most});
     if (!(area > 0 && mean > 0)) {

@@ -162,7 +162,7 @@ struct Moments {
 
   /// The same of min(depth, most). Each triangle of the fan is parted where it is that deep: along three corners the
   /// difference changes its sign no more than twice, so that nothing gets lost between both parts, even of a polygon
-  /// that lies at that depth but for roundings.
+  /// that lies at that depth but for roundings. What lies at that depth exactly is of the shallow part.
   void add_clamped(const ConvexPolygon& polygon, double most) {
     for (int i = 1; i + 1 < polygon.count; ++i) {
       ConvexPolygon shallow;
@@ -174,7 +174,11 @@ struct Moments {
         below[k] = -above[k];
       }
       keep_where_not_negative(shallow, above);
-      keep_where_not_negative(deep, below);
+      if (std::max({below[0], below[1], below[2]}) > 0) {
+        keep_where_not_negative(deep, below);
+      } else {
+        deep.count = 0;
+      }
       for (int k = 0; k < shallow.count; ++k) shallow[k][kDepth] = std::min(shallow[k][kDepth], most);
       for (int k = 0; k < deep.count; ++k) deep[k][kDepth] = most;
       for (const ConvexPolygon* const part : {&shallow, &deep}) {

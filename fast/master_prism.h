@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 
 #include "fast/box_tree.h"
@@ -42,25 +43,22 @@ class MasterPrism {
   /// The same weights alone.
   Eigen::Vector3d weights(const Eigen::Vector3d& x_Me) const { return products(x_Me).head<3>(); }
 
-  /// How far lines through points seen by the prism may be off from each other, where no |coordinate| exceeds `reach`.
-  /// A vertex of F is off by 4 u reach a coordinate (u = 2^-53); no distance from p0 is greater than 4 reach, and 16 u
-  /// of it cover the roundings of a distance and of a cut. An error of the lines' common direction moves all of them
-  /// alike and makes no sliver: `tilt` bounds it.
-  Uncertainty uncertainty(double reach) const {
-    const double distance = 64 * 0x1p-53 * reach;
-    return {distance * inward_length_[2], distance * inward_length_[0]};
+  /// How far lines through the corners of a face, seen by the prism at these, may be off from each other, where no
+  /// |coordinate| exceeds `reach`. No distance from p0 is greater than 4 reach. What is common to all weights, a
+  /// relative error of 2^-30, makes no sliver.
+  Uncertainty uncertainty(const std::array<PrismPoint, 3>& corners, double reach) const {
+    const double farthest = std::max({place_error(corners[0]), place_error(corners[1]), place_error(corners[2])});
+    const double error = std::min(farthest, kPlaceError * (4 * reach));
+    return {error * inward_length_[2], error * inward_length_[0]};
   }
 
   /// The angle between the lines of the face, without any rounding, and those computed, at most; less than 2^-32.
   double tilt() const { return tilt_; }
 
   /// How far the weight that is 0 on side k of a point seen by the prism may be off, its own relative error of 2^-30
-  /// aside. A turn of the lines by an angle moves a point by that times its depth, and no more but relative to itself;
-  /// 16 u of its distance cover the roundings. Both count over the height above that side.
+  /// aside: where the point is seen, over the height above that side.
   double weight_error(std::size_t side, const PrismPoint& point) const {
-    const double distance = longest_ * (1 + std::abs(point[0]) + std::abs(point[1]) + std::abs(point[2]));
-    const double depth = std::abs(point[kDepth]);
-    return inward_length_[side] * (2 * tilt_ * depth + 16 * 0x1p-53 * (distance + depth));
+    return inward_length_[side] * place_error(point);
   }
 
   /// The face's own corner k, exactly.
@@ -79,6 +77,16 @@ class MasterPrism {
   double inward_length(std::size_t side) const { return inward_length_[side]; }
 
  private:
+  static constexpr double kPlaceError = 16 * 0x1p-53;  ///< of a distance from p0: for its roundings and a cut's
+
+  /// How far off a point may be seen, m. A turn of the lines by an angle moves a point by that times its depth, and no
+  /// more but relative to itself.
+  double place_error(const PrismPoint& point) const {
+    const double distance = longest_ * (1 + std::abs(point[0]) + std::abs(point[1]) + std::abs(point[2]));
+    const double depth = std::abs(point[kDepth]);
+    return 2 * tilt_ * depth + kPlaceError * (distance + depth);
+  }
+
   /// The weights, and N . (x - p0), all four in one go.
   PrismPoint products(const Eigen::Vector3d& x_Me) const {
     const PrismPoint x = gradient_[0].cwiseProduct(PrismPoint::Constant(x_Me[0]) - origin_[0]);

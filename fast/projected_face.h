@@ -23,6 +23,7 @@ struct ProjectedFace {
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
   ConvexPolygon seen;                 ///< the part over the master face at a depth >= 0, whatever lies before it
   double low_s, high_s, low_t, high_t;
+  Uncertainty uncertainty;  ///< of its sides
 
   ProjectedFace() {}
 };

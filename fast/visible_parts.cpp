@@ -13,11 +13,11 @@ namespace {
 /// Where a face lies along the lines, compared with another one.
 enum class Order : std::uint8_t { before, after, crossing };
 
-/// A linear function c + c_s (s - s_0) + c_t (t - t_0); a half plane is where it is not negative.
+/// A linear function c_s (s - s_0) + c_t (t - t_0); a half plane is where it is not negative.
 struct HalfPlane {
-  double c, c_s, s_0, c_t, t_0;
+  double c_s, s_0, c_t, t_0;
 
-  double operator()(const PrismPoint& x) const { return c + (c_s * (x[kS] - s_0) + c_t * (x[kT] - t_0)); }
+  double operator()(const PrismPoint& x) const { return c_s * (x[kS] - s_0) + c_t * (x[kT] - t_0); }
 };
 
 /// A convex set of points, the intersection of half planes.
@@ -38,16 +38,26 @@ HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
   const PrismPoint& a = face.corners[ascending ? k : next];
   const PrismPoint& b = face.corners[ascending ? next : k];
   const double sign = ascending ? 1 : -1;
-  return {0, -sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT]};
+  return {-sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT]};
 }
 
-/// The linear function with the given values at the corners of a face, times twice its area in (s, t): as sure of its
-/// sign as they are, however small they are.
-HalfPlane through(const ProjectedFace& face, const std::array<double, 3>& values) {
-  const PrismPoint a = face.corners[1] - face.corners[0], b = face.corners[2] - face.corners[0];
-  const double a_rise = values[1] - values[0], b_rise = values[2] - values[0];
-  return {values[0] * (a[kS] * b[kT] - a[kT] * b[kS]), a_rise * b[kT] - b_rise * a[kT], face.corners[0][kS],
-          b_rise * a[kS] - a_rise * b[kS], face.corners[0][kT]};
+/// Where the linear function with the given values at the corners of a face, some of them negative, not all, is not
+/// negative. It is laid through the point where the function is 0 on the side from the corner P whose sign is its own
+/// to the next one, a; b is where it is 0 on the other side from P. With e1, e2 the two sides and r1, r2 the function's
+/// rise along them, the roundings of its gradient, r1 e2 - r2 e1 turned by a right angle, move what it tells of a point
+/// between a and b by a few ulps of |a - P|, however narrow the face is.
+HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double, 3>& values) {
+  const bool one_negative = (values[0] < 0) + (values[1] < 0) + (values[2] < 0) == 1;
+  std::size_t lone = 0;
+  while ((values[lone] < 0) != one_negative) ++lone;
+  const std::size_t next = (lone + 1) % 3, last = (lone + 2) % 3;
+  const PrismPoint& P = face.corners[lone];
+  const PrismPoint& Q = face.corners[next];
+  const PrismPoint e1 = Q - P, e2 = face.corners[last] - P;
+  const double r1 = values[next] - values[lone], r2 = values[last] - values[lone];
+  const PrismPoint a =
+      one_negative ? point_at_zero(Q, values[next], P, values[lone]) : point_at_zero(P, values[lone], Q, values[next]);
+  return {r1 * e2[kT] - r2 * e1[kT], a[kS], r2 * e1[kS] - r1 * e2[kS], a[kT]};
 }
 
 /// Heights of the vertices of g over the plane of f, times twice the area of f. Above is where the lines come from: the
@@ -185,9 +195,8 @@ void Neglect::add_part(const ConvexPolygon& part, const ConvexPolygon& whole) {
   cut_volume += changed * Extent(part, kDepth).high;
 }
 
-void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const PlacedFace& g,
-                     std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, Neglect& neglect,
-                     WorkCounters& work) {
+void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
+                     std::vector<ConvexPolygon>& remaining, Neglect& neglect, WorkCounters& work) {
   std::array<double, 3> f_over_g;
   const Order order = order_of(g, f, f_over_g, work);
   if (order == Order::after) return;
@@ -195,12 +204,13 @@ void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const 
   for (std::size_t k = 0; k < 3; ++k) hidden.add(inside_of_side(g.projected, k));
   const auto& corners = g.projected.corners;
   const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
-  if (std::min({depths[0], depths[1], depths[2]}) < 0) hidden.add(through(g.projected, depths));
+  if (std::min({depths[0], depths[1], depths[2]}) < 0) hidden.add(where_not_negative(g.projected, depths));
   // Points of f beyond g lie below it.
   if (order == Order::crossing) {
-    hidden.add(through(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
+    hidden.add(where_not_negative(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
   }
-  subtract(hidden, uncertainty, parts, remaining, neglect);
+  const Uncertainty &of_f = f.projected.uncertainty, &of_g = g.projected.uncertainty;
+  subtract(hidden, {std::max(of_f.s, of_g.s), std::max(of_f.t, of_g.t)}, parts, remaining, neglect);
 }
 
 }  // namespace pcm::fast

@@ -30,10 +30,7 @@ namespace pcm::fast {
 ///   - a projected edge: delta;
 ///   - where f and g have one depth, or g has depth 0 (f the master), their planes at an angle a: delta
 ///     + min(2 kDepthRoundings q u S / sin a, 2 kHeightError S). For |grad (d_f - d_g)| >= sin a / min(cos theta_f, cos
-///     theta_g); and between its corners' sure heights a line is off by no more than kHeightError / 2 of an edge. Where
-///     the face h whose corners it is laid through is seen nearly edgewise, roundings of its slopes may add
-///     kSlantRoundings q u S l^2 / (2 A_h cos theta_h), l its longest edge; but it only ever lies on h, whose projected
-///     area is A_h cos theta_h.
+///     theta_g); and between its corners' sure heights a line is off by no more than kHeightError / 2 of an edge.
 ///
 /// So of an element {e, f} with the outline P of what e sees of f (in any number of convex pieces), its sides as long
 /// as l_i and off by delta_i, meeting at angles b_ij, the area is off by no more than
@@ -45,7 +42,6 @@ namespace pcm::fast {
 /// off by the sum over the elements times the stiffness, however many of them there are.
 inline constexpr double kPlaceRoundings = 1024;
 inline constexpr double kDepthRoundings = 512;
-inline constexpr double kSlantRoundings = 256;
 
 /// A face in the prism together with its vertices in Me.
 struct PlacedFace {
@@ -80,8 +76,7 @@ struct Neglect {
 /// each meets few of the parts the others leave; `neglect` counts both. Without that, slivers of rounding size along
 /// one line (faces that the lines run in, several at one border) would cut each other to pieces without end.
 /// `remaining` is scratch.
-void subtract_hidden(const Uncertainty& uncertainty, const PlacedFace& f, const PlacedFace& g,
-                     std::vector<ConvexPolygon>& parts, std::vector<ConvexPolygon>& remaining, Neglect& neglect,
-                     WorkCounters& work);
+void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
+                     std::vector<ConvexPolygon>& remaining, Neglect& neglect, WorkCounters& work);
 
 }  // namespace pcm::fast

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -64,6 +65,19 @@ TEST(ClippedClamp, NothingIsLostOfAPolygonWhoseCornersLieOnBothSidesOfTheClampBy
   EXPECT_NEAR(clamped.depth, whole.area, 4 * u);
   EXPECT_NEAR(clamped.s_depth, whole.s_depth, 4 * u);
   EXPECT_NEAR(clamped.t_depth, whole.t_depth, 4 * u);
+}
+
+TEST(ClippedClamp, PartAtTheClampExactlyCountsOnceThoughAnotherLiesAnUlpDeeper) {
+  const double u = 0x1p-53;
+  ConvexPolygon square;
+  for (const auto& [s, t, depth] : {std::array{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 1.0, 1.0}, {0.0, 1.0, 1 + 2 * u}})
+    square.add({0, s, t, depth});
+  Moments clamped;
+  clamped.add_clamped(square, 1);
+  EXPECT_NEAR(clamped.area, 1, 4 * u);
+  EXPECT_NEAR(clamped.depth, 1, 4 * u);
+  EXPECT_NEAR(clamped.s_depth, 0.5, 4 * u);
+  EXPECT_NEAR(clamped.t_depth, 0.5, 4 * u);
 }
 
 TEST(ClippedClamp, FlatDepthIsClampedFromTheFirstUlpOn) {

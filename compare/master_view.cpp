@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/master_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "fast/visible_parts.h"
+
+namespace pcm::compare {
+namespace {
+
+constexpr double u = kRoundoff;
+
+/// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
+constexpr double kNeedle = 0x1p-16;
+
+/// Roundings are followed one by one on fair master faces; on thinner ones what the engine promises is taken as it is.
+constexpr double kThin = 64;
+
+/// The part of a convex polygon where a linear function of the point is not negative.
+template <class Point, class Height>
+std::vector<Point> cut(const std::vector<Point>& polygon, const Height& height) {
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double at_a = height(a), at_b = height(b);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return kept;
+}
+
+/// In the master's plane.
+double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+}  // namespace
+
+MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face)
+    : faces_(faces), master_(master), master_face_(master_face), face_(faces.face(master, master_face)) {
+  // 4 u for each component of N over its terms, 4 u for n itself, and twice all of it.
+  thinness_ = face_.longest * face_.longest / (2 * face_.area);
+  turn_ = 16 * u * (1 + std::min(thinness_, 1 / kNeedle));
+  const Eigen::Vector3d& p0 = faces_.corner(master, master_face, 0);
+  const Eigen::Vector3d& n = face_.normal_Me;
+  const Eigen::Vector3d first = (faces_.corner(master, master_face, 1) - p0).stableNormalized();
+  const Eigen::Vector3d second = n.cross(first);
+  for (const Side side : {Side::E, Side::F}) {
+    const std::size_t count = faces_.surface(side).mesh.vertices.size();
+    std::vector<SeenPoint>& seen = vertices_[static_cast<std::size_t>(side)];
+    seen.reserve(count);
+    for (std::size_t v = 0; v < count; ++v) {
+      const Eigen::Vector3d offset = faces_.vertex(side, static_cast<Index>(v)) - p0;
+      seen.emplace_back(first.dot(offset), second.dot(offset), -n.dot(offset));
+    }
+  }
+  own_ = seen(master, master_face);
+}
+
+MasterView::SeenFace MasterView::seen(Side side, Index face) const {
+  const std::vector<SeenPoint>& vertices = vertices_[static_cast<std::size_t>(side)];
+  const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
+  return {vertices[static_cast<std::size_t>(corners[0])], vertices[static_cast<std::size_t>(corners[1])],
+          vertices[static_cast<std::size_t>(corners[2])]};
+}
+
+std::vector<MasterView::SeenPoint> MasterView::seen_part(const SeenFace& slave) const {
+  std::vector<SeenPoint> part(slave.begin(), slave.end());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SeenPoint &a = own_[k], side = own_[(k + 1) % 3] - a;
+    part = cut(part, [&](const SeenPoint& x) { return cross(side, x - a); });
+  }
+  return cut(part, [](const SeenPoint& x) { return x.z(); });
+}
+
+MasterView::Extent MasterView::extent(std::span<const SeenPoint> polygon) {
+  Extent extent{polygon[0].array(), polygon[0].array()};
+  for (const SeenPoint& x : polygon) {
+    extent.low = extent.low.min(x.array());
+    extent.high = extent.high.max(x.array());
+  }
+  return extent;
+}
+
+// What a turn of the lines moves a point by grows with its depth.
+double MasterView::strip(double distance, double depth) const {
+  const double fair = 32 * u * distance + 2 * turn_ * (depth + 16 * u * distance);
+  return thinness_ > kThin ? std::max(fair, fast::kPlaceRoundings * thinness_ * u * faces_.reach()) : fair;
+}
+
+bool MasterView::side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const {
+  const SeenFace seen_a = seen(side_a, a), seen_b = seen(side_b, b);
+  const Triangle& corners_a = faces_.surface(side_a).mesh.faces[static_cast<std::size_t>(a)];
+  const Triangle& corners_b = faces_.surface(side_b).mesh.faces[static_cast<std::size_t>(b)];
+  const double sign = cross(seen_a[1] - seen_a[0], seen_a[2] - seen_a[0]) < 0 ? -1 : 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const SeenPoint along = seen_a[next] - seen_a[k];
+    const double margin = strip * along.head<2>().stableNorm();
+    bool parts = true;
+    for (std::size_t i = 0; i < 3 && parts; ++i) {
+      const bool shared = side_a == side_b && (corners_b[i] == corners_a[k] || corners_b[i] == corners_a[next]);
+      parts = shared || sign * cross(along, seen_b[i] - seen_a[k]) < -margin;
+    }
+    if (parts) return true;
+  }
+  return false;
+}
+
+int MasterView::side_of_plane(Side side_a, Index a, Side side_b, Index b) const {
+  const RoundedFaces::Face plane = faces_.face(side_a, a);
+  const Eigen::Vector3d& a0 = faces_.corner(side_a, a, 0);
+  const double cosine = -plane.normal_Me.dot(face_.normal_Me);
+  if (!(std::abs(cosine) > plane.normal_error + turn_)) return 0;
+  const Triangle& corners_a = faces_.surface(side_a).mesh.faces[static_cast<std::size_t>(a)];
+  const Triangle& corners_b = faces_.surface(side_b).mesh.faces[static_cast<std::size_t>(b)];
+  bool beyond = true, before = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (side_a == side_b && std::find(corners_a.begin(), corners_a.end(), corners_b[i]) != corners_a.end()) continue;
+    const Eigen::Vector3d offset = faces_.corner(side_b, b, i) - a0;
+    const double along = std::copysign(plane.normal_Me.dot(offset), plane.normal_Me.dot(offset) * cosine);
+    const double error = (plane.normal_error + 8 * u) * offset.stableNorm();
+    beyond = beyond && along > error;
+    before = before && along < -error;
+  }
+  return beyond ? 1 : before ? -1 : 0;
+}
+
+bool MasterView::behind(Side side_b, Index b, Side side_a, Index a) const {
+  return side_of_plane(side_a, a, side_b, b) > 0 || side_of_plane(side_b, b, side_a, a) < 0;
+}
+
+bool MasterView::may_be_hidden(Index slave_face, const std::vector<SeenPoint>& part, double strip) const {
+  const Side slave = other(master_);
+  const Extent of_part = extent(part);
+  const Eigen::Array3d margin(strip, strip, strip);
+  for (const Side side : {Side::E, Side::F}) {
+    const std::size_t count = faces_.surface(side).mesh.faces.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index face = static_cast<Index>(i);
+      if ((side == slave && face == slave_face) || (side == master_ && face == master_face_)) continue;
+      const Extent of_face = extent(seen(side, face));
+      if ((of_face.low > of_part.high + margin).any()) continue;
+      if ((of_face.high.head<2>() < of_part.low.head<2>() - margin.head<2>()).any()) continue;
+      if (of_face.high.z() < -strip) continue;
+      if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
+          side_parts(side, face, slave, slave_face, strip) || behind(side, face, slave, slave_face))
+        continue;
+      return true;
+    }
+  }
+  return false;
+}
+
+// A part is dropped where its area in (s, t) is less than its extent in t times the uncertainty of s, and the reverse:
+// how far off places may be times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t.
+double MasterView::uncertain_area(const std::vector<SeenPoint>& part, double farthest) const {
+  const SeenPoint first = own_[1] - own_[0], second = own_[2] - own_[0];
+  const double doubled_area = cross(first, second);
+  double low_s = 0, high_s = 0, low_t = 0, high_t = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const double s = cross(part[i] - own_[0], second) / doubled_area;
+    const double t = cross(first, part[i] - own_[0]) / doubled_area;
+    low_s = i == 0 ? s : std::min(low_s, s);
+    high_s = i == 0 ? s : std::max(high_s, s);
+    low_t = i == 0 ? t : std::min(low_t, t);
+    high_t = i == 0 ? t : std::max(high_t, t);
+  }
+  // MasterPrism::uncertainty: weights are 0 or 1 at p0 and change by the perimeter over 2 A and length.
+  const double perimeter = first.stableNorm() + (own_[2] - own_[1]).stableNorm() + second.stableNorm();
+  const double weights = 1 + times(perimeter / std::abs(doubled_area), farthest);
+  const double place =
+      std::min(2 * turn_ * farthest + 16 * u * (4 * face_.longest * (1 + weights) + farthest), 64 * u * faces_.reach());
+  return place * ((high_t - low_t) * second.stableNorm() + (high_s - low_s) * first.stableNorm());
+}
+
+Sight MasterView::sight(Index slave_face) const {
+  const SeenFace slave = seen(other(master_), slave_face);
+  const Eigen::Vector3d& slave_normal = faces_.face(other(master_), slave_face).normal_Me;
+  double distance = 0, depth = 0, greatest = 0;
+  for (const SeenPoint& x : slave) {
+    distance = std::max(distance, face_.longest + x.stableNorm());
+    depth = std::max(depth, std::abs(x.z()));
+    greatest = std::max(greatest, x.z());
+  }
+  // A face that hides something of the slave's lies over the master somewhere, not deeper than that one.
+  const double farthest = std::max(distance, 2 * face_.longest + depth + faces_.longest_side());
+  const std::vector<SeenPoint> part = seen_part(slave);
+  Sight sight;
+  sight.alone = part.empty() || !may_be_hidden(slave_face, part, strip(farthest, depth));
+  sight.strip = strip(sight.alone ? distance : farthest, depth);
+  sight.depth_error = (16 * u + turn_) * distance;
+  sight.slope = face_.normal_Me.cross(slave_normal).stableNorm() / std::abs(face_.normal_Me.dot(slave_normal));
+  sight.uncertain = uncertain_area(part, farthest);
+  double sine = 0;  // at the deepest corner
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const SeenPoint &a = part[i], &b = part[(i + 1) % part.size()], &before = part[(i + part.size() - 1) % part.size()];
+    const double side = (b - a).head<2>().stableNorm(), other_side = (before - a).head<2>().stableNorm();
+    sight.outline += side;
+    sight.area += cross(a - part[0], b - part[0]) / 2;
+    if (a.z() <= sight.depth_error && b.z() <= sight.depth_error) sight.fold += side;
+    sight.at_lowest = i == 0 ? a.z() : std::min(sight.at_lowest, a.z());
+    if (a.z() <= sight.at_tip) continue;
+    sight.at_tip = a.z();
+    sine = std::abs(cross(b - a, before - a)) / (side * other_side);
+  }
+  sight.outline += 8 * sight.strip;
+  sight.width = std::min(sight.outline / 2, face_.longest);
+  const double shift = times(sight.slope, 2 * sight.strip);
+  sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + shift);
+  sight.tip_error = sine > 0 ? sight.depth_error + shift / sine : sight.at_tip;
+  return sight;
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "compare/rounded_faces.h"
+
+namespace pcm::compare {
+
+/// What a master face sees of a slave face, in double precision, and how far off a right engine may see it.
+struct Sight {
+  bool alone = true;       ///< surely no other face hides any of it
+  double strip = 0;        ///< an edge may be off by as much, m
+  double uncertain = 0;    ///< a part of no more area may be dropped, m^2
+  double area = 0;         ///< of what nothing but the border of both and depth 0 limits, m^2
+  double depth_error = 0;  ///< at a point of the plane, without any shift of it, m
+  double slope = 0;        ///< of the depth
+  double outline = 0;      ///< its border, m
+  double fold = 0;         ///< the part of that where the depth is 0, m
+  double width = 0;        ///< no two points of it are farther apart, m
+  double deepest = 0;      ///< there, m
+  double at_tip = 0;       ///< the depth of its deepest corner, m
+  double at_lowest = 0;    ///< and of its least deep one, m
+  double tip_error = 0;    ///< what strips may take from that, m
+};
+
+/// The rounded problem as one master face sees it: every vertex by two lengths in the master's plane and its depth.
+class MasterView {
+ public:
+  /// Only for a master of area > 0. O(n) in the vertices. The faces must outlive this.
+  MasterView(const RoundedFaces& faces, Side master, Index master_face);
+
+  Side master() const { return master_; }
+  Index master_face() const { return master_face_; }
+  /// How far off the direction of the penetration lines may be, as an angle.
+  double turn() const { return turn_; }
+  /// O(n) in the faces.
+  Sight sight(Index slave_face) const;
+
+ private:
+  /// A point of the master's plane in lengths along two directions at right angles, m, and a depth, m.
+  using SeenPoint = Eigen::Vector3d;
+  using SeenFace = std::array<SeenPoint, 3>;
+  struct Extent {
+    Eigen::Array3d low, high;  ///< m
+  };
+
+  SeenFace seen(Side side, Index face) const;
+  static Extent extent(std::span<const SeenPoint> polygon);
+  /// What the master sees of a face at a depth >= 0.
+  std::vector<SeenPoint> seen_part(const SeenFace& slave) const;
+  /// Whether a side of a has all corners of b on its far side, by more than `strip` or shared with it: no right engine
+  /// takes these faces to overlap.
+  bool side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const;
+  /// Whether the lines surely meet b only after a, by its plane or by that of a.
+  bool behind(Side side_b, Index b, Side side_a, Index a) const;
+  /// Which side of a's plane all corners of b lie on that a has not, as the lines run: 1 beyond it, -1 before it, 0
+  /// where roundings can't tell or on both.
+  int side_of_plane(Side side_a, Index a, Side side_b, Index b) const;
+  bool may_be_hidden(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
+  double uncertain_area(const std::vector<SeenPoint>& part, double farthest) const;
+  double strip(double distance, double depth) const;
+
+  const RoundedFaces& faces_;
+  Side master_;
+  Index master_face_;
+  RoundedFaces::Face face_;
+  double turn_;      ///< rad
+  double thinness_;  ///< longest side over the height above it
+  SeenFace own_;
+  std::array<std::vector<SeenPoint>, 2> vertices_;  ///< of E and F
+};
+
+}  // namespace pcm::compare
