@@ -11,10 +11,6 @@ namespace {
 
 constexpr double u = kRoundoff;
 
-/// As many parts of an element may be dropped or kept where other faces may hide some of it: one by each cut, of which
-/// the engine promises anything for no more than these (fast/visible_parts.h).
-constexpr double kParts = 34;
-
 /// Strips lie on either side of a line.
 double strips_along(double length, double strip) {
   return 2 * strip * (length + 4 * strip);
@@ -30,7 +26,8 @@ double tip_at_least(const reference::Element& e, const Sight& seen, double area_
   const double beside = missing < all ? std::sqrt(missing / all) : 1;
   const double loss = kHigherOrder * seen.depth_error + beside * (seen.at_tip - seen.at_lowest);
   const double where_hidden = seen.at_tip - kHigherOrder * loss;
-  return seen.alone ? std::max(where_hidden, e.greatest_penetration - kHigherOrder * seen.tip_error) : where_hidden;
+  return seen.hiders == 0 ? std::max(where_hidden, e.greatest_penetration - kHigherOrder * seen.tip_error)
+                          : where_hidden;
 }
 
 }  // namespace
@@ -55,7 +52,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   const double edgewise = 4 * seen.strip * seen.strip / std::abs(e.cosine);
   const double moved = strips_along(around, seen.strip) + edgewise + (16 * u + view.turn()) * e.area;
   const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
-  const double strips = moved + (seen.alone ? 0 : folds + kParts * seen.uncertain);
+  const double strips = moved + (seen.hiders == 0 ? 0 : folds + seen.neglected);
   const double at_depth_0 =
       seen.fold > 0 ? std::min(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
   errors.area = strips + at_depth_0;
@@ -85,7 +82,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
 
 double ClippedBounds::sliver_area(const fast::Element& e) const {
   const Sight seen = MasterView(faces_, e.master, e.master_face).sight(e.slave_face);
-  return kHigherOrder * (strips_along(2 * seen.outline, seen.strip) + kParts * seen.uncertain);
+  return kHigherOrder * (strips_along(2 * seen.outline, seen.strip) + seen.neglected);
 }
 
 double ClippedBounds::sliver_depth(const fast::Element& e) const {

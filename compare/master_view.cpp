@@ -133,10 +133,11 @@ bool MasterView::behind(Side side_b, Index b, Side side_a, Index a) const {
   return side_of_plane(side_a, a, side_b, b) > 0 || side_of_plane(side_b, b, side_a, a) < 0;
 }
 
-bool MasterView::may_be_hidden(Index slave_face, const std::vector<SeenPoint>& part, double strip) const {
+MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const {
   const Side slave = other(master_);
   const Extent of_part = extent(part);
   const Eigen::Array3d margin(strip, strip, strip);
+  Hiders hiders;
   for (const Side side : {Side::E, Side::F}) {
     const std::size_t count = faces_.surface(side).mesh.faces.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -149,15 +150,32 @@ bool MasterView::may_be_hidden(Index slave_face, const std::vector<SeenPoint>& p
       if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
           side_parts(side, face, slave, slave_face, strip) || behind(side, face, slave, slave_face))
         continue;
-      return true;
+      ++hiders.count;
+      for (const SeenPoint& x : seen(side, face)) {
+        hiders.distance = std::max(hiders.distance, x.stableNorm());
+        hiders.place = std::max(hiders.place, place_error(x));
+      }
     }
   }
-  return false;
+  return hiders;
+}
+
+double MasterView::place_error(const SeenPoint& x) const {
+  const SeenPoint first = own_[1] - own_[0], second = own_[2] - own_[0];
+  const double doubled_area = cross(first, second);
+  const double s = std::abs(cross(x, second) / doubled_area), t = std::abs(cross(first, x) / doubled_area);
+  const double distance = (1 + s) * first.stableNorm() + (1 + t) * second.stableNorm() + std::abs(x.z());
+  return std::min(kHigherOrder * turn_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.reach());
 }
 
 // A part is dropped where its area in (s, t) is less than its extent in t times the uncertainty of s, and the reverse:
-// how far off places may be times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t.
-double MasterView::uncertain_area(const std::vector<SeenPoint>& part, double farthest) const {
+// the place error times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t, so where it has no more area than 2
+// q times the place error and its diameter, q = |p1 - p0| |p2 - p0| / 2A. A convex set has no less than half its
+// diameter times its least width, and a polygon's least width is that from one of its sides: so the part lies in a
+// strip no wider than 4 q times the place error along one of the lines that made it. Those are the sight's own, seven
+// at most, with all parts on one side, and five of each face that hides something, with parts on both. A single face
+// leaves no more than five parts.
+void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, Sight& sight) const {
   const SeenPoint first = own_[1] - own_[0], second = own_[2] - own_[0];
   const double doubled_area = cross(first, second);
   double low_s = 0, high_s = 0, low_t = 0, high_t = 0;
@@ -169,32 +187,32 @@ double MasterView::uncertain_area(const std::vector<SeenPoint>& part, double far
     low_t = i == 0 ? t : std::min(low_t, t);
     high_t = i == 0 ? t : std::max(high_t, t);
   }
-  // MasterPrism::uncertainty: weights are 0 or 1 at p0 and change by the perimeter over 2 A and length.
-  const double perimeter = first.stableNorm() + (own_[2] - own_[1]).stableNorm() + second.stableNorm();
-  const double weights = 1 + times(perimeter / std::abs(doubled_area), farthest);
-  const double place =
-      std::min(2 * turn_ * farthest + 16 * u * (4 * face_.longest * (1 + weights) + farthest), 64 * u * faces_.reach());
-  return place * ((high_t - low_t) * second.stableNorm() + (high_s - low_s) * first.stableNorm());
+  sight.uncertain = place * ((high_t - low_t) * second.stableNorm() + (high_s - low_s) * first.stableNorm());
+  if (sight.hiders == 0) return;
+  const double width = 4 * place * first.stableNorm() * second.stableNorm() / std::abs(doubled_area);
+  sight.neglected = (7 + 10 * sight.hiders) * width * (sight.width + 2 * width);
+  if (sight.hiders == 1) sight.neglected = std::min(sight.neglected, 5 * sight.uncertain);
 }
 
 Sight MasterView::sight(Index slave_face) const {
   const SeenFace slave = seen(other(master_), slave_face);
   const Eigen::Vector3d& slave_normal = faces_.face(other(master_), slave_face).normal_Me;
-  double distance = 0, depth = 0, greatest = 0;
+  double distance = 0, depth = 0, greatest = 0, place = 0;
   for (const SeenPoint& x : slave) {
     distance = std::max(distance, face_.longest + x.stableNorm());
     depth = std::max(depth, std::abs(x.z()));
     greatest = std::max(greatest, x.z());
+    place = std::max(place, place_error(x));
   }
   // A face that hides something of the slave's lies over the master somewhere, not deeper than that one.
   const double farthest = std::max(distance, 2 * face_.longest + depth + faces_.longest_side());
   const std::vector<SeenPoint> part = seen_part(slave);
   Sight sight;
-  sight.alone = part.empty() || !may_be_hidden(slave_face, part, strip(farthest, depth));
-  sight.strip = strip(sight.alone ? distance : farthest, depth);
+  const Hiders hiders = part.empty() ? Hiders{} : find_hiders(slave_face, part, strip(farthest, depth));
+  sight.hiders = hiders.count;
+  sight.strip = strip(std::max(distance, face_.longest + hiders.distance), depth);
   sight.depth_error = (16 * u + turn_) * distance;
   sight.slope = face_.normal_Me.cross(slave_normal).stableNorm() / std::abs(face_.normal_Me.dot(slave_normal));
-  sight.uncertain = uncertain_area(part, farthest);
   double sine = 0;  // at the deepest corner
   for (std::size_t i = 0; i < part.size(); ++i) {
     const SeenPoint &a = part[i], &b = part[(i + 1) % part.size()], &before = part[(i + part.size() - 1) % part.size()];
@@ -209,6 +227,7 @@ Sight MasterView::sight(Index slave_face) const {
   }
   sight.outline += 8 * sight.strip;
   sight.width = std::min(sight.outline / 2, face_.longest);
+  add_uncertain_areas(part, std::max(place, hiders.place), sight);
   const double shift = times(sight.slope, 2 * sight.strip);
   sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + shift);
   sight.tip_error = sine > 0 ? sight.depth_error + shift / sine : sight.at_tip;

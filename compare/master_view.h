@@ -13,9 +13,10 @@ namespace pcm::compare {
 
 /// What a master face sees of a slave face, in double precision, and how far off a right engine may see it.
 struct Sight {
-  bool alone = true;       ///< surely no other face hides any of it
+  int hiders = 0;          ///< no more other faces may hide any of it
   double strip = 0;        ///< an edge may be off by as much, m
   double uncertain = 0;    ///< a part of no more area may be dropped, m^2
+  double neglected = 0;    ///< parts that are dropped, or kept though hidden, have in all no more, m^2
   double area = 0;         ///< of what nothing but the border of both and depth 0 limits, m^2
   double depth_error = 0;  ///< at a point of the plane, without any shift of it, m
   double slope = 0;        ///< of the depth
@@ -45,6 +46,12 @@ class MasterView {
   /// A point of the master's plane in lengths along two directions at right angles, m, and a depth, m.
   using SeenPoint = Eigen::Vector3d;
   using SeenFace = std::array<SeenPoint, 3>;
+  /// Faces that may hide something of a slave face.
+  struct Hiders {
+    int count = 0;
+    double distance = 0;  ///< no corner of theirs is farther from p0, m
+    double place = 0;     ///< nor worse placed, m
+  };
   struct Extent {
     Eigen::Array3d low, high;  ///< m
   };
@@ -61,8 +68,10 @@ class MasterView {
   /// Which side of a's plane all corners of b lie on that a has not, as the lines run: 1 beyond it, -1 before it, 0
   /// where roundings can't tell or on both.
   int side_of_plane(Side side_a, Index a, Side side_b, Index b) const;
-  bool may_be_hidden(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
-  double uncertain_area(const std::vector<SeenPoint>& part, double farthest) const;
+  Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
+  /// How far off a point may be seen by MasterPrism::uncertainty, m.
+  double place_error(const SeenPoint& point) const;
+  void add_uncertain_areas(const std::vector<SeenPoint>& part, double place, Sight& sight) const;
   double strip(double distance, double depth) const;
 
   const RoundedFaces& faces_;

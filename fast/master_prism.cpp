@@ -80,7 +80,8 @@ MasterPrism::MasterPrism(const FaceGeometry& face)
       edge_s_Me_(face.points_Me[1] - face.points_Me[0]),
       edge_t_Me_(face.points_Me[2] - face.points_Me[0]),
       inverse_twice_area_(1 / (2 * face.area)),
-      longest_(2 * (edge_s_Me_.cwiseAbs() + edge_t_Me_.cwiseAbs()).maxCoeff()),
+      length_s_(length(edge_s_Me_)),
+      length_t_(length(edge_t_Me_)),
       // 4 u for the roundings of n itself, twice all of it to be safe; a needle's normal is no worse than others'.
       tilt_(8 * 0x1p-53 * (1 + std::min(product_of_sides(face.points_Me) * inverse_twice_area_, 1 / kNeedle))) {
   for (std::size_t k = 0; k < 3; ++k) {

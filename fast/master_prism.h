@@ -80,9 +80,9 @@ class MasterPrism {
   static constexpr double kPlaceError = 16 * 0x1p-53;  ///< of a distance from p0: for its roundings and a cut's
 
   /// How far off a point may be seen, m. A turn of the lines by an angle moves a point by that times its depth, and no
-  /// more but relative to itself.
+  /// more but relative to itself. No corner is farther from the point than `distance` and its depth.
   double place_error(const PrismPoint& point) const {
-    const double distance = longest_ * (1 + std::abs(point[0]) + std::abs(point[1]) + std::abs(point[2]));
+    const double distance = (1 + std::abs(point[kS])) * length_s_ + (1 + std::abs(point[kT])) * length_t_;
     const double depth = std::abs(point[kDepth]);
     return 2 * tilt_ * depth + kPlaceError * (distance + depth);
   }
@@ -104,7 +104,7 @@ class MasterPrism {
   std::array<PrismPoint, 3> gradient_, origin_;
   Eigen::Vector3d N_magnitude_;  ///< N with every term taken absolutely, m^2
   double inverse_twice_area_;    ///< 1 / m^2
-  double longest_;               ///< twice the greatest |coordinate difference| of a side from p0, at least a side, m
+  double length_s_, length_t_;   ///< of the sides from p0, m
   double tilt_;
 };
 
