@@ -21,7 +21,7 @@ struct BoundedLoad {
   Eigen::Vector3d torque_bound_Me = Eigen::Vector3d::Zero();  ///< N m
 };
 
-/// Of an answer of the engine, which must have been asked for its bound: off from the exact problem's load.
+/// Of an answer of the engine with its bound: off from the exact problem's load.
 BoundedLoad load_of(const fast::Contact& contact);
 /// Of an answer of the oracle, whose numbers are correctly rounded: off from its problem's load.
 BoundedLoad load_of(const reference::Answer& answer);
