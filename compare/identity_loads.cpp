@@ -72,13 +72,6 @@ Eigen::Matrix3d axes_turned(std::uint64_t number) {
   return A;
 }
 
-/// Of two ascending lists, ascending.
-std::vector<Index> merged(const std::array<const std::vector<Index>*, 2>& lists) {
-  std::vector<Index> all;
-  std::merge(lists[0]->begin(), lists[0]->end(), lists[1]->begin(), lists[1]->end(), std::back_inserter(all));
-  return all;
-}
-
 }  // namespace
 
 BoundedLoad load_of(const fast::Contact& contact) {
@@ -176,15 +169,61 @@ bool is_closed_and_embedded(const TriangleMesh& mesh) {
   return SurfaceFeatures(mesh).closed && reference::self_intersections(mesh).empty();
 }
 
-SplitMasterFaces::SplitMasterFaces(const TriangleMesh& slave, const Lists& whole, const Lists& parts)
-    : all_(is_closed_and_embedded(slave)), whole_(merged(whole)), parts_(merged(parts)) {}
+SplitMesh quartered(const TriangleMesh& mesh) {
+  SplitMesh result{split(mesh), {}};
+  for (std::size_t part = 0; part < result.mesh.faces.size(); ++part)
+    result.whole.push_back(static_cast<Index>(part / 4));
+  return result;
+}
 
-bool SplitMasterFaces::carries_the_same(Index whole_face) const {
-  if (all_) return true;
-  const bool active = std::binary_search(whole_.begin(), whole_.end(), whole_face);
-  const auto first = std::lower_bound(parts_.begin(), parts_.end(), 4 * whole_face);
-  const auto end = std::lower_bound(first, parts_.end(), 4 * whole_face + 4);
-  return end - first == (active ? 4 : 0);
+SplitMesh halved(const TriangleMesh& mesh, PoseRandom& random) {
+  const SurfaceFeatures features(mesh);
+  std::vector<std::array<Index, 2>> edges;
+  for (const Triangle& face : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back({face[k], face[(k + 1) % 3]});
+  for (std::size_t i = edges.size(); i > 1; --i) std::swap(edges[i - 1], edges[random.below(i)]);
+
+  struct Cut {
+    std::array<Index, 2> edge{};
+    Index middle = -1;
+  };
+  SplitMesh result;
+  result.mesh.name = mesh.name + ", halved";
+  result.mesh.vertices = mesh.vertices;
+  std::vector<Cut> cuts(mesh.faces.size());
+  for (const auto& [a, b] : edges) {
+    const std::vector<Index>& faces = features.faces_at({std::min(a, b), std::max(a, b)});
+    const auto is_cut = [&](Index f) { return cuts[static_cast<std::size_t>(f)].middle >= 0; };
+    if (std::any_of(faces.begin(), faces.end(), is_cut)) continue;
+    for (const Index f : faces)
+      cuts[static_cast<std::size_t>(f)] = {{a, b}, static_cast<Index>(result.mesh.vertices.size())};
+    result.mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]) / 2);
+  }
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Cut& cut = cuts[f];
+    for (const Index replaced : cut.edge) {
+      Triangle part = mesh.faces[f];
+      if (cut.middle >= 0) std::replace(part.begin(), part.end(), replaced, cut.middle);
+      result.mesh.faces.push_back(part);
+      result.whole.push_back(static_cast<Index>(f));
+      if (cut.middle < 0) break;
+    }
+  }
+  return result;
+}
+
+SplitMasterFaces::SplitMasterFaces(const TriangleMesh& slave, const std::vector<Index>& whole_of, const Lists& whole,
+                                   const Lists& parts)
+    : same_(static_cast<std::size_t>(whole_of.back()) + 1, true) {
+  if (is_closed_and_embedded(slave)) return;
+  const auto is_in = [](const Lists& lists, Index face) {
+    return std::any_of(lists.begin(), lists.end(), [face](const std::vector<Index>* list) {
+      return std::binary_search(list->begin(), list->end(), face);
+    });
+  };
+  for (std::size_t part = 0; part < whole_of.size(); ++part)
+    if (is_in(parts, static_cast<Index>(part)) != is_in(whole, whole_of[part]))
+      same_[static_cast<std::size_t>(whole_of[part])] = false;
 }
 
 }  // namespace pcm::compare

@@ -55,13 +55,26 @@ bool fit_for_contact(const Posed& posed);
 /// No border, and no face that has more in common with another one than what neighbours share: exact.
 bool is_closed_and_embedded(const TriangleMesh& mesh);
 
-/// Which faces of master E carry in the clipped scheme, elastically, what their four parts carry together (`split`).
+/// A mesh some of whose faces are split in their planes. Faces keep their order, and parts take their face's place.
+struct SplitMesh {
+  TriangleMesh mesh;
+  std::vector<Index> whole;  ///< of each face: the face that it is, or is part of
+};
+
+/// Every face in four (`split`).
+SplitMesh quartered(const TriangleMesh& mesh);
+
+/// Faces halved at the middles of edges, which must be doubles: of edges in an order drawn from `random`, each whose
+/// faces are not yet split.
+SplitMesh halved(const TriangleMesh& mesh, PoseRandom& random);
+
+/// Which faces of master E carry in the clipped scheme, elastically, what their parts carry together.
 ///
 /// The load of a face is the integral of u(x) over it, if it is active (PCM section 6). But for points on finitely many
 /// lines, u(x) is a matter of both surfaces as sets of oriented points, and of the order of faces that lie on one
 /// another in one plane; splitting changes neither, for parts of different faces keep their faces' order, and a part's
 /// line, at right angles to it, meets none of its face's other parts. So the loads agree of
-/// 1. a face that is active and whose parts are: the four integrals add up;
+/// 1. a face that is active and whose parts are: the integrals add up;
 /// 2. a face that is not active, and none of whose parts is: both carry nothing;
 /// 3. any face, if the slave is closed and no face of it touches another one but as neighbours. Its winding number is
 ///    then 0 or 1 beside its faces. Where u(x) > 0 the line leaves the slave at f, so x is inside; so the part of the
@@ -73,20 +86,20 @@ bool is_closed_and_embedded(const TriangleMesh& mesh);
 /// carry nothing.
 class SplitMasterFaces {
  public:
-  /// Active faces of E whole and in parts.
+  /// Active faces of E whole and in parts; of the latter `whole_of` says what they are parts of.
   template <class ActiveArea>
-  SplitMasterFaces(const TriangleMesh& slave, const ActiveArea& whole, const ActiveArea& parts)
-      : SplitMasterFaces(slave, {&whole.intersected, &whole.inner}, {&parts.intersected, &parts.inner}) {}
+  SplitMasterFaces(const TriangleMesh& slave, const std::vector<Index>& whole_of, const ActiveArea& whole,
+                   const ActiveArea& parts)
+      : SplitMasterFaces(slave, whole_of, {&whole.intersected, &whole.inner}, {&parts.intersected, &parts.inner}) {}
 
-  bool carries_the_same(Index whole_face) const;
+  bool carries_the_same(Index whole_face) const { return same_[static_cast<std::size_t>(whole_face)]; }
 
  private:
   using Lists = std::array<const std::vector<Index>*, 2>;
-  SplitMasterFaces(const TriangleMesh& slave, const Lists& whole, const Lists& parts);
+  SplitMasterFaces(const TriangleMesh& slave, const std::vector<Index>& whole_of, const Lists& whole,
+                   const Lists& parts);
 
-  bool all_ = false;
-  std::vector<Index> whole_;  ///< active faces, ascending
-  std::vector<Index> parts_;
+  std::vector<bool> same_;  ///< by whole face
 };
 
 }  // namespace pcm::compare

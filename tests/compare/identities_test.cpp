@@ -55,11 +55,12 @@ TEST(Identities, EmbeddedSurfacesNeitherFoldNorEnd) {
 // crossed, and carry nothing though their lines meet the sheet.
 TEST(Identities, SplittingAMasterBeforeAnOpenSlaveChangesFacesWithPartsNoLongerActive) {
   const TriangleMesh cube = generate::box({1, 1, 1}), sheet = generate::rectangle(0.5, 0.5);
+  const std::vector<Index> whole_of = quartered(cube).whole;
   fast::ActiveArea whole, parts;
   whole.intersected = {0, 2};
   parts.intersected = {0, 1, 2, 3, 8};
   parts.inner = {9, 10};
-  const SplitMasterFaces open(sheet, whole, parts), closed(cube, whole, parts);
+  const SplitMasterFaces open(sheet, whole_of, whole, parts), closed(cube, whole_of, whole, parts);
   EXPECT_TRUE(open.carries_the_same(0));
   EXPECT_TRUE(open.carries_the_same(1)) << "nothing of it is active";
   EXPECT_FALSE(open.carries_the_same(2)) << "one of its parts is not active";
