@@ -169,6 +169,19 @@ bool is_closed_and_embedded(const TriangleMesh& mesh) {
   return SurfaceFeatures(mesh).closed && reference::self_intersections(mesh).empty();
 }
 
+// a + b is a double if what it rounds off is 0 (Knuth's sum); halving it is exact.
+bool has_exact_middles(const TriangleMesh& mesh) {
+  const auto is_exact = [](double a, double b) {
+    const double sum = a + b, b_part = sum - a;
+    return (a - (sum - b_part)) + (b - b_part) == 0;
+  };
+  for (const Triangle& face : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        if (!is_exact(mesh.vertices[face[k]][j], mesh.vertices[face[(k + 1) % 3]][j])) return false;
+  return true;
+}
+
 SplitMesh quartered(const TriangleMesh& mesh) {
   SplitMesh result{split(mesh), {}};
   for (std::size_t part = 0; part < result.mesh.faces.size(); ++part)

@@ -61,6 +61,9 @@ struct SplitMesh {
   std::vector<Index> whole;  ///< of each face: the face that it is, or is part of
 };
 
+/// Whether the middles of all edges are doubles: else splitting makes another surface, which the oracle sees.
+bool has_exact_middles(const TriangleMesh& mesh);
+
 /// Every face in four (`split`).
 SplitMesh quartered(const TriangleMesh& mesh);
 

@@ -51,6 +51,11 @@ TEST(Identities, EmbeddedSurfacesNeitherFoldNorEnd) {
   EXPECT_FALSE(is_closed_and_embedded(degenerate::open_box({1, 1, 1})));
 }
 
+TEST(Identities, MiddlesOfEdgesAreDoublesOnAGridOnly) {
+  EXPECT_TRUE(has_exact_middles(degenerate::figure_of_eight()));
+  EXPECT_FALSE(has_exact_middles(generate::wedge(30, 1, 1, 4)));
+}
+
 // A cube's face that an open sheet of half its width crosses in its middle: parts beside the sheet's border are not
 // crossed, and carry nothing though their lines meet the sheet.
 TEST(Identities, SplittingAMasterBeforeAnOpenSlaveChangesFacesWithPartsNoLongerActive) {
