@@ -14,7 +14,7 @@ namespace pcm::compare {
 /// How far the two sides of an identity may be apart.
 enum class Sharpness : std::uint8_t {
   bits,      ///< bit for bit
-  rounding,  ///< within the rounding of sums
+  rounding,  ///< within what is derived for the rounding of both
   exact,     ///< equal rational numbers
 };
 

@@ -79,8 +79,7 @@ std::vector<Posed> posed_pairs(std::uint64_t seed, int each) {
         const DrawnPose drawn =
             draw_pose(stratum, features, PoseRandom(seed, static_cast<std::uint64_t>(stratum), k, i));
         poses.push_back({pair.E, pair.F, pair.law, drawn.pose, drawn.velocity,
-                         fmt::format("{}/{}/{}, seed {}", pair.name, name(stratum), i, seed), poses.size(),
-                         pair.made_to_hurt});
+                         fmt::format("{}/{}/{}, seed {}", pair.name, name(stratum), i, seed), poses.size()});
       }
   }
   return poses;
@@ -153,32 +152,6 @@ void expect_within_bounds(Findings& findings, const std::string& what, const fas
   findings.close(what + ", force", (a.force_Me - b.force_Me).norm(), (a.bound->force_Me + b.bound->force_Me).norm());
   findings.close(what + ", torque", (a.torque_Me - b.torque_Me).norm(),
                  (a.bound->torque_Me + b.bound->torque_Me).norm());
-}
-
-RoundingScale rounding_scale(const Posed& posed, const fast::Contact& contact) {
-  double size = posed.pose.r.cwiseAbs().maxCoeff();
-  for (const Eigen::Vector3d& x : posed.E.vertices) size = std::max(size, x.cwiseAbs().maxCoeff());
-  for (const Eigen::Vector3d& x : posed.F.vertices)
-    for (const Eigen::Vector3d& y : {x, ordered_product(posed.pose.A, x)})
-      size = std::max({size, y.cwiseAbs().maxCoeff(), (y + posed.pose.r).cwiseAbs().maxCoeff()});
-  const double area = std::max(contact.E.area, contact.F.area);
-  const double thickness = contact.has_volume && area > 0 ? contact.volume / area : contact.max_penetration;
-  RoundingScale scale;
-  for (const fast::Element& e : contact.elements) {
-    scale.force += e.force_Me.norm();
-    scale.torque += (e.position_Me - posed.pose.r).norm() * e.force_Me.norm();
-  }
-  const double condition = thickness > 0 ? size / thickness : 0;
-  scale.force *= condition;
-  scale.torque *= condition;
-  return scale;
-}
-
-void expect_close(Findings& findings, const std::string& what, const RoundingScale& scale,
-                  const Eigen::Vector3d& force_difference, const Eigen::Vector3d& torque_difference) {
-  // DESIGN section 3 measures rounding by 1e-13 S / p; two answers are compared, so twice that.
-  findings.close(what + ", force", force_difference.norm(), 2e-13 * scale.force);
-  findings.close(what + ", torque", torque_difference.norm(), 2e-13 * scale.torque);
 }
 
 TriangleMesh reordered(const TriangleMesh& mesh, PoseRandom& random) {

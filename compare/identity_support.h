@@ -22,9 +22,8 @@ struct Posed {
   ContactLaw law;
   Pose pose;
   Velocity velocity;
-  std::string where;          ///< pair, stratum, number and seed
-  std::uint64_t stream;       ///< of further random numbers
-  bool made_to_hurt = false;  ///< as its pair is
+  std::string where;     ///< pair, stratum, number and seed
+  std::uint64_t stream;  ///< of further random numbers
 };
 
 /// Poses of the built-in pairs: `each` of every general pair in the strata generic and grazing, and as many of every
@@ -73,18 +72,6 @@ std::string difference(const fast::Contact& a, const fast::Contact& b, const Sim
 /// Records whether two answers to one exact problem, whatever their rounded ones, differ by no more than their own
 /// bounds together. Both must have been asked for theirs.
 void expect_within_bounds(Findings& findings, const std::string& what, const fast::Contact& a, const fast::Contact& b);
-
-/// Sizes that rounding errors are measured by (DESIGN section 3): forces relative to the sum of |F_k|, torques to the
-/// sum of |C_k - r| |F_k|, both times S / p, the greatest coordinate over the thickness of the intersection.
-struct RoundingScale {
-  double force = 0;
-  double torque = 0;
-};
-RoundingScale rounding_scale(const Posed& posed, const fast::Contact& contact);
-
-/// Compares force and torque with what rounding allows.
-void expect_close(Findings& findings, const std::string& what, const RoundingScale& scale,
-                  const Eigen::Vector3d& force_difference, const Eigen::Vector3d& torque_difference);
 
 /// Faces and vertices in another order, drawn from `random`; faces also start at another corner.
 TriangleMesh reordered(const TriangleMesh& mesh, PoseRandom& random);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "fast/geometry.h"
 #include "fast/penetration.h"
@@ -12,6 +13,13 @@
 #include "meshes/bad_input.h"
 
 namespace pcm::compare {
+
+PathForce::PathForce(const fast::Pairing& pairing, const PosePath& path) : pairing_(pairing), path_(path) {
+  ContactLaw law = pairing.law();
+  if (law.max_penetration == std::numeric_limits<double>::infinity()) return;
+  law.max_penetration = std::numeric_limits<double>::infinity();
+  unclamped_.emplace(pairing.surface_E(), pairing.surface_F(), law, pairing.mode(), pairing.scheme());
+}
 
 PathSample PathForce::at(const PathPoint& point) {
   PathSample sample;
@@ -38,11 +46,27 @@ PathSample PathForce::at(const PathPoint& point) {
     load.face = element.master_face;
     load.slave_faces.push_back(element.slave_face);
     load.depth = std::max(load.depth, element.penetration);
-    load.clamped = load.clamped || element.penetration == pairing_.law().max_penetration;
     load.force_Me += weight * element.force_Me;
     load.torque_Me += weight * (element.position_Me - sample.pose.r).cross(element.force_Me);
   }
+  if (unclamped_) mark_clamped(sample, *contact);
   return sample;
+}
+
+// Clamping is done point by point (PCM section 6): the mean penetration of an element tells nothing of how deep it is
+// where it is deepest. But clamping takes something from the mean where some of the element lies deeper, if that is
+// more than a rounding; and an element nowhere so deep is computed by the same operations under either law. Both
+// answers have the same elements, for the law has no say in which slave face a point of the master sees.
+void PathForce::mark_clamped(PathSample& sample, const fast::Contact& contact) {
+  Wanted wanted;
+  wanted.polygons = wanted.areas = false;
+  const fast::Contact& free = fast::evaluate(*unclamped_, sample.pose, {}, wanted, unclamped_workspace_);
+  auto load = sample.loads.begin();
+  for (std::size_t i = 0; i < contact.elements.size(); ++i) {
+    const fast::Element& element = contact.elements[i];
+    while (load->master != element.master || load->face != element.master_face) ++load;
+    load->clamped = load->clamped || element.penetration != free.elements.at(i).penetration;
+  }
 }
 
 IdleFace PathForce::why_idle(Side master, Index face) {

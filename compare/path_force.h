@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compare/pose_path.h"
@@ -15,7 +16,7 @@ struct FaceLoad {
   Index face = 0;
   std::vector<Index> slave_faces;  ///< those its penetration lines leave through, ascending; one if barycentric
   double depth = 0;                ///< the greatest of its elements' penetrations, clamped, m
-  bool clamped = false;            ///< some element is as deep as the law's max_penetration lets it be
+  bool clamped = false;            ///< some element is deeper than the law's max_penetration, at least in part
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on E about Mf, N m
 
@@ -49,7 +50,7 @@ struct IdleFace {
 /// Evaluates a pairing by the engine along a path, at rest: the elastic force alone. Not for several threads at once.
 class PathForce {
  public:
-  PathForce(const fast::Pairing& pairing, const PosePath& path) : pairing_(pairing), path_(path) {}
+  PathForce(const fast::Pairing& pairing, const PosePath& path);
 
   /// Throws BadInput, naming the place, where the engine refuses the pose.
   PathSample at(const PathPoint& point);
@@ -59,13 +60,18 @@ class PathForce {
 
   const fast::Pairing& pairing() const { return pairing_; }
   const PosePath& path() const { return path_; }
+  /// Calls of `at`.
   std::int64_t evaluations() const { return evaluations_; }
 
  private:
+  void mark_clamped(PathSample& sample, const fast::Contact& contact);
+
   const fast::Pairing& pairing_;
   const PosePath& path_;
   fast::Workspace workspace_;
   std::int64_t evaluations_ = 0;
+  std::optional<fast::Pairing> unclamped_;  ///< the same without max_penetration, where the law has one
+  fast::Workspace unclamped_workspace_;
 };
 
 }  // namespace pcm::compare

@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
+#include "compare/path_force.h"
 #include "compare/path_work.h"
 #include "meshes/bad_input.h"
 #include "meshes/generate_boxes.h"
@@ -311,6 +313,23 @@ TEST(PosePath, MatricesThatAreRotationsToOnePartInABillionOnlyAreJoinedWithoutAS
 
 TEST(PosePath, OnePoseIsNoPath) {
   EXPECT_THROW(PosePath({Pose()}), BadInput);
+}
+
+// A wedge dips 1/5 into a block: penetrations from 0 to 1/5, means of 1/10.
+TEST(PathForce, AFaceIsClampedWhereSomeOfItIsTooDeepThoughItsMeanIsNot) {
+  const auto clamped_faces = [](Scheme scheme, double max_penetration) {
+    const fast::Pairing pair =
+        pairing(generate::box({-2, -2, -1}, {2, 2, 0}), generate::wedge(45, 1, 1), Mode::E, scheme, max_penetration);
+    const PosePath path({at(0, 0, -0.2), at(0, 0, -0.1)});
+    const PathSample sample = PathForce(pair, path).at({0, 0});
+    EXPECT_FALSE(sample.loads.empty());
+    return std::count_if(sample.loads.begin(), sample.loads.end(), [](const FaceLoad& load) { return load.clamped; });
+  };
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(clamped_faces(Scheme::clipped, 0.15), 2) << "both triangles of the block's top";
+  EXPECT_EQ(clamped_faces(Scheme::clipped, 0.05), 2);
+  EXPECT_EQ(clamped_faces(Scheme::clipped, 0.25), 0);
+  EXPECT_EQ(clamped_faces(Scheme::clipped, kNone), 0);
 }
 
 }  // namespace
