@@ -110,6 +110,18 @@ bool MasterView::side_parts(Side side_a, Index a, Side side_b, Index b, double s
   return false;
 }
 
+bool MasterView::side_parts(Side side, Index face, const std::vector<SeenPoint>& polygon, double strip) const {
+  const SeenFace corners = seen(side, face);
+  const double sign = cross(corners[1] - corners[0], corners[2] - corners[0]) < 0 ? -1 : 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SeenPoint along = corners[(k + 1) % 3] - corners[k];
+    const double margin = strip * along.head<2>().stableNorm();
+    const auto is_beyond = [&](const SeenPoint& x) { return sign * cross(along, x - corners[k]) < -margin; };
+    if (std::all_of(polygon.begin(), polygon.end(), is_beyond)) return true;
+  }
+  return false;
+}
+
 int MasterView::side_of_plane(Side side_a, Index a, Side side_b, Index b) const {
   const RoundedFaces::Face plane = faces_.face(side_a, a);
   const Eigen::Vector3d& a0 = faces_.corner(side_a, a, 0);
@@ -148,7 +160,8 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
       if ((of_face.high.head<2>() < of_part.low.head<2>() - margin.head<2>()).any()) continue;
       if (of_face.high.z() < -strip) continue;
       if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
-          side_parts(side, face, slave, slave_face, strip) || behind(side, face, slave, slave_face))
+          side_parts(side, face, slave, slave_face, strip) || side_parts(side, face, part, strip) ||
+          behind(side, face, slave, slave_face))
         continue;
       ++hiders.count;
       for (const SeenPoint& x : seen(side, face)) {
@@ -168,13 +181,14 @@ double MasterView::place_error(const SeenPoint& x) const {
   return std::min(kHigherOrder * turn_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.reach());
 }
 
-// A part is dropped where its area in (s, t) is less than its extent in t times the uncertainty of s, and the reverse:
-// the place error times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t, so where it has no more area than 2
-// q times the place error and its diameter, q = |p1 - p0| |p2 - p0| / 2A. A convex set has no less than half its
-// diameter times its least width, and a polygon's least width is that from one of its sides: so the part lies in a
-// strip no wider than 4 q times the place error along one of the lines that made it. Those are the sight's own, seven
-// at most, with all parts on one side, and five of each face that hides something, with parts on both. A single face
-// leaves no more than five parts.
+// A face is dropped where what is seen of it has less area in (s, t) than its extent in t times the uncertainty of s,
+// and the reverse: the place error times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t. So is a part of it
+// where others may hide some, for kSliver times that: where it has no more area than 2 q times such a place error and
+// its diameter, q = |p1 - p0| |p2 - p0| / 2A. A convex set has no less than half its diameter times its least width,
+// and a polygon's least width is that from one of its sides: so the part lies in a strip no wider than 4 q times that
+// error along one of the lines that made it. Those are the sight's own, seven at most, with all parts on one side, and
+// five of each face that hides something, with parts on both. A single face leaves no more than five parts. Strips that
+// right roundings show between faces that hide what lies behind both are as wide as lines are off.
 void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, Sight& sight) const {
   const SeenPoint first = own_[1] - own_[0], second = own_[2] - own_[0];
   const double doubled_area = cross(first, second);
@@ -189,9 +203,10 @@ void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double 
   }
   sight.uncertain = place * ((high_t - low_t) * second.stableNorm() + (high_s - low_s) * first.stableNorm());
   if (sight.hiders == 0) return;
-  const double width = 4 * place * first.stableNorm() * second.stableNorm() / std::abs(doubled_area);
-  sight.neglected = (7 + 10 * sight.hiders) * width * (sight.width + 2 * width);
-  if (sight.hiders == 1) sight.neglected = std::min(sight.neglected, 5 * sight.uncertain);
+  const double width = 4 * fast::kSliver * place * first.stableNorm() * second.stableNorm() / std::abs(doubled_area);
+  const double dropped = (7 + 10 * sight.hiders) * width * (sight.width + 2 * width);
+  sight.neglected = sight.hiders == 1 ? std::min(dropped, 5 * fast::kSliver * sight.uncertain)
+                                      : dropped + 10 * sight.hiders * sight.strip * sight.width;
 }
 
 Sight MasterView::sight(Index slave_face) const {

@@ -63,6 +63,8 @@ class MasterView {
   /// Whether a side of a has all corners of b on its far side, by more than `strip` or shared with it: no right engine
   /// takes these faces to overlap.
   bool side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const;
+  /// Whether a side of the face has all of the polygon on its far side, by more than `strip`.
+  bool side_parts(Side side, Index face, const std::vector<SeenPoint>& polygon, double strip) const;
   /// Whether the lines surely meet b only after a, by its plane or by that of a.
   bool behind(Side side_b, Index b, Side side_a, Index a) const;
   /// Which side of a's plane all corners of b lie on that a has not, as the lines run: 1 beyond it, -1 before it, 0

@@ -210,7 +210,7 @@ void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<Conve
     hidden.add(where_not_negative(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
   }
   const Uncertainty &of_f = f.projected.uncertainty, &of_g = g.projected.uncertainty;
-  subtract(hidden, {std::max(of_f.s, of_g.s), std::max(of_f.t, of_g.t)}, parts, remaining, neglect);
+  subtract(hidden, {kSliver * std::max(of_f.s, of_g.s), kSliver * std::max(of_f.t, of_g.t)}, parts, remaining, neglect);
 }
 
 }  // namespace pcm::fast

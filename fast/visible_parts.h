@@ -19,7 +19,7 @@ namespace pcm::fast {
 /// plane, at most 125 q u S, and by the lines' direction, 4 u (1 + q), at most 42 q u S more. The four cuts that shape
 /// a projected face round by 3 u of segments up to 2 q D long, together 125 q u S; a half plane's value at a point by
 /// 42 q u S; each further cut, within the master, by 10 q u S. Strips that are dropped or kept though they are not
-/// certain are as wide as the uncertainty of s and t, 64 u (1 + sqrt(3)) S each: 350 q u S. With no more than 34
+/// certain are no wider than the uncertainty of s and t, 64 u (1 + sqrt(3)) S each: 350 q u S. With no more than 34
 /// further cuts that is delta = kPlaceRoundings q u S.
 ///
 /// Depths. A height has kFilterRelative of its terms, which is 47 q u S of depth, the lines' direction and the four
@@ -42,6 +42,10 @@ namespace pcm::fast {
 /// off by the sum over the elements times the stiffness, however many of them there are.
 inline constexpr double kPlaceRoundings = 1024;
 inline constexpr double kDepthRoundings = 512;
+
+/// Parts no wider than this part of what makes a face certain are dropped where faces are cut by others: about as wide
+/// as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.
+inline constexpr double kSliver = 1.0 / 16;
 
 /// A face in the prism together with its vertices in Me.
 struct PlacedFace {
@@ -69,8 +73,8 @@ struct Neglect {
 /// before the other is decided exactly where the plane of one has the other on one side, as it has wherever faces share
 /// a vertex and wherever they do not intersect; the part taken is exact but for roundings.
 ///
-/// Parts that are not certain to have area are dropped, and a part of which g hides nothing certain is not split: it
-/// loses that strip where one part remains, and stays whole where more would. Both change only strips along the borders
+/// Slivers are dropped (kSliver), and a part of which g hides no more than a sliver is not split: it loses that strip
+/// where one part remains, and stays whole where more would. Both change only strips along the borders
 /// of f and g, as wide as these are uncertain. So the parts, which do not overlap, have areas, and are cells between
 /// the sides of those faces that certainly hide some of f: with n of them at most of the order of n^2, and of n where
 /// each meets few of the parts the others leave; `neglect` counts both. Without that, slivers of rounding size along
