@@ -58,6 +58,11 @@ struct ActiveArea {
   double area = 0;     ///< m^2, correctly rounded
   AreaInterval area_interval;
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();
+  /// Area and vector area of the surfaces moved by the tie rule (PCM section 4), in the limit of no move: coplanar
+  /// overlaps are counted where they are moved into the other body. What the engine's areas tend to. The volume is
+  /// the same as without the tie rule, for it is continuous in the vertices.
+  double limit_area = 0;  ///< m^2, correctly rounded
+  Eigen::Vector3d limit_vector_area_Me = Eigen::Vector3d::Zero();
 
   bool operator==(const ActiveArea&) const = default;
 };
