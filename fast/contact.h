@@ -18,7 +18,7 @@ struct Crossing {
   Side edge_side = Side::E;     ///< the surface the edge belongs to; the face belongs to the other
   std::array<Index, 2> edge{};  ///< its end vertices, the smaller index first
   Index face = 0;               ///< the face it passes through
-  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< m; at a degenerate crossing the midpoint of edge and face
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< where the edge meets the plane of the face, m
 };
 
 /// An intersection polygon: `count` crossings from `first` on in Contact::crossings, in the circulation of (5): the

@@ -28,11 +28,8 @@ struct CoplanarOverlap {
 
 /// All such pairs among the candidates. Exact.
 ///
-/// Where the tie rule moves them (PCM section 4: coordinate j of vertex i by eps^(2^(3 i - j)), E's vertices first): a
-/// point of face_E with weights w_i >= 0, sum 1, moves by sum_i w_i (eps^(2^(3 i - 1)), eps^(2^(3 i - 2)),
-/// eps^(2^(3 i - 3))), so along N = face_F's normal by a number with the sign of the first non-zero of N_z, N_y, N_x as
-/// eps -> 0: for each vertex eps^(2^(3 i - 3)) outweighs its squares, and all weights have one sign. Whatever a vertex
-/// of F moves by is of smaller order than all of it, for some w_i >= 1/3. So all of the part moves to one side.
+/// Where the tie rule moves them (PCM section 4): E away from F along face_F's normal N by a number with the sign of
+/// the first non-zero of N_z, N_y, N_x, all of the common part to one side (the proof is in crossing_points.h).
 std::vector<CoplanarOverlap> find_coplanar_overlaps(const ExactPose& pose, const std::vector<IndexPair>& candidates);
 
 }  // namespace pcm::reference
