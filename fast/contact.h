@@ -35,7 +35,9 @@ struct Polygon {
 struct ActiveArea {
   std::vector<Index> intersected;  ///< faces in a crossing pair, ascending
   std::vector<Index> inner;        ///< uncrossed faces inside the other body, ascending
-  double area = 0;  ///< of the clipped active area, m^2; parts the other surface winds about w times count w times
+  /// Of the clipped active area, m^2; parts the other surface winds about w times count w times. What lies in one plane
+  /// with the other's faces counts where the tie rule moves it inside (PCM section 4); the volume does not feel that.
+  double area = 0;
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();  ///< integral of the outward normal over it, m^2
 };
 
