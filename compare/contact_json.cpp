@@ -112,8 +112,11 @@ Json contact_json(const fast::Contact& contact) {
 Json contact_json(const reference::Answer& answer) {
   Json volume = answer.volume ? Json(*answer.volume) : Json();
   Json json = common_json(answer, std::move(volume), answer.elements.size(), Json::object());
-  json["E"]["area_interval"] = interval_json(answer.E.area_interval);
-  json["F"]["area_interval"] = interval_json(answer.F.area_interval);
+  for (const auto& [name, active] : {std::pair("E", &answer.E), std::pair("F", &answer.F)}) {
+    json[name]["area_interval"] = interval_json(active->area_interval);
+    json[name]["limit_area"] = active->limit_area;
+    json[name]["limit_vector_area"] = json_vector(active->limit_vector_area_Me);
+  }
   json["certified"] = answer.certified;
   return json;
 }

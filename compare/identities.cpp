@@ -213,6 +213,7 @@ void prove_areas(const Posed& posed, Findings& findings) {
     if (!proven.applicable) continue;
     findings.same(proven.vector_areas_cancel ? "" : "the vector areas do not cancel");
     findings.same(proven.fluxes_agree ? "" : "the three fluxes differ");
+    findings.same(proven.limit_closes ? "" : "the areas that the tie rule gives do not close");
   }
 }
 

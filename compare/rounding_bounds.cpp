@@ -115,8 +115,8 @@ double RoundingBounds::width_of(Part part, Side side, Index face) const {
 // crossing x moved by s along its edge's direction d, its neighbours p and q on the polygon unmoved, changes
 // - the area of the face it passes through, whose boundary runs p, x, q, by s |d x (q - p)| / 2;
 // - those of its edge's two faces, whose boundaries leave x along the edge, by s |d x (p - x)| / 2 and the same with q;
-// two neighbours moved together by s s' |d x d'| / 2 more. Where an edge lies in the plane of the face, s is as long as
-// the edge but d is parallel to the boundary: the area does not feel it.
+// two neighbours moved together by s s' |d x d'| / 2 more. Where an edge may lie in the plane of the face, s is as long
+// as the edge but d is parallel to the boundary: the area does not feel it.
 //
 // The volume feels less: both areas change along the same boundary, and stay the surface of a body. Moving x to a
 // height h over the plane of the face it passes through changes that body by h |(p - x) x (q - x)| / 6, for the other

@@ -27,10 +27,9 @@ constexpr KindText kTexts[] = {
     {Kind::elements, "the element's area",
      "clipped scheme: a sliver, as narrow as projected edges are uncertain, may come or go"},
     {Kind::crossing_position, "the greatest coordinate", "an edge nearly in the plane of the face it passes through"},
-    {Kind::area, "the area",
-     "a patch no larger than its crossings are uncertain; faces in one plane, where the tie rule gives part of the "
-     "overlap or none"},
-    {Kind::vector_area, "the area", "as the area; slivers, whose normals are uncertain"},
+    {Kind::area, "the area, with all of what lies in one plane with the other body's faces",
+     "a patch no larger than its crossings are uncertain"},
+    {Kind::vector_area, "the same", "as the area; slivers, whose normals are uncertain"},
     {Kind::volume, "the volume", "as the area, over a body hardly thicker than the roundings of its vertices"},
     {Kind::element_area, "the area", "clipped scheme: a narrow part of a face, or a needle"},
     {Kind::element_penetration, "the penetration",

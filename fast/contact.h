@@ -18,7 +18,7 @@ struct Crossing {
   Side edge_side = Side::E;     ///< the surface the edge belongs to; the face belongs to the other
   std::array<Index, 2> edge{};  ///< its end vertices, the smaller index first
   Index face = 0;               ///< the face it passes through
-  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< m; at a degenerate crossing the midpoint of edge and face
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< where the edge meets the plane of the face, m
 };
 
 /// An intersection polygon: `count` crossings from `first` on in Contact::crossings, in the circulation of (5): the
@@ -35,7 +35,9 @@ struct Polygon {
 struct ActiveArea {
   std::vector<Index> intersected;  ///< faces in a crossing pair, ascending
   std::vector<Index> inner;        ///< uncrossed faces inside the other body, ascending
-  double area = 0;  ///< of the clipped active area, m^2; parts the other surface winds about w times count w times
+  /// Of the clipped active area, m^2; parts the other surface winds about w times count w times. What lies in one plane
+  /// with the other's faces counts where the tie rule moves it inside (PCM section 4); the volume does not feel that.
+  double area = 0;
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();  ///< integral of the outward normal over it, m^2
 };
 

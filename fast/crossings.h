@@ -15,9 +15,10 @@ bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_ca
 /// Fills both sides' `edge_crossings`, each edge's list in the order of `order` (indices of crossings).
 void list_crossings_by_edge(Workspace::Data& workspace);
 
-/// Computes the positions of all crossings: edge meets face plane; at a degenerate crossing, where the edge lies in
-/// the plane, the midpoint of closed edge and closed face. Off by a few ulps of the face and edge sizes over the sine
-/// of the angle between them.
+/// Computes the positions of all crossings: edge meets face plane. No edge crosses a face in whose plane it lies, nor a
+/// face without area: the tie rule moves all of E one way off such a plane, by more than anything of F. So positions
+/// are where crossings tend to as the tie rule's move vanishes, and so are all areas made of them. Off by a few ulps of
+/// the face and edge sizes over the sine of the angle between them.
 void locate_crossings(Workspace::Data& workspace);
 
 }  // namespace pcm::fast

@@ -47,8 +47,8 @@ struct AreaInterval {
   bool operator==(const AreaInterval&) const = default;
 };
 
-/// The active area on one surface. Opposite coplanar faces count in neither area, equal ones in E's only;
-/// against an open surface the tie rule decides.
+/// The active area on one surface. In `area` and `vector_area_Me`, opposite coplanar faces count on neither surface,
+/// equal ones on E only, a convention that knows no axes; against an open surface the tie rule decides.
 struct ActiveArea {
   std::vector<Index> intersected;  ///< ascending
   std::vector<Index> inner;        ///< ascending, nested ones included
@@ -58,6 +58,11 @@ struct ActiveArea {
   double area = 0;     ///< m^2, correctly rounded
   AreaInterval area_interval;
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();
+  /// Area and vector area of the surfaces moved by the tie rule (PCM section 4) as its eps -> 0: coplanar overlaps
+  /// count where they are moved into the other body. The rounded problem's are the engine's but for rounding. The
+  /// volume is the same either way, for it is continuous in the vertices.
+  double limit_area = 0;  ///< m^2, correctly rounded
+  Eigen::Vector3d limit_vector_area_Me = Eigen::Vector3d::Zero();
 
   bool operator==(const ActiveArea&) const = default;
 };

@@ -13,11 +13,12 @@
 namespace pcm::reference {
 
 /// A face's clipped area in units of its doubled normal's length |N|: without coplanar overlaps, by the convention
-/// (opposite ones count in neither area, equal ones in E's only), with all of them. Other surface open: nothing, by the
-/// tie rule, the whole face (clipped_areas.h).
+/// (opposite ones count in neither area, equal ones in E's only), with all of them, with those that the tie rule leaves
+/// inside the other body. Other surface open: nothing, by the tie rule, the whole face, by the tie rule
+/// (clipped_areas.h).
 template <class T>
 struct Shares {
-  T open, counted, closed;
+  T open, counted, closed, limit;
 };
 
 template <class T>
@@ -47,13 +48,16 @@ T inside_share(const FaceClip& clip, Side side, LiftedPose<T>& pose) {
 template <class T>
 Shares<T> shares_of(const ClippedAreas& areas, Side side, const FaceClip& clip, const T& from_inside,
                     const LiftedPose<T>& pose) {
-  if (clip.overlaps.empty()) return {from_inside, from_inside, from_inside};
-  if (clip.limited) return {pose.number(0.0), from_inside, pose.number(clip.has_area ? 0.5 : 0.0)};
-  Rational equal = 0, opposite = 0;
-  for (const Index i : clip.overlaps)
-    (areas.overlaps[i].equal_normals ? equal : opposite) += areas.overlaps[i].share(side);
+  if (clip.overlaps.empty()) return {from_inside, from_inside, from_inside, from_inside};
+  if (clip.limited) return {pose.number(0.0), from_inside, pose.number(clip.has_area ? 0.5 : 0.0), from_inside};
+  Rational equal = 0, opposite = 0, inside = 0;
+  for (const Index i : clip.overlaps) {
+    const CoplanarOverlap& overlap = areas.overlaps[i];
+    (overlap.equal_normals ? equal : opposite) += overlap.share(side);
+    if (overlap.inside(side)) inside += overlap.share(side);
+  }
   const T open = from_inside - pose.number(equal);
-  return {open, side == Side::E ? from_inside : open, from_inside + pose.number(opposite)};
+  return {open, side == Side::E ? from_inside : open, from_inside + pose.number(opposite), open + pose.number(inside)};
 }
 
 /// A clipped face: doubled normal N and its shares of |N|.
@@ -62,7 +66,7 @@ struct FaceArea {
   Vec3<T> point;  ///< a corner
   Vec3<T> normal;
   Shares<T> shares;
-  bool overlapped;  ///< by a coplanar face; otherwise all three shares are one
+  bool overlapped;  ///< by a coplanar face; otherwise all four shares are one
 };
 
 template <class T>
@@ -76,18 +80,26 @@ std::vector<FaceArea<T>> face_areas(const ClippedAreas& areas, Side side, Lifted
   return faces;
 }
 
+/// Whether the shares of some face differ.
 template <class T>
-Vec3<T> vector_area(const std::vector<FaceArea<T>>& faces, const LiftedPose<T>& pose) {
+bool any_overlapped(const std::vector<FaceArea<T>>& faces) {
+  return std::any_of(faces.begin(), faces.end(), [](const FaceArea<T>& face) { return face.overlapped; });
+}
+
+template <class T>
+Vec3<T> vector_area(const std::vector<FaceArea<T>>& faces, const LiftedPose<T>& pose,
+                    T Shares<T>::*share = &Shares<T>::counted) {
   Vec3<T> sum = pose.zero();
-  for (const FaceArea<T>& face : faces) sum = sum + face.shares.counted * face.normal;
+  for (const FaceArea<T>& face : faces) sum = sum + face.shares.*share * face.normal;
   return sum;
 }
 
 /// One third of the flux of x - origin through the clipped faces. Over both surfaces: the volume of the intersection.
 template <class T>
-T flux_third(const std::vector<FaceArea<T>>& faces, const Vec3<T>& origin, const LiftedPose<T>& pose) {
+T flux_third(const std::vector<FaceArea<T>>& faces, const Vec3<T>& origin, const LiftedPose<T>& pose,
+             T Shares<T>::*share = &Shares<T>::counted) {
   T sum = pose.number(0.0);
-  for (const FaceArea<T>& face : faces) sum = sum + dot(face.point - origin, face.normal) * face.shares.counted;
+  for (const FaceArea<T>& face : faces) sum = sum + dot(face.point - origin, face.normal) * face.shares.*share;
   return sum / pose.number(3.0);
 }
 

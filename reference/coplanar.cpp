@@ -28,6 +28,13 @@ Rational ratio(const Vec3<Rational>& v, const Vec3<Rational>& n) {
   return dot(v, n) / dot(n, n);
 }
 
+/// Sign of the first non-zero of n_z, n_y, n_x: where the tie rule moves E from a face of F with this normal.
+int tie_rule_side(const Vec3<Rational>& n) {
+  for (const Rational* component : {&n.z, &n.y, &n.x})
+    if (*component != 0) return *component > 0 ? 1 : -1;
+  return 0;
+}
+
 bool in_one_plane(const Orientation& orientation, Index e, Index f) {
   const ExactPose& pose = orientation.pose();
   const Triangle& p = pose.face(Side::E, e);
@@ -61,6 +68,7 @@ std::vector<CoplanarOverlap> find_coplanar_overlaps(const ExactPose& pose, const
     overlap.equal_normals = dot(normal_E, normal_F) > 0;
     overlap.share_E = ratio(area, normal_E);
     overlap.share_F = overlap.equal_normals ? ratio(area, normal_F) : Rational(-ratio(area, normal_F));
+    overlap.E_above_F = tie_rule_side(normal_F) > 0;
     overlap.polygon = std::move(polygon);
     overlaps.push_back(std::move(overlap));
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "reference/crossings.h"
@@ -10,20 +10,25 @@
 
 namespace pcm::reference {
 
-/// Where crossings lie. Regular: the edge meets the face's plane. Degenerate (both ends of the edge in the plane,
-/// before the tie rule): the midpoint of closed edge and closed face, kept as exact numbers; no area depends on that
-/// choice.
+/// Where crossings lie: the edge meets the face's plane.
+///
+/// That is one point, and where the perturbed crossing tends to as the tie rule's eps -> 0: no edge crosses a face in
+/// whose plane it lies, nor a face without area, which is no more than a segment. For let x be a point of E's feature,
+/// with weights w_i at its vertices i, and y one of F's, with any weights. Before the perturbation both features lie in
+/// one plane with a normal n (else a segment and an edge stay apart), so x - y moves along n by
+///   sum_i w_i n . d_i  -  the same of F,   n . d_i = n_j eps^(2^(3 i - j)) (1 + o(1)),   j the last with n_j != 0.
+/// All terms of E have one sign. As some w_i >= 1/3, their sum is at least |n_j| eps^(2^(3 i - j)) / 4 for the last
+/// vertex i of E, and what any vertex of F moves by is of smaller order. So x - y is not 0. (And so PCM section 4's
+/// midpoint is for no crossing.)
 class CrossingPoints {
  public:
-  CrossingPoints(const ExactPose& pose, std::vector<CrossingId> ids);
+  explicit CrossingPoints(std::vector<CrossingId> ids) : ids_(std::move(ids)) {}
 
   const std::vector<CrossingId>& ids() const { return ids_; }
 
   /// Number kinds with division: Rational, Ball, DoubleDouble.
   template <class T>
   Vec3<T> position(Index crossing, LiftedPose<T>& pose) const {
-    if (const auto& midpoint = midpoints_[crossing])
-      return {pose.number(midpoint->x), pose.number(midpoint->y), pose.number(midpoint->z)};
     const CrossingId& id = ids_[crossing];
     const Vec3<T>& a = pose.point({id.edge_side, id.edge[0]});
     const Vec3<T>& b = pose.point({id.edge_side, id.edge[1]});
@@ -35,7 +40,6 @@ class CrossingPoints {
 
  private:
   std::vector<CrossingId> ids_;
-  std::vector<std::optional<Vec3<Rational>>> midpoints_;
 };
 
 }  // namespace pcm::reference

@@ -56,13 +56,18 @@ Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh
   const ExactPose exact_pose(problem, E, F, pose_doubles);
   const ClippedAreas areas = find_combinatorics(exact_pose).clip(exact_pose);
   LiftedPose<Rational> pose(exact_pose);
-  Vec3<Rational> sum{0, 0, 0}, fluxes{0, 0, 0};
+  Vec3<Rational> sum{0, 0, 0}, limit_sum{0, 0, 0}, fluxes{0, 0, 0};
+  Rational limit_volume = 0;
   for (const Side side : {Side::E, Side::F}) {
-    sum = sum + vector_area(face_areas(areas, side, pose), pose);
+    const auto faces = face_areas(areas, side, pose);
+    sum = sum + vector_area(faces, pose);
+    limit_sum = limit_sum + vector_area(faces, pose, &Shares<Rational>::limit);
+    limit_volume += flux_third(faces, pose.zero(), pose, &Shares<Rational>::limit);
     for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) add_fluxes(areas, side, clip, pose, fluxes);
   }
   identities.vector_areas_cancel = sum.x == 0 && sum.y == 0 && sum.z == 0;
   identities.fluxes_agree = fluxes.x == fluxes.y && fluxes.y == fluxes.z;
+  identities.limit_closes = limit_sum.x == 0 && limit_sum.y == 0 && limit_sum.z == 0 && limit_volume == fluxes.x;
   identities.volume = nearest_double(fluxes.x);
   return identities;
 }

@@ -14,6 +14,9 @@ struct Identities {
   bool vector_areas_cancel = false;  ///< the two vector areas sum to exactly zero
   bool fluxes_agree = false;         ///< the fluxes of x n_x, y n_y, z n_z over both areas are one and the same number
   double volume = 0;                 ///< that number, correctly rounded
+  /// With coplanar faces counted as the tie rule has them, the vector areas sum to exactly zero and the volume is the
+  /// same number.
+  bool limit_closes = false;
 };
 
 /// Exact sums grow with the polygon: milliseconds for tens of crossings, seconds for thousands. For tests and proofs.

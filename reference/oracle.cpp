@@ -150,8 +150,7 @@ Solution& Inquiry::Data::solve(Problem problem) {
   if (wanted.polygons) {
     const std::vector<Index> patches =
         group_into_patches(solution->pose, facts.crossings, facts.polygons, facts.E, facts.F);
-    report_polygons(solution->pose, CrossingPoints(solution->pose, facts.crossings.ids), facts.polygons, patches,
-                    answer);
+    report_polygons(solution->pose, CrossingPoints(facts.crossings.ids), facts.polygons, patches, answer);
   }
   if (wanted.areas)
     report_areas(solution->pose, facts.clip(solution->pose), oracle.E.closed && oracle.F.closed && !answer.ambiguous,

@@ -15,32 +15,46 @@ Eigen::Vector3d nearest_doubles(const Vec3<Rational>& v) {
   return {nearest_double(v.x), nearest_double(v.y), nearest_double(v.z)};
 }
 
-/// The three sums of shares times |N|.
+/// The four sums of shares times |N|.
 template <class T>
 void settle_areas(const std::vector<FaceArea<T>>& faces, const Field<T>& field, Settler& settle, ActiveArea& active) {
-  T open = field(0.0), counted = open, closed = open;
+  T open = field(0.0), counted = open, closed = open, limit = open;
   for (const FaceArea<T>& face : faces) {
     const T length = sqrt(dot(face.normal, face.normal));
     const T area = face.shares.counted * length;
     counted = counted + area;
     open = open + (face.overlapped ? face.shares.open * length : area);
     closed = closed + (face.overlapped ? face.shares.closed * length : area);
+    limit = limit + (face.overlapped ? face.shares.limit * length : area);
   }
   settle(counted, active.area);
   settle(open, active.area_interval.open);
   settle(closed, active.area_interval.closed);
+  settle(limit, active.limit_area);
 }
 
-void report_areas(const std::vector<FaceArea<Rational>>& faces, ActiveArea& active) {
-  RadicalSum open, counted, closed;
+template <class T>
+void settle_vector_areas(const std::vector<FaceArea<T>>& faces, const LiftedPose<T>& pose, Settler& settle,
+                         ActiveArea& active) {
+  settle(vector_area(faces, pose), active.vector_area_Me);
+  active.limit_vector_area_Me = active.vector_area_Me;
+  if (any_overlapped(faces)) settle(vector_area(faces, pose, &Shares<T>::limit), active.limit_vector_area_Me);
+}
+
+void report_areas(const std::vector<FaceArea<Rational>>& faces, const LiftedPose<Rational>& pose, ActiveArea& active) {
+  RadicalSum open, counted, closed, limit;
   for (const FaceArea<Rational>& face : faces) {
     const Rational squared_length = dot(face.normal, face.normal);
     counted.add(face.shares.counted, squared_length);
     open.add(face.shares.open, squared_length);
     closed.add(face.shares.closed, squared_length);
+    limit.add(face.shares.limit, squared_length);
   }
   active.area = counted.rounded();
   active.area_interval = {open.rounded(), closed.rounded()};
+  active.limit_area = limit.rounded();
+  active.vector_area_Me = nearest_doubles(vector_area(faces, pose));
+  active.limit_vector_area_Me = nearest_doubles(vector_area(faces, pose, &Shares<Rational>::limit));
 }
 
 template <class T>
@@ -56,8 +70,8 @@ bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, c
   Settler settle;
   settle_areas(E, field, settle, answer.E);
   settle_areas(F, field, settle, answer.F);
-  settle(vector_area(E, pose), answer.E.vector_area_Me);
-  settle(vector_area(F, pose), answer.F.vector_area_Me);
+  settle_vector_areas(E, pose, settle, answer.E);
+  settle_vector_areas(F, pose, settle, answer.F);
   if (answer.volume) {
     const Vec3<T> origin = flux_origin(E, F, pose);
     settle(flux_third(E, origin, pose) + flux_third(F, origin, pose), *answer.volume);
@@ -69,14 +83,12 @@ void report_rational(const ExactPose& pose_doubles, const ClippedAreas& areas, A
   LiftedPose<Rational> pose(pose_doubles);
   const auto E = face_areas(areas, Side::E, pose);
   const auto F = face_areas(areas, Side::F, pose);
-  answer.E.vector_area_Me = nearest_doubles(vector_area(E, pose));
-  answer.F.vector_area_Me = nearest_doubles(vector_area(F, pose));
   if (answer.volume) {
     const Vec3<Rational> origin = flux_origin(E, F, pose);
     answer.volume = nearest_double(flux_third(E, origin, pose) + flux_third(F, origin, pose));
   }
-  report_areas(E, answer.E);
-  report_areas(F, answer.F);
+  report_areas(E, pose, answer.E);
+  report_areas(F, pose, answer.F);
 }
 
 }  // namespace

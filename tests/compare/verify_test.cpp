@@ -165,6 +165,39 @@ TEST(Verdict, AreaOffByOneInABillionIsFlagged) {
       kDeep);
 }
 
+/// Boxes stacked, flush and in one place, in all directions: the engine's areas are those that its tie rule gives, and
+/// no other area that leaves coplanar faces out or counts them in will do.
+TEST(Verdict, AreaThatCountsCoplanarFacesOtherwiseThanTheTieRuleIsFlagged) {
+  const TriangleMesh E = generate::box({0, 0, 0}, {2, 2, 2}),
+                     F = generate::gridded_box({0, 0, 0}, {2, 2, 2}, {2, 3, 1});
+  const Scene scene(E, F, ContactLaw{}, Mode::E);
+  fast::Workspace workspace;
+  int altered = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double distance : {-2.0, -0.75, 0.0, 1.0, 2.0}) {
+      Pose pose;
+      pose.r[axis] = distance;
+      const Question question = scene.question(pose, Velocity{});
+      const reference::Answer truth = scene.oracle().answer(reference::Problem::rounded, pose);
+      const fast::Contact subj = fast::evaluate(scene.engine(), pose, Velocity{}, Wanted{}, workspace);
+      EXPECT_TRUE(disagreements(question, subj, truth).empty()) << axis << ' ' << distance;
+      const reference::AreaInterval& interval = truth.F.area_interval;
+      for (const double area : {interval.open, (interval.open + interval.closed) / 2, interval.closed}) {
+        if (area == truth.F.limit_area) continue;
+        fast::Contact other = subj;
+        other.F.area = area;
+        const std::vector<Disagreement> found = disagreements(question, other, truth);
+        ASSERT_EQ(found.size(), 1U) << axis << ' ' << distance << ' ' << area;
+        EXPECT_EQ(found.front().kind, Kind::area);
+        ++altered;
+      }
+      fast::Contact turned = subj;
+      turned.E.vector_area_Me += Eigen::Vector3d(0, 1e-9, 0);
+      EXPECT_EQ(disagreements(question, turned, truth).size(), 1U);
+    }
+  EXPECT_GE(altered, 30);
+}
+
 TEST(Verdict, FarFromUnitScaleRightAnswersPassAndAlteredOnesAreFlagged) {
   // Squares of forces and areas leave the range of doubles here.
   const SurfacePair pair = small_pair();

@@ -104,6 +104,33 @@ TEST(Orientation, TieRuleHoldsOnCornersOfACubeInAllOrders) {
   }
 }
 
+/// Whether the edge (x[0], x[1]) crosses the face (x[2], x[3], x[4]) (PCM section 4).
+bool crosses(const std::array<Eigen::Vector3d, 5>& x, const std::array<int, 5>& ranks, WorkCounters& work) {
+  const auto side = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+    return orientation({x[i], x[j], x[k], x[l]}, {ranks[i], ranks[j], ranks[k], ranks[l]}, work);
+  };
+  const int turn = side(0, 1, 2, 3);
+  return side(2, 3, 4, 0) != side(2, 3, 4, 1) && side(0, 1, 3, 4) == turn && side(0, 1, 4, 2) == turn;
+}
+
+/// On lattice points of one plane, also collinear and coinciding ones. Whose vertices come first does not matter, but
+/// that all of one body do: with ranks mixed, edges do cross.
+TEST(Orientation, EdgeInThePlaneOfAFaceDoesNotCrossItWhenAllOfOneBodyRanksFirst) {
+  Doubles doubles(15);
+  WorkCounters work;
+  int crossed_when_mixed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto draw = [&] { return Doubles::point([&] { return doubles.small_integer(2); }); };
+    const Eigen::Vector3d u = draw(), v = draw();
+    std::array<Eigen::Vector3d, 5> x;
+    for (Eigen::Vector3d& point : x) point = doubles.small_integer(2) * u + doubles.small_integer(2) * v;
+    ASSERT_FALSE(crosses(x, {1, 2, 3, 4, 5}, work)) << "configuration " << i;
+    ASSERT_FALSE(crosses(x, {4, 5, 1, 2, 3}, work)) << "configuration " << i;
+    crossed_when_mixed += crosses(x, {1, 3, 2, 4, 5}, work);
+  }
+  EXPECT_GT(crossed_when_mixed, 200);
+}
+
 TEST(Orientation, SwappingTwoPointsWithTheirRanksNegates) {
   Doubles doubles(12);
   WorkCounters work;

@@ -26,6 +26,7 @@ void expect_identities(const TriangleMesh& E, const TriangleMesh& F, const Pose&
     EXPECT_TRUE(identities.applicable);
     EXPECT_TRUE(identities.vector_areas_cancel);
     EXPECT_TRUE(identities.fluxes_agree);
+    EXPECT_TRUE(identities.limit_closes);
     EXPECT_EQ(identities.volume, answer_of(E, F, problem, pose).volume);
   }
 }
@@ -87,6 +88,91 @@ TEST(OracleAreas, IdenticalBodiesHaveTheirOwnSurfaceAndVolume) {
     EXPECT_EQ(answer.volume, 1);
   }
   expect_identities(box, box);
+}
+
+/// What the tie rule leaves inside: E is moved to +z, or +y where the faces stand upright, or +x where they are normal
+/// to it.
+TEST(OracleAreas, StackedBoxesPartOrPassAsTheTieRuleMovesE) {
+  const TriangleMesh E = generate::box({0, 0, 0}, {2, 2, 2});
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-2.0, 2.0})
+      for (const Problem problem : kProblems) {
+        Pose pose;
+        pose.r[axis] = side;
+        const Answer answer = answer_of(E, E, problem, pose);
+        const double overlap = side > 0 ? 4 : 0;  // F ahead of E: they pass; behind it: they part
+        Eigen::Vector3d n_E = Eigen::Vector3d::Zero();
+        n_E[axis] = side / 2;
+        EXPECT_EQ(answer.E.limit_area, overlap);
+        EXPECT_EQ(answer.F.limit_area, overlap);
+        EXPECT_EQ(answer.E.limit_vector_area_Me, overlap * n_E);
+        EXPECT_EQ(answer.F.limit_vector_area_Me, -overlap * n_E);
+        EXPECT_EQ(answer.volume, 0);
+      }
+}
+
+TEST(OracleAreas, FlushFlanksAreThoseOfTheBodyThatTheTieRuleMovesInward) {
+  const TriangleMesh E = generate::box({0, 0, 0}, {2, 2, 2});
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      for (const Problem problem : kProblems) {
+        Pose pose;
+        pose.r[axis] = side;
+        const Answer answer = answer_of(E, E, problem, pose);
+        // Of four flush flanks, 2 each, E's two on the negative sides are inside F, and F's on the positive sides in E.
+        Eigen::Vector3d flanks(-2, -2, -2), of_E = Eigen::Vector3d::Zero();
+        flanks[axis] = 0;
+        of_E[axis] = 4 * side;
+        EXPECT_EQ(answer.E.limit_area, 4 + 4);
+        EXPECT_EQ(answer.F.limit_area, 4 + 4);
+        EXPECT_EQ(answer.E.limit_vector_area_Me, of_E + flanks);
+        EXPECT_EQ(answer.F.limit_vector_area_Me, -(of_E + flanks));
+      }
+}
+
+TEST(OracleAreas, IdenticalBodiesShareTheirSurfaceByTheTieRule) {
+  const TriangleMesh box = generate::gridded_box({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+  for (const Problem problem : kProblems) {
+    const Answer answer = answer_of(box, box, problem);
+    EXPECT_EQ(answer.E.limit_area, 3);
+    EXPECT_EQ(answer.F.limit_area, 3);
+    EXPECT_EQ(answer.E.limit_vector_area_Me, Eigen::Vector3d(-1, -1, -1));
+    EXPECT_EQ(answer.F.limit_vector_area_Me, Eigen::Vector3d(1, 1, 1));
+  }
+}
+
+/// The tie rule moves E to +z by much more than to +y, and there by much more than to +x. Moved so by numbers that are
+/// small but not vanishing, the bodies have no coplanar faces, and their areas differ from the limit by no more than
+/// the length of all edges times the move.
+TEST(OracleAreas, TheTieRulesLimitIsThatOfMovesToZMoreThanYMoreThanX) {
+  const Eigen::Vector3d move(0x1p-44, 0x1p-30, 0x1p-16);
+  const TriangleMesh grid = generate::gridded_box(2.0, 2);
+  TriangleMesh roof;  // one of its faces stands upright, one leans
+  roof.vertices = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {0, 0, 1}};
+  roof.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const TriangleMesh shapes[] = {grid, roof, degenerate::joined(roof, generate::box({2, -1, -1}, {3, 1, 1}))};
+  std::mt19937_64 random(11);
+  const auto step = [&random] { return static_cast<double>(random() % 5) / 2 - 1; };
+  int told_apart = 0;
+  for (int i = 0; i < 72; ++i) {
+    const TriangleMesh &E = shapes[i % 3], &F = shapes[i / 3 % 3];
+    Pose pose = shifted(step(), step(), step());
+    if (random() % 2 == 0) pose.A << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    if (random() % 4 == 0) pose.r.setZero();
+    Pose moved = pose;
+    moved.r -= move;  // exact: 46 bits
+    const Answer answer = answer_of(E, F, Problem::exact, pose), beside = answer_of(E, F, Problem::exact, moved);
+    const double change = 100 * move.norm();  // m^2
+    for (const Side side : {Side::E, Side::F}) {
+      const ActiveArea &limit = side == Side::E ? answer.E : answer.F, &area = side == Side::E ? beside.E : beside.F;
+      EXPECT_EQ(area.area_interval.open, area.area_interval.closed);
+      EXPECT_NEAR(limit.limit_area, area.area, change);
+      EXPECT_LE((limit.limit_vector_area_Me - area.vector_area_Me).norm(), change);
+      told_apart += std::abs(limit.limit_area - limit.area) > 2 * change;
+    }
+    expect_identities(E, F, pose);
+  }
+  EXPECT_GE(told_apart, 24);
 }
 
 TEST(OracleAreas, GridUponShiftedGridIsExact) {

@@ -40,6 +40,12 @@ void expect_same_area(const ActiveArea& twin, const reference::ActiveArea& oracl
   EXPECT_EQ(eigen(twin.vector_area), oracle.vector_area_Me);
 }
 
+/// The twin sweeps over the crossings' places, the oracle adds coplanar overlaps by the side they are moved to.
+void expect_same_limit_area(const ActiveArea& twin, const reference::ActiveArea& oracle) {
+  EXPECT_EQ(twin.perturbed_area, oracle.limit_area);
+  EXPECT_EQ(eigen(twin.perturbed_vector_area), oracle.limit_vector_area_Me);
+}
+
 /// Which components of force and torque differ from the twin's; empty where none does.
 std::string difference_of_loads(const ForceAndTorque& twin, const Eigen::Vector3d& force,
                                 const Eigen::Vector3d& torque) {
@@ -77,6 +83,11 @@ void expect_same(const Answer& twin, const reference::Answer& oracle) {
   EXPECT_EQ(difference(expected, found), "");
   if (E_comparable) expect_same_area(twin.E, oracle.E);
   if (F_comparable) expect_same_area(twin.F, oracle.F);
+  expect_same_limit_area(twin.E, oracle.E);
+  expect_same_limit_area(twin.F, oracle.F);
+  if (twin.perturbed_volume.has_value()) {
+    EXPECT_EQ(twin.perturbed_volume, oracle.volume);
+  }
   EXPECT_EQ(twin.volume, oracle.volume);
   for (const reference::Polygon& polygon : oracle.polygons)
     for (const reference::Crossing& c : polygon.points) {

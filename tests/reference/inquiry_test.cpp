@@ -36,6 +36,8 @@ class Difference {
     add(name, a.area_interval.open, b.area_interval.open);
     add(name, a.area_interval.closed, b.area_interval.closed);
     add(name, a.vector_area_Me, b.vector_area_Me);
+    add(name, a.limit_area, b.limit_area);
+    add(name, a.limit_vector_area_Me, b.limit_vector_area_Me);
   }
   void add(const char* name, const Polygon& a, const Polygon& b) {
     add(name, a.closed, b.closed);

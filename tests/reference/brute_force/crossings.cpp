@@ -12,25 +12,7 @@ void require(bool condition, const char* what) {
   if (!condition) throw std::logic_error(what);
 }
 
-/// Midpoint of the part of the segment a, b that lies in the triangle, both in one plane; where they only miss, a.
-Vector midpoint_in_plane(const Vector& a, const Vector& b, const Body& body, Index face) {
-  const Vector& normal = body.normals[face];
-  Rational from = 0;
-  Rational to = 1;
-  for (int i = 0; i < 3; ++i) {
-    const Vector& p = body.corner(face, i);
-    const Vector inward = cross(normal, body.corner(face, (i + 1) % 3) - p);
-    const Rational at_a = dot(inward, a - p);
-    const Rational at_b = dot(inward, b - p);
-    if (at_a < 0 && at_b < 0) return a;
-    if (at_a < 0) from = std::max(from, Rational(at_a / (at_a - at_b)));
-    if (at_b < 0) to = std::min(to, Rational(at_a / (at_a - at_b)));
-  }
-  if (from > to) return a;
-  return a + Rational((from + to) / 2) * (b - a);
-}
-
-/// Where the edge meets the plane of the face.
+/// Where the edge meets the plane of the face, which it is not parallel to.
 Vector position(const Body& edges, const Body& faces, const Crossing& crossing) {
   const Vector& a = edges.vertices[crossing.edge[0]];
   const Vector& b = edges.vertices[crossing.edge[1]];
@@ -38,7 +20,7 @@ Vector position(const Body& edges, const Body& faces, const Crossing& crossing) 
   const Vector& p = faces.corner(crossing.face, 0);
   const Rational above_a = dot(normal, a - p);
   const Rational above_b = dot(normal, b - p);
-  if (above_a == above_b) return midpoint_in_plane(a, b, faces, crossing.face);
+  require(above_a != above_b, "twin: an edge crosses a face in whose plane it lies");
   return a + Rational(above_a / (above_a - above_b)) * (b - a);
 }
 
