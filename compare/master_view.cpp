@@ -164,6 +164,9 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
           behind(side, face, slave, slave_face))
         continue;
       ++hiders.count;
+      const bool surely_before =
+          side_of_plane(slave, slave_face, side, face) < 0 || side_of_plane(side, face, slave, slave_face) > 0;
+      hiders.lines += 3 + (of_face.low.z() <= strip) + !surely_before;
       for (const SeenPoint& x : seen(side, face)) {
         hiders.distance = std::max(hiders.distance, x.stableNorm());
         hiders.place = std::max(hiders.place, place_error(x));
@@ -189,7 +192,8 @@ double MasterView::place_error(const SeenPoint& x) const {
 // error along one of the lines that made it. Those are the sight's own, seven at most, with all parts on one side, and
 // five of each face that hides something, with parts on both. A single face leaves no more than five parts. Strips that
 // right roundings show between faces that hide what lies behind both are as wide as lines are off.
-void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, Sight& sight) const {
+void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders,
+                                     Sight& sight) const {
   const SeenPoint first = own_[1] - own_[0], second = own_[2] - own_[0];
   const double doubled_area = cross(first, second);
   double low_s = 0, high_s = 0, low_t = 0, high_t = 0;
@@ -202,11 +206,12 @@ void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double 
     high_t = i == 0 ? t : std::max(high_t, t);
   }
   sight.uncertain = place * ((high_t - low_t) * second.stableNorm() + (high_s - low_s) * first.stableNorm());
-  if (sight.hiders == 0) return;
+  if (hiders.count == 0) return;
   const double width = 4 * fast::kSliver * place * first.stableNorm() * second.stableNorm() / std::abs(doubled_area);
-  const double dropped = (7 + 10 * sight.hiders) * width * (sight.width + 2 * width);
-  sight.neglected = sight.hiders == 1 ? std::min(dropped, 5 * fast::kSliver * sight.uncertain)
-                                      : dropped + 10 * sight.hiders * sight.strip * sight.width;
+  const double lines = static_cast<double>(part.size()) + 2.0 * hiders.lines;
+  const double dropped = lines * width * (sight.width + 2 * width);
+  sight.neglected = hiders.count == 1 ? std::min(dropped, 5 * fast::kSliver * sight.uncertain)
+                                      : dropped + hiders.lines * sight.strip * sight.width;
 }
 
 Sight MasterView::sight(Index slave_face) const {
@@ -242,7 +247,7 @@ Sight MasterView::sight(Index slave_face) const {
   }
   sight.outline += 8 * sight.strip;
   sight.width = std::min(sight.outline / 2, face_.longest);
-  add_uncertain_areas(part, std::max(place, hiders.place), sight);
+  add_uncertain_areas(part, std::max(place, hiders.place), hiders, sight);
   const double shift = times(sight.slope, 2 * sight.strip);
   sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + shift);
   sight.tip_error = sine > 0 ? sight.depth_error + shift / sine : sight.at_tip;

@@ -49,6 +49,7 @@ class MasterView {
   /// Faces that may hide something of a slave face.
   struct Hiders {
     int count = 0;
+    int lines = 0;  ///< that may part what is seen: their sides, where their depth is 0, where they pass through f
     double distance = 0;  ///< no corner of theirs is farther from p0, m
     double place = 0;     ///< nor worse placed, m
   };
@@ -73,7 +74,7 @@ class MasterView {
   Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
   /// How far off a point may be seen by MasterPrism::uncertainty, m.
   double place_error(const SeenPoint& point) const;
-  void add_uncertain_areas(const std::vector<SeenPoint>& part, double place, Sight& sight) const;
+  void add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders, Sight& sight) const;
   double strip(double distance, double depth) const;
 
   const RoundedFaces& faces_;
