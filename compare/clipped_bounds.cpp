@@ -11,9 +11,9 @@ namespace {
 
 constexpr double u = kRoundoff;
 
-/// Strips lie on either side of a line.
+/// An outline that is moved by no more than the strip's width changes the area by no more.
 double strips_along(double length, double strip) {
-  return 2 * strip * (length + 4 * strip);
+  return strip * (length + 4 * strip);
 }
 
 /// The greatest depth is that of a corner. Where nothing hides it, strips take no more from it than the angle there
@@ -83,7 +83,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
 
 double ClippedBounds::sliver_area(const fast::Element& e) const {
   const Sight seen = MasterView(faces_, e.master, e.master_face).sight(e.slave_face);
-  return kHigherOrder * (strips_along(2 * seen.outline, seen.strip) + seen.neglected);
+  return kHigherOrder * (strips_along(4 * seen.outline, seen.strip) + seen.neglected);
 }
 
 double ClippedBounds::sliver_depth(const fast::Element& e) const {

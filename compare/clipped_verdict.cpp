@@ -78,6 +78,8 @@ ClippedTotals check_clipped_elements(const Question& question, const fast::Conta
                     const double force = ours->force_Me.stableNorm();
                     totals.force += force;
                     totals.torque += (ours->position_Me - question.pose.r).stableNorm() * force;
+                    sizes += force;
+                    torque_sizes += (ours->position_Me - question.pose.r).stableNorm() * force;
                     greatest_at_most = std::max(greatest_at_most, bounds.sliver_depth(*ours));
                     return;
                   }
@@ -99,7 +101,7 @@ ClippedTotals check_clipped_elements(const Question& question, const fast::Conta
                                describe(*theirs), theirs->area, bound.bounds.area);
                 });
   totals.penetration = std::max(greatest_at_most - truth.max_penetration, truth.max_penetration - greatest_at_least);
-  const double terms = kHigherOrder * kRoundoff * static_cast<double>(truth.elements.size() + 2);
+  const double terms = kHigherOrder * kRoundoff * static_cast<double>(subj.elements.size() + truth.elements.size() + 2);
   totals.force += terms * sizes;
   totals.torque += terms * torque_sizes;
   if (question.mode == Mode::both) {

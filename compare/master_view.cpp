@@ -58,6 +58,22 @@ MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face
     }
   }
   own_ = seen(master, master_face);
+  find_near_faces();
+}
+
+void MasterView::find_near_faces() {
+  const Extent own = extent(own_);
+  const double margin = strip(face_.longest + 4 * faces_.reach(), 4 * faces_.reach());
+  for (const Side side : {Side::E, Side::F}) {
+    const std::size_t count = faces_.surface(side).mesh.faces.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index face = static_cast<Index>(i);
+      const Extent of_face = extent(seen(side, face));
+      if ((of_face.low.head<2>() > own.high.head<2>() + margin).any()) continue;
+      if ((of_face.high < own.low - margin).any()) continue;
+      if (side != master_ || face != master_face_) near_.push_back({side, face, of_face});
+    }
+  }
 }
 
 MasterView::SeenFace MasterView::seen(Side side, Index face) const {
@@ -150,28 +166,35 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
   const Extent of_part = extent(part);
   const Eigen::Array3d margin(strip, strip, strip);
   Hiders hiders;
-  for (const Side side : {Side::E, Side::F}) {
-    const std::size_t count = faces_.surface(side).mesh.faces.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const Index face = static_cast<Index>(i);
-      if ((side == slave && face == slave_face) || (side == master_ && face == master_face_)) continue;
-      const Extent of_face = extent(seen(side, face));
-      if ((of_face.low > of_part.high + margin).any()) continue;
-      if ((of_face.high.head<2>() < of_part.low.head<2>() - margin.head<2>()).any()) continue;
-      if (of_face.high.z() < -strip) continue;
-      if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
-          side_parts(side, face, slave, slave_face, strip) || side_parts(side, face, part, strip) ||
-          behind(side, face, slave, slave_face))
-        continue;
-      ++hiders.count;
-      const bool surely_before =
-          side_of_plane(slave, slave_face, side, face) < 0 || side_of_plane(side, face, slave, slave_face) > 0;
-      hiders.lines += 3 + (of_face.low.z() <= strip) + !surely_before;
-      for (const SeenPoint& x : seen(side, face)) {
-        hiders.distance = std::max(hiders.distance, x.stableNorm());
-        hiders.place = std::max(hiders.place, place_error(x));
-      }
+  std::vector<std::array<Index, 3>> sides;  // surface, vertex of smaller index, the other
+  for (const auto& [side, face, of_face] : near_) {
+    if (side == slave && face == slave_face) continue;
+    if ((of_face.low > of_part.high + margin).any()) continue;
+    if ((of_face.high.head<2>() < of_part.low.head<2>() - margin.head<2>()).any()) continue;
+    if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
+        side_parts(side, face, slave, slave_face, strip) || side_parts(side, face, part, strip) ||
+        behind(side, face, slave, slave_face))
+      continue;
+    ++hiders.count;
+    const bool surely_before =
+        side_of_plane(slave, slave_face, side, face) < 0 || side_of_plane(side, face, slave, slave_face) > 0;
+    hiders.loose += (of_face.low.z() <= strip) + !surely_before;
+    const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+      sides.push_back({static_cast<Index>(side), low, high});
     }
+    for (const SeenPoint& x : seen(side, face)) {
+      hiders.distance = std::max(hiders.distance, x.stableNorm());
+      hiders.place = std::max(hiders.place, place_error(x));
+    }
+  }
+  hiders.lines = hiders.loose;
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size(); ++hiders.lines) {
+    const bool is_shared = i + 1 < sides.size() && sides[i + 1] == sides[i];
+    hiders.loose += !is_shared;
+    i += is_shared ? 2 : 1;
   }
   return hiders;
 }
@@ -186,12 +209,13 @@ double MasterView::place_error(const SeenPoint& x) const {
 
 // A face is dropped where what is seen of it has less area in (s, t) than its extent in t times the uncertainty of s,
 // and the reverse: the place error times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t. So is a part of it
-// where others may hide some, for kSliver times that: where it has no more area than 2 q times such a place error and
-// its diameter, q = |p1 - p0| |p2 - p0| / 2A. A convex set has no less than half its diameter times its least width,
-// and a polygon's least width is that from one of its sides: so the part lies in a strip no wider than 4 q times that
-// error along one of the lines that made it. Those are the sight's own, seven at most, with all parts on one side, and
-// five of each face that hides something, with parts on both. A single face leaves no more than five parts. Strips that
-// right roundings show between faces that hide what lies behind both are as wide as lines are off.
+// where others may hide some, for e = kSliver times that error: where it has no more area than e q times its extents
+// along both gradients, q = |p1 - p0| |p2 - p0| / 2A. With a diameter d these add up to no more than c d, c the length
+// of the sum or of the difference of the gradients' directions. A convex set has no less than half its diameter times
+// its least width, and a polygon's least width is that from one of its sides: so the part lies in a strip no wider than
+// 2 e q c along one of the lines that made it. Those are the sight's own, with all parts on one side, and those of the
+// faces that hide something, with parts on both. A single face leaves no more than five parts. Strips that a right
+// engine sees between faces that hide what lies behind both are as wide as their lines are off.
 void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders,
                                      Sight& sight) const {
   const SeenPoint first = own_[1] - own_[0], second = own_[2] - own_[0];
@@ -207,11 +231,14 @@ void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double 
   }
   sight.uncertain = place * ((high_t - low_t) * second.stableNorm() + (high_s - low_s) * first.stableNorm());
   if (hiders.count == 0) return;
-  const double width = 4 * fast::kSliver * place * first.stableNorm() * second.stableNorm() / std::abs(doubled_area);
+  const double q = first.stableNorm() * second.stableNorm() / std::abs(doubled_area);
+  const SeenPoint along_first = first.stableNormalized(), along_second = second.stableNormalized();
+  const double c = std::max((along_first + along_second).stableNorm(), (along_first - along_second).stableNorm());
+  const double width = 2 * fast::kSliver * place * q * c;
   const double lines = static_cast<double>(part.size()) + 2.0 * hiders.lines;
   const double dropped = lines * width * (sight.width + 2 * width);
   sight.neglected = hiders.count == 1 ? std::min(dropped, 5 * fast::kSliver * sight.uncertain)
-                                      : dropped + hiders.lines * sight.strip * sight.width;
+                                      : dropped + hiders.loose * sight.strip * sight.width;
 }
 
 Sight MasterView::sight(Index slave_face) const {

@@ -32,14 +32,14 @@ struct Sight {
 /// The rounded problem as one master face sees it: every vertex by two lengths in the master's plane and its depth.
 class MasterView {
  public:
-  /// Only for a master of area > 0. O(n) in the vertices. The faces must outlive this.
+  /// Only for a master of area > 0. O(n) in vertices and faces. The faces must outlive this.
   MasterView(const RoundedFaces& faces, Side master, Index master_face);
 
   Side master() const { return master_; }
   Index master_face() const { return master_face_; }
   /// How far off the direction of the penetration lines may be, as an angle.
   double turn() const { return turn_; }
-  /// O(n) in the faces.
+  /// O(n) in the faces that the master's lines meet.
   Sight sight(Index slave_face) const;
 
  private:
@@ -49,7 +49,9 @@ class MasterView {
   /// Faces that may hide something of a slave face.
   struct Hiders {
     int count = 0;
-    int lines = 0;  ///< that may part what is seen: their sides, where their depth is 0, where they pass through f
+    /// Their sides, where their depth is 0, and where they pass through the slave face: that may part what is seen.
+    int lines = 0;
+    int loose = 0;        ///< those of them on which no two of these faces meet
     double distance = 0;  ///< no corner of theirs is farther from p0, m
     double place = 0;     ///< nor worse placed, m
   };
@@ -57,7 +59,15 @@ class MasterView {
     Eigen::Array3d low, high;  ///< m
   };
 
+  /// A face that the lines of the master may meet.
+  struct NearFace {
+    Side side;
+    Index face;
+    Extent extent;
+  };
+
   SeenFace seen(Side side, Index face) const;
+  void find_near_faces();
   static Extent extent(std::span<const SeenPoint> polygon);
   /// What the master sees of a face at a depth >= 0.
   std::vector<SeenPoint> seen_part(const SeenFace& slave) const;
@@ -85,6 +95,7 @@ class MasterView {
   double thinness_;  ///< longest side over the height above it
   SeenFace own_;
   std::array<std::vector<SeenPoint>, 2> vertices_;  ///< of E and F
+  std::vector<NearFace> near_;
 };
 
 }  // namespace pcm::compare

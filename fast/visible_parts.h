@@ -45,7 +45,7 @@ inline constexpr double kDepthRoundings = 512;
 
 /// Parts no wider than this part of what makes a face certain are dropped where faces are cut by others: about as wide
 /// as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.
-inline constexpr double kSliver = 1.0 / 64;
+inline constexpr double kSliver = 1.0 / 16;
 
 /// A face in the prism together with its vertices in Me.
 struct PlacedFace {
