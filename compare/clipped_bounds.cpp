@@ -46,8 +46,8 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   const Sight seen = view.sight(e.slave_face);
   GeometryErrors errors;
   errors.normal = view.turn();
-  // Where nothing hides any of it, both are one.
-  const double around = seen.hiders == 0 ? seen.outline : e.perimeter + seen.outline;
+  // Where nothing hides any of it, both are one but for roundings.
+  const double around = seen.hiders == 0 ? std::max(e.perimeter, seen.outline) : e.perimeter + seen.outline;
   // Both sides of a face that is seen nearly edgewise are projected onto almost one line: moving them apart by the
   // strip's width moves where they meet by that over the face's cosine (fast/visible_parts.h).
   const double edgewise = 4 * seen.strip * seen.strip / std::abs(e.cosine);

@@ -180,8 +180,10 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
   WorkCounters& work = workspace.contact.work;
   PosedSurface& posed = workspace.side(master).posed;
   const Triangle& master_vertices = posed.surface().face(master_face);
-  const double deepest = bound != nullptr ? std::max(view.deepest, bound->sight.greatest_depth()) : view.deepest;
-  list_candidates(workspace, master, prism, deepest, bound);
+  // Faces all deeper than this surely lie after what is seen of the slave: depths are sure to kHeightError.
+  const double after = (1 + 4 * kHeightError) * view.deepest;
+  list_candidates(workspace, master, prism, bound != nullptr ? std::max(after, bound->sight.greatest_depth()) : after,
+                  bound);
   for (const Index face : workspace.projection.candidates) {
     if (face == master_face) continue;
     const Triangle& vertices = posed.surface().face(face);
@@ -197,6 +199,8 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
     if (bound != nullptr) bound->sight.see(posed, face, true, corners, is_shared, work);
     if (only_bound) continue;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
+    // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
+    if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > after) continue;
     ProjectedFace& projected = workspace.projection.faces.emplace_back();
     if (!project_face(vertices, corners, projected)) {
       workspace.projection.faces.pop_back();
@@ -337,9 +341,8 @@ void form_elements_of(Workspace::Data& workspace, Side master, Index face, const
   }
   if (bound != nullptr) {
     bound->sight.compare(workspace.side(opposite(master)).surface(), workspace.side(master).surface(), scratch);
-  } else {
-    find_overlaps(scratch.faces, scratch.order, scratch.overlaps);
   }
+  find_overlaps(scratch.faces, scratch.order, scratch.overlaps);
   auto overlap = scratch.overlaps.cbegin();
   for (std::size_t i = 0; i < scratch.faces.size() && !scratch.faces[i].own; ++i) {
     const Index slave_face = scratch.faces[i].face;

@@ -168,12 +168,10 @@ void SightError::is_projected(bool own, Index face, std::size_t place) {
   std::vector<Sight>& sights = scratch_->sights;
   if (!sights.empty() && sights.back().footprint.face == face && sights.back().footprint.own == own) {
     sights.back().projected = static_cast<std::ptrdiff_t>(place);
-  } else {
-    all_entered_ = false;
   }
 }
 
-void SightError::compare(const Surface::Data& slave, const Surface::Data& master, ProjectionScratch& projected) {
+void SightError::compare(const Surface::Data& slave, const Surface::Data& master, const ProjectionScratch& projected) {
   std::vector<Sight>& sights = scratch_->sights;
   std::vector<std::size_t>& order = scratch_->order;
   order.clear();
@@ -218,7 +216,6 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
   std::sort(order.begin(), order.end(), [&sights](std::size_t a, std::size_t b) {
     return sights[a].footprint.box.low_s < sights[b].footprint.box.low_s;
   });
-  projected.overlaps.clear();
   for (std::size_t i = 0; i < order.size(); ++i) {
     Sight& f = sights[order[i]];
     for (std::size_t j = i + 1; j < order.size(); ++j) {
@@ -232,10 +229,6 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
         overlap = greatest_overlap(f.footprint, g.footprint, box);
         if (overlap == 0) continue;
       }
-      if (f.projected >= 0 && g.projected >= 0) {
-        add_overlaps(projected.faces, static_cast<std::size_t>(f.projected), static_cast<std::size_t>(g.projected),
-                     projected.overlaps);
-      }
       for (Sight* const sight : {&f, &g}) {
         if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
         find_side_shifts(error_, sight->footprint);
@@ -243,11 +236,6 @@ void SightError::compare(const Surface::Data& slave, const Surface::Data& master
       if (f.may_carry) charge(f, g, box, overlap);
       if (g.may_carry) charge(g, f, box, overlap);
     }
-  }
-  if (all_entered_) {
-    std::sort(projected.overlaps.begin(), projected.overlaps.end());
-  } else {
-    find_overlaps(projected.faces, projected.order, projected.overlaps);
   }
 }
 

@@ -50,9 +50,8 @@ class SightError {
   /// the depth: upright faces beside its prism may hide as much.
   void may_lean(double lean) { lean_ = lean; }
   /// To be called once all faces are entered.
-  /// `projected`: of all faces entered those that the engine sees. Finds their overlaps on the way, as find_overlaps
-  /// does.
-  void compare(const Surface::Data& slave, const Surface::Data& master, ProjectionScratch& projected);
+  /// `projected`: of all faces entered those that the engine sees.
+  void compare(const Surface::Data& slave, const Surface::Data& master, const ProjectionScratch& projected);
   /// The face just entered is the engine's own projected one at this place.
   void is_projected(bool own, Index face, std::size_t place);
 
@@ -97,7 +96,6 @@ class SightError {
   double lean_ = 0;
   std::size_t next_ = 0;
   double greatest_depth_ = -1;
-  bool all_entered_ = true;  ///< that the engine sees
   bool known_ = true;
   bool flush_ = false;
 };

@@ -23,6 +23,18 @@ bool side_separates(const ProjectedFace& a, const ProjectedFace& b) {
   return false;
 }
 
+/// Adds the overlaps of two faces of positive area, where they have any: one for each of them that carries.
+void add_overlaps(const std::vector<ProjectedFace>& faces, std::size_t i, std::size_t j,
+                  std::vector<Overlap>& overlaps) {
+  const ProjectedFace& f = faces[i];
+  const ProjectedFace& g = faces[j];
+  if (!(f.carries || g.carries) || !(f.low_s < g.high_s && g.low_s < f.high_s)) return;
+  if (!(f.low_t < g.high_t && g.low_t < f.high_t)) return;
+  if (side_separates(f, g) || side_separates(g, f)) return;
+  if (f.carries) overlaps.emplace_back(i, j);
+  if (g.carries) overlaps.emplace_back(j, i);
+}
+
 }  // namespace
 
 bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face) {
@@ -57,17 +69,6 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
     face.high_t = std::max(face.high_t, seen[i][kT]);
   }
   return true;
-}
-
-void add_overlaps(const std::vector<ProjectedFace>& faces, std::size_t i, std::size_t j,
-                  std::vector<Overlap>& overlaps) {
-  const ProjectedFace& f = faces[i];
-  const ProjectedFace& g = faces[j];
-  if (!(f.carries || g.carries) || !(f.low_s < g.high_s && g.low_s < f.high_s)) return;
-  if (!(f.low_t < g.high_t && g.low_t < f.high_t)) return;
-  if (side_separates(f, g) || side_separates(g, f)) return;
-  if (f.carries) overlaps.emplace_back(i, j);
-  if (g.carries) overlaps.emplace_back(j, i);
 }
 
 void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<std::size_t>& order,

@@ -35,10 +35,6 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
 /// Where a face overlaps another one: a face that leaves the slave, and one that may lie before it.
 using Overlap = std::pair<std::size_t, std::size_t>;
 
-/// Adds the overlaps of two faces of positive area, where they have any: one for each of them that carries.
-void add_overlaps(const std::vector<ProjectedFace>& faces, std::size_t i, std::size_t j,
-                  std::vector<Overlap>& overlaps);
-
 /// Finds all overlaps among the faces of positive area, ordered by first, then second; the first is always a face of
 /// the slave through which it is left. `order` is scratch. Sweeps along s: O(n log n) plus the pairs that overlap
 /// there.
