@@ -7,11 +7,11 @@
 #include "fast/active_areas.h"
 #include "fast/contact_force.h"
 #include "fast/crossings.h"
-#include "fast/floating_point_environment.h"
 #include "fast/law.h"
 #include "fast/polygons.h"
 #include "fast/surface.h"
 #include "fast/workspace.h"
+#include "meshes/floating_point_environment.h"
 
 namespace pcm::fast {
 

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <string>
 
-#include "fast/floating_point_environment.h"
 #include "fast/geometry.h"
 #include "meshes/bad_input.h"
+#include "meshes/floating_point_environment.h"
 
 namespace pcm::fast {
 

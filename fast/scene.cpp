@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "fast/floating_point_environment.h"
 #include "fast/geometry.h"
 #include "fast/law.h"
 #include "fast/separation.h"
@@ -17,6 +16,7 @@
 #include "fast/thread_team.h"
 #include "fast/workspace.h"
 #include "meshes/bad_input.h"
+#include "meshes/floating_point_environment.h"
 
 namespace pcm::fast {
 

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "fast/clearance.h"
-#include "fast/floating_point_environment.h"
 #include "fast/geometry.h"
 #include "fast/thickness.h"
 #include "meshes/bad_input.h"
 #include "meshes/check.h"
+#include "meshes/floating_point_environment.h"
 
 namespace pcm::fast {
 

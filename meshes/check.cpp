@@ -10,6 +10,7 @@
 #include "meshes/edge_table.h"
 #include "meshes/enclosure.h"
 #include "meshes/exact_signs.h"
+#include "meshes/floating_point_environment.h"
 #include "meshes/union_find.h"
 
 namespace pcm {
@@ -212,6 +213,7 @@ void find_inside_out_components(const TriangleMesh& mesh, std::vector<bool> clos
 }  // namespace
 
 MeshReport check(const TriangleMesh& mesh) {
+  const DefaultFloatingPoint environment;
   MeshReport report;
   report.name = mesh.name;
   report.vertex_count = static_cast<Index>(mesh.vertices.size());

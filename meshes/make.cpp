@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "meshes/bad_input.h"
+#include "meshes/floating_point_environment.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_parts.h"
@@ -226,6 +227,7 @@ const std::vector<Shape>& shapes() {
 }
 
 TriangleMesh make(std::string_view name, const std::map<std::string, double, std::less<>>& parameters) {
+  const DefaultFloatingPoint environment;
   const std::string shape_name = with_underscores(name);
   const auto entry = std::find_if(entries().begin(), entries().end(),
                                   [&](const Entry& candidate) { return candidate.shape.name == shape_name; });

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "meshes/floating_point_environment.h"
+
 namespace pcm {
 namespace {
 
@@ -37,6 +39,7 @@ bool is_too_small(std::string_view digits, bool hexadecimal) {
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
+  const DefaultFloatingPoint environment;
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
   const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");

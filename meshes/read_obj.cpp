@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "meshes/floating_point_environment.h"
 #include "meshes/polygon_list.h"
 #include "meshes/text_file.h"
 
@@ -71,6 +72,7 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
 }
 
 TriangleMesh parse_obj(std::string_view text, const std::string& name) {
+  const DefaultFloatingPoint environment;
   TriangleMesh mesh;
   mesh.name = name;
   PolygonList polygons;

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <vector>
 
+#include "meshes/floating_point_environment.h"
 #include "meshes/polygon_list.h"
 #include "meshes/text_file.h"
 
@@ -64,6 +65,7 @@ TriangleMesh read_off(const std::filesystem::path& path) {
 }
 
 TriangleMesh parse_off(std::string_view text, const std::string& name) {
+  const DefaultFloatingPoint environment;
   TriangleMesh mesh;
   mesh.name = name;
   TextLines lines(text, name);

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/floating_point_environment.h"
+#include "meshes/floating_point_environment.h"
 
 #include <atomic>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
 
-namespace pcm::fast {
+namespace pcm {
 
 // The fences keep what is in memory from being read or written on the other side.
 #if defined(__SSE2__)
@@ -45,4 +45,4 @@ DefaultFloatingPoint::~DefaultFloatingPoint() {
 
 #endif
 
-}  // namespace pcm::fast
+}  // namespace pcm
