@@ -4,9 +4,11 @@
 
 #include <array>
 #include <bit>
+#include <limits>
 #include <string>
 
 #include "compare/contact_fields.h"
+#include "compare/rounded_faces.h"
 #include "compare/wanted.h"
 #include "fast/geometry.h"
 
@@ -61,9 +63,42 @@ void hold_path(Path path, const fast::Contact& whole, const fast::Contact& answe
 /// Scenes refuse rotations that are not one to 1e-10.
 constexpr double kSceneSkew = 1e-10;
 
-/// Body E's marker is the scene's frame, so relative pose and velocity are those of F but for signs of
-/// zeros. A step on the way
-/// makes the scene look for a certificate where the bodies are apart, and use it where it still holds.
+/// One of the 24 rotations that turn axes onto axes: products with it are exact.
+Eigen::Matrix3d turn_of_axes(std::uint64_t which) {
+  const auto first = static_cast<Eigen::Index>(which % 3),
+             second = (first + 1 + static_cast<Eigen::Index>(which / 3 % 2)) % 3;
+  const Eigen::Vector3d x = (which / 6 % 2 == 0 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(first);
+  const Eigen::Vector3d y = (which / 12 % 2 == 0 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(second);
+  Eigen::Matrix3d A;
+  A << x, y, x.cross(y);
+  return A;
+}
+
+/// Both bodies where they are to each other at the given state, each moving by half of it: E turned by turns of the
+/// axes Q, at -Q r / 2 with velocity -Q v / 2, F at Q r / 2 with Q v / 2. Differences of these are exact. Where E
+/// spins, too, by -Q w / 2, F's velocity is that at its marker besides.
+struct TwoBodies {
+  fast::BodyState E, F;
+  Eigen::Vector3d carried_W = Eigen::Vector3d::Zero();  ///< velocity at F's marker by E's spin, m/s
+
+  TwoBodies(const Pose& pose, const Velocity& velocity) {
+    const std::uint64_t bits = bits_of(pose, velocity);
+    const Eigen::Matrix3d Q = turn_of_axes(bits % 24);
+    const bool spins = bits / 24 % 2 == 0;
+    E.pose = {Q, -0.5 * (Q * pose.r)};
+    F.pose = {Q * pose.A, 0.5 * (Q * pose.r)};
+    E.velocity.v = -0.5 * (Q * velocity.v);
+    F.velocity = {0.5 * (Q * velocity.v), Q * velocity.w};
+    if (!spins) return;
+    E.velocity.w = -0.5 * (Q * velocity.w);
+    F.velocity.w = 0.5 * (Q * velocity.w);
+    carried_W = E.velocity.w.cross(F.pose.r - E.pose.r);
+    F.velocity.v += carried_W;
+  }
+};
+
+/// A step on the way makes the scene look for a certificate where the bodies are apart, and use it where it still
+/// holds.
 void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                 const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks) {
   if (fast::orthogonality_error(pose.A) > kSceneSkew) return;
@@ -72,19 +107,28 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   scene.add_body(pairing.surface_F());
   const Wanted everything;
   scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), everything);
-  const fast::BodyState E;
-  fast::BodyState F{pose, velocity};
-  F.pose.r.x() += step;
-  scene.move({E, F});
+  const TwoBodies bodies(pose, velocity);
+  fast::BodyState nearby = bodies.F;
+  nearby.pose.r.x() += step;
+  scene.move({bodies.E, nearby});
   // Nearby the force may be beyond all doubles; what is asked is the place itself.
   try {
     scene.evaluate(0, workspace);
   } catch (const std::exception&) {
   }
-  F.pose.r = pose.r;
-  scene.move({E, F});
+  scene.move({bodies.E, bodies.F});
   const Pose relative = scene.relative_pose(0);
   const Velocity motion = scene.relative_velocity(0);
+  // Halves of the smallest doubles are rounded. Each of three sums rounds the velocity where E spins.
+  constexpr double kLeast = 2 * std::numeric_limits<double>::denorm_min();
+  const double carried = bodies.carried_W.cwiseAbs().maxCoeff();
+  const double rounding = carried == 0 ? 0 : 4 * kRoundoff * (velocity.v.cwiseAbs().maxCoeff() + carried);
+  if (relative.A != pose.A || !((relative.r - pose.r).cwiseAbs().maxCoeff() <= kLeast) ||
+      !((motion.v - velocity.v).cwiseAbs().maxCoeff() <= rounding + kLeast) ||
+      !((motion.w - velocity.w).cwiseAbs().maxCoeff() <= kLeast)) {
+    checks.add(Kind::paths, "{}: relative pose or velocity of two moving bodies is another", name(Path::scene));
+    return;
+  }
   if (same_bits(relative.A, pose.A) && same_bits(relative.r, pose.r) && same_bits(motion.v, velocity.v) &&
       same_bits(motion.w, velocity.w)) {
     hold_path(Path::scene, whole, seam.evaluate_in(scene, workspace), everything, checks);
