@@ -15,16 +15,16 @@ namespace pcm::compare {
 /// How far a right engine's clipped elements may be from the oracle's on the same rounded problem.
 ///
 /// Which slave face a point of a master face sees hangs on where projected edges and folds run. A right engine places
-/// projected edges to within a strip of width `strip`: 16 u of the distance from the master face for the roundings of a
-/// projection, twice that for what it takes to be certain, and what a turn of the lines by the error of their direction
-/// moves points by. So an element's part is right but for strips along its outline, and along that of all the master
-/// face would see of the slave face if nothing hid it; an element no larger than that is a sliver: it may be missing,
-/// and the engine may have one of its own.
+/// projected edges to within a strip of width `strip`: the roundings of both weights, which a skew master face makes
+/// long ways along its sides, and what a turn of the lines by the error of their direction moves points by. So an
+/// element's part is right but for strips along its outline, and along that of all the master face would see of the
+/// slave face if nothing hid it; an element no larger than that is a sliver: it may be missing, and the engine may have
+/// one of its own.
 ///
-/// Where other faces may hide some of the slave face, two things are added. Their edges may end far away, so that the
-/// strips are wider. And parts that are not certain to have area (MasterPrism::uncertainty, in the master face's own
-/// skew coordinates, so that on a needle they are wider than the strips) are dropped, or kept though they are hidden,
-/// at each cut.
+/// Where other faces may hide some of the slave face, three things are added; nothing where surely none does. Their
+/// edges may end far away, so that the strips are wider. Parts that are not certain to have area
+/// (MasterPrism::uncertainty) are dropped, or kept though they are hidden, at each cut (MasterView). And strips may be
+/// seen between two of them that meet, but not at a side they share.
 ///
 /// Where the slave face and another one, of either surface, pass through each other, the line on which they lie at the
 /// same depth is off by what a vertex's height over a face is, over the slope of the difference of both depths.

@@ -79,10 +79,11 @@ SplitMesh halved(const TriangleMesh& mesh, PoseRandom& random);
 /// line, at right angles to it, meets none of its face's other parts. So the loads agree of
 /// 1. a face that is active and whose parts are: the integrals add up;
 /// 2. a face that is not active, and none of whose parts is: both carry nothing;
-/// 3. any face, if the slave is closed and no face of it touches another one but as neighbours. Its winding number is
-///    then 0 or 1 beside its faces. Where u(x) > 0 the line leaves the slave at f, so x is inside; so the part of the
-///    face that x lies in crosses the slave or has its vertices inside, and is active, and so is the face. What is not
-///    active has u = 0 all over.
+/// 3. any face, if the slave is closed and no face of it touches another one but as neighbours. A fit surface has its
+///    cavities within bodies, so its winding number is then nowhere negative. Where u(x) > 0 the line leaves the slave
+///    at f, where the number falls by 1, so it is at least 1 at x, inside; so the part of the face that x lies in
+///    crosses the slave or has its vertices inside, and is active, and so is the face. What is not active has u = 0 all
+///    over.
 /// No more holds. Activity goes by whole faces: an open slave has no inside, and a closed one that folds over has
 /// points of u > 0 outside it (before a pocket of winding number -1, or before sheets in one plane of which the first
 /// one is left and the next one entered). A part whose face is active may have such points, be crossed by nothing, and

@@ -16,9 +16,6 @@ constexpr double u = kRoundoff;
 /// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
 constexpr double kNeedle = 0x1p-16;
 
-/// Roundings are followed one by one on fair master faces; on thinner ones what the engine promises is taken as it is.
-constexpr double kThin = 64;
-
 /// The part of a convex polygon where a linear function of the point is not negative.
 template <class Point, class Height>
 std::vector<Point> cut(const std::vector<Point>& polygon, const Height& height) {
@@ -42,8 +39,8 @@ double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face)
     : faces_(faces), master_(master), master_face_(master_face), face_(faces.face(master, master_face)) {
   // 4 u for each component of N over its terms, 4 u for n itself, and twice all of it.
-  thinness_ = face_.longest * face_.longest / (2 * face_.area);
-  turn_ = 16 * u * (1 + std::min(thinness_, 1 / kNeedle));
+  const double thinness = face_.longest * face_.longest / (2 * face_.area);
+  turn_ = 16 * u * (1 + std::min(thinness, 1 / kNeedle));
   const Eigen::Vector3d& p0 = faces_.corner(master, master_face, 0);
   const Eigen::Vector3d& n = face_.normal_Me;
   const Eigen::Vector3d first = (faces_.corner(master, master_face, 1) - p0).stableNormalized();
@@ -58,6 +55,10 @@ MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face
     }
   }
   own_ = seen(master, master_face);
+  const SeenPoint first_side = own_[1] - own_[0], second_side = own_[2] - own_[0];
+  skew_ = first_side.stableNorm() * second_side.stableNorm() / (2 * face_.area);
+  // In sums of |components|, as the engine reckons: each no more than sqrt(3) times the length.
+  tilt_ = 8 * u * (1 + std::min(3 * skew_, 1 / kNeedle));
   find_near_faces();
 }
 
@@ -101,10 +102,11 @@ MasterView::Extent MasterView::extent(std::span<const SeenPoint> polygon) {
   return extent;
 }
 
-// What a turn of the lines moves a point by grows with its depth.
+// Weights have 4 roundings and their gradients 8, so that s and t are each off by 12 u of the distance times their
+// gradient: with both along the sides that is a way of 24 u q times the distance, q the skew. What a turn of the lines
+// moves a point by grows with its depth.
 double MasterView::strip(double distance, double depth) const {
-  const double fair = 32 * u * distance + 2 * turn_ * (depth + 16 * u * distance);
-  return thinness_ > kThin ? std::max(fair, fast::kPlaceRoundings * thinness_ * u * faces_.reach()) : fair;
+  return 24 * u * skew_ * distance + 2 * turn_ * (depth + 16 * u * distance);
 }
 
 bool MasterView::side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const {
@@ -204,7 +206,7 @@ double MasterView::place_error(const SeenPoint& x) const {
   const double doubled_area = cross(first, second);
   const double s = std::abs(cross(x, second) / doubled_area), t = std::abs(cross(first, x) / doubled_area);
   const double distance = (1 + s) * first.stableNorm() + (1 + t) * second.stableNorm() + std::abs(x.z());
-  return std::min(kHigherOrder * turn_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.reach());
+  return std::min(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_reach());
 }
 
 // A face is dropped where what is seen of it has less area in (s, t) than its extent in t times the uncertainty of s,
@@ -231,10 +233,9 @@ void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double 
   }
   sight.uncertain = place * ((high_t - low_t) * second.stableNorm() + (high_s - low_s) * first.stableNorm());
   if (hiders.count == 0) return;
-  const double q = first.stableNorm() * second.stableNorm() / std::abs(doubled_area);
   const SeenPoint along_first = first.stableNormalized(), along_second = second.stableNormalized();
   const double c = std::max((along_first + along_second).stableNorm(), (along_first - along_second).stableNorm());
-  const double width = 2 * fast::kSliver * place * q * c;
+  const double width = 2 * fast::kSliver * place * skew_ * c;
   const double lines = static_cast<double>(part.size()) + 2.0 * hiders.lines;
   const double dropped = lines * width * (sight.width + 2 * width);
   sight.neglected = hiders.count == 1 ? std::min(dropped, 5 * fast::kSliver * sight.uncertain)

@@ -91,8 +91,9 @@ class MasterView {
   Side master_;
   Index master_face_;
   RoundedFaces::Face face_;
-  double turn_;      ///< rad
-  double thinness_;  ///< longest side over the height above it
+  double turn_;  ///< rad
+  double tilt_;  ///< as MasterPrism::tilt, rad
+  double skew_;  ///< |p1 - p0| |p2 - p0| over twice the area
   SeenFace own_;
   std::array<std::vector<SeenPoint>, 2> vertices_;  ///< of E and F
   std::vector<NearFace> near_;

@@ -73,6 +73,8 @@ class RoundedFaces {
   Face face(Side side, Index face) const;
   /// Greatest |coordinate| of either surface in Me, m.
   double reach() const { return reach_; }
+  /// Bound of the same that the engine makes of both surfaces' boxes, m: |A| x_F + |r| component by component.
+  double placed_reach() const { return placed_reach_; }
   /// Longest side of any face of either surface, m.
   double longest_side() const { return longest_side_; }
 
@@ -81,6 +83,7 @@ class RoundedFaces {
   const SurfaceFeatures& F_;
   std::vector<Eigen::Vector3d> vertices_F_Me_;
   double reach_ = 0;
+  double placed_reach_ = 0;
   double longest_side_ = 0;
 };
 

@@ -290,7 +290,8 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
     area = std::min(outline.area + one_depth.area + zero.area, overlap);
     volume = std::min(outline.volume + one_depth.volume + zero.volume, area * greatest);
     if (g.own && hider.projected < 0) {
-      // The elements were made without it, the master being thick enough: whatever it may hide is missing.
+      // The elements were made without it, the master being thick enough, or it lying after all they see: whatever it
+      // may hide is missing.
       area = std::min(greatest_area(g), overlap);
       volume = area * greatest;
     }

@@ -45,7 +45,7 @@ HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
 /// negative. It is laid through the point where the function is 0 on the side from the corner P whose sign is its own
 /// to the next one, a; b is where it is 0 on the other side from P. With e1, e2 the two sides and r1, r2 the function's
 /// rise along them, the roundings of its gradient, r1 e2 - r2 e1 turned by a right angle, move what it tells of a point
-/// between a and b by a few ulps of |a - P|, however narrow the face is.
+/// between a and b by a few ulps of the longer of |a - P| and |b - P|, however narrow the face is.
 HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double, 3>& values) {
   const bool one_negative = (values[0] < 0) + (values[1] < 0) + (values[2] < 0) == 1;
   std::size_t lone = 0;
