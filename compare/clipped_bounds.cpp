@@ -81,13 +81,9 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   return result;
 }
 
-double ClippedBounds::sliver_area(const fast::Element& e) const {
+ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   const Sight seen = MasterView(faces_, e.master, e.master_face).sight(e.slave_face);
-  return kHigherOrder * (strips_along(4 * seen.outline, seen.strip) + seen.neglected);
-}
-
-double ClippedBounds::sliver_depth(const fast::Element& e) const {
-  return MasterView(faces_, e.master, e.master_face).sight(e.slave_face).deepest;
+  return {kHigherOrder * (strips_along(2 * seen.outline, seen.strip) + seen.neglected), seen.deepest};
 }
 
 }  // namespace pcm::compare

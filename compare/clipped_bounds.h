@@ -49,10 +49,12 @@ class ClippedBounds {
   const std::vector<OfElement>& elements() const { return elements_; }
   /// Greatest |coordinate|, m.
   double reach() const { return faces_.reach(); }
-  /// An element that the engine alone has may be as large, m^2.
-  double sliver_area(const fast::Element& element) const;
-  /// Nothing of such an element lies deeper, m.
-  double sliver_depth(const fast::Element& element) const;
+  /// What an element that the engine alone has may be at most.
+  struct Sliver {
+    double area = 0;   ///< m^2
+    double depth = 0;  ///< m, nowhere deeper
+  };
+  Sliver sliver(const fast::Element& element) const;
 
  private:
   OfElement of_element(const reference::Element& element, const MasterView& view) const;

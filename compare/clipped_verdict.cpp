@@ -70,17 +70,18 @@ ClippedTotals check_clipped_elements(const Question& question, const fast::Conta
   for_each_pair(subj.elements, truth.elements,
                 [&](const fast::Element* ours, const reference::Element* theirs, std::size_t k) {
                   if (theirs == nullptr) {
-                    const double sliver = bounds.sliver_area(*ours);
-                    checks.checked(Kind::elements, sliver, ours->area);
-                    if (!(ours->area <= sliver))
+                    const ClippedBounds::Sliver sliver = bounds.sliver(*ours);
+                    checks.checked(Kind::elements, sliver.area, ours->area);
+                    if (!(ours->area <= sliver.area))
                       checks.add(Kind::elements, "{}: engine has an area of {}, oracle none; slivers go up to {:.2g}",
-                                 describe(*ours), ours->area, sliver);
+                                 describe(*ours), ours->area, sliver.area);
                     const double force = ours->force_Me.stableNorm();
+                    const double torque = (ours->position_Me - question.pose.r).stableNorm() * force;
                     totals.force += force;
-                    totals.torque += (ours->position_Me - question.pose.r).stableNorm() * force;
+                    totals.torque += torque;
                     sizes += force;
-                    torque_sizes += (ours->position_Me - question.pose.r).stableNorm() * force;
-                    greatest_at_most = std::max(greatest_at_most, bounds.sliver_depth(*ours));
+                    torque_sizes += torque;
+                    greatest_at_most = std::max(greatest_at_most, sliver.depth);
                     return;
                   }
                   const ClippedBounds::OfElement& bound = bounds.elements()[k];

@@ -100,5 +100,41 @@ TEST(HeightOver, IsRarelyComputedExactlyForPointsInNoSpecialPlace) {
   EXPECT_LE(static_cast<double>(work.exact_predicates), 4 * kExactHeight * static_cast<double>(work.predicates));
 }
 
+// What compare/master_view.h's bounds rest on, and fast/visible_parts.h's.
+TEST(MasterPrism, SeesPointsTo24RoundingsOfTheirDistanceTimesTheSkewOfTheFaceHoweverNarrowItIs) {
+  Doubles random(154);
+  WorkCounters work;
+  constexpr double u = 0x1p-53;
+  for (const double thinness : {1.0, 8.0, 64.0, 0x1p10, 0x1p15}) {
+    double worst = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+      const Eigen::Vector3d along = Doubles::point([&] { return random.unit(); }).normalized();
+      const Eigen::Vector3d across = along.unitOrthogonal(), p0 = Doubles::point([&] { return random.unit(); });
+      const MasterPrism prism(face_with_sure_normal({p0, p0 + along, p0 + along + across / thinness}));
+      const FacePoints& p = prism.face().points_Me;
+      const Eigen::Vector3d x = p0 + 30 * random.unit() * along + 30 * random.unit() * across -
+                                std::ldexp(random.unit(), -13) * prism.face().n_Me;
+      const PrismPoint seen = prism.see(x, work);
+
+      const RationalVector a = minus(rational(p[1]), rational(p[0])), b = minus(rational(p[2]), rational(p[0]));
+      const RationalVector N = cross(a, b), from_p0 = minus(rational(x), rational(p[0]));
+      // All weights have a factor in common, by the error of |N|, that moves no line on which one of them is 0.
+      const mpf_class factor = sqrt(mpf_class(dot(N, N), 256)) / (2 * prism.face().area);
+      const auto off = [&](double weight, const mpq_class& exact) {
+        return std::abs(mpf_class(weight - factor * mpf_class(exact, 256)).get_d());
+      };
+      const double s = off(seen[kS], dot(cross(from_p0, b), N) / dot(N, N));
+      const double t = off(seen[kT], dot(cross(a, from_p0), N) / dot(N, N));
+      const double length_s = prism.edge_s_Me().norm(), length_t = prism.edge_t_Me().norm();
+      const double skew = length_s * length_t / (2 * prism.face().area);
+      const double distance = std::max(length_s, length_t) + (x - p0).norm();
+      const double allowed = skew * (24 * u * distance + 2 * prism.tilt() * std::abs(seen[kDepth]));
+      worst = std::max(worst, (s * length_s + t * length_t) / allowed);
+    }
+    std::printf("  longest side over height %g: at most %.2f of what is allowed\n", thinness, worst);
+    EXPECT_LE(worst, 1) << thinness;
+  }
+}
+
 }  // namespace
 }  // namespace pcm::fast
