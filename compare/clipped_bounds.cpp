@@ -81,9 +81,10 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   return result;
 }
 
+// Along either side of what could be seen if nothing hid it, and of what hides that.
 ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   const Sight seen = MasterView(faces_, e.master, e.master_face).sight(e.slave_face);
-  return {kHigherOrder * (strips_along(2 * seen.outline, seen.strip) + seen.neglected), seen.deepest};
+  return {kHigherOrder * (strips_along(4 * seen.outline, seen.strip) + seen.neglected), seen.deepest};
 }
 
 }  // namespace pcm::compare
