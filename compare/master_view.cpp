@@ -17,11 +17,11 @@ constexpr double u = kRoundoff;
 constexpr double kNeedle = 0x1p-16;
 
 /// The part of a convex polygon where a linear function of the point is not negative.
-template <class Point, class Height>
-std::vector<Point> cut(const std::vector<Point>& polygon, const Height& height) {
-  std::vector<Point> kept;
+template <class Height>
+std::vector<Eigen::Vector3d> cut(const std::vector<Eigen::Vector3d>& polygon, const Height& height) {
+  std::vector<Eigen::Vector3d> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const Eigen::Vector3d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     const double at_a = height(a), at_b = height(b);
     if (at_a >= 0) kept.push_back(a);
     if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
@@ -32,6 +32,20 @@ std::vector<Point> cut(const std::vector<Point>& polygon, const Height& height) 
 /// In the master's plane.
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Whether `all_beyond(k, is_beyond)` holds for a side k of the face: `is_beyond` says of a point whether it lies on
+/// the far side of that one by more than `strip`.
+template <class AllBeyond>
+bool some_side_parts(const std::array<Eigen::Vector3d, 3>& face, double strip, const AllBeyond& all_beyond) {
+  const double sign = cross(face[1] - face[0], face[2] - face[0]) < 0 ? -1 : 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d along = face[(k + 1) % 3] - face[k];
+    const double margin = strip * along.head<2>().stableNorm();
+    if (all_beyond(k, [&](const Eigen::Vector3d& x) { return sign * cross(along, x - face[k]) < -margin; }))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -55,8 +69,11 @@ MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face
     }
   }
   own_ = seen(master, master_face);
-  const SeenPoint first_side = own_[1] - own_[0], second_side = own_[2] - own_[0];
-  skew_ = first_side.stableNorm() * second_side.stableNorm() / (2 * face_.area);
+  side_s_ = own_[1] - own_[0];
+  side_t_ = own_[2] - own_[0];
+  length_s_ = side_s_.stableNorm();
+  length_t_ = side_t_.stableNorm();
+  skew_ = length_s_ * length_t_ / (2 * face_.area);
   // In sums of |components|, as the engine reckons: each no more than sqrt(3) times the length.
   tilt_ = 8 * u * (1 + std::min(3 * skew_, 1 / kNeedle));
   find_near_faces();
@@ -110,34 +127,22 @@ double MasterView::strip(double distance, double depth) const {
 }
 
 bool MasterView::side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const {
-  const SeenFace seen_a = seen(side_a, a), seen_b = seen(side_b, b);
+  const SeenFace seen_b = seen(side_b, b);
   const Triangle& corners_a = faces_.surface(side_a).mesh.faces[static_cast<std::size_t>(a)];
   const Triangle& corners_b = faces_.surface(side_b).mesh.faces[static_cast<std::size_t>(b)];
-  const double sign = cross(seen_a[1] - seen_a[0], seen_a[2] - seen_a[0]) < 0 ? -1 : 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = (k + 1) % 3;
-    const SeenPoint along = seen_a[next] - seen_a[k];
-    const double margin = strip * along.head<2>().stableNorm();
-    bool parts = true;
-    for (std::size_t i = 0; i < 3 && parts; ++i) {
-      const bool shared = side_a == side_b && (corners_b[i] == corners_a[k] || corners_b[i] == corners_a[next]);
-      parts = shared || sign * cross(along, seen_b[i] - seen_a[k]) < -margin;
+  return some_side_parts(seen(side_a, a), strip, [&](std::size_t k, const auto& is_beyond) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool shared = side_a == side_b && (corners_b[i] == corners_a[k] || corners_b[i] == corners_a[(k + 1) % 3]);
+      if (!shared && !is_beyond(seen_b[i])) return false;
     }
-    if (parts) return true;
-  }
-  return false;
+    return true;
+  });
 }
 
 bool MasterView::side_parts(Side side, Index face, const std::vector<SeenPoint>& polygon, double strip) const {
-  const SeenFace corners = seen(side, face);
-  const double sign = cross(corners[1] - corners[0], corners[2] - corners[0]) < 0 ? -1 : 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const SeenPoint along = corners[(k + 1) % 3] - corners[k];
-    const double margin = strip * along.head<2>().stableNorm();
-    const auto is_beyond = [&](const SeenPoint& x) { return sign * cross(along, x - corners[k]) < -margin; };
-    if (std::all_of(polygon.begin(), polygon.end(), is_beyond)) return true;
-  }
-  return false;
+  return some_side_parts(seen(side, face), strip, [&](std::size_t, const auto& is_beyond) {
+    return std::all_of(polygon.begin(), polygon.end(), is_beyond);
+  });
 }
 
 int MasterView::side_of_plane(Side side_a, Index a, Side side_b, Index b) const {
@@ -151,7 +156,7 @@ int MasterView::side_of_plane(Side side_a, Index a, Side side_b, Index b) const 
   for (std::size_t i = 0; i < 3; ++i) {
     if (side_a == side_b && std::find(corners_a.begin(), corners_a.end(), corners_b[i]) != corners_a.end()) continue;
     const Eigen::Vector3d offset = faces_.corner(side_b, b, i) - a0;
-    const double along = std::copysign(plane.normal_Me.dot(offset), plane.normal_Me.dot(offset) * cosine);
+    const double along = std::copysign(1, cosine) * plane.normal_Me.dot(offset);
     const double error = (plane.normal_error + 8 * u) * offset.stableNorm();
     beyond = beyond && along > error;
     before = before && along < -error;
@@ -159,28 +164,28 @@ int MasterView::side_of_plane(Side side_a, Index a, Side side_b, Index b) const 
   return beyond ? 1 : before ? -1 : 0;
 }
 
-bool MasterView::behind(Side side_b, Index b, Side side_a, Index a) const {
-  return side_of_plane(side_a, a, side_b, b) > 0 || side_of_plane(side_b, b, side_a, a) < 0;
+int MasterView::order(Side side_b, Index b, Side side_a, Index a) const {
+  const int b_from_a = side_of_plane(side_a, a, side_b, b), a_from_b = side_of_plane(side_b, b, side_a, a);
+  if (b_from_a > 0 || a_from_b < 0) return 1;
+  return b_from_a < 0 || a_from_b > 0 ? -1 : 0;
 }
 
 MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const {
   const Side slave = other(master_);
   const Extent of_part = extent(part);
-  const Eigen::Array3d margin(strip, strip, strip);
   Hiders hiders;
   std::vector<std::array<Index, 3>> sides;  // surface, vertex of smaller index, the other
   for (const auto& [side, face, of_face] : near_) {
     if (side == slave && face == slave_face) continue;
-    if ((of_face.low > of_part.high + margin).any()) continue;
-    if ((of_face.high.head<2>() < of_part.low.head<2>() - margin.head<2>()).any()) continue;
+    if ((of_face.low > of_part.high + strip).any()) continue;
+    if ((of_face.high.head<2>() < of_part.low.head<2>() - strip).any()) continue;
     if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
-        side_parts(side, face, slave, slave_face, strip) || side_parts(side, face, part, strip) ||
-        behind(side, face, slave, slave_face))
+        side_parts(side, face, slave, slave_face, strip) || side_parts(side, face, part, strip))
       continue;
+    const int order_to_slave = order(side, face, slave, slave_face);
+    if (order_to_slave > 0) continue;
     ++hiders.count;
-    const bool surely_before =
-        side_of_plane(slave, slave_face, side, face) < 0 || side_of_plane(side, face, slave, slave_face) > 0;
-    hiders.loose += (of_face.low.z() <= strip) + !surely_before;
+    hiders.loose += (of_face.low.z() <= strip) + (order_to_slave == 0);
     const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
@@ -201,11 +206,13 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
   return hiders;
 }
 
+Eigen::Array2d MasterView::weights(const SeenPoint& x) const {
+  return Eigen::Array2d(cross(x, side_t_), cross(side_s_, x)) / cross(side_s_, side_t_);
+}
+
 double MasterView::place_error(const SeenPoint& x) const {
-  const SeenPoint first = own_[1] - own_[0], second = own_[2] - own_[0];
-  const double doubled_area = cross(first, second);
-  const double s = std::abs(cross(x, second) / doubled_area), t = std::abs(cross(first, x) / doubled_area);
-  const double distance = (1 + s) * first.stableNorm() + (1 + t) * second.stableNorm() + std::abs(x.z());
+  const Eigen::Array2d st = weights(x).abs();
+  const double distance = (1 + st[0]) * length_s_ + (1 + st[1]) * length_t_ + std::abs(x.z());
   return std::min(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_reach());
 }
 
@@ -220,20 +227,16 @@ double MasterView::place_error(const SeenPoint& x) const {
 // engine sees between faces that hide what lies behind both are as wide as their lines are off.
 void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders,
                                      Sight& sight) const {
-  const SeenPoint first = own_[1] - own_[0], second = own_[2] - own_[0];
-  const double doubled_area = cross(first, second);
-  double low_s = 0, high_s = 0, low_t = 0, high_t = 0;
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const double s = cross(part[i] - own_[0], second) / doubled_area;
-    const double t = cross(first, part[i] - own_[0]) / doubled_area;
-    low_s = i == 0 ? s : std::min(low_s, s);
-    high_s = i == 0 ? s : std::max(high_s, s);
-    low_t = i == 0 ? t : std::min(low_t, t);
-    high_t = i == 0 ? t : std::max(high_t, t);
+  if (part.empty()) return;
+  Eigen::Array2d low = weights(part[0]), high = low;
+  for (const SeenPoint& x : part) {
+    const Eigen::Array2d st = weights(x);
+    low = low.min(st);
+    high = high.max(st);
   }
-  sight.uncertain = place * ((high_t - low_t) * second.stableNorm() + (high_s - low_s) * first.stableNorm());
+  sight.uncertain = place * ((high - low)[1] * length_t_ + (high - low)[0] * length_s_);
   if (hiders.count == 0) return;
-  const SeenPoint along_first = first.stableNormalized(), along_second = second.stableNormalized();
+  const SeenPoint along_first = side_s_.stableNormalized(), along_second = side_t_.stableNormalized();
   const double c = std::max((along_first + along_second).stableNorm(), (along_first - along_second).stableNorm());
   const double width = 2 * fast::kSliver * place * skew_ * c;
   const double lines = static_cast<double>(part.size()) + 2.0 * hiders.lines;

@@ -76,12 +76,14 @@ class MasterView {
   bool side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const;
   /// Whether a side of the face has all of the polygon on its far side, by more than `strip`.
   bool side_parts(Side side, Index face, const std::vector<SeenPoint>& polygon, double strip) const;
-  /// Whether the lines surely meet b only after a, by its plane or by that of a.
-  bool behind(Side side_b, Index b, Side side_a, Index a) const;
+  /// How the lines meet b and a, by the plane of either: 1 surely b only after a, -1 surely b first, 0 neither is sure.
+  int order(Side side_b, Index b, Side side_a, Index a) const;
   /// Which side of a's plane all corners of b lie on that a has not, as the lines run: 1 beyond it, -1 before it, 0
   /// where roundings can't tell or on both.
   int side_of_plane(Side side_a, Index a, Side side_b, Index b) const;
   Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
+  /// s and t of a point.
+  Eigen::Array2d weights(const SeenPoint& point) const;
   /// How far off a point may be seen by MasterPrism::uncertainty, m.
   double place_error(const SeenPoint& point) const;
   void add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders, Sight& sight) const;
@@ -95,6 +97,8 @@ class MasterView {
   double tilt_;  ///< as MasterPrism::tilt, rad
   double skew_;  ///< |p1 - p0| |p2 - p0| over twice the area
   SeenFace own_;
+  SeenPoint side_s_, side_t_;                       ///< p1 - p0 and p2 - p0
+  double length_s_, length_t_;                      ///< m
   std::array<std::vector<SeenPoint>, 2> vertices_;  ///< of E and F
   std::vector<NearFace> near_;
 };
