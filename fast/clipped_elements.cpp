@@ -113,6 +113,22 @@ std::array<PrismPoint, 3> corners_of(const ProjectionScratch& scratch, const Tri
   return {scratch.sights.at(vertices[0]), scratch.sights.at(vertices[1]), scratch.sights.at(vertices[2])};
 }
 
+/// Adds a face to those that lines meet; false where none meets it. It carries nothing yet.
+bool add_projected(Workspace::Data& workspace, const MasterPrism& prism, Index face, bool own, const Triangle& vertices,
+                   const std::array<PrismPoint, 3>& corners) {
+  std::vector<ProjectedFace>& faces = workspace.projection.faces;
+  ProjectedFace& projected = faces.emplace_back();
+  if (!project_face(vertices, corners, projected)) {
+    faces.pop_back();
+    return false;
+  }
+  projected.face = face;
+  projected.own = own;
+  projected.carries = false;
+  projected.uncertainty = prism.uncertainty(corners, workspace.placement.reach);
+  return true;
+}
+
 /// Some steps are done for all candidates before the next, though one loop would do: what a processor guesses wrong of
 /// a face is then known soon, not only after all that was computed for it.
 void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& prism, FaceBound* bound, View& view) {
@@ -138,21 +154,15 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
     const Triangle& vertices = posed.surface().face(face);
     const std::array<PrismPoint, 3> corners = corners_of(scratch, vertices);
     if (bound != nullptr) bound->sight.see(posed, face, false, corners, {}, workspace.contact.work);
-    ProjectedFace& projected = scratch.faces.emplace_back();
-    if (!project_face(vertices, corners, projected)) {
-      scratch.faces.pop_back();
-      continue;
-    }
-    projected.uncertainty = prism.uncertainty(corners, workspace.placement.reach);
+    if (!add_projected(workspace, prism, face, false, vertices, corners)) continue;
+    ProjectedFace& projected = scratch.faces.back();
     const bool is_certain = certain(projected.seen, projected.uncertainty);
     if (is_certain && !projected.leaves) scratch.entered.push_back(face);
-    projected.face = face;
-    projected.own = false;
     projected.carries = projected.leaves && is_certain;
     if (projected.carries) {
       for (int i = 0; i < projected.seen.count; ++i) view.deepest = std::max(view.deepest, projected.seen[i][kDepth]);
     }
-    if (bound != nullptr) bound->sight.is_projected(projected.own, face, scratch.faces.size() - 1);
+    if (bound != nullptr) bound->sight.is_projected(false, face, scratch.faces.size() - 1);
   }
 }
 
@@ -201,16 +211,8 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
     if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > after) continue;
-    ProjectedFace& projected = workspace.projection.faces.emplace_back();
-    if (!project_face(vertices, corners, projected)) {
-      workspace.projection.faces.pop_back();
-      continue;
-    }
-    projected.uncertainty = prism.uncertainty(corners, workspace.placement.reach);
-    projected.face = face;
-    projected.own = true;
-    projected.carries = false;
-    if (bound != nullptr) bound->sight.is_projected(projected.own, face, workspace.projection.faces.size() - 1);
+    if (!add_projected(workspace, prism, face, true, vertices, corners)) continue;
+    if (bound != nullptr) bound->sight.is_projected(true, face, workspace.projection.faces.size() - 1);
   }
 }
 
