@@ -22,14 +22,14 @@ Vec3<Rational> triangle_moment(const Vec3<Rational>& o, const Vec3<Rational>& p,
 void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip, LiftedPose<Rational>& pose,
                 Vec3<Rational>& fluxes) {
   if (!clip.has_area) return;
-  const auto [p0, p1, p2] = pose.corners(side, clip.face);
-  const Vec3<Rational> v1 = p1 - p0, v2 = p2 - p0, normal = cross(v1, v2);
+  const std::array<Vec3<Rational>, 3> p = pose.corners(side, clip.face);
+  const Vec3<Rational> v1 = p[1] - p[0], v2 = p[2] - p[0], normal = cross(v1, v2);
   Vec3<Rational> moment{0, 0, 0};
   using Point = FacePoint<Rational>;
   for_each_triangle(pose, side, clip, [&](int winding, const Point& a, const Point& b, const Point& c) {
     const Rational share = Rational(winding) * share_of(a, b, c, Rational(1, 2));
     const Rational x1 = (a.x1 + b.x1 + c.x1) / Rational(3), x2 = (a.x2 + b.x2 + c.x2) / Rational(3);
-    moment = moment + share * (p0 + x1 * v1 + x2 * v2);
+    moment = moment + share * (p[0] + x1 * v1 + x2 * v2);
   });
   if (side == Side::F)
     for (const Index i : clip.overlaps) {
