@@ -102,7 +102,10 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
       options.mode == "all" ? Scene::Modes{Mode::E, Mode::F, Mode::both} : Scene::Modes{mode_named(options.mode)};
   plan.schemes = options.scheme && *options.scheme != "both" ? std::vector{scheme_named(*options.scheme)}
                                                              : std::vector{Scheme::barycentric, Scheme::clipped};
-  if (!options.strata.empty()) plan.strata.clear();
+  plan.schemes_named = options.scheme.has_value();
+  plan.strata_named = !options.strata.empty();
+  plan.pairs_named = !options.pairs.empty();
+  if (plan.strata_named) plan.strata.clear();
   for (const std::string& word : options.strata) {
     const std::optional<Stratum> stratum = stratum_named(word);
     if (!stratum) {
@@ -152,7 +155,13 @@ void write_cases(const fs::path& folder, const Verification& run) {
   const Wanted everything;
   for (const Finding& finding : run.findings()) {
     const Cell& cell = run.cells()[finding.cell];
-    const Case posed = run.as_case(finding);
+    Case posed;
+    try {
+      posed = run.as_case(finding);
+    } catch (const std::exception& error) {
+      complain(run.pose_name(cell, finding.pose) + ": no case file, for the pose can't be drawn: " + error.what());
+      continue;
+    }
     const Scene& scene = run.scene(cell, finding.pose);
     nlohmann::ordered_json engine, oracle;
     try {
@@ -172,7 +181,6 @@ void write_cases(const fs::path& folder, const Verification& run) {
   }
 }
 
-/// The verdict ends this table, which is written last: with it there, all is.
 void write_tables(const fs::path& folder, const Verification& run) {
   write_cases(folder, run);
   write_text_file(folder / "widths.csv", widths_csv(run));
@@ -181,11 +189,6 @@ void write_tables(const fs::path& folder, const Verification& run) {
   write_text_file(folder / "times.md", times_markdown(run));
   write_text_file(folder / "verification.md",
                   verification_markdown(run) + "\n" + widths_markdown(run) + "\n" + verdict_line(run) + "\n");
-}
-
-bool has_tables(const fs::path& folder, const Verification& run) {
-  const fs::path table = folder / "verification.md";
-  return fs::exists(table) && read_text_file(table).ends_with("\n" + verdict_line(run) + "\n");
 }
 
 Exit verify(const VerifyOptions& options) {
@@ -207,7 +210,8 @@ Exit verify(const VerifyOptions& options) {
     if (folder) keep_run(*folder, run);
   }
   work.reset();
-  if (folder && !(kept.finished_at && has_tables(*folder, run))) write_tables(*folder, run);
+  // Of a run that an earlier call finished, too: who knows what became of its files.
+  if (folder) write_tables(*folder, run);
   std::cout << verification_summary(run) << '\n';
   for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
     const Finding& finding = run.findings()[k];
@@ -217,7 +221,7 @@ Exit verify(const VerifyOptions& options) {
   }
   if (kept.finished_at)
     std::cout << fmt::format(
-        "These tables and this verdict are those of an earlier run of the same build, laws and surfaces, finished {}.\n"
+        "These tables and this verdict are those of an earlier run of the same build and surfaces, finished {}.\n"
         "Nothing was evaluated now.\n",
         *kept.finished_at);
   std::cout << verdict_line(run);
@@ -284,14 +288,20 @@ Exit replay(const std::string& file) {
 void add_verify_command(CLI::App& program, Run& run) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = program.add_subcommand("verify", "Hold the engine against the oracle over randomized poses");
-  command->footer(
+  command->footer(fmt::format(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
       "jobs. A summary is printed; the tables by pair and stratum are written to --out. The last line printed is the\n"
-      "verdict; the exit status is 1 with a disagreement, with rounding errors of generic poses above 1e-13 S/p at "
-      "the\n"
-      "99.9th percentile, with a wrong answer of any --engine, or when interrupted.\n"
+      "verdict; the exit status is 1 with a disagreement, with rounding errors of generic poses above 1e-13 S/p, with "
+      "a\n"
+      "wrong answer of any --engine, or when interrupted. The measure of 1e-13 S/p is taken at the 99.9th percentile,\n"
+      "always leaves out one answer at least, and is not demanded of greatest penetrations nor of the pairs made to\n"
+      "hurt; an interrupted run is `unfinished`, not verified. A stratum, scheme or pair that is named must get a "
+      "pose;\n"
+      "what else gets none is said.\n"
       "Every pose is answered on all paths that callers take (everything, with a bound, force only, touch only, drawn\n"
-      "choices, in a scene), under a law drawn for it; widths.csv says how wide each kind of check was.\n"
+      "choices, in a scene), under a law drawn for it; widths.csv says how wide each kind of check was. Case files "
+      "are\n"
+      "written of the first {} answers with a disagreement in the order of the tables; all are counted.\n"
       "Known answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each "
       "case\n"
       "are written to --out.\n"
@@ -302,7 +312,8 @@ void add_verify_command(CLI::App& program, Run& run) {
       "  pcm verify --known-answers --out answers\n"
       "  pcm verify --error-budget --out budget\n"
       "  pcm verify --audits --out audits\n"
-      "  pcm verify --case results/case_cube-cube_degenerate_17_both.json");
+      "  pcm verify --case results/case_cube-cube_degenerate_17_both.json",
+      kMostFindings));
   command->add_option("--poses", options->poses, "How many poses in all (strata that no pair has leave theirs out)")
       ->type_name("N")
       ->capture_default_str();
@@ -343,8 +354,8 @@ void add_verify_command(CLI::App& program, Run& run) {
   command
       ->add_option(
           "--out", options->out,
-          "Folder for tables and case files; a run with the same arguments is continued, but one of another build, "
-          "laws or surfaces is removed, its case_*.json too")
+          "Folder for tables and case files; a run with the same arguments is continued, but one of another build or "
+          "surfaces is removed, its case_*.json too, and so is what a run without state.json has left")
       ->type_name("DIR");
   command->add_option("--case", options->case_file, "Replay a case file instead")
       ->type_name("FILE")

@@ -39,14 +39,19 @@ bool is_case_file(const fs::path& file) {
   return name.starts_with("case_") && name.ends_with(".json");
 }
 
-void remove_results(const fs::path& folder) {
+/// Says whether there were any.
+bool remove_results(const fs::path& folder) {
   std::vector<fs::path> files = {folder / kState};
   for (const std::string_view table : kTables) files.push_back(folder / table);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (is_case_file(entry.path())) files.push_back(entry.path());
   std::error_code error;
-  for (const fs::path& file : files)
-    if (fs::remove(file, error); error) throw BadInput(file.string() + ": of another run, and it can't be removed");
+  bool removed = false;
+  for (const fs::path& file : files) {
+    removed |= fs::remove(file, error);
+    if (error) throw BadInput(file.string() + ": of another run, and it can't be removed");
+  }
+  return removed;
 }
 
 }  // namespace
@@ -60,7 +65,10 @@ void keep_run(const fs::path& folder, const Verification& run) {
 
 Resumption resume_run(const fs::path& folder, Verification& run) {
   const fs::path state_file = folder / kState;
-  if (!fs::exists(state_file)) return {};
+  if (!fs::exists(state_file)) {
+    if (!fs::is_directory(folder) || !remove_results(folder)) return {};
+    return {"--out " + folder.string() + ": tables and cases of a run whose state is gone are removed", std::nullopt};
+  }
   const std::string text = read_text_file(state_file);
   try {
     const auto kept = nlohmann::ordered_json::parse(text);

@@ -23,10 +23,11 @@ struct Resumption {
 
 /// Continues `run` from what is kept in the folder, if anything is.
 ///
-/// A run of another build of the program, under other laws or on other surfaces says nothing about this one: it is not
-/// continued, and its state, tables and cases are removed, so that nothing of it is left beside the new ones. Throws
-/// BadInput, and removes nothing, where the state is damaged, or of a run with other arguments (poses, seed, strata,
-/// modes, scheme), which the caller may want to keep.
+/// A run of another build of the program or on other surfaces says nothing about this one: it is not continued, and its
+/// state, tables and cases are removed, so that nothing of it is left beside the new ones; so are tables and cases
+/// without a state. Throws BadInput, and removes nothing, where the state is damaged, or of a run with other arguments
+/// (poses, seed, strata, modes, schemes; also where it lacks one of them or has one more), which the caller may want to
+/// keep.
 Resumption resume_run(const std::filesystem::path& folder, Verification& run);
 
 }  // namespace pcm::compare

@@ -15,19 +15,29 @@
 namespace pcm::compare {
 namespace {
 
-/// 64 bits of the FNV-1a hash of a state's doubles.
-std::uint64_t bits_of(const Pose& pose, const Velocity& velocity) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto mix = [&hash](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3; };
+/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): every bit of the result depends on every bit of x.
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+/// What the bits drawn at a state are for.
+enum class Draw : std::uint64_t { ask = 1, scene_ask, bodies };
+
+/// 64 bits that depend on all bits of a state's doubles: those of coarse ones are in the upper half alone.
+std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) {
+  std::uint64_t hash = 0;
+  const auto mix = [&hash](double x) { hash = mixed(hash + 0x9e3779b97f4a7c15 + std::bit_cast<std::uint64_t>(x)); };
   for (int k = 0; k < 9; ++k) mix(pose.A(k / 3, k % 3));
   for (const Eigen::Vector3d* v : {&pose.r, &velocity.v, &velocity.w})
     for (int k = 0; k < 3; ++k) mix((*v)[k]);
-  return hash ^ (hash >> 32);
+  return mixed(hash + static_cast<std::uint64_t>(purpose));
 }
 
 /// Fourteen switches from as many bits.
-Ask drawn_ask(std::uint64_t bits) {
-  Ask ask{Path::drawn, {}, {}};
+Ask drawn_ask(Path path, std::uint64_t bits) {
+  Ask ask{path, {}, {}};
   const auto next = [&bits] {
     const bool bit = (bits & 1) != 0;
     bits >>= 1;
@@ -60,9 +70,6 @@ void hold_path(Path path, const fast::Contact& whole, const fast::Contact& answe
     checks.add(Kind::paths, "{}: {}", name(path), difference);
 }
 
-/// Scenes refuse rotations that are not one to 1e-10.
-constexpr double kSceneSkew = 1e-10;
-
 /// One of the 24 rotations that turn axes onto axes: products with it are exact.
 Eigen::Matrix3d turn_of_axes(std::uint64_t which) {
   const auto first = static_cast<Eigen::Index>(which % 3),
@@ -82,7 +89,7 @@ struct TwoBodies {
   Eigen::Vector3d carried_W = Eigen::Vector3d::Zero();  ///< velocity at F's marker by E's spin, m/s
 
   TwoBodies(const Pose& pose, const Velocity& velocity) {
-    const std::uint64_t bits = bits_of(pose, velocity);
+    const std::uint64_t bits = bits_of(pose, velocity, Draw::bodies);
     const Eigen::Matrix3d Q = turn_of_axes(bits % 24);
     const bool spins = bits / 24 % 2 == 0;
     E.pose = {Q, -0.5 * (Q * pose.r)};
@@ -97,16 +104,14 @@ struct TwoBodies {
   }
 };
 
-/// A step on the way makes the scene look for a certificate where the bodies are apart, and use it where it still
-/// holds.
+/// Holds a scene's answer against `whole`, the one to everything and a bound. A step on the way makes the scene look
+/// for a certificate where the bodies are apart, and use it where it still holds.
 void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
-                const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks) {
-  if (fast::orthogonality_error(pose.A) > kSceneSkew) return;
-  fast::Scene scene;
+                const Ask& ask, const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks) {
+  fast::Scene scene(ask.savings);
   scene.add_body(pairing.surface_E());
   scene.add_body(pairing.surface_F());
-  const Wanted everything;
-  scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), everything);
+  scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), ask.wanted);
   const TwoBodies bodies(pose, velocity);
   fast::BodyState nearby = bodies.F;
   nearby.pose.r.x() += step;
@@ -131,11 +136,13 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   }
   if (same_bits(relative.A, pose.A) && same_bits(relative.r, pose.r) && same_bits(motion.v, velocity.v) &&
       same_bits(motion.w, velocity.w)) {
-    hold_path(Path::scene, whole, seam.evaluate_in(scene, workspace), everything, checks);
+    hold_path(Path::scene, whole, seam.evaluate_in(scene, workspace), ask.wanted, checks);
     return;
   }
-  const fast::Contact there = seam.evaluate(pairing, relative, motion, {}, workspace);
-  hold_path(Path::scene, there, seam.evaluate_in(scene, workspace), everything, checks);
+  Ask everything{Path::plain, {}, {}};
+  everything.wanted.bound = ask.wanted.bound;
+  const fast::Contact there = seam.evaluate(pairing, relative, motion, everything, workspace);
+  hold_path(Path::scene, there, seam.evaluate_in(scene, workspace), ask.wanted, checks);
 }
 
 }  // namespace
@@ -152,12 +159,27 @@ std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity) {
           {Path::bounded, with_bound, {}},
           {Path::force, kForceOnly, {}},
           {Path::touch, kTouchOnly, {}},
-          drawn_ask(bits_of(pose, velocity))};
+          drawn_ask(Path::drawn, bits_of(pose, velocity, Draw::ask))};
 }
 
 const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                                           const Ask& ask, fast::Workspace& workspace) const {
   return fast::evaluate(pairing, pose, velocity, ask.wanted, workspace, ask.savings);
+}
+
+std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity) {
+  return {{Path::scene, {}, {}}, drawn_ask(Path::scene, bits_of(pose, velocity, Draw::scene_ask))};
+}
+
+bool is_pose_for_scenes(const Pose& pose) {
+  constexpr double kSkew = 1e-10;
+  return fast::orthogonality_error(pose.A) <= kSkew;
+}
+
+const fast::Contact& EngineSeam::evaluate_for_draw(const fast::Pairing& pairing, const Pose& pose,
+                                                   const Velocity& velocity, const Wanted& wanted,
+                                                   fast::Workspace& workspace) const {
+  return fast::evaluate(pairing, pose, velocity, wanted, workspace);
 }
 
 const fast::Contact& EngineSeam::evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const {
@@ -181,7 +203,9 @@ void hold_paths(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
     expected.bound = answer.bound;  // others that have a bound have this one
     on_bound(answer);
   }
-  hold_scene(seam, pairing, pose, velocity, whole, step, workspace, checks);
+  if (!is_pose_for_scenes(pose)) return;
+  for (const Ask& ask : scene_asks_at(pose, velocity))
+    hold_scene(seam, pairing, pose, velocity, ask, expected, step, workspace, checks);
 }
 
 }  // namespace pcm::compare

@@ -20,7 +20,7 @@ enum class Path : std::uint8_t {
   force,    ///< force and torque only
   touch,    ///< whether the surfaces cross only
   drawn,    ///< a choice of Wanted and Savings drawn from the pose's own bits, so that it is drawn again
-  scene,    ///< two bodies of a fast::Scene, after a step from a place nearby
+  scene,    ///< two bodies of a fast::Scene, after a step from a place nearby: by default, and with drawn choices
 };
 
 std::string_view name(Path path);
@@ -32,8 +32,15 @@ struct Ask {
   fast::Savings savings;
 };
 
-/// What every pose is asked: the plain question first, then all others but the scene's.
+/// What every pose is asked: the plain question first, then all others but the scenes'.
 std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity);
+
+/// What scenes are asked there: everything but a bound with all savings, then a choice drawn apart from that of
+/// `drawn`.
+std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity);
+
+/// Whether A is a rotation to 1e-10, as scenes demand of every body's: no scene is asked about other poses.
+bool is_pose_for_scenes(const Pose& pose);
 
 /// Stands between the engine and the comparison. This one lets answers pass; tests put others in its place, which alter
 /// them, to see the comparison notice.
@@ -47,6 +54,10 @@ class EngineSeam {
   /// The answer lives until the next call with that workspace. Throws as fast::evaluate does.
   virtual const fast::Contact& evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                                         const Ask& ask, fast::Workspace& workspace) const;
+  /// Elements that a law's thresholds are drawn at (state_draw.h).
+  virtual const fast::Contact& evaluate_for_draw(const fast::Pairing& pairing, const Pose& pose,
+                                                 const Velocity& velocity, const Wanted& wanted,
+                                                 fast::Workspace& workspace) const;
   /// The answer of a scene's only pairing, where its bodies are.
   virtual const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const;
 

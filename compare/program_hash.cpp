@@ -4,26 +4,22 @@
 
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 
 #include "compare/sha256.h"
+#include "meshes/bad_input.h"
 
 namespace pcm::compare {
-namespace {
 
-std::string running_program() {
-  // The link leads to the file that was started, even where another one has taken its place since.
-  std::ifstream file("/proc/self/exe", std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file || bytes.empty())
-    throw std::runtime_error("/proc/self/exe can't be read: which build this is stays unknown");
-  return bytes;
+std::string program_hash_of(const std::filesystem::path& program) {
+  std::ifstream file(program, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file || bytes.empty()) throw BadInput(program.string() + " can't be read: which build this is stays unknown");
+  return sha256(bytes);
 }
 
-}  // namespace
-
 const std::string& program_hash() {
-  static const std::string hash = sha256(running_program());
+  // The link leads to the file that was started, even where another one has taken its place since.
+  static const std::string hash = program_hash_of("/proc/self/exe");
   return hash;
 }
 

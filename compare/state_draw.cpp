@@ -16,18 +16,21 @@ struct Figures {
 };
 
 /// Of the elements under the state's law; none where the engine refuses.
-Figures figures_at(const Scene& scene, const Scene::State& state) {
+Figures figures_at(const EngineSeam& seam, const Scene& scene, const Scene::State& state) {
   Wanted elements{.polygons = false, .areas = false, .force = true, .elements = true};
   const fast::Pairing& surfaces = scene.engine();
   const fast::Pairing pairing(surfaces.surface_E(), surfaces.surface_F(), state.law, Mode::both, state.scheme);
   fast::Workspace workspace;
   Figures figures;
   try {
-    for (const fast::Element& e : fast::evaluate(pairing, state.pose, state.velocity, elements, workspace).elements) {
+    for (const fast::Element& e :
+         seam.evaluate_for_draw(pairing, state.pose, state.velocity, elements, workspace).elements) {
       figures.penetrations.push_back(e.penetration);
       figures.speeds.push_back(e.tangential_velocity);
     }
   } catch (const BadInput&) {
+  } catch (const std::exception& error) {
+    throw DrawFailure(std::string("engine: ") + error.what(), state);
   }
   return figures;
 }
@@ -35,12 +38,12 @@ Figures figures_at(const Scene& scene, const Scene::State& state) {
 }  // namespace
 
 Scene::State draw_state(const Scene& scene, Stratum stratum, const DrawnPose& drawn, Scheme scheme, PoseRandom for_law,
-                        PoseRandom for_velocity) {
+                        PoseRandom for_velocity, const EngineSeam& seam) {
   Scene::State state{drawn.pose, drawn.velocity, draw_law_without_thresholds(for_law), scheme};
   if (hard(stratum)) state.velocity = draw_velocity(for_velocity, scene.features(), drawn.pose);
   const double size = scene.features().size();
-  draw_depths(for_law, size, figures_at(scene, state).penetrations, state.law);
-  draw_slip_velocity(for_law, size, figures_at(scene, state).speeds, state.law);
+  draw_depths(for_law, size, figures_at(seam, scene, state).penetrations, state.law);
+  draw_slip_velocity(for_law, size, figures_at(seam, scene, state).speeds, state.law);
   return state;
 }
 

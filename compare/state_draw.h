@@ -2,14 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stdexcept>
+#include <string>
+
 #include "compare/scene.h"
 
 namespace pcm::compare {
 
+/// The engine broke down, by no BadInput, while it was asked for the figures that a law's thresholds are drawn from.
+class DrawFailure : public std::runtime_error {
+ public:
+  DrawFailure(const std::string& what, const Scene::State& state) : std::runtime_error(what), state_(state) {}
+  /// What it was asked, in mode `both`.
+  const Scene::State& state() const { return state_; }
+
+ private:
+  Scene::State state_;
+};
+
 /// What a drawn pose is asked with: a law drawn in three steps, with thresholds at the figures of the engine's own
 /// elements there (law_draw.h), in mode `both`; and in the hard strata a velocity drawn anew, for there it may be
-/// exactly 0, along a face's normal or in its plane. A pure function of scene, pose, scheme and random numbers.
+/// exactly 0, along a face's normal or in its plane. A pure function of scene, pose, scheme and random numbers. Where
+/// the engine refuses the state (BadInput) there are no figures; whatever else it throws becomes a DrawFailure.
 Scene::State draw_state(const Scene& scene, Stratum stratum, const DrawnPose& drawn, Scheme scheme, PoseRandom for_law,
-                        PoseRandom for_velocity);
+                        PoseRandom for_velocity, const EngineSeam& seam = EngineSeam::none());
 
 }  // namespace pcm::compare

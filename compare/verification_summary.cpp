@@ -91,6 +91,7 @@ std::string verification_summary(const Verification& run) {
   text += "measured: generic poses of the pairs that are not made to hurt; of them the verdict demands 1e-13 S/p\n";
   text += bounds_table(strata, all);
   text += widths_summary(run);
+  if (const std::string line = without_scene_line(run); !line.empty()) text += "\n" + line + "\n";
   for (const std::string& omission : run.omissions()) text += "\n" + omission + "\n";
   return text;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -59,6 +60,14 @@ std::int64_t touching_poses(const Verification& run) {
 
 double exact_fallback_rate(const Tally& tally) {
   return tally.predicates > 0 ? static_cast<double>(tally.exact_predicates) / static_cast<double>(tally.predicates) : 0;
+}
+
+/// Each pose once, however many modes; strata that have such poses.
+std::map<Stratum, std::int64_t> poses_without_scene(const Verification& run) {
+  std::map<Stratum, std::int64_t> poses;
+  for (const Cell& cell : run.cells())
+    if (cell.mode == run.plan().modes.front() && cell.without_scene > 0) poses[cell.stratum] += cell.without_scene;
+  return poses;
 }
 
 constexpr std::array<double, 3> kQuantiles = {0.5, 0.99, 0.999};
@@ -135,6 +144,7 @@ std::string verification_markdown(const Verification& run) {
         text += fmt::format("| {} | {} | {} | {} | {:.2e} | {} |\n", row.stratum, row.scheme, row.mode, kErrorNames[k],
                             row.tally.worst[k].value, row.tally.worst[k].pose);
   }
+  if (const std::string line = without_scene_line(run); !line.empty()) text += "\n" + line + "\n";
   for (const std::string& omission : run.omissions()) text += "\n" + omission + "\n";
   return text;
 }
@@ -203,6 +213,9 @@ nlohmann::ordered_json verification_json(const Verification& run) {
     json["rows"].push_back(std::move(entry));
   }
   json["widths"] = widths_json(run);
+  json["without_scene"] = nlohmann::ordered_json::object();
+  for (const auto& [stratum, poses] : poses_without_scene(run))
+    json["without_scene"][std::string(name(stratum))] = poses;
   json["omissions"] = run.omissions();
   return json;
 }
@@ -247,6 +260,18 @@ std::optional<MissedMeasure> missed_measure(const Verification& run) {
   return worst;
 }
 
+std::string without_scene_line(const Verification& run) {
+  std::string strata;
+  std::int64_t all = 0;
+  for (const auto& [stratum, poses] : poses_without_scene(run)) {
+    strata += fmt::format("{}{} {}", strata.empty() ? "" : ", ", name(stratum), poses);
+    all += poses;
+  }
+  if (all == 0) return "";
+  return fmt::format("paths: no scene was asked about {} of {} poses, whose A is no rotation to 1e-10 ({})", all,
+                     run.poses_done(), strata);
+}
+
 bool is_verified(const Verification& run) {
   return run.finished() && run.total().disagreeing == 0 && !missed_measure(run);
 }
@@ -255,12 +280,15 @@ std::string verdict_line(const Verification& run) {
   const std::int64_t disagreeing = run.total().disagreeing;
   const std::size_t modes = run.plan().modes.size();
   const std::optional<MissedMeasure> missed = missed_measure(run);
-  std::string line = fmt::format("{}: {} poses{}, {} touching, {} disagreements",
-                                 disagreeing == 0 && !missed ? "verified" : "NOT verified", run.poses_done(),
+  const char* verdict = is_verified(run)                      ? "verified"
+                        : disagreeing == 0 && !run.finished() ? "unfinished"
+                                                              : "NOT verified";
+  std::string line = fmt::format("{}: {} poses{}, {} touching, {} disagreements", verdict, run.poses_done(),
                                  modes > 1 ? fmt::format(" in {} modes", modes) : "", touching_poses(run), disagreeing);
   if (missed)
     line += fmt::format(", {} error of {:.1e} S/p at the 99.9th percentile of generic (measure: {:.0e})", missed->what,
                         missed->error, kMeasure);
+  if (!run.without_poses().empty()) line += fmt::format(" (no pose: {})", run.without_poses());
   if (!run.finished()) line += fmt::format(" (interrupted, {} poses wanted)", run.plan().poses);
   return line;
 }

@@ -37,11 +37,16 @@ struct MissedMeasure {
 };
 std::optional<MissedMeasure> missed_measure(const Verification& run);
 
+/// How many poses no scene was asked about, and in which strata (paths.h); a line for people, empty where there are
+/// none.
+std::string without_scene_line(const Verification& run);
+
 /// Finished, without disagreements, and by the measure, where there are generic poses.
 bool is_verified(const Verification& run);
 
 /// The last line printed, e.g. "verified: 20160 poses, 9876 touching, 0 disagreements"; each pose once,
-/// however many modes; disagreements in all modes.
+/// however many modes; disagreements in all modes. "verified" stands there where the run is_verified alone; a run that
+/// was interrupted is "unfinished", or, with disagreements already, "NOT verified". What got no pose is named.
 std::string verdict_line(const Verification& run);
 
 }  // namespace pcm::compare

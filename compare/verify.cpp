@@ -40,15 +40,17 @@ std::uint64_t stream_of(const std::string& pair_name) {
   return hash;
 }
 
-/// All that a law is, in hexadecimal floating point.
-nlohmann::ordered_json numbers_of(const ContactLaw& law) {
-  static_assert(sizeof(ContactLaw) == 10 * sizeof(double), "a number more or less: does the list below hold them all?");
-  const LayerStiffness layers = law.layers.value_or(LayerStiffness{0, 0});
-  nlohmann::ordered_json numbers;
-  for (const double x : {law.stiffness, layers.c_E, layers.c_F, law.damping, law.transition_depth, law.friction,
-                         law.slip_velocity, law.max_penetration, static_cast<double>(law.damping_mode)})
-    numbers.push_back(fmt::format("{:a}", x));
-  return numbers;
+/// What of a kept run's identity is not an argument of the command line.
+bool is_argument(const std::string& key) {
+  return key != "format" && key != "build" && key != "pairs";
+}
+
+/// The first of the names, and how many more there are.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kMost, names.size()); ++k) text += (k == 0 ? "" : ", ") + names[k];
+  return names.size() <= kMost ? text : text + fmt::format(" and {} more", names.size() - kMost);
 }
 
 /// The cells that have the same value of `key`, together.
@@ -89,6 +91,8 @@ Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
   const auto part = [](std::int64_t whole, std::int64_t before, std::int64_t weight, std::int64_t all) {
     return whole * (before + weight) / all - whole * before / all;
   };
+  Fit fit;
+  std::map<std::pair<std::size_t, Stratum>, std::int64_t> numbered;
   const auto add_cells_in = [&](Scheme scheme, Stratum stratum, std::int64_t poses,
                                 const std::vector<std::size_t>& pairs) {
     const auto share_of = [&](std::size_t k) { return plan_.pairs[k].share(stratum, scheme); };
@@ -96,8 +100,14 @@ Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
     for (const std::size_t k : pairs) all += share_of(k);
     for (const std::size_t k : pairs) {
       const std::int64_t share = share_of(k);
-      if (const std::int64_t n = part(poses, before, share, all); n > 0)
-        for (const Mode mode : plan_.modes) cells_.push_back({k, stratum, scheme, mode, n, {}});
+      fit.pairs.insert(k);
+      fit.strata.insert(stratum);
+      ++fit.cells;
+      if (const std::int64_t n = part(poses, before, share, all); n > 0) {
+        std::int64_t& first = numbered[{k, stratum}];
+        for (const Mode mode : plan_.modes) cells_.push_back({k, stratum, scheme, mode, first, n, 0, {}});
+        first += n;
+      }
       before += share;
     }
   };
@@ -131,6 +141,48 @@ Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
   all /= modes();
   if (all == 0) throw BadInput("none of the strata asked for is to be had with these pairs");
   batches_ = (all + kBatch - 1) / kBatch;
+  say_what_gets_no_pose(fit);
+}
+
+void Verification::say_what_gets_no_pose(const Fit& fit) {
+  std::set<std::size_t> pairs;
+  std::set<Stratum> strata;
+  std::set<Scheme> schemes;
+  for (const Cell& cell : cells_) {
+    pairs.insert(cell.pair);
+    strata.insert(cell.stratum);
+    schemes.insert(cell.scheme);
+  }
+  const std::string too_few = fmt::format("{} poses are too few; ask for more with --poses", plan_.poses);
+  const auto say = [&](const std::string& what, bool is_named, bool is_fit) {
+    const std::string why = " gets no pose: " + (is_fit ? too_few : "it is not to be had with these pairs");
+    if (is_named) throw BadInput(what + why);
+    omissions_.push_back(what + why);
+  };
+  const auto add = [&](const std::string& words) { without_poses_ += (without_poses_.empty() ? "" : "; ") + words; };
+  for (const Stratum stratum : plan_.strata)
+    if (!strata.contains(stratum)) {
+      say("stratum " + std::string(name(stratum)), plan_.strata_named, fit.strata.contains(stratum));
+      add(std::string(name(stratum)));
+    }
+  for (const Scheme scheme : plan_.schemes)
+    if (!schemes.contains(scheme)) {
+      say("the " + std::string(name(scheme)) + " scheme", plan_.schemes_named, true);
+      add(std::string(name(scheme)) + " scheme");
+    }
+  std::vector<std::string> unused;
+  for (std::size_t k = 0; k < plan_.pairs.size(); ++k)
+    if (!pairs.contains(k)) {
+      unused.push_back(plan_.pairs[k].name);
+      if (plan_.pairs_named) say("pair " + unused.back(), true, fit.pairs.contains(k));
+    }
+  if (const std::int64_t empty = fit.cells - std::ssize(cells_) / modes(); empty > 0)
+    omissions_.push_back(
+        fmt::format("{} of {} combinations of pair, stratum and scheme get no pose: {}", empty, fit.cells, too_few));
+  if (unused.empty()) return;
+  const std::string words = fmt::format("{} of {} pairs", unused.size(), plan_.pairs.size());
+  omissions_.push_back(words + " get no pose (" + listed(unused) + "): " + too_few);
+  add(words);
 }
 
 std::int64_t Verification::poses_done() const {
@@ -206,7 +258,7 @@ Scene::State Verification::asked(const Cell& cell, std::int64_t pose) const {
                       static_cast<std::uint64_t>(pose), purpose);
   };
   return draw_state(scene(cell, pose), cell.stratum, draw(cell, pose), cell.scheme, random(Purpose::law),
-                    random(Purpose::velocity));
+                    random(Purpose::velocity), *seam_);
 }
 
 Case Verification::as_case(const Finding& finding) const {
@@ -222,13 +274,30 @@ Case Verification::as_case(const Finding& finding) const {
   // The stratum nested scales meshes; they are then no longer those of the files.
   if (posed.E.name == pair.E.name) posed.file_E = pair.file_E;
   if (posed.F.name == pair.F.name) posed.file_F = pair.file_F;
-  const Scene::State asked = this->asked(cell, finding.pose);
-  posed.pose = asked.pose;
-  posed.velocity = asked.velocity;
-  posed.law = asked.law;
-  posed.mode = cell.mode;
-  posed.scheme = asked.scheme;
+  const auto set = [&posed](const Scene::State& state, Mode mode) {
+    posed.pose = state.pose;
+    posed.velocity = state.velocity;
+    posed.law = state.law;
+    posed.mode = mode;
+    posed.scheme = state.scheme;
+  };
+  try {
+    set(asked(cell, finding.pose), cell.mode);
+  } catch (const DrawFailure& failure) {
+    set(failure.state(), Mode::both);
+  }
   return posed;
+}
+
+Verification::Held Verification::hold(const Cell& cell, std::int64_t pose, fast::Workspace& workspace) const {
+  try {
+    const Scene::State state = asked(cell, pose);
+    return {scene(cell, pose).hold(state, workspace, *seam_), is_pose_for_scenes(state.pose)};
+  } catch (const std::exception& error) {
+    PoseOutcome failed;
+    failed.disagreements.push_back({Kind::failure, std::string("drawing the state: ") + error.what()});
+    return {std::vector<PoseOutcome>(plan_.modes.size(), failed), false};
+  }
 }
 
 void Verification::run_batch(int jobs, const std::function<bool()>& stop,
@@ -239,13 +308,13 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
   };
   std::vector<Task> tasks;
   for (std::size_t c = 0; c < cells_.size(); c += plan_.modes.size()) {
-    const std::int64_t n = cells_[c].poses;
-    for (std::int64_t pose = n * batches_done_ / batches_; pose < n * (batches_done_ + 1) / batches_; ++pose)
-      tasks.push_back({c, pose});
+    const std::int64_t n = cells_[c].poses, first = cells_[c].first;
+    for (std::int64_t k = n * batches_done_ / batches_; k < n * (batches_done_ + 1) / batches_; ++k)
+      tasks.push_back({c, first + k});
   }
 
   const std::int64_t before = poses_done();
-  std::vector<std::vector<PoseOutcome>> outcomes(tasks.size());
+  std::vector<Held> held(tasks.size());
   std::atomic<std::int64_t> done = 0;
   std::mutex reporting;
   oneapi::tbb::enumerable_thread_specific<fast::Workspace> workspaces;
@@ -257,9 +326,7 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
           for (std::size_t t = range.begin(); t < range.end(); ++t) {
             if (done_of_batch_.contains(t)) continue;
             if (stop()) return;
-            const Cell& cell = cells_[tasks[t].cell];
-            const std::int64_t pose = tasks[t].pose;
-            outcomes[t] = scene(cell, pose).hold(asked(cell, pose), workspaces.local(), *seam_);
+            held[t] = hold(cells_[tasks[t].cell], tasks[t].pose, workspaces.local());
             const std::int64_t now = before + ++done;
             if (const std::unique_lock lock(reporting, std::try_to_lock); lock) progress(now);
           }
@@ -268,10 +335,12 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
   });
 
   for (std::size_t t = 0; t < tasks.size(); ++t) {
-    if (!outcomes[t].empty()) done_of_batch_.insert(t);
-    for (std::size_t m = 0; m < outcomes[t].size(); ++m) {
+    std::vector<PoseOutcome>& outcomes = held[t].outcomes;
+    if (!outcomes.empty()) done_of_batch_.insert(t);
+    for (std::size_t m = 0; m < outcomes.size(); ++m) {
       const std::size_t c = tasks[t].cell + m;
-      PoseOutcome& outcome = outcomes[t][m];
+      PoseOutcome& outcome = outcomes[m];
+      cells_[c].without_scene += !held[t].in_scene;
       cells_[c].tally.add(outcome, pose_name(cells_[c], tasks[t].pose));
       if (!outcome.disagreements.empty()) findings_.push_back({c, tasks[t].pose, std::move(outcome.disagreements)});
     }
@@ -287,7 +356,7 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
 
 nlohmann::ordered_json Verification::identity() const {
   nlohmann::ordered_json json;
-  json["format"] = "pcm verification 5";
+  json["format"] = "pcm verification 6";
   json["build"] = plan_.build;
   json["poses"] = plan_.poses;
   json["seed"] = plan_.seed;
@@ -300,23 +369,27 @@ nlohmann::ordered_json Verification::identity() const {
       surfaces.push_back(sha256(mesh_E));
       surfaces.push_back(sha256(mesh_F));
     }
-    json["pairs"].push_back({{"name", pair.name}, {"surfaces", surfaces}, {"law", numbers_of(pair.law)}});
+    json["pairs"].push_back({{"name", pair.name}, {"surfaces", surfaces}});
   }
   return json;
 }
 
 bool Verification::same_arguments(const nlohmann::ordered_json& state) const {
-  // What the program and its pairs add is compared apart, and an argument that only one of two programs knows is not.
+  // What the program and its pairs add is compared apart.
   const nlohmann::ordered_json ours = identity();
-  for (const auto& [key, value] : state.at("run").items())
-    if (key != "format" && key != "build" && key != "pairs" && ours.contains(key) && ours[key] != value) return false;
+  const nlohmann::ordered_json& theirs = state.at("run");
+  if (!theirs.is_object()) return false;
+  for (const auto& [key, value] : ours.items())
+    if (is_argument(key) && (!theirs.contains(key) || theirs[key] != value)) return false;
+  for (const auto& [key, value] : theirs.items())
+    if (is_argument(key) && !ours.contains(key)) return false;
   return true;
 }
 
 std::string Verification::difference_from(const nlohmann::ordered_json& state) const {
   const nlohmann::ordered_json& run = state.at("run");
   if (!run.contains("build") || run["build"] != plan_.build) return "of another build of pcm";
-  return run == identity() ? "" : "under other laws or on other surfaces";
+  return run == identity() ? "" : "on other surfaces";
 }
 
 nlohmann::ordered_json Verification::state() const {
@@ -325,7 +398,10 @@ nlohmann::ordered_json Verification::state() const {
   json["batches_done"] = batches_done_;
   json["done_of_batch"] = done_of_batch_;
   json["cells"] = nlohmann::ordered_json::array();
-  for (const Cell& cell : cells_) json["cells"].push_back(cell.tally.to_json());
+  for (const Cell& cell : cells_) {
+    json["cells"].push_back(cell.tally.to_json());
+    json["without_scene"].push_back(cell.without_scene);
+  }
   json["findings"] = nlohmann::ordered_json::array();
   for (const Finding& finding : findings_) {
     auto list = nlohmann::ordered_json::array();
@@ -337,7 +413,10 @@ nlohmann::ordered_json Verification::state() const {
 
 void Verification::restore(const nlohmann::ordered_json& state) {
   if (state.at("run") != identity()) throw BadInput("the state is of another run");
-  for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].tally = Tally::from_json(state.at("cells").at(c));
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    cells_[c].tally = Tally::from_json(state.at("cells").at(c));
+    cells_[c].without_scene = state.at("without_scene").at(c).get<std::int64_t>();
+  }
   batches_done_ = state.at("batches_done").get<std::int64_t>();
   done_of_batch_ = state.at("done_of_batch").get<std::set<std::size_t>>();
   findings_.clear();

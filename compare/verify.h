@@ -26,17 +26,22 @@ struct VerificationPlan {
   /// With both, one pose in three is answered in the clipped scheme, the others in the barycentric one.
   std::vector<Scheme> schemes{Scheme::barycentric};
   std::vector<SurfacePair> pairs;
+  /// Asked for by name: each of these must then get a pose. What else gets none is an omission.
+  bool strata_named = false, schemes_named = false, pairs_named = false;
   std::string build;  ///< which program answers; by default the hash of the one that runs
 };
 
 /// The poses of one pair and one stratum, answered in one scheme and one mode. The cells of a pair, stratum and scheme
-/// are neighbours, in the plan's order of modes, and have the same poses.
+/// are neighbours, in the plan's order of modes, and have the same poses; those of two schemes have no pose in common:
+/// the second one's numbers go on where the first one's end.
 struct Cell {
   std::size_t pair = 0;
   Stratum stratum = Stratum::generic;
   Scheme scheme = Scheme::barycentric;
   Mode mode = Mode::both;
+  std::int64_t first = 0;  ///< number of the first pose
   std::int64_t poses = 0;
+  std::int64_t without_scene = 0;  ///< of those done, which no scene was asked about (paths.h)
   Tally tally;
 };
 
@@ -68,7 +73,8 @@ inline constexpr std::size_t kMostFindings = 300;
 /// made for them.
 class Verification {
  public:
-  /// Prepares every pair, on all cores. Throws BadInput where a mesh is unfit, naming the pair.
+  /// Prepares every pair, on all cores. Throws BadInput where a mesh is unfit, naming the pair, and where what the plan
+  /// names gets no pose.
   /// `seam`, which must outlive the run, hands on the engine's answers.
   explicit Verification(VerificationPlan plan, const EngineSeam& seam = EngineSeam::none());
   ~Verification();
@@ -92,20 +98,26 @@ class Verification {
   std::vector<NamedTally> by_scheme() const;
   /// The cells of each stratum, scheme and mode together, in this order.
   std::vector<StratumTally> by_stratum_scheme_and_mode() const;
-  /// Strata of pairs that are not to be had, in words.
+  /// Strata of pairs that are not to be had, and what gets no pose because there are too few of them, in words.
   const std::vector<std::string>& omissions() const { return omissions_; }
+  /// The plan's strata, schemes and pairs without a pose, in a few words, e.g. "generic; 54 of 59 pairs"; empty where
+  /// all have one.
+  const std::string& without_poses() const { return without_poses_; }
 
   /// Name of a pose in a scheme and mode, e.g. "bubble-bubble/generic/17/both" or, where the plan has both schemes,
-  /// "bubble-bubble/generic/17/both/clipped".
+  /// "bubble-bubble/generic/17/both/clipped". Pair, stratum and number alone tell the poses of a plan apart. Here and
+  /// below `pose` is a number from cell.first on.
   std::string pose_name(const Cell& cell, std::int64_t pose) const;
   DrawnPose draw(const Cell& cell, std::int64_t pose) const;
-  /// The drawn pose with the law and the scheme it is answered with.
+  /// The drawn pose with the law and the scheme it is answered with. Throws DrawFailure where the engine breaks down.
   Scene::State asked(const Cell& cell, std::int64_t pose) const;
   /// Where that pose is asked: pairs with variants have several scenes.
   const Scene& scene(const Cell& cell, std::int64_t pose) const;
+  /// Where the state could not be drawn to its end: the one that the engine broke down at, in mode `both`.
   Case as_case(const Finding& finding) const;
 
-  /// Runs what is left of the next batch on `jobs` threads. `stop` is asked before each pose: once it says yes, the
+  /// Runs what is left of the next batch on `jobs` threads. Whatever is thrown at a pose, while it is drawn too, is a
+  /// disagreement of kind `failure` in each of its modes. `stop` is asked before each pose: once it says yes, the
   /// poses at hand are finished and added, and the batch is left for the next call. `progress` gets the number of poses
   /// done so far.
   void run_batch(int jobs, const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
@@ -114,7 +126,8 @@ class Verification {
   /// plan, or of another program's run.
   nlohmann::ordered_json state() const;
   void restore(const nlohmann::ordered_json& state);
-  /// Whether the state is of a run with the same arguments, whatever program, laws and surfaces it ran with.
+  /// Whether the state is of a run with the same arguments, whatever program and surfaces it ran with. An argument that
+  /// it lacks, or that is unknown here, is another one.
   bool same_arguments(const nlohmann::ordered_json& state) const;
   /// What makes the state one of another run with the same arguments, e.g. "of another build of pcm"; empty where
   /// nothing does.
@@ -126,6 +139,21 @@ class Verification {
     std::unique_ptr<Scene> nested;
   };
 
+  /// The outcomes of a pose, one a mode.
+  struct Held {
+    std::vector<PoseOutcome> outcomes;
+    bool in_scene = false;
+  };
+
+  /// What can have poses, however few are asked for.
+  struct Fit {
+    std::set<std::size_t> pairs;
+    std::set<Stratum> strata;
+    std::int64_t cells = 0;  ///< in one mode
+  };
+
+  void say_what_gets_no_pose(const Fit& fit);
+  Held hold(const Cell& cell, std::int64_t pose, fast::Workspace& workspace) const;
   std::int64_t modes() const { return static_cast<std::int64_t>(plan_.modes.size()); }
   nlohmann::ordered_json identity() const;
 
@@ -135,6 +163,7 @@ class Verification {
   std::vector<Cell> cells_;
   std::vector<Finding> findings_;
   std::vector<std::string> omissions_;
+  std::string without_poses_;
   std::int64_t batches_ = 1;
   std::int64_t batches_done_ = 0;
   std::set<std::size_t> done_of_batch_;  ///< which poses of the next batch are done already

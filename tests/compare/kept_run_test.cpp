@@ -10,12 +10,14 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "compare/program_hash.h"
 #include "compare/sha256.h"
+#include "compare/verification_table.h"
 #include "meshes/bad_input.h"
 #include "meshes/degenerate/lattice_tetrahedra.h"
 #include "meshes/generate_boxes.h"
@@ -115,7 +117,7 @@ TEST_F(KeptRun, OfABuildThatKeptNoHashIsRemoved) {
   expect_started_anew(plan_, "another build");
 }
 
-TEST_F(KeptRun, UnderOtherLawsOrOnOtherSurfacesIsRemoved) {
+TEST_F(KeptRun, OnOtherSurfacesIsRemoved) {
   const auto up = [](double& x) { x = std::nextafter(x, std::numeric_limits<double>::infinity()); };
   const std::vector<std::function<void(SurfacePair&)>> changes = {
       [&](SurfacePair& pair) { up(pair.E.vertices[1].x()); },
@@ -123,16 +125,6 @@ TEST_F(KeptRun, UnderOtherLawsOrOnOtherSurfacesIsRemoved) {
       [](SurfacePair& pair) { std::swap(pair.F.faces[0], pair.F.faces[1]); },
       [&](SurfacePair& pair) { up(pair.variants[0][1].vertices[0].y()); },
       [](SurfacePair& pair) { pair.variants.clear(); },
-      [&](SurfacePair& pair) { up(pair.law.stiffness); },
-      [](SurfacePair& pair) { pair.law.layers.reset(); },
-      [&](SurfacePair& pair) { up(pair.law.layers->c_E); },
-      [&](SurfacePair& pair) { up(pair.law.layers->c_F); },
-      [&](SurfacePair& pair) { up(pair.law.damping); },
-      [&](SurfacePair& pair) { up(pair.law.transition_depth); },
-      [&](SurfacePair& pair) { up(pair.law.friction); },
-      [&](SurfacePair& pair) { up(pair.law.slip_velocity); },
-      [&](SurfacePair& pair) { pair.law.max_penetration = std::numeric_limits<double>::infinity(); },
-      [](SurfacePair& pair) { pair.law.damping_mode = DampingMode::full; },
       [](SurfacePair& pair) { pair.name = "others"; },
   };
   for (std::size_t k = 0; k < changes.size(); ++k) {
@@ -140,7 +132,56 @@ TEST_F(KeptRun, UnderOtherLawsOrOnOtherSurfacesIsRemoved) {
     keep_half_a_run();
     VerificationPlan other = plan_;
     changes[k](other.pairs.front());
-    expect_started_anew(other, "other laws");
+    expect_started_anew(other, "other surfaces");
+  }
+}
+
+TEST_F(KeptRun, UnderAnotherLawOfThePairIsContinuedForPosesAreAskedUnderLawsOfTheirOwn) {
+  keep_half_a_run();
+  VerificationPlan other = plan_;
+  other.pairs.front().law = ContactLaw{};
+  Verification run(other), whole(plan_);
+  EXPECT_NE(resume_run(scratch_.path(), run).notice.find("continued"), std::string::npos);
+  for (Verification* one : {&run, &whole})
+    while (!one->finished())
+      one->run_batch(
+          2, [] { return false; }, [](std::int64_t) {});
+  EXPECT_EQ(verification_csv(run), verification_csv(whole));
+}
+
+TEST_F(KeptRun, WithoutAStateIsRemovedForItsCasesAreNobodys) {
+  keep_half_a_run();
+  std::filesystem::remove(scratch_.path() / "state.json");
+  expect_started_anew(plan_, "whose state is gone");
+  Verification run(plan_);
+  EXPECT_EQ(resume_run(scratch_.path(), run).notice, "") << "nothing is left to tell of";
+}
+
+TEST_F(KeptRun, ThatLacksAnArgumentOrHasOneMoreIsOfOtherArguments) {
+  const std::vector<std::function<void(Json&)>> changes = {
+      [](Json& run) { run = Json::object(); },
+      [](Json& run) {
+        run = Json::array({1, 2});
+      },
+      [](Json& run) { run.erase("poses"); },
+      [](Json& run) { run.erase("seed"); },
+      [](Json& run) { run.erase("modes"); },
+      [](Json& run) { run.erase("schemes"); },
+      [](Json& run) { run.erase("strata"); },
+      [](Json& run) { run["friction"] = 1; },
+      [](Json& run) {  // as "pcm verification 4" wrote it
+        run.erase("schemes");
+        run["scheme"] = 1;
+        run["format"] = "pcm verification 4";
+      },
+  };
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    SCOPED_TRACE(k);
+    keep_half_a_run();
+    alter_state(scratch_.path(), [&](Json& state) { changes[k](state["run"]); });
+    Verification run(plan_);
+    EXPECT_THROW(resume_run(scratch_.path(), run), BadInput);
+    for (const char* file : {"state.json", "verification.md", "case_old.json"}) EXPECT_TRUE(exists(file)) << file;
   }
 }
 
@@ -194,6 +235,29 @@ TEST_F(KeptRunOfTheProgram, FinishedWithoutItsLastTableGetsIt) {
   std::filesystem::remove(folder_ / "verification.md");
   ASSERT_EQ(run_pcm(verify_).status, 0);
   EXPECT_EQ(bytes_of(folder_ / "verification.md"), table);
+}
+
+TEST_F(KeptRunOfTheProgram, FinishedWithATableDamagedOrGoneGetsAllOfThem) {
+  ASSERT_EQ(run_pcm(verify_).status, 0);
+  std::map<std::string, std::string> tables;
+  for (const char* file : {"widths.csv", "verification.csv", "verification.json", "times.md", "verification.md"})
+    tables[file] = bytes_of(folder_ / file);
+  write_text_file(folder_ / "verification.csv", "garbage");
+  write_text_file(folder_ / "times.md", "");
+  for (const char* file : {"widths.csv", "verification.json"}) std::filesystem::remove(folder_ / file);
+  const Outcome again = run_pcm(verify_);
+  EXPECT_EQ(again.status, 0);
+  EXPECT_NE(again.out.find("earlier run"), std::string::npos);
+  for (const auto& [file, text] : tables) EXPECT_EQ(bytes_of(folder_ / file), text) << file;
+}
+
+TEST_F(KeptRunOfTheProgram, WithoutAStateLeavesNoCaseBesideTheNewTables) {
+  std::filesystem::create_directories(folder_);
+  write_text_file(folder_ / "case_box-box_generic_0_both.json", "stale");
+  const Outcome first = run_pcm(verify_);
+  EXPECT_EQ(first.status, 0);
+  EXPECT_NE(first.err.find("whose state is gone"), std::string::npos) << first.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "case_box-box_generic_0_both.json"));
 }
 
 TEST_F(KeptRunOfTheProgram, HoldsTheHashOfTheProgramAndAnotherOnesIsReplaced) {

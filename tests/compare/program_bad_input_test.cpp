@@ -174,6 +174,8 @@ TEST_F(BadInput, OptionsOfVerify) {
   for (const std::string value : {"-1", "x", "18446744073709551616"})
     expect_bad_input({"verify", "--seed", value}, "--seed");
   expect_bad_input({"verify", "--strata", "generic,sausage"}, "sausage");
+  expect_bad_input({"verify", "--pair", surface_, surface_, "--pair", surface_, surface_, "--poses", "12"}, "pair ");
+  expect_bad_input({"verify", "--pair", surface_, surface_, "--strata", "generic,grazing", "--poses", "1"}, "generic");
   expect_bad_input({"verify", "--pair", surface_}, "--pair");
   expect_bad_input({"verify", "--pair", surface_, surface_, surface_}, surface_);
   expect_bad_input({"verify", "--pair", surface_, scratch_.path("missing.obj")}, "missing.obj");

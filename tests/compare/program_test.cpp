@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "compare/exact_json.h"
+#include "compare/verify.h"
 #include "meshes/bad_input.h"
 #include "meshes/text_file.h"
 #include "tests/compare/run_pcm.h"
@@ -64,6 +65,13 @@ TEST(ProgramHelp, EveryCommandShowsAnExample) {
     for (const std::string& word : command) EXPECT_NE(outcome.out.find(word), std::string::npos) << outcome.out;
   }
   EXPECT_EQ(run_pcm({"--version"}).out.substr(0, 4), "pcm ");
+}
+
+TEST(ProgramHelp, OfVerifySaysWhatTheMeasureLeavesOutAndHowManyCasesAreKept) {
+  const std::string help = run_pcm({"verify", "--help"}).out;
+  for (const std::string words : {"one answer at least", "greatest penetrations", "made to", "unfinished"})
+    EXPECT_NE(help.find(words), std::string::npos) << words;
+  EXPECT_NE(help.find("first " + std::to_string(kMostFindings) + " answers"), std::string::npos) << help;
 }
 
 TEST_F(Program, ContactPrintsTheKeysOfTheContractInTheirOrder) {

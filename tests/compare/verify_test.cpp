@@ -8,12 +8,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "compare/program_hash.h"
 #include "compare/rounding_bounds.h"
 #include "compare/sha256.h"
+#include "compare/verification_summary.h"
 #include "compare/verification_table.h"
 #include "compare/verify.h"
 #include "meshes/bad_input.h"
@@ -470,7 +475,9 @@ TEST(Verification, InterruptedBatchKeepsWhatItHasAndIsNotDone) {
       1, [&] { return ++asked > 10; }, kSilent);
   EXPECT_EQ(run.poses_done(), 10);
   EXPECT_EQ(run.batches_done(), 0);
+  EXPECT_TRUE(verdict_line(run).starts_with("unfinished: 10 poses")) << verdict_line(run);
   EXPECT_NE(verdict_line(run).find("interrupted"), std::string::npos);
+  EXPECT_FALSE(is_verified(run));
 
   Verification continued(run.plan()), whole(run.plan());
   continued.restore(nlohmann::ordered_json::parse(run.state().dump()));
@@ -479,6 +486,199 @@ TEST(Verification, InterruptedBatchKeepsWhatItHasAndIsNotDone) {
   run_all(whole, 1);
   EXPECT_EQ(continued.poses_done(), 240);
   EXPECT_EQ(verification_csv(continued), verification_csv(whole));
+}
+
+/// A plan of both schemes, two pairs and all strata.
+VerificationPlan plan_of_both_schemes(std::int64_t poses) {
+  VerificationPlan plan = small_plan(poses);
+  plan.schemes = {Scheme::barycentric, Scheme::clipped};
+  SurfacePair& second = plan.pairs.emplace_back(small_pair());
+  second.name = "the other pair";
+  std::swap(second.E, second.F);
+  return plan;
+}
+
+TEST(Verification, NoPoseOfAPairAndStratumIsAskedTwice) {
+  const Verification run(plan_of_both_schemes(1800));
+  std::map<std::pair<std::size_t, Stratum>, std::set<std::int64_t>> numbers;
+  std::set<std::vector<double>> states;
+  std::size_t poses = 0, generic = 0;
+  for (const Cell& cell : run.cells())
+    for (std::int64_t pose = cell.first; pose < cell.first + cell.poses; ++pose) {
+      ++poses;
+      EXPECT_TRUE(numbers[std::pair(cell.pair, cell.stratum)].insert(pose).second) << run.pose_name(cell, pose);
+      if (cell.stratum != Stratum::generic) continue;  // of the others some may be in one place by chance
+      ++generic;
+      const Scene::State state = run.asked(cell, pose);
+      states.insert({state.pose.r.x(), state.pose.r.y(), state.pose.r.z(), state.law.stiffness, state.law.damping,
+                     state.law.friction});
+    }
+  EXPECT_EQ(poses, 1800U);
+  EXPECT_EQ(states.size(), generic);
+  for (const auto& [key, found] : numbers)
+    EXPECT_EQ(*found.rbegin() + 1, std::ssize(found)) << "numbers from 0 on without a gap";
+  EXPECT_EQ(run.cells().front().first, 0);
+}
+
+TEST(Verification, PosesOfOneSchemeAloneAreNumberedFromZero) {
+  VerificationPlan plan = plan_of_both_schemes(60);
+  plan.schemes = {Scheme::clipped};
+  const Verification run(plan);
+  for (const Cell& cell : run.cells()) EXPECT_EQ(cell.first, 0);
+}
+
+TEST(Verification, FindingsOfTheClippedSchemeAreThePosesThatWereAsked) {
+  VerificationPlan plan = plan_of_both_schemes(120);
+  plan.strata = {Stratum::generic};
+  const Verification run(plan);
+  const auto clipped = std::find_if(run.cells().begin(), run.cells().end(),
+                                    [](const Cell& cell) { return cell.scheme == Scheme::clipped; });
+  ASSERT_NE(clipped, run.cells().end());
+  ASSERT_GT(clipped->first, 0);
+  const Case posed = run.as_case({static_cast<std::size_t>(clipped - run.cells().begin()), clipped->first, {}});
+  EXPECT_EQ(posed.scheme, Scheme::clipped);
+  EXPECT_EQ(posed.pose.r, run.draw(*clipped, clipped->first).pose.r);
+  EXPECT_NE(posed.origin.find(std::to_string(clipped->first) + "/both/clipped"), std::string::npos) << posed.origin;
+}
+
+bool any_says(const std::vector<std::string>& lines, const std::string& words) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
+
+TEST(Verification, WhatIsNamedMustGetAPose) {
+  // A pose a stratum: the second pair gets all of them.
+  const VerificationPlan plan = plan_of_both_schemes(6);
+  const auto expect_refused = [](const VerificationPlan& named, const std::string& what) {
+    try {
+      const Verification run(named);
+      ADD_FAILURE() << what << " got no pose, and nobody said so";
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+  };
+  VerificationPlan pairs = plan, schemes = plan, strata = plan, nested = plan;
+  pairs.pairs_named = true;
+  expect_refused(pairs, "pair " + small_pair().name);
+  schemes.schemes_named = true;
+  expect_refused(schemes, "clipped scheme");
+  strata.strata_named = true;
+  strata.poses = 5;
+  expect_refused(strata, "stratum generic");
+  nested.strata_named = true;
+  for (SurfacePair& pair : nested.pairs)
+    for (TriangleMesh* mesh : {&pair.E, &pair.F}) mesh->faces.pop_back();  // open, so that nothing is inside
+  expect_refused(nested, "stratum nested gets no pose: it is not to be had");
+}
+
+TEST(Verification, WhatGetsNoPoseIsSaidInTablesAndVerdict) {
+  Verification run(plan_of_both_schemes(5));
+  run_all(run, 1);
+  for (const std::string& words : {std::string("stratum generic"), std::string("clipped scheme"),
+                                   "1 of 2 pairs get no pose (" + small_pair().name}) {
+    EXPECT_TRUE(any_says(run.omissions(), words)) << words;
+    EXPECT_NE(verification_summary(run).find(words), std::string::npos) << words;
+    EXPECT_NE(verification_markdown(run).find(words), std::string::npos) << words;
+  }
+  EXPECT_NE(verdict_line(run).find("(no pose: generic; clipped scheme; 1 of 2 pairs)"), std::string::npos)
+      << verdict_line(run);
+  const Verification enough(plan_of_both_schemes(120));
+  EXPECT_EQ(enough.without_poses(), "");
+  EXPECT_TRUE(enough.omissions().empty()) << enough.omissions().front();
+}
+
+/// Breaks down, by no BadInput, when a law is drawn at some poses.
+class BreakingSeam final : public EngineSeam {
+ public:
+  const fast::Contact& evaluate_for_draw(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                                         const Wanted& wanted, fast::Workspace& workspace) const override {
+    if (pose.r.x() > 0) throw std::logic_error("out of order");
+    return EngineSeam::evaluate_for_draw(pairing, pose, velocity, wanted, workspace);
+  }
+};
+
+TEST(Verification, EngineThatBreaksDownWhileALawIsDrawnFailsThatPoseAndHasACase) {
+  VerificationPlan plan = small_plan(60);
+  plan.strata = {Stratum::generic};
+  plan.modes = {Mode::E, Mode::both};
+  const BreakingSeam seam;
+  Verification run(plan, seam);
+  run_all(run, 2);
+  EXPECT_EQ(run.poses_done(), 60);
+  const Tally total = run.total();
+  EXPECT_GT(total.disagreeing, 0);
+  EXPECT_LT(total.disagreeing, total.poses);
+  EXPECT_EQ(total.by_kind[static_cast<std::size_t>(Kind::failure)], total.disagreeing);
+  ASSERT_FALSE(run.findings().empty());
+  const Finding& finding = run.findings().front();
+  EXPECT_NE(finding.disagreements.front().text.find("out of order"), std::string::npos);
+  const Case posed = run.as_case(finding);
+  EXPECT_EQ(posed.mode, Mode::both);
+  EXPECT_GT(posed.pose.r.x(), 0);
+  EXPECT_TRUE(verdict_line(run).starts_with("NOT verified")) << verdict_line(run);
+}
+
+TEST(Verification, PosesThatNoSceneIsAskedAboutAreCountedAndKept) {
+  VerificationPlan plan = small_plan(600);
+  plan.strata = {Stratum::near_degenerate};
+  plan.modes = {Mode::E, Mode::F};
+  Verification run(plan);
+  run_all(run, 2);
+  std::int64_t skipped = 0;
+  const Cell& cell = run.cells().front();
+  for (std::int64_t pose = 0; pose < cell.poses; ++pose) skipped += !is_pose_for_scenes(run.asked(cell, pose).pose);
+  ASSERT_GT(skipped, 0);
+  const std::string words = "no scene was asked about " + std::to_string(skipped) + " of 600 poses";
+  EXPECT_NE(verification_summary(run).find(words), std::string::npos) << without_scene_line(run);
+  EXPECT_NE(verification_markdown(run).find(words), std::string::npos);
+  EXPECT_EQ(verification_json(run)["without_scene"]["near-degenerate"], skipped);
+  Verification continued(plan);
+  continued.restore(nlohmann::ordered_json::parse(run.state().dump()));
+  EXPECT_EQ(without_scene_line(continued), without_scene_line(run));
+}
+
+/// The switches of a question, as text.
+std::string switches(const Ask& ask) {
+  const Wanted& w = ask.wanted;
+  const fast::Savings& s = ask.savings;
+  std::string text;
+  for (const bool x : {w.polygons, w.areas, w.force, w.elements, w.bound, w.statistics, s.broad_phase, s.certificates,
+                       s.first_crossing, s.lazy_vertices, s.one_sided, s.velocities, s.only_wanted, s.filters})
+    text += x ? '1' : '0';
+  return text;
+}
+
+TEST(Paths, CoarseStatesAtRestDrawAllSwitchesBothWaysInEvaluateAndInScenes) {
+  // Their doubles differ in few bits, all of them high ones.
+  std::map<Path, std::set<std::string>> drawn;
+  std::map<Path, std::array<int, 14>> on;
+  bool differ = false;
+  constexpr int kStates = 512;
+  for (int k = 0; k < kStates; ++k) {
+    Pose pose;
+    pose.r = Eigen::Vector3d(k % 8, k / 8 % 8, k / 64) / 8;
+    const std::vector<Ask> plain = asks_at(pose, Velocity{}), scenes = scene_asks_at(pose, Velocity{});
+    ASSERT_EQ(scenes.size(), 2U);
+    EXPECT_EQ(switches(scenes.front()), switches(Ask{}));
+    for (const Ask& ask : {plain.back(), scenes.back()}) {
+      const std::string text = switches(ask);
+      drawn[ask.path].insert(text);
+      for (std::size_t i = 0; i < text.size(); ++i) on[ask.path][i] += text[i] == '1';
+    }
+    differ |= switches(plain.back()) != switches(scenes.back());
+  }
+  EXPECT_TRUE(differ);
+  for (const Path path : {Path::drawn, Path::scene}) {
+    // Of 2^14 choices: 512 draws meet some 8 of them twice.
+    EXPECT_GE(drawn[path].size(), 490U) << name(path);
+    // Five standard deviations.
+    for (const int count : on[path]) EXPECT_NEAR(count, kStates / 2, 57) << name(path);
+  }
+}
+
+TEST(ProgramHash, ProgramThatCantBeReadIsBadInput) {
+  EXPECT_THROW(program_hash_of("/no/such/proc/self/exe"), BadInput);
+  EXPECT_EQ(program_hash_of("/proc/self/exe"), program_hash());
 }
 
 TEST(Tally, BoundOnTheRateIsThreeOverNWithoutDisagreements) {
