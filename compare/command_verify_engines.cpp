@@ -15,7 +15,9 @@ Exit verify_engines(VerificationPlan plan, const std::vector<Engine>& engines, i
                     const std::function<void(std::int64_t)>& progress) {
   const ContestResult result = hold_contest(std::move(plan), engines, jobs, stop, progress);
   const Table table = contest_table(result);
-  const std::string after = "\n" + contest_shallow(result) + contest_verdict(result) + "\n";
+  std::string omissions;
+  for (const std::string& omission : result.omissions) omissions += omission + "\n";
+  const std::string after = "\n" + contest_shallow(result) + omissions + contest_verdict(result) + "\n";
   if (folder) {
     write_text_file(*folder / "wrong_answers.md",
                     "# Wrong answers by stratum\n\n" + contest_legend() + "\n" + markdown(table) + after);

@@ -129,6 +129,7 @@ ContestResult hold_contest(VerificationPlan plan, const std::vector<Engine>& eng
   ContestResult result;
   result.engines = engines;
   result.seed = poses.plan().seed;
+  result.omissions = poses.omissions();
   std::int64_t planned = 0;
   for (const Cell& cell : poses.cells()) planned += cell.poses;
   for (const auto& [stratum, tally] : strata) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct ContestResult {
   bool finished = true;
   std::vector<std::pair<Stratum, ContestTally>> strata;
   ContestTally all;
+  std::vector<std::string> omissions;  ///< what has no poses (verify.h)
 
   bool anything_wrong() const;
 };
