@@ -130,7 +130,7 @@ const Footprint* SightError::find(bool own, Index face) const {
 }
 
 // Where the neighbour beyond a side is not seen at all, neither is the side.
-void SightError::find_outline(Sight& sight, const Surface::Data& surface) {
+void SightError::find_outline(Sight& sight, const PreparedSurface& surface) {
   const Footprint& f = sight.footprint;
   sight.knows_outline = true;
   sight.sheet_error = f.depth_error;
@@ -171,7 +171,8 @@ void SightError::is_projected(bool own, Index face, std::size_t place) {
   }
 }
 
-void SightError::compare(const Surface::Data& slave, const Surface::Data& master, const ProjectionScratch& projected) {
+void SightError::compare(const PreparedSurface& slave, const PreparedSurface& master,
+                         const ProjectionScratch& projected) {
   std::vector<Sight>& sights = scratch_->sights;
   std::vector<std::size_t>& order = scratch_->order;
   order.clear();

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "fast/element_error.h"
+#include "fast/inputs.h"
 #include "fast/master_prism.h"
 #include "fast/prism_shift.h"
 

@@ -11,8 +11,8 @@
 
 #include "fast/geometry.h"
 #include "fast/law.h"
+#include "fast/prepared_surface.h"
 #include "fast/separation.h"
-#include "fast/surface.h"
 #include "fast/thread_team.h"
 #include "fast/workspace.h"
 #include "meshes/bad_input.h"
@@ -37,7 +37,7 @@ struct WorldBox {
   Eigen::Array3d low, high;  ///< m
 
   WorldBox() = default;
-  WorldBox(const Surface::Data& surface, const Pose& pose) {
+  WorldBox(const PreparedSurface& surface, const Pose& pose) {
     const Box& box = surface.tree.root().box;
     const double reach = surface.reach.sum();
     const double slack = kBodySlack * reach + kRoundingSlack * (reach + pose.r.cwiseAbs().sum());
@@ -190,9 +190,10 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
   if (savings.certificates && may_skip && apart && pairing.patience.may_search()) {
     pairing.sought = true;
     pairing.patience.judge_last();
-    const Surface::Data& E = pairing.pairing.surface_E().data();
-    const Surface::Data& F = pairing.pairing.surface_F().data();
-    const double gap = distance_lower_bound(E, F, workspace.data().placement, workspace.data().gaps, pairing.work);
+    const PreparedSurface& E = pairing.pairing.surface_E().data();
+    const PreparedSurface& F = pairing.pairing.surface_F().data();
+    const double gap =
+        distance_lower_bound(E, F, workspace.data().posed.placement, workspace.data().gaps, pairing.work);
     pairing.certificate = SeparationCertificate(pose, pairing.ball_F, gap);
   }
   return &contact;
