@@ -275,9 +275,8 @@ Before own_faces_before(const PosedPair& posed, Side master, Index face, const F
   const ThicknessEverywhere& thickness = surface.thickness_everywhere;
   // F's parts are seen through roundings of its vertices, which may differ by more than the vertices do.
   const double moved = master == Side::E ? 0 : posed.placement.slack_F;
-  if (!(deepest < thickness.exact[i] && thickness_holds(surface, moved, geometry))) {
-    return Before::some;
-  }
+  const double known = master == Side::E ? thickness.exact[i] : thickness.rounded[i];
+  if (!(deepest < known && thickness_holds(surface, moved, geometry))) return Before::some;
   if (surface.clear_of_neighbours[i] && deepest < thickness.tolerant[i]) return Before::none;
   if (master == Side::E) return Before::none;
   return posed.placement.skew > kGreatestSkew ? Before::some : Before::leaning;
@@ -293,7 +292,7 @@ bool underflows(const FaceGeometry& geometry) {
 /// error)`, the first before clamping, the error where it is known. `master_bound`, where given, hears of the face.
 template <class Enter>
 void form_elements_of(PosedPair& posed, Side master, Index face, const ContactLaw& law, MasterBound* master_bound,
-                      ClippedScratch& clipped_scratch, Index& too_deep, const Enter& enter) {
+                      ClippedScratch& clipped_scratch, ElementRecord& record, const Enter& enter) {
   ProjectionScratch& scratch = clipped_scratch.projection;
   const PreparedSurface& slave_surface = posed.surface(opposite(master));
   const FaceGeometry geometry = face_with_sure_normal(posed.face_Me(master, face));
@@ -301,7 +300,7 @@ void form_elements_of(PosedPair& posed, Side master, Index face, const ContactLa
   const bool only_line_tells = underflows(geometry);
   if (only_line_tells && find_penetration(posed, master, face, geometry, clipped_scratch.line_open).outcome ==
                              Penetration::Outcome::too_deep) {
-    ++too_deep;
+    ++record.too_deep;
   }
   if (!(geometry.area > 0)) {
     if (master_bound != nullptr) master_bound->end_clipped_face(geometry, nullptr);
@@ -322,10 +321,11 @@ void form_elements_of(PosedPair& posed, Side master, Index face, const ContactLa
   };
   // Where nothing lies before any candidate it need not be known which of them the barycentre's line meets.
   bool thick = bound == nullptr && surely_thick(std::max(view.deepest, view.deepest_corner));
-  if (!thick) {
-    look_along_barycentre(slave_surface, prism, scratch, view);
-    thick = surely_thick(view.deepest);
-  }
+  // A face that touches the master's plane from above hides nothing, but the barycentre's line meets it.
+  const double thickness_at_barycentre = posed.surface(master).thickness[static_cast<std::size_t>(face)];
+  const bool thick_at_barycentre = thick && std::max(view.deepest, view.deepest_corner) < thickness_at_barycentre;
+  if (!thick_at_barycentre) look_along_barycentre(slave_surface, prism, scratch, view);
+  if (!thick) thick = surely_thick(view.deepest);
   bool bound_needs_own = false;
   if (bound != nullptr && bound->sight.greatest_depth() >= 0) {
     const Before before = own_faces_before(posed, master, face, geometry, bound->sight.greatest_depth());
@@ -333,10 +333,12 @@ void form_elements_of(PosedPair& posed, Side master, Index face, const ContactLa
     if (thick && before == Before::leaning) bound->sight.may_lean(posed.placement.greatest_lean());
   }
   if (!thick || bound_needs_own) project_own(posed, master, face, prism, thick, bound, clipped_scratch, view);
-  if (!only_line_tells && !thick && view.slave_at_barycentre && view.own_at_barycentre &&
+  // Where the master's other faces were not looked at, what is known of its thickness tells.
+  const bool own_at_barycentre = thick ? !(view.deepest < thickness_at_barycentre) : view.own_at_barycentre;
+  if (!only_line_tells && view.slave_at_barycentre && own_at_barycentre &&
       find_penetration(posed, master, face, geometry, clipped_scratch.line_open).outcome ==
           Penetration::Outcome::too_deep) {
-    ++too_deep;
+    ++record.too_deep;
   }
   if (bound != nullptr) {
     bound->sight.compare(slave_surface, posed.surface(master), scratch);
@@ -357,6 +359,8 @@ void form_elements_of(PosedPair& posed, Side master, Index face, const ContactLa
     const double area = moments.area * (2 * geometry.area);
     const double mean = std::min({moments.depth / moments.area, moments.greatest, most});
     if (!(area > 0 && mean > 0)) {
+      // Too small to be an element, but not too shallow.
+      if (area > 0) record.note_depth(moments.greatest, law);
       if (bound != nullptr) bound->sight.leave_out(slave_face, std::abs(moments.area) + neglect.area);
       continue;
     }
@@ -388,22 +392,22 @@ MasterForce sum_clipped_elements(const Intersection& intersection, Side master, 
   if (bound == nullptr) {
     ElementQueue queue(problem, master, record, posed.work, scratch.lanes);
     for_each_active_face(intersection, master, [&](Index face) {
-      form_elements_of(posed, master, face, problem.law, nullptr, scratch, record.too_deep,
+      form_elements_of(posed, master, face, problem.law, nullptr, scratch, record,
                        [&queue](const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me,
                                 const ElementError*) { queue.add(element, greatest_penetration, foot_Me); });
     });
     return queue.total();
   }
-  const auto add_elements_of = [&](Index face, Index& too_deep, ElementSum& sum) {
+  const auto add_elements_of = [&](Index face, ElementRecord& face_record, ElementSum& sum) {
     form_elements_of(
-        posed, master, face, problem.law, bound, scratch, too_deep,
+        posed, master, face, problem.law, bound, scratch, face_record,
         [&](Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me, const ElementError* error) {
           sum.add(greatest_penetration, foot_Me, element);
           bound->add_clipped_element(element, error, sum.total());
         });
   };
   ElementSum sum(problem, record, posed.work);
-  for_each_active_face(intersection, master, [&](Index face) { add_elements_of(face, record.too_deep, sum); });
+  for_each_active_face(intersection, master, [&](Index face) { add_elements_of(face, record, sum); });
   // Faces that are not active, but may be in the exact problem: what they would add.
   ForceProblem unheard = problem;
   unheard.keep_elements = unheard.with_statistics = false;
@@ -412,7 +416,7 @@ MasterForce sum_clipped_elements(const Intersection& intersection, Side master, 
     ElementRecord none;
     WorkCounters no_work;
     ElementSum nothing(unheard, none, no_work);
-    add_elements_of(face, none.too_deep, nothing);
+    add_elements_of(face, none, nothing);
   }
   return sum.total();
 }

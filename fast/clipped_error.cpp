@@ -317,11 +317,12 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   Sight* const sight = find(slave_face);
   const double twice_area = 2 * prism_.face().area;
   error.normal = face.normal;
+  error.foot_Me = error_.of_point_in_master();
   if (sight == nullptr) {  // The exact problem has none.
     error.area = twice_area * moments.area;
     error.volume = twice_area * moments.depth;
     error.penetration = clamped(moments.greatest);
-    error.foot_Me = prism_.edge_s_Me().cwiseAbs() + prism_.edge_t_Me().cwiseAbs();
+    error.foot_Me += prism_.edge_s_Me().cwiseAbs() + prism_.edge_t_Me().cwiseAbs();
     return error;
   }
   sight->has_element = true;
@@ -363,8 +364,8 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   const double noise =
       64 * u * clamp.sums * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth) +
       clamp.least / moments.depth;
-  error.foot_Me = (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
-                  (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
+  error.foot_Me += (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
+                   (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
   return error;
 }
 

@@ -19,6 +19,11 @@ Eigen::Vector3d torque_Me(const ForceProblem& problem, const Element& element) {
 
 }  // namespace
 
+void ElementRecord::note_depth(double greatest_penetration, const ContactLaw& law) {
+  max_penetration = std::max(max_penetration, greatest_penetration);
+  if (greatest_penetration > law.max_penetration) penetration_exceeded = true;
+}
+
 void ElementRecord::clear() {
   elements.clear();
   element_count = too_deep = 0;
@@ -51,8 +56,7 @@ void ElementSum::count(double greatest_penetration) {
   ++record_.element_count;
   ++work_.elements;
   work_.velocities += problem_.with_velocities;
-  record_.max_penetration = std::max(record_.max_penetration, greatest_penetration);
-  if (greatest_penetration > problem_.law.max_penetration) record_.penetration_exceeded = true;
+  record_.note_depth(greatest_penetration, problem_.law);
 }
 
 void ElementSum::add_forced(const Element& element, const Eigen::Vector3d& torque) {

@@ -28,6 +28,8 @@ struct ElementRecord {
   bool penetration_exceeded = false;
   StatisticsSum statistics;  ///< where asked for
 
+  /// Enters the greatest penetration of an element, or of a part that underflow keeps from being one, m.
+  void note_depth(double greatest_penetration, const ContactLaw& law);
   /// Empties it and keeps its memory.
   void clear();
 };

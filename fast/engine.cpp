@@ -17,14 +17,6 @@ namespace pcm::fast {
 
 namespace {
 
-bool wants_force(const Wanted& wanted) {
-  return wanted.force || wanted.elements || wanted.bound || wanted.statistics;
-}
-
-bool wants_only_touch(const Wanted& wanted) {
-  return !wanted.polygons && !wanted.areas && !wants_force(wanted);
-}
-
 /// Writes the polygons and their points into the answer.
 void report_polygons(const Workspace::Data& data, Contact& contact) {
   for (const Index c : data.polygons.crossing_order) {

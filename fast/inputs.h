@@ -76,4 +76,11 @@ struct Wanted {
   bool statistics = false;  ///< the summary over the elements; implies force, implied by elements
 };
 
+inline bool wants_force(const Wanted& wanted) {
+  return wanted.force || wanted.elements || wanted.bound || wanted.statistics;
+}
+inline bool wants_only_touch(const Wanted& wanted) {
+  return !wanted.polygons && !wanted.areas && !wants_force(wanted);
+}
+
 }  // namespace pcm

@@ -48,6 +48,9 @@ struct ThicknessEverywhere {
   /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face
   /// by however little.
   std::vector<double> exact;
+  /// The same for the surface as a pose rounds its vertices (F's), but for parts of the prism within rounding size of
+  /// its sides: a face that touches the master's plane from above may be folded beneath it. At most `exact`.
+  std::vector<double> rounded;
 };
 
 /// What is derived from a mesh once, in the surface's own frame; read by every step of the evaluation.

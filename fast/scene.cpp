@@ -33,6 +33,13 @@ constexpr double kBodySkew = 1e-10;
 constexpr double kBodySlack = 4 * kBodySkew;
 constexpr double kRoundingSlack = 64 * 0x1p-53;
 
+/// Whether one surface winds about faces of the other a negative number of times: neither touching nor nested, these
+/// have an area all the same. Not asked, and not known, where only touch is wanted.
+bool has_pockets(const Workspace::Data& data, const Wanted& wanted) {
+  if (wants_only_touch(wanted)) return false;
+  return !data.active.of(Side::E).pockets.empty() || !data.active.of(Side::F).pockets.empty();
+}
+
 struct WorldBox {
   Eigen::Array3d low, high;  ///< m
 
@@ -186,7 +193,8 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
   const Contact& contact =
       fast::evaluate(pairing.pairing, pose, relative_velocity(pairing), pairing.wanted, workspace, savings);
   pairing.work = contact.work;
-  const bool apart = !contact.touching && !contact.nested && !contact.ambiguous;
+  const bool apart =
+      !contact.touching && !contact.nested && !contact.ambiguous && !has_pockets(workspace.data(), pairing.wanted);
   if (savings.certificates && may_skip && apart && pairing.patience.may_search()) {
     pairing.sought = true;
     pairing.patience.judge_last();

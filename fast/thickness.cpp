@@ -141,11 +141,26 @@ struct SeenFace {
 
   bool is_neighbour() const { return shared[0] >= 0 || shared[1] >= 0 || shared[2] >= 0; }
 
-  /// Whether one of the prism's sides, or the master's plane, has all of the face on its far side or in it, exactly.
-  bool lies_beside(const MasterPrism& prism, const PreparedSurface& surface, WorkCounters& work) const {
+  /// Whether the face lies above the master's plane or touches it from there, exactly.
+  bool lies_above() const {
     const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
-    if (std::max({depths[0], depths[1], depths[2]}) <= 0 && std::min({depths[0], depths[1], depths[2]}) < 0)
-      return true;
+    return std::max({depths[0], depths[1], depths[2]}) <= 0 && std::min({depths[0], depths[1], depths[2]}) < 0;
+  }
+  /// Whether it does so however its vertices and the master's are rounded, heights changing by less than `tolerance`:
+  /// the corners that both share stay in the master's plane, all others are well above.
+  bool surely_lies_above(double tolerance) const {
+    bool any = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (shared[k] >= 0) continue;
+      if (!(corners[k][kDepth] < -tolerance)) return false;
+      any = true;
+    }
+    return any;
+  }
+
+  /// Whether one of the prism's sides has all of the face on its far side or in it, exactly. Rounded, the face then
+  /// reaches into the prism no farther than vertices are moved.
+  bool lies_beside(const MasterPrism& prism, const PreparedSurface& surface, WorkCounters& work) const {
     for (std::size_t weight = 0; weight < 3; ++weight) {
       const std::size_t side = (weight + 1) % 3;
       const auto may_lie_beyond = [&](std::size_t k) {
@@ -247,8 +262,8 @@ std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface) {
 
 ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface) {
   const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
-  ThicknessEverywhere bounds{std::vector<double>(surface.mesh.faces.size(), 0.0),
-                             std::vector<double>(surface.mesh.faces.size(), 0.0)};
+  const std::vector<double> zeros(surface.mesh.faces.size(), 0.0);
+  ThicknessEverywhere bounds{zeros, zeros, zeros};
   std::vector<Index> open;
   VertexSights sights(surface);
   WorkCounters work;
@@ -259,8 +274,9 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
     const MasterPrism prism(geometry);
     sights.start(prism, face);
     const TreePrism tree_prism(prism, 2 * tolerance);
-    double nearest = kInfinity, nearest_within = kInfinity;
+    double nearest = kInfinity, nearest_within = kInfinity, nearest_rounded = kInfinity;
     open.assign(1, 0);
+    // What may be met as rounded holds what is met.
     while (!open.empty() && nearest_within > 0) {
       const BoxNode& node = surface.tree.node(open.back());
       open.pop_back();
@@ -276,15 +292,20 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
                                                : least_depth(prism, seen.corners, tolerance);
       nearest = std::min(nearest, least);
       // Only where something is near is it asked whether it is within the prism.
-      if (seen.is_neighbour() || least < nearest_within) {
-        if (!seen.lies_beside(prism, surface, work) && !is_beside_at_corners(prism, surface, seen, tolerance)) {
-          nearest_within = seen.is_neighbour() ? 0 : std::min(nearest_within, least);
-        }
+      const bool above = seen.lies_above();
+      if (seen.is_neighbour() || least < (above ? nearest_rounded : nearest_within)) {
+        if (above && seen.surely_lies_above(tolerance)) continue;
+        if (seen.lies_beside(prism, surface, work)) continue;
+        if (is_beside_at_corners(prism, surface, seen, tolerance)) continue;
+        const double within = seen.is_neighbour() ? 0 : least;
+        nearest_rounded = std::min(nearest_rounded, within);
+        if (!above) nearest_within = std::min(nearest_within, within);
       }
     }
     // What is cut short by a neighbour within the prism is not known.
     bounds.tolerant[static_cast<std::size_t>(face)] = std::max(std::min(nearest, nearest_within), 0.0);
     bounds.exact[static_cast<std::size_t>(face)] = std::max(nearest_within, 0.0);
+    bounds.rounded[static_cast<std::size_t>(face)] = std::max(std::min(nearest_within, nearest_rounded), 0.0);
   }
   return bounds;
 }
