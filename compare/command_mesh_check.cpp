@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compare/surface_warnings.h"
-#include "fast/surface.h"
+#include "fast/prepare_surface.h"
 #include "meshes/bad_input.h"
 #include "meshes/check.h"
 #include "meshes/read_mesh.h"

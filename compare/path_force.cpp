@@ -71,15 +71,14 @@ void PathForce::mark_clamped(PathSample& sample, const fast::Contact& contact) {
 
 IdleFace PathForce::why_idle(Side master, Index face) {
   fast::Workspace::Data& data = workspace_.data();
-  fast::SideState& side = data.side(master);
-  const fast::FaceGeometry geometry(side.posed.face_Me(face, data.contact.work));
-  const fast::Penetration line = fast::find_penetration(data, master, face, geometry);
+  const fast::FaceGeometry geometry(data.posed.face_Me(master, face));
+  const fast::Penetration line =
+      fast::find_penetration(data.posed, master, face, geometry, data.force_scratch.barycentric.walks.open);
   IdleFace idle;
   idle.first_met = line.first_met;
-  for (const std::vector<Index>* active : {&side.intersected, &side.inner})
-    if (std::binary_search(active->begin(), active->end(), face))
-      idle.why =
-          line.outcome == fast::Penetration::Outcome::too_deep ? IdleFace::Why::too_deep : IdleFace::Why::outside;
+  if (fast::Intersection{data.posed, data.crossings, data.active}.is_active(master, face)) {
+    idle.why = line.outcome == fast::Penetration::Outcome::too_deep ? IdleFace::Why::too_deep : IdleFace::Why::outside;
+  }
   return idle;
 }
 

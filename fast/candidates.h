@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "fast/contact.h"
 #include "fast/placement.h"
 #include "fast/wide_tests.h"
+#include "fast/work_counters.h"
 
 namespace pcm::fast {
 
@@ -21,7 +21,7 @@ using NodePairs = std::vector<std::pair<Index, Index>>;
 /// nodes' children where they are about as wide. Every crossing pair of the rounded problem is among those visited, and
 /// of any problem whose F has its vertices within their rounding; each once; their order means nothing.
 template <class Visit>
-void for_each_candidate(const Surface::Data& surface_E, const Surface::Data& surface_F, const Placement& placement,
+void for_each_candidate(const PreparedSurface& surface_E, const PreparedSurface& surface_F, const Placement& placement,
                         const WideTests& test, NodePairs& open, WorkCounters& work, const Visit& visit) {
   ++work.box_tests;
   if (!boxes_may_touch(placement, surface_E.tree.root().box, surface_F.tree.root().box)) return;

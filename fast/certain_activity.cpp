@@ -78,46 +78,42 @@ Relation relation(const FacePoints& e, const FacePoints& f, double rounding) {
 
 }  // namespace
 
-void find_undecided_faces(Workspace::Data& workspace, Side master, const Eigen::Vector3d& rounding_Me) {
-  SideState& side = workspace.side(master);
-  const bool closed_slave = workspace.side(opposite(master)).surface().closed;
+void find_undecided_faces(const Intersection& intersection, Side master, const Eigen::Vector3d& rounding_Me,
+                          UndecidedFaces& undecided) {
+  PosedPair& posed = intersection.posed;
+  const Crossings& crossings = intersection.crossings;
   const double rounding = rounding_Me.sum();
-  WorkCounters& work = workspace.contact.work;
-  PosedSurface& posed_E = workspace.side(Side::E).posed;
-  PosedSurface& posed_F = workspace.side(Side::F).posed;
   const auto relation_of = [&](Index face_E, Index face_F) {
-    return relation(posed_E.face_Me(face_E, work), posed_F.face_Me(face_F, work), rounding);
+    return relation(posed.face_Me(Side::E, face_E), posed.face_Me(Side::F, face_F), rounding);
   };
-  const std::size_t faces = side.surface().mesh.faces.size();
-  side.surely_crossed.start(faces);
-  side.undecided.start(faces);
-  side.undecided_faces.clear();
+  const std::size_t faces = posed.surface(master).mesh.faces.size();
+  undecided.surely_crossed.start(faces);
+  undecided.is_undecided.start(faces);
+  undecided.faces.clear();
+  const auto enter = [&undecided](Index face) {
+    undecided.is_undecided[face] = true;
+    undecided.faces.push_back(face);
+  };
 
-  if (!closed_slave) {
-    for (const auto& [face_E, face_F] : workspace.candidates) {
+  if (!posed.surface(opposite(master)).closed) {
+    for (const auto& [face_E, face_F] : crossings.candidates) {
       if (relation_of(face_E, face_F) != Relation::unsure) continue;
-      for (std::size_t face = 0; face < faces; ++face) {
-        side.undecided[face] = true;
-        side.undecided_faces.push_back(static_cast<Index>(face));
-      }
+      for (std::size_t face = 0; face < faces; ++face) enter(static_cast<Index>(face));
       return;
     }
     return;
   }
 
-  for (const CrossingNode& crossing : workspace.crossings) {
+  for (const CrossingNode& crossing : crossings.nodes) {
     const auto& [face_E, face_F] = crossing.segment_face;
     const Index face = master == Side::E ? face_E : face_F;
-    if (face < 0 || side.surely_crossed.contains(face)) continue;
-    if (relation_of(face_E, face_F) == Relation::crossing) side.surely_crossed[face] = true;
+    if (face < 0 || undecided.surely_crossed.contains(face)) continue;
+    if (relation_of(face_E, face_F) == Relation::crossing) undecided.surely_crossed[face] = true;
   }
-  for (const auto& [face_E, face_F] : workspace.candidates) {
+  for (const auto& [face_E, face_F] : crossings.candidates) {
     const Index face = master == Side::E ? face_E : face_F;
-    if (side.surely_crossed.contains(face) || side.undecided.contains(face)) continue;
-    const Relation found = relation_of(face_E, face_F);
-    if (found == Relation::apart) continue;
-    side.undecided[face] = true;
-    side.undecided_faces.push_back(face);
+    if (undecided.surely_crossed.contains(face) || undecided.is_undecided.contains(face)) continue;
+    if (relation_of(face_E, face_F) != Relation::apart) enter(face);
   }
 }
 

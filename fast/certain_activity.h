@@ -2,13 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast/workspace.h"
+#include <vector>
+
+#include "fast/intersection.h"
 
 namespace pcm::fast {
 
-/// Finds the faces of a master that may be active in the exact problem and not in the rounded one, or the reverse
-/// (PCM sections 1 and 5): fills `undecided` and `undecided_faces`. Needs the candidate pairs, the crossings and both
-/// sides' intersected faces; `rounding_Me` bounds the rounding of F's vertices, component by component.
+/// The faces of a master that may be active in the exact problem and not in the rounded one, or the reverse (PCM
+/// sections 1 and 5).
+struct UndecidedFaces {
+  std::vector<Index> faces;
+  StampedArray<bool> is_undecided;    ///< by face
+  StampedArray<bool> surely_crossed;  ///< by face: scratch
+};
+
+/// Finds them. The candidate pairs must have been kept; `rounding_Me` bounds the rounding of F's vertices, component by
+/// component.
 ///
 /// Candidate pairs hold every pair of faces that touch for any position of F's vertices between both problems.
 /// Closed slave: a face stays intersected where one of its pairs surely crosses. A face all of whose pairs surely stay
@@ -16,6 +25,7 @@ namespace pcm::fast {
 /// one is undecided.
 /// Open slave: labels come from all crossings at once, so where any pair is not sure, all faces are undecided.
 /// May be too careful, never too bold. Cost: near 50 operations for a pair that is not part of the crossings.
-void find_undecided_faces(Workspace::Data& workspace, Side master, const Eigen::Vector3d& rounding_Me);
+void find_undecided_faces(const Intersection& intersection, Side master, const Eigen::Vector3d& rounding_Me,
+                          UndecidedFaces& undecided);
 
 }  // namespace pcm::fast

@@ -104,18 +104,17 @@ Meeting meeting(const Tube& tube, const FacePoints& f) {
 
 /// Calls `visit` for every leaf whose grown box the tube meets at s <= limit, which `visit` may lower.
 template <class Visit>
-void for_each_face_near(Workspace::Data& workspace, Side side, const Tube& tube, const double& limit,
+void for_each_face_near(PosedPair& posed, Side side, const Tube& tube, const double& limit, std::vector<Index>& open,
                         const Visit& visit) {
-  const Placement& placement = workspace.placement;
-  const BoxTree& tree = workspace.side(side).surface().tree;
+  const Placement& placement = posed.placement;
+  const BoxTree& tree = posed.surface(side).tree;
   const TreeRay ray(placement.to_frame_of(side, tube.origin), placement.direction_in_frame_of(side, tube.direction),
                     placement.slack(side) + 2 * tube.radius);
-  std::vector<Index>& open = workspace.nodes;
   open.assign(1, 0);
   while (!open.empty()) {
     const BoxNode& node = tree.node(open.back());
     open.pop_back();
-    ++workspace.contact.work.box_tests;
+    ++posed.work.box_tests;
     const double entry = ray.entry(node.box);
     if (!(entry <= limit && entry < kInfinity)) continue;
     if (node.leaf()) {
@@ -130,25 +129,24 @@ void for_each_face_near(Workspace::Data& workspace, Side side, const Tube& tube,
 }  // namespace
 
 // The sum of a box's three widths is more than its diagonal, by enough for a matrix off a rotation.
-double span(const Workspace::Data& workspace) {
-  const auto half = [&](Side side) { return workspace.side(side).surface().tree.root().box.half.sum(); };
-  return 2.1 * (half(Side::E) + half(Side::F)) + workspace.placement.slack_E + workspace.placement.slack_F;
+double span(const PosedPair& posed) {
+  const auto half = [&](Side side) { return posed.surface(side).tree.root().box.half.sum(); };
+  return 2.1 * (half(Side::E) + half(Side::F)) + posed.placement.slack_E + posed.placement.slack_F;
 }
 
-double tube_radius(const Workspace::Data& workspace, const FaceError& error, const Eigen::Vector3d& rounding_Me) {
-  return kBoundMargin * (error.barycentre_Me.sum() + rounding_Me.sum() + span(workspace) * error.normal);
+double tube_radius(const PosedPair& posed, const FaceError& error, const Eigen::Vector3d& rounding_Me) {
+  return kBoundMargin * (error.barycentre_Me.sum() + rounding_Me.sum() + span(posed) * error.normal);
 }
 
-CertainLine follow_certainly(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+CertainLine follow_certainly(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry,
                              const FaceError& error, Index first_met, const LineTrace& trace,
-                             const Eigen::Vector3d& rounding_Me) {
+                             const Eigen::Vector3d& rounding_Me, std::vector<Index>& open) {
   using Finding = CertainLine::Finding;
-  if (!error.normal_known) return {Finding::unknown, span(workspace)};
+  if (!error.normal_known) return {Finding::unknown, span(posed)};
   const Side slave = opposite(master);
-  WorkCounters& work = workspace.contact.work;
-  const Tube tube(geometry, error, rounding_Me, tube_radius(workspace, error, rounding_Me));
+  const Tube tube(geometry, error, rounding_Me, tube_radius(posed, error, rounding_Me));
 
-  double limit = span(workspace);             // the first slave face is no farther
+  double limit = span(posed);                 // the first slave face is no farther
   double nearest = kInfinity, farthest = -1;  // faces through which the line may leave the slave
   bool rivals = false;
   const auto consider = [&](const Meeting& m) {
@@ -162,22 +160,22 @@ CertainLine follow_certainly(Workspace::Data& workspace, Side master, Index face
   };
   Meeting first;
   if (first_met >= 0) {
-    first = meeting(tube, workspace.side(slave).posed.face_Me(first_met, work));
+    first = meeting(tube, posed.face_Me(slave, first_met));
     consider(first);
   }
   const auto visit_slave = [&](Index f) {
     if (f == first_met) return;
-    if (consider(meeting(tube, workspace.side(slave).posed.face_Me(f, work)))) rivals = true;
+    if (consider(meeting(tube, posed.face_Me(slave, f)))) rivals = true;
   };
   for (const Index f : trace.slave_faces) visit_slave(f);
-  if (!(limit < trace.slave_reach)) for_each_face_near(workspace, slave, tube, limit, visit_slave);
+  if (!(limit < trace.slave_reach)) for_each_face_near(posed, slave, tube, limit, open, visit_slave);
   limit = std::min(limit, farthest);
   if (limit < 0) return {Finding::no_element, 0};
 
   bool left_before = false;
   const auto visit_own = [&](Index own) {
     if (own == face) return;
-    const Meeting m = meeting(tube, workspace.side(master).posed.face_Me(own, work));
+    const Meeting m = meeting(tube, posed.face_Me(master, own));
     if (!m.possible || m.greatest < 0 || m.least > limit) return;
     rivals = true;
     if (!m.sure || m.least <= 0) return;
@@ -185,8 +183,8 @@ CertainLine follow_certainly(Workspace::Data& workspace, Side master, Index face
     limit = left_before ? -1 : std::min(limit, m.greatest);  // Below 0 the search is over.
   };
   for (const Index own : trace.own_faces) visit_own(own);
-  if (!left_before && !(limit < trace.own_reach) && !thicker_than(workspace, master, face, geometry, limit)) {
-    for_each_face_near(workspace, master, tube, limit, visit_own);
+  if (!left_before && !(limit < trace.own_reach) && !thicker_than(posed, master, face, geometry, limit)) {
+    for_each_face_near(posed, master, tube, limit, open, visit_own);
   }
   if (left_before) return {Finding::no_element, 0};
   const bool certain = !rivals && first.sure && first.facing < 0 && first.least > 0;

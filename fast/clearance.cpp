@@ -110,7 +110,7 @@ bool is_parted(const std::array<Sight, 3>& corners, const std::array<bool, 3>& i
 }
 
 /// A lower bound of the depth at which another face reaches into K; infinite where it does not.
-double least_depth(const Region& region, const Surface::Data& surface, const Triangle& triangle,
+double least_depth(const Region& region, const PreparedSurface& surface, const Triangle& triangle,
                    const Triangle& other) {
   std::array<Sight, 3> corners;
   std::array<bool, 3> is_shared{};
@@ -140,7 +140,7 @@ double least_depth(const Region& region, const Surface::Data& surface, const Tri
 
 /// A lower bound of the depth at which another face reaches into K of `face`. Looks no further once it is known to be
 /// less than `enough`, nor closely where it exceeds `far`.
-double least_depth_in(const Region& region, const Surface::Data& surface, Index face, double enough, double far,
+double least_depth_in(const Region& region, const PreparedSurface& surface, Index face, double enough, double far,
                       std::vector<std::pair<double, Index>>& open) {
   const Triangle& triangle = surface.face(face);
   double nearest = kInfinity;
@@ -177,7 +177,7 @@ float rounded_down(double x) {
 
 }  // namespace
 
-std::vector<Clearance> clearances(const Surface::Data& surface) {
+std::vector<Clearance> clearances(const PreparedSurface& surface) {
   const double reach = surface.reach.maxCoeff();
   const double moved = kMoved * reach;
   std::vector<Clearance> result(surface.mesh.faces.size());

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "fast/surface.h"
+#include "fast/prepared_surface.h"
 
 namespace pcm::fast {
 
@@ -20,6 +20,6 @@ inline constexpr double kClearanceTolerance = 0x1p-30;
 /// face's points: in the region K of the points at a depth h >= 0 whose feet are at most T h from the face, T somewhat
 /// greater than the tangent of the steepest angle. The least depth at which another face reaches into K bounds how near
 /// it may be met. Nothing is known of needles; infinite where no face is beneath. O(n log n).
-std::vector<Clearance> clearances(const Surface::Data& surface);
+std::vector<Clearance> clearances(const PreparedSurface& surface);
 
 }  // namespace pcm::fast

@@ -27,9 +27,9 @@ struct FaceBound {
   SightError sight;
   double slack;  ///< how far from the computed prism the exact problem's may be, m
 
-  FaceBound(Workspace::Data& workspace, const MasterPrism& prism, const MasterBound& bound, const ContactLaw& law)
+  FaceBound(const MasterPrism& prism, const MasterBound& bound, const ContactLaw& law)
       : prism_error(prism, bound.face_error(), bound.master(), bound.own_rounding_Me(), bound.rounding_Me()),
-        sight(workspace.sight, prism, prism_error, law),
+        sight(bound.sight_scratch(), prism, prism_error, law),
         slack(bound.slack()) {}
   FaceBound(const FaceBound&) = delete;
   FaceBound& operator=(const FaceBound&) = delete;
@@ -42,26 +42,27 @@ double farthest_off(const MasterPrism& prism, const Placement& placement) {
 }
 
 /// Lists the faces of a side that may meet the prism at a depth from 0 to `deepest`, ascending.
-void list_candidates(Workspace::Data& workspace, Side side, const MasterPrism& prism, double deepest,
-                     const FaceBound* bound) {
-  const Placement& placement = workspace.placement;
-  const Surface::Data& surface = workspace.side(side).surface();
+void list_candidates(PosedPair& posed, Side side, const MasterPrism& prism, double deepest, const FaceBound* bound,
+                     ClippedScratch& scratch) {
+  const Placement& placement = posed.placement;
+  const PreparedSurface& surface = posed.surface(side);
   // A box's point is off by the slack along each of three axes.
   const double slack =
       4 * placement.slack(side) + farthest_off(prism, placement) + (bound != nullptr ? bound->slack : 0);
   const TreePrism tree_prism =
       side == Side::E ? TreePrism(prism, slack) : TreePrism(prism, slack, placement.A, placement.r_Me);
-  std::vector<Index>& candidates = workspace.projection.candidates;
-  std::vector<Index>& open = workspace.nodes;
+  std::vector<Index>& candidates = scratch.projection.candidates;
+  std::vector<Index>& open = scratch.open;
   candidates.clear();
   open.assign(1, 0);
   const WidePrism wide_prism(surface.wide_tree, tree_prism, deepest);
+  const WideTests& tests = fastest_wide_tests();
   while (!open.empty()) {
     const WideNode& node = surface.wide_tree.node(open.back());
     open.pop_back();
-    workspace.contact.work.box_tests += node.count;
+    posed.work.box_tests += node.count;
     std::vector<Index>& children = node.bottom() ? candidates : open;
-    for (std::uint32_t lanes = workspace.wide_tests.boxes_in_prism(node, wide_prism); lanes != 0; lanes &= lanes - 1) {
+    for (std::uint32_t lanes = tests.boxes_in_prism(node, wide_prism); lanes != 0; lanes &= lanes - 1) {
       children.push_back(node.child[static_cast<std::size_t>(std::countr_zero(lanes))]);
     }
   }
@@ -98,14 +99,13 @@ struct View {
 };
 
 /// What the prism sees of the slave's vertices, each looked at once, and a face's corners from that.
-void see_vertices(Workspace::Data& workspace, Side slave, const MasterPrism& prism) {
-  WorkCounters& work = workspace.contact.work;
-  PosedSurface& posed = workspace.side(slave).posed;
-  StampedArray<PrismPoint>& sights = workspace.projection.sights;
-  sights.start(posed.surface().mesh.vertices.size());
-  for (const Index face : workspace.projection.candidates) {
-    for (const Index v : posed.surface().face(face)) {
-      if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(v, work), work));
+void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, ProjectionScratch& scratch) {
+  const PreparedSurface& surface = posed.surface(slave);
+  StampedArray<PrismPoint>& sights = scratch.sights;
+  sights.start(surface.mesh.vertices.size());
+  for (const Index face : scratch.candidates) {
+    for (const Index v : surface.face(face)) {
+      if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(slave, v), posed.work));
     }
   }
 }
@@ -114,9 +114,8 @@ std::array<PrismPoint, 3> corners_of(const ProjectionScratch& scratch, const Tri
 }
 
 /// Adds a face to those that lines meet; false where none meets it. It carries nothing yet.
-bool add_projected(Workspace::Data& workspace, const MasterPrism& prism, Index face, bool own, const Triangle& vertices,
-                   const std::array<PrismPoint, 3>& corners) {
-  std::vector<ProjectedFace>& faces = workspace.projection.faces;
+bool add_projected(const MasterPrism& prism, double reach, Index face, bool own, const Triangle& vertices,
+                   const std::array<PrismPoint, 3>& corners, std::vector<ProjectedFace>& faces) {
   ProjectedFace& projected = faces.emplace_back();
   if (!project_face(vertices, corners, projected)) {
     faces.pop_back();
@@ -125,22 +124,23 @@ bool add_projected(Workspace::Data& workspace, const MasterPrism& prism, Index f
   projected.face = face;
   projected.own = own;
   projected.carries = false;
-  projected.uncertainty = prism.uncertainty(corners, workspace.placement.reach);
+  projected.uncertainty = prism.uncertainty(corners, reach);
   return true;
 }
 
 /// Some steps are done for all candidates before the next, though one loop would do: what a processor guesses wrong of
 /// a face is then known soon, not only after all that was computed for it.
-void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& prism, FaceBound* bound, View& view) {
-  ProjectionScratch& scratch = workspace.projection;
-  PosedSurface& posed = workspace.side(slave).posed;
-  list_candidates(workspace, slave, prism, kInfinity, bound);
-  see_vertices(workspace, slave, prism);
+void project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, FaceBound* bound,
+                   ClippedScratch& clipped_scratch, View& view) {
+  ProjectionScratch& scratch = clipped_scratch.projection;
+  const PreparedSurface& surface = posed.surface(slave);
+  list_candidates(posed, slave, prism, kInfinity, bound, clipped_scratch);
+  see_vertices(posed, slave, prism, scratch);
   scratch.over.resize(scratch.candidates.size());
   const std::size_t all = bound != nullptr ? 1 : 0;  // Bounds hear of every candidate.
   std::size_t count = 0;
   for (const Index face : scratch.candidates) {
-    const std::array<PrismPoint, 3> corners = corners_of(scratch, posed.surface().face(face));
+    const std::array<PrismPoint, 3> corners = corners_of(scratch, surface.face(face));
     const PrismPoint greatest = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
     view.deepest_corner = std::max(view.deepest_corner, greatest[kDepth]);
     scratch.over[count] = face;
@@ -151,10 +151,10 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
   scratch.over.resize(count);
   scratch.entered.clear();
   for (const Index face : scratch.over) {
-    const Triangle& vertices = posed.surface().face(face);
+    const Triangle& vertices = surface.face(face);
     const std::array<PrismPoint, 3> corners = corners_of(scratch, vertices);
-    if (bound != nullptr) bound->sight.see(posed, face, false, corners, {}, workspace.contact.work);
-    if (!add_projected(workspace, prism, face, false, vertices, corners)) continue;
+    if (bound != nullptr) bound->sight.see(posed[slave], face, false, corners, {}, posed.work);
+    if (!add_projected(prism, posed.placement.reach, face, false, vertices, corners, scratch.faces)) continue;
     ProjectedFace& projected = scratch.faces.back();
     const bool is_certain = certain(projected.seen, projected.uncertainty);
     if (is_certain && !projected.leaves) scratch.entered.push_back(face);
@@ -167,9 +167,8 @@ void project_slave(Workspace::Data& workspace, Side slave, const MasterPrism& pr
 }
 
 /// Where the line of the barycentre may leave the slave: also through a sliver whose side it sees is not certain.
-void look_along_barycentre(Workspace::Data& workspace, Side slave, const MasterPrism& prism, View& view) {
-  const ProjectionScratch& scratch = workspace.projection;
-  const Surface::Data& surface = workspace.side(slave).surface();
+void look_along_barycentre(const PreparedSurface& surface, const MasterPrism& prism, const ProjectionScratch& scratch,
+                           View& view) {
   auto entered = scratch.entered.begin();
   for (const Index face : scratch.candidates) {
     if (entered != scratch.entered.end() && *entered == face) {
@@ -185,18 +184,18 @@ void look_along_barycentre(Workspace::Data& workspace, Side slave, const MasterP
 }
 
 /// `only_bound`: the elements are known to need none of them.
-void project_own(Workspace::Data& workspace, Side master, Index master_face, const MasterPrism& prism, bool only_bound,
-                 FaceBound* bound, View& view) {
-  WorkCounters& work = workspace.contact.work;
-  PosedSurface& posed = workspace.side(master).posed;
-  const Triangle& master_vertices = posed.surface().face(master_face);
+void project_own(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, bool only_bound,
+                 FaceBound* bound, ClippedScratch& scratch, View& view) {
+  const PreparedSurface& surface = posed.surface(master);
+  const Triangle& master_vertices = surface.face(master_face);
   // Faces all deeper than this surely lie after what is seen of the slave: depths are sure to kHeightError.
   const double after = (1 + 4 * kHeightError) * view.deepest;
-  list_candidates(workspace, master, prism, bound != nullptr ? std::max(after, bound->sight.greatest_depth()) : after,
-                  bound);
-  for (const Index face : workspace.projection.candidates) {
+  list_candidates(posed, master, prism, bound != nullptr ? std::max(after, bound->sight.greatest_depth()) : after,
+                  bound, scratch);
+  std::vector<ProjectedFace>& faces = scratch.projection.faces;
+  for (const Index face : scratch.projection.candidates) {
     if (face == master_face) continue;
-    const Triangle& vertices = posed.surface().face(face);
+    const Triangle& vertices = surface.face(face);
     std::array<PrismPoint, 3> corners;
     std::array<bool, 3> is_shared;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -204,24 +203,22 @@ void project_own(Workspace::Data& workspace, Side master, Index master_face, con
       is_shared[k] = shared != master_vertices.end();
       corners[k] = shared != master_vertices.end()
                        ? MasterPrism::corner(static_cast<int>(shared - master_vertices.begin()))
-                       : prism.see(posed.vertex_Me(vertices[k], work), work);
+                       : prism.see(posed.vertex_Me(master, vertices[k]), posed.work);
     }
-    if (bound != nullptr) bound->sight.see(posed, face, true, corners, is_shared, work);
+    if (bound != nullptr) bound->sight.see(posed[master], face, true, corners, is_shared, posed.work);
     if (only_bound) continue;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
     if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > after) continue;
-    if (!add_projected(workspace, prism, face, true, vertices, corners)) continue;
-    if (bound != nullptr) bound->sight.is_projected(true, face, workspace.projection.faces.size() - 1);
+    if (!add_projected(prism, posed.placement.reach, face, true, vertices, corners, faces)) continue;
+    if (bound != nullptr) bound->sight.is_projected(true, face, faces.size() - 1);
   }
 }
 
-PlacedFace placed(Workspace::Data& workspace, Side side, const ProjectedFace& face) {
-  WorkCounters& work = workspace.contact.work;
-  PosedSurface& posed = workspace.side(side).posed;
+PlacedFace placed(PosedPair& posed, Side side, const ProjectedFace& face) {
   return {face,
-          {posed.vertex_Me(face.vertices[0], work), posed.vertex_Me(face.vertices[1], work),
-           posed.vertex_Me(face.vertices[2], work)}};
+          {posed.vertex_Me(side, face.vertices[0]), posed.vertex_Me(side, face.vertices[1]),
+           posed.vertex_Me(side, face.vertices[2])}};
 }
 
 /// Integrals over parts of one face; of min(depth, most) in place of the depth. Area and greatest depth are none of the
@@ -239,18 +236,18 @@ Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
 
 /// Integrals over the part of the master face that sees the slave face at `index` of the projected ones first; of
 /// min(depth, most) in place of the depth. `overlap` is the first overlap that may concern it and moves on past them.
-Moments moments_of_visible_part(Workspace::Data& workspace, Side master, std::size_t index, double most,
-                                std::vector<Overlap>::const_iterator& overlap, Neglect& neglect) {
-  ProjectionScratch& scratch = workspace.projection;
+Moments moments_of_visible_part(PosedPair& posed, Side master, std::size_t index, double most,
+                                ProjectionScratch& scratch, std::vector<Overlap>::const_iterator& overlap,
+                                Neglect& neglect) {
   const ProjectedFace& f = scratch.faces[index];
   if (overlap == scratch.overlaps.end() || overlap->first != index) return moments_of({&f.seen, 1}, most);
-  const PlacedFace placed_f = placed(workspace, opposite(master), f);
+  const PlacedFace placed_f = placed(posed, opposite(master), f);
   scratch.parts.assign(1, f.seen);
   for (; overlap != scratch.overlaps.end() && overlap->first == index; ++overlap) {
     if (scratch.parts.empty()) continue;
     const ProjectedFace& g = scratch.faces[overlap->second];
-    const PlacedFace placed_g = placed(workspace, g.own ? master : opposite(master), g);
-    subtract_hidden(placed_f, placed_g, scratch.parts, scratch.remaining, neglect, workspace.contact.work);
+    const PlacedFace placed_g = placed(posed, g.own ? master : opposite(master), g);
+    subtract_hidden(placed_f, placed_g, scratch.parts, scratch.remaining, neglect, posed.work);
   }
   for (const ConvexPolygon& part : scratch.parts) neglect.add_part(part, f.seen);
   return moments_of(scratch.parts, most);
@@ -272,19 +269,17 @@ enum class Before : std::uint8_t {
   leaning,  ///< only as faces that stand upright on the border of the prism lean over it in the exact problem
   some
 };
-Before own_faces_before(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                        double deepest) {
-  const Surface::Data& surface = workspace.side(master).surface();
+Before own_faces_before(const PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, double deepest) {
+  const PreparedSurface& surface = posed.surface(master);
   const auto i = static_cast<std::size_t>(face);
   const ThicknessEverywhere& thickness = surface.thickness_everywhere;
   // F's parts are seen through roundings of its vertices, which may differ by more than the vertices do.
-  const double moved = master == Side::E ? 0 : workspace.placement.slack_F;
-  if (!(deepest < thickness.exact[i] && thickness_holds(surface, moved, geometry))) {
-    return Before::some;
-  }
+  const double moved = master == Side::E ? 0 : posed.placement.slack_F;
+  const double known = master == Side::E ? thickness.exact[i] : thickness.rounded[i];
+  if (!(deepest < known && thickness_holds(surface, moved, geometry))) return Before::some;
   if (surface.clear_of_neighbours[i] && deepest < thickness.tolerant[i]) return Before::none;
   if (master == Side::E) return Before::none;
-  return workspace.placement.skew > kGreatestSkew ? Before::some : Before::leaning;
+  return posed.placement.skew > kGreatestSkew ? Before::some : Before::leaning;
 }
 
 /// Whether depths below the face may be lost to underflow, and its area: their signs then tell nothing.
@@ -296,16 +291,16 @@ bool underflows(const FaceGeometry& geometry) {
 /// Forms the elements of one master face and enters them: `enter(element, greatest penetration, centre of pressure,
 /// error)`, the first before clamping, the error where it is known. `master_bound`, where given, hears of the face.
 template <class Enter>
-void form_elements_of(Workspace::Data& workspace, Side master, Index face, const ForceProblem& problem,
-                      MasterBound* master_bound, Contact& contact, const Enter& enter) {
-  ProjectionScratch& scratch = workspace.projection;
-  const FaceGeometry geometry =
-      face_with_sure_normal(workspace.side(master).posed.face_Me(face, workspace.contact.work));
+void form_elements_of(PosedPair& posed, Side master, Index face, const ContactLaw& law, MasterBound* master_bound,
+                      ClippedScratch& clipped_scratch, ElementRecord& record, const Enter& enter) {
+  ProjectionScratch& scratch = clipped_scratch.projection;
+  const PreparedSurface& slave_surface = posed.surface(opposite(master));
+  const FaceGeometry geometry = face_with_sure_normal(posed.face_Me(master, face));
   if (master_bound != nullptr) master_bound->begin_clipped_face(face, geometry);
   const bool only_line_tells = underflows(geometry);
-  if (only_line_tells &&
-      find_penetration(workspace, master, face, geometry).outcome == Penetration::Outcome::too_deep) {
-    ++contact.too_deep;
+  if (only_line_tells && find_penetration(posed, master, face, geometry, clipped_scratch.line_open).outcome ==
+                             Penetration::Outcome::too_deep) {
+    ++record.too_deep;
   }
   if (!(geometry.area > 0)) {
     if (master_bound != nullptr) master_bound->end_clipped_face(geometry, nullptr);
@@ -314,35 +309,39 @@ void form_elements_of(Workspace::Data& workspace, Side master, Index face, const
   const MasterPrism prism(geometry);
   std::optional<FaceBound> face_bound;
   if (master_bound != nullptr && master_bound->face_error().normal_known) {
-    face_bound.emplace(workspace, prism, *master_bound, problem.law);
+    face_bound.emplace(prism, *master_bound, law);
   }
   FaceBound* const bound = face_bound ? &*face_bound : nullptr;
   scratch.faces.clear();
   View view;
-  project_slave(workspace, opposite(master), prism, bound, view);
+  project_slave(posed, opposite(master), prism, bound, clipped_scratch, view);
   const auto surely_thick = [&](double deepest) {
-    const double farthest = deepest + farthest_off(prism, workspace.placement);
-    return deepest < 0 || own_faces_before(workspace, master, face, geometry, farthest) != Before::some;
+    const double farthest = deepest + farthest_off(prism, posed.placement);
+    return deepest < 0 || own_faces_before(posed, master, face, geometry, farthest) != Before::some;
   };
   // Where nothing lies before any candidate it need not be known which of them the barycentre's line meets.
   bool thick = bound == nullptr && surely_thick(std::max(view.deepest, view.deepest_corner));
-  if (!thick) {
-    look_along_barycentre(workspace, opposite(master), prism, view);
-    thick = surely_thick(view.deepest);
-  }
+  // A face that touches the master's plane from above hides nothing, but the barycentre's line meets it.
+  const double thickness_at_barycentre = posed.surface(master).thickness[static_cast<std::size_t>(face)];
+  const bool thick_at_barycentre = thick && std::max(view.deepest, view.deepest_corner) < thickness_at_barycentre;
+  if (!thick_at_barycentre) look_along_barycentre(slave_surface, prism, scratch, view);
+  if (!thick) thick = surely_thick(view.deepest);
   bool bound_needs_own = false;
   if (bound != nullptr && bound->sight.greatest_depth() >= 0) {
-    const Before before = own_faces_before(workspace, master, face, geometry, bound->sight.greatest_depth());
+    const Before before = own_faces_before(posed, master, face, geometry, bound->sight.greatest_depth());
     bound_needs_own = before == Before::some;
-    if (thick && before == Before::leaning) bound->sight.may_lean(workspace.placement.greatest_lean());
+    if (thick && before == Before::leaning) bound->sight.may_lean(posed.placement.greatest_lean());
   }
-  if (!thick || bound_needs_own) project_own(workspace, master, face, prism, thick, bound, view);
-  if (!only_line_tells && !thick && view.slave_at_barycentre && view.own_at_barycentre &&
-      find_penetration(workspace, master, face, geometry).outcome == Penetration::Outcome::too_deep) {
-    ++contact.too_deep;
+  if (!thick || bound_needs_own) project_own(posed, master, face, prism, thick, bound, clipped_scratch, view);
+  // Where the master's other faces were not looked at, what is known of its thickness tells.
+  const bool own_at_barycentre = thick ? !(view.deepest < thickness_at_barycentre) : view.own_at_barycentre;
+  if (!only_line_tells && view.slave_at_barycentre && own_at_barycentre &&
+      find_penetration(posed, master, face, geometry, clipped_scratch.line_open).outcome ==
+          Penetration::Outcome::too_deep) {
+    ++record.too_deep;
   }
   if (bound != nullptr) {
-    bound->sight.compare(workspace.side(opposite(master)).surface(), workspace.side(master).surface(), scratch);
+    bound->sight.compare(slave_surface, posed.surface(master), scratch);
   }
   find_overlaps(scratch.faces, scratch.order, scratch.overlaps);
   auto overlap = scratch.overlaps.cbegin();
@@ -355,11 +354,13 @@ void form_elements_of(Workspace::Data& workspace, Side master, Index face, const
       continue;
     }
     Neglect neglect;
-    const double most = problem.law.max_penetration;
-    const Moments moments = moments_of_visible_part(workspace, master, i, most, overlap, neglect);
+    const double most = law.max_penetration;
+    const Moments moments = moments_of_visible_part(posed, master, i, most, scratch, overlap, neglect);
     const double area = moments.area * (2 * geometry.area);
     const double mean = std::min({moments.depth / moments.area, moments.greatest, most});
     if (!(area > 0 && mean > 0)) {
+      // Too small to be an element, but not too shallow.
+      if (area > 0) record.note_depth(moments.greatest, law);
       if (bound != nullptr) bound->sight.leave_out(slave_face, std::abs(moments.area) + neglect.area);
       continue;
     }
@@ -385,39 +386,39 @@ void form_elements_of(Workspace::Data& workspace, Side master, Index face, const
 
 }  // namespace
 
-MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
-                                 MasterBound* bound) {
-  SideState& side = workspace.side(master);
+MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
+                                 ClippedScratch& scratch, ElementRecord& record, MasterBound* bound) {
+  PosedPair& posed = intersection.posed;
   if (bound == nullptr) {
-    ElementQueue queue(workspace, master, problem);
-    for_each_active_face(side, [&](Index face) {
-      form_elements_of(workspace, master, face, problem, nullptr, workspace.contact,
+    ElementQueue queue(problem, master, record, posed.work, scratch.lanes);
+    for_each_active_face(intersection, master, [&](Index face) {
+      form_elements_of(posed, master, face, problem.law, nullptr, scratch, record,
                        [&queue](const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me,
                                 const ElementError*) { queue.add(element, greatest_penetration, foot_Me); });
     });
     return queue.total();
   }
-  const auto add_elements_of = [&](Index face, const ForceProblem& answered, Contact& contact, MasterForce& total) {
+  const auto add_elements_of = [&](Index face, ElementRecord& face_record, ElementSum& sum) {
     form_elements_of(
-        workspace, master, face, answered, bound, contact,
+        posed, master, face, problem.law, bound, scratch, face_record,
         [&](Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me, const ElementError* error) {
-          add_element(contact, answered, greatest_penetration, foot_Me, element, total);
-          bound->add_clipped_element(element, error, total);
+          sum.add(greatest_penetration, foot_Me, element);
+          bound->add_clipped_element(element, error, sum.total());
         });
   };
-  MasterForce total;
-  for_each_active_face(side, [&](Index face) { add_elements_of(face, problem, workspace.contact, total); });
+  ElementSum sum(problem, record, posed.work);
+  for_each_active_face(intersection, master, [&](Index face) { add_elements_of(face, record, sum); });
   // Faces that are not active, but may be in the exact problem: what they would add.
   ForceProblem unheard = problem;
-  unheard.keep_elements = false;
-  unheard.statistics = nullptr;
-  for (const Index face : side.undecided_faces) {
-    if (is_active(side, face)) continue;
-    Contact none;
-    MasterForce nothing;
-    add_elements_of(face, unheard, none, nothing);
+  unheard.keep_elements = unheard.with_statistics = false;
+  for (const Index face : bound->undecided().faces) {
+    if (intersection.is_active(master, face)) continue;
+    ElementRecord none;
+    WorkCounters no_work;
+    ElementSum nothing(unheard, none, no_work);
+    add_elements_of(face, none, nothing);
   }
-  return total;
+  return sum.total();
 }
 
 }  // namespace pcm::fast

@@ -2,15 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast/contact_elements.h"
+#include "fast/element_sum.h"
+#include "fast/force_bound.h"
+#include "fast/intersection.h"
+#include "fast/line_search.h"
+#include "fast/projected_face.h"
 
 namespace pcm::fast {
+
+/// Scratch memory of sum_clipped_elements.
+struct ClippedScratch {
+  ProjectionScratch projection;
+  std::vector<Index> open;  ///< of the search for candidates
+  LineNodes line_open;      ///< of the search along a line
+  ElementLanes lanes;
+};
 
 /// Forms the contact elements of a master in the clipped scheme (PCM section 6): for each active face e and each slave
 /// face f one element, the part of e whose penetration lines leave the slave through f first, before they meet
 /// another face of the master. Its area A_k, mean penetration u_k and centre of pressure are integrals over that part,
 /// which need be neither convex nor connected, of the linear penetration u, or of min(u, max_penetration) where the law
-/// clamps it. Counts and sums as `sum_elements`; elements by master face, then slave face.
+/// clamps it. Recorded and summed as in the barycentric scheme; elements by master face, then slave face.
 ///
 /// Degenerate cases: a face of the slave with the same normal that lies in e's plane is met at distance 0, so u = 0
 /// there (flush faces: the force jumps when the pose passes through); one of opposite normal in e's plane carries
@@ -20,7 +32,7 @@ namespace pcm::fast {
 /// few ulps times S over the mean penetration, or over the width of what is seen where that is less; flush and nearly
 /// flush faces included. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets
 /// overlap. `bound`, where given, gathers what the errors may be.
-MasterForce sum_clipped_elements(Workspace::Data& workspace, Side master, const ForceProblem& problem,
-                                 MasterBound* bound = nullptr);
+MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
+                                 ClippedScratch& scratch, ElementRecord& record, MasterBound* bound = nullptr);
 
 }  // namespace pcm::fast

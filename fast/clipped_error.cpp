@@ -130,7 +130,7 @@ const Footprint* SightError::find(bool own, Index face) const {
 }
 
 // Where the neighbour beyond a side is not seen at all, neither is the side.
-void SightError::find_outline(Sight& sight, const Surface::Data& surface) {
+void SightError::find_outline(Sight& sight, const PreparedSurface& surface) {
   const Footprint& f = sight.footprint;
   sight.knows_outline = true;
   sight.sheet_error = f.depth_error;
@@ -171,7 +171,8 @@ void SightError::is_projected(bool own, Index face, std::size_t place) {
   }
 }
 
-void SightError::compare(const Surface::Data& slave, const Surface::Data& master, const ProjectionScratch& projected) {
+void SightError::compare(const PreparedSurface& slave, const PreparedSurface& master,
+                         const ProjectionScratch& projected) {
   std::vector<Sight>& sights = scratch_->sights;
   std::vector<std::size_t>& order = scratch_->order;
   order.clear();
@@ -316,11 +317,12 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   Sight* const sight = find(slave_face);
   const double twice_area = 2 * prism_.face().area;
   error.normal = face.normal;
+  error.foot_Me = error_.of_point_in_master();
   if (sight == nullptr) {  // The exact problem has none.
     error.area = twice_area * moments.area;
     error.volume = twice_area * moments.depth;
     error.penetration = clamped(moments.greatest);
-    error.foot_Me = prism_.edge_s_Me().cwiseAbs() + prism_.edge_t_Me().cwiseAbs();
+    error.foot_Me += prism_.edge_s_Me().cwiseAbs() + prism_.edge_t_Me().cwiseAbs();
     return error;
   }
   sight->has_element = true;
@@ -362,8 +364,8 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   const double noise =
       64 * u * clamp.sums * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth) +
       clamp.least / moments.depth;
-  error.foot_Me = (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
-                  (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
+  error.foot_Me += (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
+                   (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
   return error;
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "fast/footprint.h"
+#include "fast/prepared_surface.h"
 #include "fast/prism_error.h"
-#include "fast/surface.h"
 #include "fast/transform.h"
 #include "fast/visible_parts.h"
 
@@ -51,7 +51,7 @@ class SightError {
   void may_lean(double lean) { lean_ = lean; }
   /// To be called once all faces are entered.
   /// `projected`: of all faces entered those that the engine sees.
-  void compare(const Surface::Data& slave, const Surface::Data& master, const ProjectionScratch& projected);
+  void compare(const PreparedSurface& slave, const PreparedSurface& master, const ProjectionScratch& projected);
   /// The face just entered is the engine's own projected one at this place.
   void is_projected(bool own, Index face, std::size_t place);
 
@@ -82,7 +82,7 @@ class SightError {
   /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
   void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
   double area_leant_over(const Footprint& f) const;
-  void find_outline(Sight& sight, const Surface::Data& surface);
+  void find_outline(Sight& sight, const PreparedSurface& surface);
   const Footprint* find(bool own, Index face) const;
   Sight* find(Index slave_face);
 

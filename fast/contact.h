@@ -4,11 +4,11 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "fast/inputs.h"
+#include "fast/work_counters.h"
 #include "meshes/triangle_mesh.h"
 
 namespace pcm::fast {
@@ -88,19 +88,6 @@ struct ForceBound {
   double penetration_at_most = 0;
 };
 
-/// How much work an evaluation did, and how much it was spared.
-struct WorkCounters {
-  std::int64_t box_tests = 0;
-  std::int64_t candidate_pairs = 0;       ///< face pairs whose boxes overlap
-  std::int64_t crossing_pairs = 0;        ///< face pairs that cross
-  std::int64_t vertices_transformed = 0;  ///< of F, each at most once
-  std::int64_t predicates = 0;            ///< signs asked for
-  std::int64_t exact_predicates = 0;      ///< signs the floating-point filter could not decide
-  std::int64_t tie_breaks = 0;            ///< exact zeros decided by the tie rule
-  std::int64_t elements = 0;              ///< formed
-  std::int64_t velocities = 0;            ///< elements whose velocities were computed
-};
-
 /// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation.
 struct Contact {
   bool touching = false;            ///< the surfaces cross
@@ -126,6 +113,9 @@ struct Contact {
   std::optional<ForceBound> bound;                      ///< where wanted
   Statistics statistics;
   WorkCounters work;
+
+  /// Empties the answer and keeps its memory.
+  void clear();
 };
 
 }  // namespace pcm::fast

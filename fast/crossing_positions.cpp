@@ -32,11 +32,11 @@ Eigen::Vector3d edge_meets_face(const Eigen::Vector3d& a, const Eigen::Vector3d&
 
 }  // namespace
 
-void locate_crossings(Workspace::Data& workspace) {
-  WorkCounters& work = workspace.contact.work;
-  for (CrossingNode& crossing : workspace.crossings) {
-    PosedSurface& edges = workspace.side(crossing.edge_side).posed;
-    PosedSurface& faces = workspace.side(opposite(crossing.edge_side)).posed;
+void locate_crossings(PosedPair& posed, Crossings& crossings) {
+  WorkCounters& work = posed.work;
+  for (CrossingNode& crossing : crossings.nodes) {
+    PosedSurface& edges = posed[crossing.edge_side];
+    PosedSurface& faces = posed[opposite(crossing.edge_side)];
     const std::array<Index, 2>& ends = edges.surface().edge(crossing.edge);
     const Triangle& corners = faces.surface().face(crossing.face);
     crossing.position_Me = edge_meets_face(edges.vertex_Me(ends[0], work), edges.vertex_Me(ends[1], work),

@@ -96,10 +96,10 @@ PairCrossing pair_crossing(const PairSigns& signs) {
   return {passage(signs.passing & starting), passage(signs.passing & ~starting), signs.above_F, signs.above_E};
 }
 
-Index enter_crossing(Workspace::Data& workspace, const PairCrossing& pair, const Passage& passage, Index face_E,
-                     Index face_F) {
+Index enter_crossing(const PosedPair& posed, const PairCrossing& pair, const Passage& passage, Index face_E,
+                     Index face_F, CrossingIndex& index, std::vector<CrossingNode>& nodes) {
   const bool of_E = passage.edge_side == Side::E;
-  const Surface::Data& surface = workspace.side(passage.edge_side).surface();
+  const PreparedSurface& surface = posed.surface(passage.edge_side);
   const Index edge_face = of_E ? face_E : face_F;
   const Corners above = of_E ? pair.above_F : pair.above_E;
   const auto corner = static_cast<std::size_t>(passage.corner);
@@ -108,13 +108,13 @@ Index enter_crossing(Workspace::Data& workspace, const PairCrossing& pair, const
   node.edge = surface.edges_of(edge_face)[corner];
   node.face = of_E ? face_F : face_E;
   node.from_above = has(above, corner) == surface.runs_forwards(edge_face, corner);
-  const auto fresh = static_cast<Index>(workspace.crossings.size());
-  const Index found = workspace.crossing_index.find_or_insert(node.key(), fresh);
-  if (found == fresh) workspace.crossings.push_back(node);
+  const auto fresh = static_cast<Index>(nodes.size());
+  const Index found = index.find_or_insert(node.key(), fresh);
+  if (found == fresh) nodes.push_back(node);
   return found;
 }
 
-void mark_intersected(SideState& side, Index face) {
+void mark_intersected(CrossedSurface& side, Index face) {
   if (side.is_intersected.contains(face)) return;
   side.is_intersected[face] = true;
   side.intersected.push_back(face);
@@ -150,46 +150,58 @@ Index CrossingIndex::find_or_insert(std::uint64_t key, Index fresh) {
   return fresh;
 }
 
-bool find_crossings(Workspace::Data& workspace, bool stop_at_first, bool keep_candidates, bool filtered) {
-  SideState& side_E = workspace.side(Side::E);
-  SideState& side_F = workspace.side(Side::F);
-  WorkCounters& work = workspace.contact.work;
-  workspace.candidates.clear();
-  workspace.crossings.clear();
-  workspace.crossing_index.start();
-  for (SideState& side : workspace.sides) {
-    side.intersected.clear();
-    side.is_intersected.start(side.surface().mesh.faces.size());
+bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingScratch& scratch, Crossings& crossings) {
+  const PreparedSurface& surface_E = posed.surface(Side::E);
+  const PreparedSurface& surface_F = posed.surface(Side::F);
+  crossings.candidates.clear();
+  crossings.nodes.clear();
+  scratch.index.start();
+  for (const Side side : {Side::E, Side::F}) {
+    crossings.of(side).intersected.clear();
+    crossings.of(side).is_intersected.start(posed.surface(side).mesh.faces.size());
   }
-  const double sure = filtered ? sure_determinant(workspace.placement.span) : kNeverSure;
+  const double sure = options.filtered ? sure_determinant(posed.placement.span) : kNeverSure;
   bool found = false;
-  for_each_candidate(side_E.surface(), side_F.surface(), workspace.placement, workspace.wide_tests,
-                     workspace.node_pairs, work, [&](Index face_E, Index face_F, const SureSigns& known) {
-                       if (keep_candidates) workspace.candidates.emplace_back(face_E, face_F);
-                       PairSigns signs{known.above_of_E(), known.above_of_F(), known.passing()};
-                       if (!known.of_passing() || !filtered) {
-                         signs =
-                             find_signs(side_E.posed.face_points(face_E, work), side_F.posed.face_points(face_F, work),
-                                        filtered ? known : SureSigns(), sure, work);
-                       }
-                       if (signs.passing == 0) return true;
-                       ++work.crossing_pairs;
-                       found = true;
-                       if (stop_at_first) return false;
-                       const PairCrossing pair = pair_crossing(signs);
-                       const Index start = enter_crossing(workspace, pair, pair.start, face_E, face_F);
-                       const Index end = enter_crossing(workspace, pair, pair.end, face_E, face_F);
-                       CrossingNode& first = workspace.crossings[static_cast<std::size_t>(start)];
-                       assert(first.next < 0);
-                       first.next = end;
-                       first.segment_face = {face_E, face_F};
-                       workspace.crossings[static_cast<std::size_t>(end)].has_previous = true;
-                       mark_intersected(side_E, face_E);
-                       mark_intersected(side_F, face_F);
-                       return true;
-                     });
-  for (SideState& side : workspace.sides) sort_ascending(side.intersected, workspace.marks);
+  const auto visit = [&](Index face_E, Index face_F, const SureSigns& known) {
+    if (options.keep_candidates) crossings.candidates.emplace_back(face_E, face_F);
+    PairSigns signs{known.above_of_E(), known.above_of_F(), known.passing()};
+    if (!known.of_passing() || !options.filtered) {
+      signs = find_signs(posed[Side::E].face_points(face_E, posed.work), posed[Side::F].face_points(face_F, posed.work),
+                         options.filtered ? known : SureSigns(), sure, posed.work);
+    }
+    if (signs.passing == 0) return true;
+    ++posed.work.crossing_pairs;
+    found = true;
+    if (options.stop_at_first) return false;
+    const PairCrossing pair = pair_crossing(signs);
+    const Index start = enter_crossing(posed, pair, pair.start, face_E, face_F, scratch.index, crossings.nodes);
+    const Index end = enter_crossing(posed, pair, pair.end, face_E, face_F, scratch.index, crossings.nodes);
+    CrossingNode& first = crossings.nodes[static_cast<std::size_t>(start)];
+    assert(first.next < 0);
+    first.next = end;
+    first.segment_face = {face_E, face_F};
+    crossings.nodes[static_cast<std::size_t>(end)].has_previous = true;
+    mark_intersected(crossings.of(Side::E), face_E);
+    mark_intersected(crossings.of(Side::F), face_F);
+    return true;
+  };
+  for_each_candidate(surface_E, surface_F, posed.placement, fastest_wide_tests(), scratch.open, posed.work, visit);
+  for (CrossedSurface& side : crossings.surfaces) sort_ascending(side.intersected, scratch.marks);
   return found;
+}
+
+void list_crossings_by_edge(const PosedPair& posed, const std::vector<Index>& order, Crossings& crossings) {
+  for (const Side side : {Side::E, Side::F}) crossings.of(side).edges.start(posed.surface(side).edges.size());
+  // Each list grows at its head: the last crossing comes first.
+  for (std::size_t i = crossings.nodes.size(); i-- > 0;) {
+    const Index c = order.empty() ? static_cast<Index>(i) : order[i];
+    CrossingNode& crossing = crossings.nodes[static_cast<std::size_t>(c)];
+    EdgeCrossings& list = crossings.of(crossing.edge_side).edges[crossing.edge];
+    crossing.next_on_edge = list.first;
+    list.first = c;
+    ++list.count;
+    list.winding_change += crossing.winding_change();
+  }
 }
 
 }  // namespace pcm::fast

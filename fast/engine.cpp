@@ -9,7 +9,7 @@
 #include "fast/crossings.h"
 #include "fast/law.h"
 #include "fast/polygons.h"
-#include "fast/surface.h"
+#include "fast/prepare_surface.h"
 #include "fast/workspace.h"
 #include "meshes/floating_point_environment.h"
 
@@ -17,32 +17,42 @@ namespace pcm::fast {
 
 namespace {
 
-bool wants_force(const Wanted& wanted) {
-  return wanted.force || wanted.elements || wanted.bound || wanted.statistics;
-}
-
-bool wants_only_touch(const Wanted& wanted) {
-  return !wanted.polygons && !wanted.areas && !wants_force(wanted);
-}
-
 /// Writes the polygons and their points into the answer.
-void report_polygons(Workspace::Data& workspace) {
-  Contact& contact = workspace.contact;
-  for (const Index c : workspace.crossing_order) {
-    const CrossingNode& node = workspace.crossings[static_cast<std::size_t>(c)];
+void report_polygons(const Workspace::Data& data, Contact& contact) {
+  for (const Index c : data.polygons.crossing_order) {
+    const CrossingNode& node = data.crossings[c];
     Crossing crossing;
     crossing.edge_side = node.edge_side;
-    crossing.edge = workspace.side(node.edge_side).surface().edge(node.edge);
+    crossing.edge = data.posed.surface(node.edge_side).edge(node.edge);
     crossing.face = node.face;
     crossing.position_Me = node.position_Me;
     contact.crossings.push_back(crossing);
   }
-  contact.polygons.assign(workspace.polygons.begin(), workspace.polygons.end());
+  contact.polygons.assign(data.polygons.polygons.begin(), data.polygons.polygons.end());
+  for (std::size_t p = 0; p < contact.polygons.size(); ++p) contact.polygons[p].patch = data.patches.of_polygon[p];
+  contact.patches = data.patches.count;
 }
 
-void report_active_area(const SideState& side, ActiveArea& area) {
-  area.intersected.assign(side.intersected.begin(), side.intersected.end());
-  area.inner.assign(side.inner.begin(), side.inner.end());
+void report_active_areas(const Intersection& found, Contact& contact) {
+  contact.nested = found.active.nested;
+  contact.ambiguous = found.active.ambiguous;
+  for (const Side side : {Side::E, Side::F}) {
+    ActiveArea& area = side == Side::E ? contact.E : contact.F;
+    const std::vector<Index>& intersected = found.crossings.of(side).intersected;
+    const std::vector<Index>& inner = found.active.of(side).inner;
+    area.intersected.assign(intersected.begin(), intersected.end());
+    area.inner.assign(inner.begin(), inner.end());
+  }
+}
+
+void report_clipped_areas(const ClippedAreas& areas, Contact& contact) {
+  contact.E.area = areas.area[0];
+  contact.F.area = areas.area[1];
+  contact.E.vector_area_Me = areas.vector_area_Me[0];
+  contact.F.vector_area_Me = areas.vector_area_Me[1];
+  contact.undefined_areas = areas.undefined;
+  contact.has_volume = areas.has_volume;
+  contact.volume = areas.volume;
 }
 
 /// Takes out of a whole answer what was not asked for.
@@ -83,23 +93,17 @@ void keep_only(const Wanted& wanted, Contact& contact) {
 
 }  // namespace
 
-void clear(Contact& contact) {
-  Contact empty;
-  std::swap(empty.crossings, contact.crossings);
-  std::swap(empty.polygons, contact.polygons);
-  std::swap(empty.elements, contact.elements);
-  std::swap(empty.E.intersected, contact.E.intersected);
-  std::swap(empty.E.inner, contact.E.inner);
-  std::swap(empty.F.intersected, contact.F.intersected);
-  std::swap(empty.F.inner, contact.F.inner);
-  contact = std::move(empty);
-  contact.crossings.clear();
-  contact.polygons.clear();
-  contact.elements.clear();
-  for (ActiveArea* area : {&contact.E, &contact.F}) {
-    area->intersected.clear();
-    area->inner.clear();
-  }
+Surface::Surface(TriangleMesh mesh) {
+  const DefaultFloatingPoint environment;
+  data_ = std::make_shared<const PreparedSurface>(prepare_surface(std::move(mesh)));
+}
+
+const TriangleMesh& Surface::mesh() const {
+  return data_->mesh;
+}
+
+bool Surface::closed() const {
+  return data_->closed;
 }
 
 Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode, Scheme scheme)
@@ -124,6 +128,54 @@ Workspace::Data& Workspace::data() {
 
 namespace {
 
+/// The steps, in their order.
+void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
+                     const Savings& savings, Workspace::Data& data) {
+  Contact& contact = data.contact;
+  // The list of elements is the record's while it is being made.
+  data.elements.elements.swap(contact.elements);
+  contact.clear();
+  const PreparedSurface& surface_E = pairing.surface_E().data();
+  const PreparedSurface& surface_F = pairing.surface_F().data();
+  // The barycentric scheme's bound asks no vertex of its rounding.
+  data.posed.place(surface_E, surface_F, pose, wanted.bound && pairing.scheme() == Scheme::clipped);
+  if (!savings.lazy_vertices) data.posed[Side::F].transform_all(data.posed.work);
+
+  const bool only_touch = wants_only_touch(wanted);
+  const CrossingOptions options{only_touch && savings.first_crossing, wanted.bound, savings.filters};
+  contact.touching = find_crossings(data.posed, options, data.crossing_scratch, data.crossings);
+  if (only_touch) return;
+
+  data.polygons.clear();
+  if (wanted.polygons || wanted.areas) {
+    chain_polygons(data.crossings, data.polygon_scratch, data.polygons);
+    locate_crossings(data.posed, data.crossings);
+  }
+  list_crossings_by_edge(data.posed, data.polygons.crossing_order, data.crossings);
+  find_active_areas(data.posed, data.crossings, data.active_scratch, data.active);
+  const Intersection found{data.posed, data.crossings, data.active};
+  report_active_areas(found, contact);
+  if (wanted.polygons) {
+    group_patches(data.posed, data.crossings, data.polygons, data.active, data.patch_scratch, data.patches);
+    report_polygons(data, contact);
+  }
+  if (wanted.areas) {
+    report_clipped_areas(
+        measure_clipped_areas(data.posed, data.crossings, data.polygons, data.active, data.area_scratch), contact);
+  }
+  if (wants_force(wanted)) {
+    ForceProblem problem(pairing.law(), pose, velocity, wanted);
+    if (!savings.velocities) problem.with_velocities = true;
+    if (!savings.one_sided) {
+      form_elements_of_slave(found, pairing.scheme(), pairing.mode(), problem, data.force_scratch);
+    }
+    const PairingForce force = compute_force(found, pairing.scheme(), pairing.mode(), problem, wanted.bound,
+                                             data.force_scratch, data.elements);
+    report_elements(problem, force.total, data.elements, contact);
+    contact.bound = force.bound;
+  }
+}
+
 [[gnu::noinline]] const Contact& evaluate_in_default_environment(const Pairing& pairing, const Pose& pose,
                                                                  const Velocity& velocity, const Wanted& wanted,
                                                                  Workspace& workspace, const Savings& savings) {
@@ -138,47 +190,9 @@ namespace {
   }
   require_valid(pose, velocity);
   Workspace::Data& data = workspace.data();
-  Contact& contact = data.contact;
-  clear(contact);
-  const Surface::Data& surface_E = pairing.surface_E().data();
-  const Surface::Data& surface_F = pairing.surface_F().data();
-  data.placement = Placement(surface_E, surface_F, pose);
-  data.side(Side::E).posed.place_E(surface_E);
-  // The barycentric scheme's bound asks no vertex of its rounding.
-  const bool with_roundings = wanted.bound && pairing.scheme() == Scheme::clipped;
-  data.side(Side::F).posed.place_F(surface_F, pose, surface_E.mesh.vertices.size(), with_roundings);
-  if (!savings.lazy_vertices) data.side(Side::F).posed.transform_all(contact.work);
-
-  const bool force = wants_force(wanted);
-  const bool only_touch = wants_only_touch(wanted);
-  contact.touching = find_crossings(data, only_touch && savings.first_crossing, wanted.bound, savings.filters);
-  if (only_touch) return contact;
-
-  const bool polygons = wanted.polygons || wanted.areas;
-  data.crossing_order.clear();
-  if (polygons) {
-    chain_polygons(data);
-    locate_crossings(data);
-  }
-  list_crossings_by_edge(data);
-  find_active_area(data, Side::E);
-  find_active_area(data, Side::F);
-  report_active_area(data.side(Side::E), contact.E);
-  report_active_area(data.side(Side::F), contact.F);
-  if (wanted.polygons) {
-    group_patches(data);
-    report_polygons(data);
-  }
-  if (wanted.areas) measure_clipped_areas(data);
-  if (force) {
-    StatisticsSum statistics;
-    ForceProblem problem = force_problem(pairing.scheme(), pairing.law(), pose, velocity, wanted, statistics);
-    if (!savings.velocities) problem.with_velocities = true;
-    if (!savings.one_sided) form_elements_of_slave(data, pairing.mode(), problem);
-    compute_force(data, pairing.mode(), problem);
-    require_finite_force(contact);
-  }
-  return contact;
+  evaluate_wanted(pairing, pose, velocity, wanted, savings, data);
+  data.contact.work = data.posed.work;
+  return data.contact;
 }
 
 }  // namespace

@@ -16,6 +16,8 @@
 /// which is as before on return, sticky exception flags included, also where something is thrown.
 namespace pcm::fast {
 
+struct PreparedSurface;
+
 /// A surface prepared for contact: adjacency, bounding volume tree, thickness filter. Immutable, so it can be shared by
 /// any number of pairings and threads.
 class Surface {
@@ -28,11 +30,10 @@ class Surface {
   const TriangleMesh& mesh() const;
   bool closed() const;  ///< no border edge
 
-  struct Data;
-  const Data& data() const { return *data_; }
+  const PreparedSurface& data() const { return *data_; }
 
  private:
-  std::shared_ptr<const Data> data_;
+  std::shared_ptr<const PreparedSurface> data_;
 };
 
 /// Two surfaces, the law between them and whose faces carry the elements. Immutable.

@@ -5,7 +5,8 @@
 #include <array>
 
 #include "fast/geometry.h"
-#include "fast/workspace.h"
+#include "fast/posed_pair.h"
+#include "fast/wide_elements.h"
 
 namespace pcm::fast {
 
@@ -17,20 +18,18 @@ inline FaceGeometry geometry_of(const ElementLanes& lanes, std::size_t lane) {
 }
 
 /// Where a lane's face has its corners: of F's, they are transformed on first touch.
-inline void enter_corners(Workspace::Data& workspace, Side side, Index face, CornerLanes& corners, std::size_t lane) {
-  PosedSurface& posed = workspace.side(side).posed;
-  const Triangle& vertices = posed.surface().face(face);
-  for (std::size_t k = 0; k < 3; ++k) corners[k][lane] = posed.vertex_Me(vertices[k], workspace.contact.work).data();
+inline void enter_corners(PosedPair& posed, Side side, Index face, CornerLanes& corners, std::size_t lane) {
+  const Triangle& vertices = posed.surface(side).face(face);
+  for (std::size_t k = 0; k < 3; ++k) corners[k][lane] = posed.vertex_Me(side, vertices[k]).data();
 }
 
 /// Vertices, normals and areas of the first `count` faces of a batch, as FaceGeometry has them.
-inline void find_geometry(Workspace::Data& workspace, Side side, const FaceBatch& faces, std::size_t count) {
+inline void find_geometry(PosedPair& posed, Side side, const FaceBatch& faces, std::size_t count, ElementLanes& lanes) {
   if (count == 0) return;
-  ElementLanes& lanes = workspace.element_lanes;
   for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
-    enter_corners(workspace, side, faces[lane < count ? lane : 0], lanes.master_corners, lane);
+    enter_corners(posed, side, faces[lane < count ? lane : 0], lanes.master_corners, lane);
   }
-  const LaneBits known = workspace.wide_elements.geometry(lanes);
+  const LaneBits known = fastest_wide_elements().geometry(lanes);
   for (std::size_t lane = 0; lane < count; ++lane) {
     if (has_lane(known, lane)) continue;
     // Its squares would overflow or underflow.

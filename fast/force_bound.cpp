@@ -24,24 +24,27 @@ Eigen::Vector3d number_or_infinity(const Eigen::Vector3d& bound) {
 
 }  // namespace
 
-MasterBound::MasterBound(Workspace::Data& workspace, Side master, const ForceProblem& problem)
-    : workspace_(workspace),
+MasterBound::MasterBound(const Intersection& intersection, Side master, const ForceProblem& problem,
+                         BoundScratch& scratch)
+    : intersection_(intersection),
+      posed_(intersection.posed),
+      scratch_(scratch),
       problem_(problem),
       master_(master),
-      rounding_Me_(greatest_vertex_rounding(workspace.side(Side::F).surface(), problem.pose)) {
-  find_undecided_faces(workspace, master, rounding_Me_);
+      rounding_Me_(greatest_vertex_rounding(posed_.surface(Side::F), problem.pose)) {
+  find_undecided_faces(intersection, master, rounding_Me_, scratch.undecided);
 }
 
 Eigen::Vector3d MasterBound::rounding_of(Side side, Index face) const {
   if (side == Side::E) return Eigen::Vector3d::Zero();
-  return face_rounding(workspace_.side(side).surface(), problem_.pose, face);
+  return face_rounding(posed_.surface(side), problem_.pose, face);
 }
 
 LineTrace* MasterBound::begin_face(Index face, const FaceGeometry& geometry) {
   face_ = FaceError(geometry, rounding_of(master_, face));
   // The exact line, and the slave's faces, both within their own rounding.
-  workspace_.line_trace.radius = 2 * tube_radius(workspace_, face_, rounding_Me_);
-  return &workspace_.line_trace;
+  scratch_.line_trace.radius = 2 * tube_radius(posed_, face_, rounding_Me_);
+  return &scratch_.line_trace;
 }
 
 void MasterBound::add_element(const FaceGeometry& geometry, const Element& element, const MasterForce& total) {
@@ -54,14 +57,12 @@ void MasterBound::add_element(const FaceGeometry& geometry, const Element& eleme
   // Of both faces, one is F's.
   const Eigen::Vector3d rounding_Me =
       rounding_of(master_, element.master_face) + rounding_of(slave, element.slave_face);
-  error.penetration = depth_error(
-      geometry, face_, workspace_.side(slave).posed.face_Me(element.slave_face, workspace_.contact.work), rounding_Me);
-  const CertainLine line = follow_certainly(workspace_, master_, element.master_face, geometry, face_,
-                                            element.slave_face, workspace_.line_trace, rounding_Me_);
-  const double depth =
-      DepthBelow(geometry, workspace_.side(slave).posed.face_Me(element.slave_face, workspace_.contact.work)).value();
+  error.penetration = depth_error(geometry, face_, posed_.face_Me(slave, element.slave_face), rounding_Me);
+  const CertainLine line = follow_certainly(posed_, master_, element.master_face, geometry, face_, element.slave_face,
+                                            scratch_.line_trace, rounding_Me_, scratch_.open);
+  const double depth = DepthBelow(geometry, posed_.face_Me(slave, element.slave_face)).value();
   const bool decided = line.finding == Finding::element &&
-                       !workspace_.side(master_).undecided.contains(element.master_face) &&
+                       !scratch_.undecided.is_undecided.contains(element.master_face) &&
                        element.penetration > 2 * error.penetration;
   if (decided) {
     note_depth(depth - kBoundMargin * error.penetration, depth + kBoundMargin * error.penetration);
@@ -77,17 +78,16 @@ void MasterBound::add_element(const FaceGeometry& geometry, const Element& eleme
 }
 
 void MasterBound::add_no_element(Index face, const FaceGeometry& geometry, Index first_met) {
-  const CertainLine line =
-      follow_certainly(workspace_, master_, face, geometry, face_, first_met, workspace_.line_trace, rounding_Me_);
+  const CertainLine line = follow_certainly(posed_, master_, face, geometry, face_, first_met, scratch_.line_trace,
+                                            rounding_Me_, scratch_.open);
   if (line.finding == CertainLine::Finding::no_element) return;
   add_possible_element(geometry.area + face_.area, line.greatest_depth, geometry, face_.barycentre_Me);
 }
 
 void MasterBound::add_inactive_faces() {
-  SideState& side = workspace_.side(master_);
-  for (const Index face : side.undecided_faces) {
-    if (is_active(side, face)) continue;
-    const FaceGeometry geometry(side.posed.face_Me(face, workspace_.contact.work));
+  for (const Index face : scratch_.undecided.faces) {
+    if (intersection_.is_active(master_, face)) continue;
+    const FaceGeometry geometry(posed_.face_Me(master_, face));
     begin_face(face, geometry)->clear();
     add_no_element(face, geometry, -1);
   }
@@ -116,14 +116,14 @@ void MasterBound::add_possible_element(double area, double depth, const FaceGeom
 }
 
 void MasterBound::begin_clipped_face(Index face, const FaceGeometry& geometry) {
-  own_rounding_Me_ = workspace_.side(master_).posed.sharp_face_rounding_Me(face);
+  own_rounding_Me_ = posed_[master_].sharp_face_rounding_Me(face);
   face_ = FaceError(geometry, own_rounding_Me_);
-  undecided_ = workspace_.side(master_).undecided.contains(face);
+  undecided_ = scratch_.undecided.is_undecided.contains(face);
   passing_ = PassingError();
 }
 
 double MasterBound::slack() const {
-  return tube_radius(workspace_, face_, rounding_Me_);
+  return tube_radius(posed_, face_, rounding_Me_);
 }
 
 void MasterBound::add_clipped_element(const Element& element, const ElementError* error, const MasterForce& total) {
@@ -148,7 +148,7 @@ void MasterBound::end_clipped_face(const FaceGeometry& geometry, const SightErro
   const auto& p = geometry.points_Me;
   const Eigen::Vector3d anywhere = (p[1] - p[0]).cwiseAbs() + (p[2] - p[0]).cwiseAbs();
   if (sight == nullptr || !sight->known()) {
-    add_possible_element(0.5 * twice_area, span(workspace_), geometry, face_.barycentre_Me + anywhere);
+    add_possible_element(0.5 * twice_area, span(posed_), geometry, face_.barycentre_Me + anywhere);
     return;
   }
   sum_.flipped = sum_.flipped || sight->flush();
@@ -175,12 +175,33 @@ ForceBound MasterBound::result() const {
           (1 + 4 * kUnitRoundoff) * sum_.penetration_at_most};
 }
 
-ForceBound mean_bound(const MasterBound& on_E, const MasterBound& on_F, const Contact& contact) {
-  const ForceBound E = on_E.result(), F = on_F.result();
+MasterForce sum_bounded_barycentric_elements(const Intersection& intersection, const ForceProblem& problem,
+                                             LineNodes& open, MasterBound& bound, ElementRecord& record) {
+  const Side master = bound.master();
+  PosedPair& posed = intersection.posed;
+  ElementSum sum(problem, record, posed.work);
+  for_each_active_face(intersection, master, [&](Index face) {
+    const FaceGeometry geometry(posed.face_Me(master, face));
+    const Penetration penetration =
+        find_penetration(posed, master, face, geometry, open, bound.begin_face(face, geometry));
+    if (penetration.outcome == Penetration::Outcome::too_deep) ++record.too_deep;
+    if (penetration.outcome != Penetration::Outcome::element) {
+      bound.add_no_element(face, geometry, penetration.first_met);
+      return;
+    }
+    Element element = barycentric_element(master, face, geometry, penetration, problem.law);
+    sum.add(penetration.depth, geometry.barycentre_Me(), element);
+    bound.add_element(geometry, element, sum.total());
+  });
+  bound.add_inactive_faces();
+  return sum.total();
+}
+
+ForceBound mean_bound(const ForceBound& E, const ForceBound& F, const MasterForce& mean) {
   return {number_or_infinity(0.5 * (E.force_Me + F.force_Me) +
-                             kBoundMargin * kUnitRoundoff * (contact.force_Me.cwiseAbs() + E.force_Me + F.force_Me)),
+                             kBoundMargin * kUnitRoundoff * (mean.force_Me.cwiseAbs() + E.force_Me + F.force_Me)),
           number_or_infinity(0.5 * (E.torque_Me + F.torque_Me) +
-                             kBoundMargin * kUnitRoundoff * (contact.torque_Me.cwiseAbs() + E.torque_Me + F.torque_Me)),
+                             kBoundMargin * kUnitRoundoff * (mean.torque_Me.cwiseAbs() + E.torque_Me + F.torque_Me)),
           E.flipped || F.flipped, std::max(E.penetration_at_least, F.penetration_at_least),
           std::max(E.penetration_at_most, F.penetration_at_most)};
 }

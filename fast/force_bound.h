@@ -2,14 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fast/barycentric_elements.h"
+#include "fast/certain_activity.h"
 #include "fast/clipped_error.h"
-#include "fast/contact_elements.h"
 #include "fast/element_error.h"
+#include "fast/element_sum.h"
 #include "fast/geometry.h"
+#include "fast/intersection.h"
 #include "fast/passing_error.h"
 #include "fast/penetration.h"
 
 namespace pcm::fast {
+
+/// Scratch memory of MasterBound.
+struct BoundScratch {
+  LineTrace line_trace;      ///< of the line at hand
+  UndecidedFaces undecided;  ///< of the master at hand
+  SightScratch sight;
+  std::vector<Index> open;
+};
 
 /// Gathers a rigorous bound on the errors of one master's force and torque against the exact problem (PCM section 1),
 /// while its elements are being summed.
@@ -28,8 +39,8 @@ namespace pcm::fast {
 /// All bounds are finite but where the element's own numbers come near the end of the range of doubles.
 class MasterBound {
  public:
-  /// Needs the active areas of the pose and its candidate pairs.
-  MasterBound(Workspace::Data& workspace, Side master, const ForceProblem& problem);
+  /// The candidate pairs must have been kept. `scratch` is one master's at a time.
+  MasterBound(const Intersection& intersection, Side master, const ForceProblem& problem, BoundScratch& scratch);
 
   /// To be called for each active face before its line is followed, and traced into what is returned.
   LineTrace* begin_face(Index face, const FaceGeometry& geometry);
@@ -49,6 +60,8 @@ class MasterBound {
   void end_clipped_face(const FaceGeometry& geometry, const SightError* sight);
 
   Side master() const { return master_; }
+  const UndecidedFaces& undecided() const { return scratch_.undecided; }
+  SightScratch& sight_scratch() const { return scratch_.sight; }
   const Eigen::Vector3d& rounding_Me() const { return rounding_Me_; }          ///< of any vertex of F
   const Eigen::Vector3d& own_rounding_Me() const { return own_rounding_Me_; }  ///< of the vertices of the face begun
   const FaceError& face_error() const { return face_; }                        ///< of the face begun
@@ -63,7 +76,9 @@ class MasterBound {
   void note_depth(double at_least, double at_most);
   void add_possible_element(double area, double depth, const FaceGeometry& geometry, const Eigen::Vector3d& foot_error);
 
-  Workspace::Data& workspace_;
+  const Intersection& intersection_;
+  PosedPair& posed_;
+  BoundScratch& scratch_;
   const ForceProblem& problem_;
   Side master_;
   Eigen::Vector3d rounding_Me_;                                ///< of any vertex of F
@@ -74,7 +89,12 @@ class MasterBound {
   ForceBound sum_;
 };
 
-/// The bound of mode `both`, whose force and torque are in `contact`.
-ForceBound mean_bound(const MasterBound& on_E, const MasterBound& on_F, const Contact& contact);
+/// Forms the contact elements of the bound's master in the barycentric scheme, as sum_barycentric_elements does and to
+/// the same bits, each with its bound. `open` is scratch.
+MasterForce sum_bounded_barycentric_elements(const Intersection& intersection, const ForceProblem& problem,
+                                             LineNodes& open, MasterBound& bound, ElementRecord& record);
+
+/// The bound of mode `both`: of the mean of what both masters' bounds are for.
+ForceBound mean_bound(const ForceBound& E, const ForceBound& F, const MasterForce& mean);
 
 }  // namespace pcm::fast

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast/contact_elements.h"
 #include "fast/element_error.h"
+#include "fast/force_problem.h"
 
 namespace pcm::fast {
 

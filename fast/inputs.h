@@ -13,6 +13,10 @@ namespace pcm {
 /// The two surfaces of a pairing, and the bodies that carry them.
 enum class Side : std::uint8_t { E, F };
 
+inline Side opposite(Side side) {
+  return side == Side::E ? Side::F : Side::E;
+}
+
 /// Position and orientation of marker Mf seen from marker Me: x_E = A x_F + r.
 /// A is a rotation to 1e-9: max |A^T A - I| <= 1e-9 and det A > 0; it is used as given, never orthogonalised.
 struct Pose {
@@ -71,5 +75,12 @@ struct Wanted {
   bool bound = false;       ///< rigorous bounds on the rounding errors of force and torque; implies force
   bool statistics = false;  ///< the summary over the elements; implies force, implied by elements
 };
+
+inline bool wants_force(const Wanted& wanted) {
+  return wanted.force || wanted.elements || wanted.bound || wanted.statistics;
+}
+inline bool wants_only_touch(const Wanted& wanted) {
+  return !wanted.polygons && !wanted.areas && !wants_force(wanted);
+}
 
 }  // namespace pcm

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -35,12 +36,17 @@ void require_positive_or_infinite(const char* what, double value) {
   if (!(value > 0)) refuse(what, value, "greater than 0 (infinite is allowed)");
 }
 
+/// Below the least normal number a sum of two halves has lost digits, or all.
+void require_layer_stiffness(const char* what, double value) {
+  if (!(value >= std::numeric_limits<double>::min())) refuse(what, value, "at least 2^-1022 (infinite is allowed)");
+}
+
 }  // namespace
 
 void require_valid(const ContactLaw& law) {
   if (law.layers) {
-    require_positive_or_infinite("contact law: layer stiffness c_E", law.layers->c_E);
-    require_positive_or_infinite("contact law: layer stiffness c_F", law.layers->c_F);
+    require_layer_stiffness("contact law: layer stiffness c_E", law.layers->c_E);
+    require_layer_stiffness("contact law: layer stiffness c_F", law.layers->c_F);
     if (std::isinf(law.layers->c_E) && std::isinf(law.layers->c_F)) {
       throw BadInput("contact law: both bodies are rigid; give at least one a finite layer stiffness");
     }

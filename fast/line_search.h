@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "fast/contact.h"
 #include "fast/wide_tests.h"
+#include "fast/work_counters.h"
 
 namespace pcm::fast {
 

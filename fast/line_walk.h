@@ -55,7 +55,7 @@ class AcrossLine {
 /// which changes D's sign and no other bit: one vertex and two edges are new with each step.
 inline Index walk_to_face_left(PosedSurface& posed, const AcrossLine& line, Index start, WorkCounters& work) {
   constexpr int kMostSteps = 32;
-  const Surface::Data& surface = posed.surface();
+  const PreparedSurface& surface = posed.surface();
   const auto see = [&](Index v) { return line.see(posed.vertex_Me(v, work)); };
   const auto side = [](const AcrossLine::Point& from, const AcrossLine::Point& to) {
     return from.x * to.y - from.y * to.x;

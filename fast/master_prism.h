@@ -7,10 +7,10 @@
 #include <array>
 
 #include "fast/box_tree.h"
-#include "fast/contact.h"
 #include "fast/convex_polygon.h"
 #include "fast/geometry.h"
 #include "fast/orientation.h"
+#include "fast/work_counters.h"
 
 namespace pcm::fast {
 

@@ -58,7 +58,7 @@ constexpr std::array<Minor, 13> kMinors{{
 int exact_orientation_in_plane(const double* a, const double* b, const double* c, std::size_t u, std::size_t v) {
   const Dyadic left = difference<Dyadic>(b[u], a[u]) * difference<Dyadic>(c[v], a[v]);
   const Dyadic right = difference<Dyadic>(b[v], a[v]) * difference<Dyadic>(c[u], a[u]);
-  return compare(left, right);
+  return sign_of_difference(left, right);
 }
 
 int sign_of_minor(const Minor& minor, const std::array<RankedPoint, 4>& v) {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "fast/contact.h"
+#include "fast/work_counters.h"
 #include "meshes/floating_point_policy.h"
 
 /// On which side of the plane of three vertices a fourth one lies: the one predicate that crossings, polygons and

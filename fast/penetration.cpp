@@ -116,18 +116,17 @@ int compare(ExactLine& line, const FaceMet& f, const FaceMet& g, WorkCounters& w
 
 /// The first face of a surface that the line meets, by exact distance, then shift, then face index.
 /// `left`: one of them, through which the line surely leaves the body at a distance greater than 0, or -1.
-FaceMet first_face_met(Workspace::Data& workspace, Side slave, ExactLine& line, const Ray& ray, Index left,
+FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray& ray, Index left, LineNodes& open,
                        LineTrace* trace) {
-  PosedSurface& posed = workspace.side(slave).posed;
-  const WideTree& tree = posed.surface().wide_tree;
-  WorkCounters& work = workspace.contact.work;
-  const double slack = line_slack(slave, ray, workspace.placement);
-  const WideRay wide_ray = in_tree_of(slave, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
+  const WideTree& tree = posed.surface(slave).wide_tree;
+  WorkCounters& work = posed.work;
+  const double slack = line_slack(slave, ray, posed.placement);
+  const WideRay wide_ray = in_tree_of(slave, tree, ray, posed.placement, trace != nullptr ? trace->radius : 0);
   FaceMet first;
   if (left >= 0) {
     first.face = left;
     first.direction = -1;
-    first.points_Me = posed.face_Me(left, work);
+    first.points_Me = posed.face_Me(slave, left);
     first.distance = distance_to(ray, first.points_Me, slack);
   }
   const auto visit = [&](Index face, Passage passage) {
@@ -135,7 +134,7 @@ FaceMet first_face_met(Workspace::Data& workspace, Side slave, ExactLine& line, 
     if (face == left) return;
     FaceMet met;
     met.face = face;
-    met.points_Me = posed.face_Me(face, work);
+    met.points_Me = posed.face_Me(slave, face);
     if (!meets(line, ray, met.points_Me, passage, slack, met, work)) return;
     if (first.face >= 0) {
       const int order = compare(line, met, first, work);
@@ -143,33 +142,29 @@ FaceMet first_face_met(Workspace::Data& workspace, Side slave, ExactLine& line, 
     }
     first = met;
   };
-  const double reach =
-      search_along(tree, wide_ray, first.distance.greatest, workspace.wide_tests, workspace.line_nodes, work, visit);
+  const double reach = search_along(tree, wide_ray, first.distance.greatest, fastest_wide_tests(), open, work, visit);
   if (trace != nullptr) trace->slave_reach = reach;
   return first;
 }
 
 /// Whether the line meets another face of the master strictly before `limit`.
-bool leaves_master_before(Workspace::Data& workspace, Side master, Index face, ExactLine& line, const Ray& ray,
-                          const FaceMet& limit, LineTrace* trace) {
-  PosedSurface& posed = workspace.side(master).posed;
-  const WideTree& tree = posed.surface().wide_tree;
-  WorkCounters& work = workspace.contact.work;
-  const double slack = line_slack(master, ray, workspace.placement);
-  const WideRay wide_ray = in_tree_of(master, tree, ray, workspace.placement, trace != nullptr ? trace->radius : 0);
+bool leaves_master_before(PosedPair& posed, Side master, Index face, ExactLine& line, const Ray& ray,
+                          const FaceMet& limit, LineNodes& open, LineTrace* trace) {
+  const WideTree& tree = posed.surface(master).wide_tree;
+  WorkCounters& work = posed.work;
+  const double slack = line_slack(master, ray, posed.placement);
+  const WideRay wide_ray = in_tree_of(master, tree, ray, posed.placement, trace != nullptr ? trace->radius : 0);
   bool leaves = false;
   double no_farther_than = limit.distance.greatest;
-  search_along(
-      tree, wide_ray, no_farther_than, workspace.wide_tests, workspace.line_nodes, work,
-      [&](Index own, Passage passage) {
-        if (own == face || leaves) return;
-        if (trace != nullptr) trace->own_faces.push_back(own);
-        FaceMet met;
-        met.points_Me = posed.face_Me(own, work);
-        if (!meets(line, ray, met.points_Me, passage, slack, met, work) || compare(line, met, limit, work) >= 0) return;
-        leaves = true;
-        no_farther_than = -1;  // The search is over.
-      });
+  search_along(tree, wide_ray, no_farther_than, fastest_wide_tests(), open, work, [&](Index own, Passage passage) {
+    if (own == face || leaves) return;
+    if (trace != nullptr) trace->own_faces.push_back(own);
+    FaceMet met;
+    met.points_Me = posed.face_Me(master, own);
+    if (!meets(line, ray, met.points_Me, passage, slack, met, work) || compare(line, met, limit, work) >= 0) return;
+    leaves = true;
+    no_farther_than = -1;  // The search is over.
+  });
   return leaves;
 }
 
@@ -192,44 +187,40 @@ constexpr double kLeastShare = 0x1p-10;
 constexpr double kDistanceError = 0x1p-30;
 
 /// Where a walk over the slave to a master face's penetration line may start: near that of a neighbour, or at `last`.
-Index slave_face_near(const SideState& side, Index face, Index last) {
-  const Index own = side.slave_nearby.get(face, -1);
+Index slave_face_near(const PreparedSurface& master, Index face, const PenetrationWalks& walks) {
+  const Index own = walks.slave_nearby.get(face, -1);
   if (own >= 0) return own;
-  for (const Index neighbour : side.surface().neighbours_of(face)) {
-    const Index near = side.slave_nearby.get(neighbour, -1);
+  for (const Index neighbour : master.neighbours_of(face)) {
+    const Index near = walks.slave_nearby.get(neighbour, -1);
     if (near >= 0) return near;
   }
-  return last;
+  return walks.last;
 }
 
 /// The face through which a lane's line surely leaves the slave's body, at whatever distance, found by a walk; or -1.
-Index walk_from_neighbour(Workspace::Data& workspace, Side master, Index face, const ElementLanes& lanes,
-                          std::size_t lane, Index start) {
+Index walk_from_neighbour(PosedPair& posed, Side master, const ElementLanes& lanes, std::size_t lane, Index start) {
   const double a = lanes.side[0].value[lane], b = lanes.side[1].value[lane];
   if (start < 0 || !(lanes.area.value[lane] > kLeastShare * (a * b))) return -1;
   const FacePoints p{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]};
-  const AcrossLine line(p, lanes.barycentre_Me[lane], a, b, workspace.placement.reach);
+  const AcrossLine line(p, lanes.barycentre_Me[lane], a, b, posed.placement.reach);
   if (!line.usable()) return -1;
-  const Index met = walk_to_face_left(workspace.side(opposite(master)).posed, line, start, workspace.contact.work);
-  if (met >= 0) workspace.side(master).slave_nearby[face] = met;
-  return met;
+  return walk_to_face_left(posed[opposite(master)], line, start, posed.work);
 }
 
 /// What `settle` needs to know of a lane's master face and of the slave's face that a walk came to.
-void enter_match(Workspace::Data& workspace, Side master, Index face, Index met, ElementLanes& lanes,
-                 std::size_t lane) {
-  enter_corners(workspace, opposite(master), met, lanes.slave_corners, lane);
-  lanes.thickness[lane] = &workspace.side(master).surface().thickness[static_cast<std::size_t>(face)];
-  lanes.clearance[lane] = &workspace.side(opposite(master)).surface().clearance[static_cast<std::size_t>(met)];
+void enter_match(PosedPair& posed, Side master, Index face, Index met, ElementLanes& lanes, std::size_t lane) {
+  enter_corners(posed, opposite(master), met, lanes.slave_corners, lane);
+  lanes.thickness[lane] = &posed.surface(master).thickness[static_cast<std::size_t>(face)];
+  lanes.clearance[lane] = &posed.surface(opposite(master)).clearance[static_cast<std::size_t>(met)];
 }
 
-SettleLimits settle_limits(const Workspace::Data& workspace, Side master) {
-  const double moved = workspace.placement.moved(master);
-  const double reach = workspace.side(master).surface().reach.maxCoeff();
+SettleLimits settle_limits(const PosedPair& posed, Side master) {
+  const double moved = posed.placement.moved(master);
+  const double reach = posed.surface(master).reach.maxCoeff();
   SettleLimits limits;
   limits.least_share = kLeastShare;
-  limits.slave_reach = workspace.side(opposite(master)).surface().reach.maxCoeff();
-  limits.error = kDistanceError * workspace.placement.reach;
+  limits.slave_reach = posed.surface(opposite(master)).reach.maxCoeff();
+  limits.error = kDistanceError * posed.placement.reach;
   // thickness_holds, for faces that are no needles: there the ray's direction is off by less than 2^-40.
   const double line_error = (1 + 0x1p-10) * (moved + 8 * 0x1p-40 * reach);
   limits.thick_edges = (1 + 0x1p-40) * 8 * reach * moved;
@@ -241,23 +232,22 @@ SettleLimits settle_limits(const Workspace::Data& workspace, Side master) {
 }
 
 /// find_penetration, given a face that the line surely leaves the slave through, at a distance greater than 0; or -1.
-Penetration search_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                               Index left, LineTrace* trace) {
-  WorkCounters& work = workspace.contact.work;
+Penetration search_penetration(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, Index left,
+                               LineNodes& open, LineTrace* trace) {
   const Ray ray(geometry, geometry.barycentre_Me());
   Penetration penetration;
   if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
   ExactLine line(geometry.points_Me);
-  const FaceMet first = first_face_met(workspace, opposite(master), line, ray, left, trace);
+  const FaceMet first = first_face_met(posed, opposite(master), line, ray, left, open, trace);
   penetration.first_met = first.face;
   if (first.face < 0 || first.direction > 0) return penetration;
-  if (!thicker_than(workspace, master, face, geometry, first.distance.greatest) &&
-      leaves_master_before(workspace, master, face, line, ray, first, trace)) {
+  if (!thicker_than(posed, master, face, geometry, first.distance.greatest) &&
+      leaves_master_before(posed, master, face, line, ray, first, open, trace)) {
     penetration.outcome = Penetration::Outcome::too_deep;
     return penetration;
   }
   if (trace != nullptr) trace->own_reach = first.distance.greatest;
-  if (!(first.distance.least > 0) && distance_sign(*line, first.points_Me, work) == 0) return penetration;
+  if (!(first.distance.least > 0) && distance_sign(*line, first.points_Me, posed.work) == 0) return penetration;
   penetration.outcome = Penetration::Outcome::element;
   penetration.slave_face = first.face;
   penetration.depth = DepthBelow(geometry, first.points_Me).value();
@@ -266,26 +256,24 @@ Penetration search_penetration(Workspace::Data& workspace, Side master, Index fa
 
 }  // namespace
 
-bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                  double distance) {
-  const Surface::Data& surface = workspace.side(master).surface();
+bool thicker_than(const PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, double distance) {
+  const PreparedSurface& surface = posed.surface(master);
   return distance < surface.thickness[static_cast<std::size_t>(face)] &&
-         thickness_holds(surface, workspace.placement.moved(master), geometry);
+         thickness_holds(surface, posed.placement.moved(master), geometry);
 }
 
-void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch& faces, std::size_t count,
-                       ElementLanes& lanes, Index& last, std::array<Penetration, kElementLanes>& penetrations) {
+void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
+                       PenetrationWalks& walks, std::array<Penetration, kElementLanes>& penetrations) {
   const Side slave = opposite(master);
-  const Surface::Data& surface = workspace.side(slave).surface();
-  const bool walks = workspace.placement.slack(slave) < kClearanceTolerance * surface.reach.maxCoeff();
+  const bool may_walk = posed.placement.slack(slave) < kClearanceTolerance * posed.surface(slave).reach.maxCoeff();
   std::array<Index, kElementLanes> met;
   met.fill(-1);
   LaneBits walked = 0;
-  for (std::size_t lane = 0; lane < count && walks; ++lane) {
-    const Index start = slave_face_near(workspace.side(master), faces[lane], last);
-    met[lane] = walk_from_neighbour(workspace, master, faces[lane], lanes, lane, start);
+  for (std::size_t lane = 0; lane < count && may_walk; ++lane) {
+    const Index start = slave_face_near(posed.surface(master), faces[lane], walks);
+    met[lane] = walk_from_neighbour(posed, master, lanes, lane, start);
     if (met[lane] < 0) continue;
-    last = met[lane];
+    walks.slave_nearby[faces[lane]] = walks.last = met[lane];
     walked |= 1U << lane;
   }
   SettledLanes settled;
@@ -294,9 +282,9 @@ void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch&
     const auto some = static_cast<std::size_t>(std::countr_zero(walked));
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
       const std::size_t from = has_lane(walked, lane) ? lane : some;
-      enter_match(workspace, master, faces[from], met[from], lanes, lane);
+      enter_match(posed, master, faces[from], met[from], lanes, lane);
     }
-    settled = workspace.wide_elements.settle(lanes, settle_limits(workspace, master));
+    settled = fastest_wide_elements().settle(lanes, settle_limits(posed, master));
   }
   for (std::size_t lane = 0; lane < count; ++lane) {
     Penetration& penetration = penetrations[lane];
@@ -309,22 +297,22 @@ void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch&
     }
     const FaceGeometry geometry = geometry_of(lanes, lane);
     if (element) {
-      const FacePoints f = workspace.side(slave).posed.face_Me(met[lane], workspace.contact.work);
+      const FacePoints f = posed.face_Me(slave, met[lane]);
       penetration = {Penetration::Outcome::element, met[lane], DepthBelow(geometry, f).value(), -1};
     } else {
       const Index left = has_lane(walked & settled.left, lane) ? met[lane] : -1;
-      penetration = search_penetration(workspace, master, faces[lane], geometry, left, nullptr);
+      penetration = search_penetration(posed, master, faces[lane], geometry, left, walks.open, nullptr);
       const Index found = penetration.slave_face;
-      if (found >= 0) workspace.side(master).slave_nearby[faces[lane]] = last = found;
+      if (found >= 0) walks.slave_nearby[faces[lane]] = walks.last = found;
     }
     lanes.depth.value[lane] = penetration.depth;
   }
 }
 
-Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+Penetration find_penetration(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, LineNodes& open,
                              LineTrace* trace) {
   if (trace != nullptr) trace->clear();
-  return search_penetration(workspace, master, face, geometry, -1, trace);
+  return search_penetration(posed, master, face, geometry, -1, open, trace);
 }
 
 }  // namespace pcm::fast

@@ -4,12 +4,13 @@
 
 #include "fast/face_lanes.h"
 #include "fast/geometry.h"
+#include "fast/line_search.h"
 #include "fast/line_trace.h"
-#include "fast/workspace.h"
+#include "fast/posed_pair.h"
 
 namespace pcm::fast {
 
-/// What the penetration line of a master face finds (PCM section 6, barycentric scheme; rule R11).
+/// What the penetration line of a master face finds (PCM section 6, barycentric scheme).
 struct Penetration {
   enum class Outcome : std::uint8_t {
     none,      ///< it meets no face of the slave, or enters it first, or leaves it at distance 0
@@ -23,21 +24,27 @@ struct Penetration {
 };
 
 /// Follows the penetration line of face `face` of side `master`. Every decision is exact on the rounded problem; the
-/// depth is off by a few ulps of the distance between the faces over |n_e . n_f|. Near O(log n). Fills `trace` where
-/// one is given, without any change of the result.
-Penetration find_penetration(Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
+/// depth is off by a few ulps of the distance between the faces over |n_e . n_f|. Near O(log n). `open` is scratch.
+/// Fills `trace` where one is given, without any change of the result.
+Penetration find_penetration(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, LineNodes& open,
                              LineTrace* trace = nullptr);
 
+/// Where walks over the slave start, and scratch memory.
+struct PenetrationWalks {
+  StampedArray<Index> slave_nearby;  ///< by face of the master: a face of the slave near its penetration line
+  Index last = -1;                   ///< face of the slave near the last penetration line, -1: none
+  LineNodes open;
+};
+
 /// The same results but for `first_met`, for up to four faces at once, by walks over the slave, each from the face
-/// found for a neighbour or, where there is none, from `last` (-1: none). Where clearances and thickness known
-/// beforehand say that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and
-/// receive their depths. `last` becomes the last face that was found.
-void find_penetrations(Workspace::Data& workspace, Side master, const FaceBatch& faces, std::size_t count,
-                       ElementLanes& lanes, Index& last, std::array<Penetration, kElementLanes>& penetrations);
+/// found for a neighbour or, where there is none, for the last. Where clearances and thickness known beforehand say
+/// that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and receive their
+/// depths.
+void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
+                       PenetrationWalks& walks, std::array<Penetration, kElementLanes>& penetrations);
 
 /// Whether the thickness computed beforehand already says that the face's penetration line meets no other face of the
 /// master as near as `distance`, in the rounded problem and in the exact one alike.
-bool thicker_than(const Workspace::Data& workspace, Side master, Index face, const FaceGeometry& geometry,
-                  double distance);
+bool thicker_than(const PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, double distance);
 
 }  // namespace pcm::fast

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "fast/bounded.h"
-#include "fast/contact.h"
+#include "fast/work_counters.h"
 
 /// The exact decisions about a penetration line (PCM section 6, barycentric scheme): which faces it meets, in which
 /// direction it passes through them and in which order. Each: floating-point filter, then exact arithmetic, then the

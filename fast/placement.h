@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "fast/geometry.h"
-#include "fast/surface.h"
+#include "fast/inputs.h"
+#include "fast/prepared_surface.h"
 
 namespace pcm::fast {
 
@@ -34,7 +35,7 @@ struct Placement {
   double span = 0;  ///< no two vertices of either are farther apart along an axis of Me, if the hulls touch, m
 
   Placement() = default;
-  Placement(const Surface::Data& surface_E, const Surface::Data& surface_F, const Pose& pose)
+  Placement(const PreparedSurface& surface_E, const PreparedSurface& surface_F, const Pose& pose)
       : A(pose.A), r_Me(pose.r), A_absolute(pose.A.cwiseAbs()) {
     const Eigen::Vector3d reach_F = A_absolute * surface_F.reach + pose.r.cwiseAbs();
     reach = std::fmax(reach_F.maxCoeff(), surface_E.reach.maxCoeff());

@@ -9,76 +9,59 @@ namespace pcm::fast {
 namespace {
 
 /// Walks from `start` along the circulation to the end of an open polygon or around a closed one.
-void walk(Workspace::Data& workspace, Index start, bool closed) {
-  auto& crossings = workspace.crossings;
-  const auto number = static_cast<Index>(workspace.polygons.size());
+Polygon walk(std::vector<CrossingNode>& nodes, Index start, bool closed, Index number, std::vector<Index>& order) {
   Polygon polygon;
   polygon.closed = closed;
-  polygon.first = static_cast<Index>(workspace.crossing_order.size());
+  polygon.first = static_cast<Index>(order.size());
   Index at = start;
   do {
-    CrossingNode& crossing = crossings[static_cast<std::size_t>(at)];
+    CrossingNode& crossing = nodes[static_cast<std::size_t>(at)];
     crossing.polygon = number;
-    workspace.crossing_order.push_back(at);
+    order.push_back(at);
     at = crossing.next;
   } while (at >= 0 && at != start);
-  polygon.count = static_cast<Index>(workspace.crossing_order.size()) - polygon.first;
+  polygon.count = static_cast<Index>(order.size()) - polygon.first;
   if (closed) {
-    const auto begin = workspace.crossing_order.begin() + polygon.first;
-    const auto smallest = std::min_element(begin, workspace.crossing_order.end(), [&](Index c, Index d) {
-      return crossings[static_cast<std::size_t>(c)].key() < crossings[static_cast<std::size_t>(d)].key();
+    const auto begin = order.begin() + polygon.first;
+    const auto smallest = std::min_element(begin, order.end(), [&nodes](Index c, Index d) {
+      return nodes[static_cast<std::size_t>(c)].key() < nodes[static_cast<std::size_t>(d)].key();
     });
-    std::rotate(begin, smallest, workspace.crossing_order.end());
+    std::rotate(begin, smallest, order.end());
   }
-  workspace.polygons.push_back(polygon);
+  return polygon;
 }
 
 }  // namespace
 
-void chain_polygons(Workspace::Data& workspace) {
-  auto& crossings = workspace.crossings;
-  auto& polygons = workspace.polygons;
-  polygons.clear();
-  workspace.crossing_order.clear();
-  for (std::size_t i = 0; i < crossings.size(); ++i) {
-    if (!crossings[i].has_previous) walk(workspace, static_cast<Index>(i), false);
+void chain_polygons(Crossings& crossings, std::vector<Index>& unsorted, PolygonChains& chains) {
+  std::vector<CrossingNode>& nodes = crossings.nodes;
+  std::vector<Polygon>& polygons = chains.polygons;
+  chains.clear();
+  unsorted.clear();
+  const auto add = [&](std::size_t start, bool closed) {
+    const auto number = static_cast<Index>(polygons.size());
+    polygons.push_back(walk(nodes, static_cast<Index>(start), closed, number, unsorted));
+  };
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes[i].has_previous) add(i, false);
   }
-  for (std::size_t i = 0; i < crossings.size(); ++i) {
-    if (crossings[i].polygon < 0) walk(workspace, static_cast<Index>(i), true);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].polygon < 0) add(i, true);
   }
 
   const auto first_key = [&](const Polygon& polygon) {
-    const Index first = workspace.crossing_order[static_cast<std::size_t>(polygon.first)];
-    return crossings[static_cast<std::size_t>(first)].key();
+    return crossings[unsorted[static_cast<std::size_t>(polygon.first)]].key();
   };
   std::sort(polygons.begin(), polygons.end(),
             [&](const Polygon& a, const Polygon& b) { return first_key(a) < first_key(b); });
-  workspace.crossing_order_sorted.clear();
   for (std::size_t number = 0; number < polygons.size(); ++number) {
     Polygon& polygon = polygons[number];
     const auto begin = static_cast<std::size_t>(polygon.first);
-    polygon.first = static_cast<Index>(workspace.crossing_order_sorted.size());
+    polygon.first = static_cast<Index>(chains.crossing_order.size());
     for (std::size_t i = begin; i < begin + static_cast<std::size_t>(polygon.count); ++i) {
-      const Index c = workspace.crossing_order[i];
-      crossings[static_cast<std::size_t>(c)].polygon = static_cast<Index>(number);
-      workspace.crossing_order_sorted.push_back(c);
+      nodes[static_cast<std::size_t>(unsorted[i])].polygon = static_cast<Index>(number);
+      chains.crossing_order.push_back(unsorted[i]);
     }
-  }
-  std::swap(workspace.crossing_order, workspace.crossing_order_sorted);
-}
-
-void list_crossings_by_edge(Workspace::Data& workspace) {
-  for (SideState& side : workspace.sides) side.edge_crossings.start(side.surface().edges.size());
-  const bool chained = workspace.crossing_order.size() == workspace.crossings.size();
-  // Each list grows at its head: the last crossing comes first.
-  for (std::size_t i = workspace.crossings.size(); i-- > 0;) {
-    const Index c = chained ? workspace.crossing_order[i] : static_cast<Index>(i);
-    CrossingNode& crossing = workspace.crossings[static_cast<std::size_t>(c)];
-    EdgeCrossings& list = workspace.side(crossing.edge_side).edge_crossings[crossing.edge];
-    crossing.next_on_edge = list.first;
-    list.first = c;
-    ++list.count;
-    list.winding_change += crossing.winding_change();
   }
 }
 

@@ -2,20 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast/workspace.h"
+#include <vector>
+
+#include "fast/contact.h"
+#include "fast/crossings.h"
 
 namespace pcm::fast {
 
-/// Chains the segments to polygons by identity (PCM section 4): fills `polygons`, `crossing_order` and the crossings'
-/// `polygon`. Canonical order: crossings are compared by (side, edge, face); a closed polygon starts at its smallest
-/// crossing, an open one where the circulation of (5) starts; polygons are sorted by their first crossing. Linear but
-/// for the sort of the polygons.
-void chain_polygons(Workspace::Data& workspace);
+/// The crossings chained to intersection polygons.
+struct PolygonChains {
+  /// In canonical order; `first` and `count` are places in crossing_order.
+  std::vector<Polygon> polygons;
+  std::vector<Index> crossing_order;  ///< crossings of all polygons, one polygon after the other
 
-/// Groups the polygons to patches: polygons reached by one flood belong together. A flood runs over vertices inside the
-/// other body along uncrossed edges; an edge with one crossing joins its inside end to that polygon; an edge with two
-/// crossings and both ends outside joins their polygons. Numbered by their first polygon.
-/// Needs the active areas and `edge_crossings`.
-void group_patches(Workspace::Data& workspace);
+  void clear() {
+    polygons.clear();
+    crossing_order.clear();
+  }
+};
+
+/// Chains the segments to polygons by identity (PCM section 4), and enters each crossing's polygon. Canonical order:
+/// crossings are compared by (side, edge, face); a closed polygon starts at its smallest crossing, an open one where
+/// the circulation of (5) starts; polygons are sorted by their first crossing. Linear but for the sort of the polygons.
+/// `unsorted` is scratch.
+void chain_polygons(Crossings& crossings, std::vector<Index>& unsorted, PolygonChains& chains);
 
 }  // namespace pcm::fast

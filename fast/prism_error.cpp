@@ -166,6 +166,11 @@ PrismShift PrismError::of_any_vertices(const PrismShift& noise, bool own) const 
   return {moves * any_moved_.s + noise.s, moves * any_moved_.t + noise.t, moves * any_moved_.depth + noise.depth};
 }
 
+Eigen::Vector3d PrismError::of_point_in_master() const {
+  const Eigen::Vector3d edges = prism_.edge_s_Me().cwiseAbs() + prism_.edge_t_Me().cwiseAbs();
+  return own_rounding_Me_ + kBoundMargin * kUnitRoundoff * (prism_.p0_Me().cwiseAbs() + 6 * edges);
+}
+
 PrismShift PrismError::of_frame(double depth) const {
   return {frame_.s + tilt_.s * depth, frame_.t + tilt_.t * depth, frame_.depth + tilt_.depth * depth};
 }

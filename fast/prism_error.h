@@ -6,6 +6,7 @@
 #include <array>
 
 #include "fast/element_error.h"
+#include "fast/inputs.h"
 #include "fast/master_prism.h"
 #include "fast/prism_shift.h"
 
@@ -36,6 +37,11 @@ class PrismError {
   PrismError(const MasterPrism& prism, const FaceError& face, Side master, const Eigen::Vector3d& own_rounding_Me,
              const Eigen::Vector3d& rounding_Me);
 
+  /// How far p0 + (s (p1 - p0) + t (p2 - p0)), as it is computed for a point (s, t) of the master face, may be from the
+  /// exact problem's point with the same (s, t), component by component, m. That is a mean of the vertices, so off by
+  /// no more than these are; then edges, products and their sum round by u each, 4 u times both edges, the quotients
+  /// that gave s and t by 1 u more, and the last sum by u times itself.
+  Eigen::Vector3d of_point_in_master() const;
   double twice_area() const { return 2 * prism_.face().area; }  ///< of the master face, m^2
   /// |x - p0| is no greater where no |coordinate| of x is, m.
   double distance(double s, double t, double depth) const { return length_s_ * s + length_t_ * t + depth; }

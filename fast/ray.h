@@ -8,6 +8,7 @@
 
 #include "fast/box_tree.h"
 #include "fast/geometry.h"
+#include "fast/inputs.h"
 
 namespace pcm::fast {
 

@@ -11,8 +11,8 @@
 
 #include "fast/geometry.h"
 #include "fast/law.h"
+#include "fast/prepared_surface.h"
 #include "fast/separation.h"
-#include "fast/surface.h"
 #include "fast/thread_team.h"
 #include "fast/workspace.h"
 #include "meshes/bad_input.h"
@@ -33,11 +33,18 @@ constexpr double kBodySkew = 1e-10;
 constexpr double kBodySlack = 4 * kBodySkew;
 constexpr double kRoundingSlack = 64 * 0x1p-53;
 
+/// Whether one surface winds about faces of the other a negative number of times: neither touching nor nested, these
+/// have an area all the same. Not asked, and not known, where only touch is wanted.
+bool has_pockets(const Workspace::Data& data, const Wanted& wanted) {
+  if (wants_only_touch(wanted)) return false;
+  return !data.active.of(Side::E).pockets.empty() || !data.active.of(Side::F).pockets.empty();
+}
+
 struct WorldBox {
   Eigen::Array3d low, high;  ///< m
 
   WorldBox() = default;
-  WorldBox(const Surface::Data& surface, const Pose& pose) {
+  WorldBox(const PreparedSurface& surface, const Pose& pose) {
     const Box& box = surface.tree.root().box;
     const double reach = surface.reach.sum();
     const double slack = kBodySlack * reach + kRoundingSlack * (reach + pose.r.cwiseAbs().sum());
@@ -186,13 +193,15 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
   const Contact& contact =
       fast::evaluate(pairing.pairing, pose, relative_velocity(pairing), pairing.wanted, workspace, savings);
   pairing.work = contact.work;
-  const bool apart = !contact.touching && !contact.nested && !contact.ambiguous;
+  const bool apart =
+      !contact.touching && !contact.nested && !contact.ambiguous && !has_pockets(workspace.data(), pairing.wanted);
   if (savings.certificates && may_skip && apart && pairing.patience.may_search()) {
     pairing.sought = true;
     pairing.patience.judge_last();
-    const Surface::Data& E = pairing.pairing.surface_E().data();
-    const Surface::Data& F = pairing.pairing.surface_F().data();
-    const double gap = distance_lower_bound(E, F, workspace.data().placement, workspace.data().gaps, pairing.work);
+    const PreparedSurface& E = pairing.pairing.surface_E().data();
+    const PreparedSurface& F = pairing.pairing.surface_F().data();
+    const double gap =
+        distance_lower_bound(E, F, workspace.data().posed.placement, workspace.data().gaps, pairing.work);
     pairing.certificate = SeparationCertificate(pose, pairing.ball_F, gap);
   }
   return &contact;

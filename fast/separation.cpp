@@ -54,7 +54,7 @@ double gap_to_plane(const FaceGeometry& face, const BoxInMe& box, double slack) 
   return gap > 0 ? kShorter * gap : 0;
 }
 
-std::array<Eigen::Vector3d, 3> face_in_Me(const Surface::Data& surface, const Placement& placement, Side side,
+std::array<Eigen::Vector3d, 3> face_in_Me(const PreparedSurface& surface, const Placement& placement, Side side,
                                           Index face) {
   std::array<Eigen::Vector3d, 3> points;
   for (std::size_t k = 0; k < 3; ++k) points[k] = placement.from_frame_of(side, surface.vertex(surface.face(face)[k]));
@@ -73,14 +73,14 @@ double reach_of(const Pose& pose, const BoundingBall& ball) {
 
 }  // namespace
 
-BoundingBall::BoundingBall(const Surface::Data& surface)
+BoundingBall::BoundingBall(const PreparedSurface& surface)
     : centre(surface.tree.root().box.centre), radius(kLonger * surface.tree.root().box.half.norm()) {
   // Half widths are rounded to nearest, beside the last bit of the greatest coordinate.
   radius += 4 * 0x1p-53 * surface.reach.sum();
 }
 
-double distance_lower_bound(const Surface::Data& surface_E, const Surface::Data& surface_F, const Placement& placement,
-                            BoxPairs& open, WorkCounters& work) {
+double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurface& surface_F,
+                            const Placement& placement, BoxPairs& open, WorkCounters& work) {
   const BoxTree& tree_E = surface_E.tree;
   const BoxTree& tree_F = surface_F.tree;
   const auto farther = [](const BoxPair& a, const BoxPair& b) { return a.gap > b.gap; };

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "fast/contact.h"
 #include "fast/placement.h"
+#include "fast/work_counters.h"
 
 namespace pcm::fast {
 
@@ -16,7 +16,7 @@ struct BoundingBall {
   double radius = 0;                                 ///< m
 
   BoundingBall() = default;
-  explicit BoundingBall(const Surface::Data& surface);
+  explicit BoundingBall(const PreparedSurface& surface);
 };
 
 /// Two nodes of box trees and how far apart their boxes are at least, m.
@@ -32,8 +32,8 @@ using BoxPairs = std::vector<BoxPair>;
 /// 0 where boxes of two faces touch and reach through each other's planes. The nearest pair of boxes is split again and
 /// again, until it is a pair of faces, its boxes are small beside their gap, or 512 have been split: some ten
 /// microseconds, fifty at most.
-double distance_lower_bound(const Surface::Data& surface_E, const Surface::Data& surface_F, const Placement& placement,
-                            BoxPairs& open, WorkCounters& work);
+double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurface& surface_F,
+                            const Placement& placement, BoxPairs& open, WorkCounters& work);
 
 /// Tells that two surfaces found apart are apart still, however they have moved in between: a rigorous lower bound on
 /// the distance is spent by a bound on the relative motion.

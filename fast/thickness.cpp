@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Steeper than this the distance to a face's plane follows the line's error by at most a factor of 2^8.
 constexpr double kSteep = 0x1p-8;
 
-std::array<Eigen::Vector3d, 3> points_of(const Surface::Data& surface, Index face) {
+std::array<Eigen::Vector3d, 3> points_of(const PreparedSurface& surface, Index face) {
   const Triangle& triangle = surface.face(face);
   return {surface.vertex(triangle[0]), surface.vertex(triangle[1]), surface.vertex(triangle[2])};
 }
@@ -98,7 +98,7 @@ double least_depth_of_neighbour(const Triangle& vertices, const std::array<Prism
 /// and depths in one plane are exact numbers' work.
 class VertexSights {
  public:
-  explicit VertexSights(const Surface::Data& surface)
+  explicit VertexSights(const PreparedSurface& surface)
       : surface_(surface), sights_(surface.mesh.vertices.size()), seen_by_(sights_.size(), -1) {}
 
   /// From now on those of this prism, which is the face's and has to outlive that.
@@ -116,7 +116,7 @@ class VertexSights {
   }
 
  private:
-  const Surface::Data& surface_;
+  const PreparedSurface& surface_;
   const MasterPrism* prism_ = nullptr;
   Index face_ = -1;
   std::vector<PrismPoint> sights_;  ///< by vertex
@@ -130,7 +130,7 @@ struct SeenFace {
   std::array<PrismPoint, 3> corners;
   std::array<int, 3> shared;  ///< which corner of the master it is, or -1
 
-  SeenFace(VertexSights& sights, const Surface::Data& surface, const Triangle& master, Index face)
+  SeenFace(VertexSights& sights, const PreparedSurface& surface, const Triangle& master, Index face)
       : vertices(surface.face(face)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto found = std::find(master.begin(), master.end(), vertices[k]);
@@ -141,11 +141,26 @@ struct SeenFace {
 
   bool is_neighbour() const { return shared[0] >= 0 || shared[1] >= 0 || shared[2] >= 0; }
 
-  /// Whether one of the prism's sides, or the master's plane, has all of the face on its far side or in it, exactly.
-  bool lies_beside(const MasterPrism& prism, const Surface::Data& surface, WorkCounters& work) const {
+  /// Whether the face lies above the master's plane or touches it from there, exactly.
+  bool lies_above() const {
     const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
-    if (std::max({depths[0], depths[1], depths[2]}) <= 0 && std::min({depths[0], depths[1], depths[2]}) < 0)
-      return true;
+    return std::max({depths[0], depths[1], depths[2]}) <= 0 && std::min({depths[0], depths[1], depths[2]}) < 0;
+  }
+  /// Whether it does so however its vertices and the master's are rounded, heights changing by less than `tolerance`:
+  /// the corners that both share stay in the master's plane, all others are well above.
+  bool surely_lies_above(double tolerance) const {
+    bool any = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (shared[k] >= 0) continue;
+      if (!(corners[k][kDepth] < -tolerance)) return false;
+      any = true;
+    }
+    return any;
+  }
+
+  /// Whether one of the prism's sides has all of the face on its far side or in it, exactly. Rounded, the face then
+  /// reaches into the prism no farther than vertices are moved.
+  bool lies_beside(const MasterPrism& prism, const PreparedSurface& surface, WorkCounters& work) const {
     for (std::size_t weight = 0; weight < 3; ++weight) {
       const std::size_t side = (weight + 1) % 3;
       const auto may_lie_beyond = [&](std::size_t k) {
@@ -166,7 +181,7 @@ struct SeenFace {
 
 /// Whether all faces at a corner of the master face, whose prism it is, surely face its way, and go round that corner
 /// no more than once. Then they lie side by side as the master sees them.
-bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index corner, double tolerance) {
+bool is_spread_out(const MasterPrism& prism, const PreparedSurface& surface, Index corner, double tolerance) {
   const double off_s = tolerance * prism.inward_length(2), off_t = tolerance * prism.inward_length(0);
   double angle = 0;
   for (const Index face : surface.vertex_faces[corner]) {
@@ -188,7 +203,7 @@ bool is_spread_out(const MasterPrism& prism, const Surface::Data& surface, Index
 
 /// Whether all other faces at a corner of the master face lie beside it: on the far side of one of its sides each, but
 /// for the vertices on that side.
-bool all_lie_beside(const MasterPrism& prism, VertexSights& sights, const Surface::Data& surface, Index master_face,
+bool all_lie_beside(const MasterPrism& prism, VertexSights& sights, const PreparedSurface& surface, Index master_face,
                     Index corner, double tolerance) {
   for (const Index face : surface.vertex_faces[corner]) {
     if (face == master_face) continue;
@@ -207,7 +222,7 @@ bool all_lie_beside(const MasterPrism& prism, VertexSights& sights, const Surfac
 }
 
 /// Whether the face goes round a corner that it shares with the master beside it.
-bool is_beside_at_corners(const MasterPrism& prism, const Surface::Data& surface, const SeenFace& seen,
+bool is_beside_at_corners(const MasterPrism& prism, const PreparedSurface& surface, const SeenFace& seen,
                           double tolerance) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (seen.shared[k] >= 0 && is_spread_out(prism, surface, seen.vertices[k], tolerance)) return true;
@@ -217,7 +232,7 @@ bool is_beside_at_corners(const MasterPrism& prism, const Surface::Data& surface
 
 }  // namespace
 
-std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface) {
+std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface) {
   const double tolerance = kThicknessTolerance * surface.reach.maxCoeff();
   std::vector<double> bounds(surface.mesh.faces.size(), 0.0);
   std::vector<Index> open;
@@ -245,10 +260,10 @@ std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface) {
   return bounds;
 }
 
-ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& surface) {
+ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface) {
   const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
-  ThicknessEverywhere bounds{std::vector<double>(surface.mesh.faces.size(), 0.0),
-                             std::vector<double>(surface.mesh.faces.size(), 0.0)};
+  const std::vector<double> zeros(surface.mesh.faces.size(), 0.0);
+  ThicknessEverywhere bounds{zeros, zeros, zeros};
   std::vector<Index> open;
   VertexSights sights(surface);
   WorkCounters work;
@@ -259,8 +274,9 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& su
     const MasterPrism prism(geometry);
     sights.start(prism, face);
     const TreePrism tree_prism(prism, 2 * tolerance);
-    double nearest = kInfinity, nearest_within = kInfinity;
+    double nearest = kInfinity, nearest_within = kInfinity, nearest_rounded = kInfinity;
     open.assign(1, 0);
+    // What may be met as rounded holds what is met.
     while (!open.empty() && nearest_within > 0) {
       const BoxNode& node = surface.tree.node(open.back());
       open.pop_back();
@@ -276,20 +292,25 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& su
                                                : least_depth(prism, seen.corners, tolerance);
       nearest = std::min(nearest, least);
       // Only where something is near is it asked whether it is within the prism.
-      if (seen.is_neighbour() || least < nearest_within) {
-        if (!seen.lies_beside(prism, surface, work) && !is_beside_at_corners(prism, surface, seen, tolerance)) {
-          nearest_within = seen.is_neighbour() ? 0 : std::min(nearest_within, least);
-        }
+      const bool above = seen.lies_above();
+      if (seen.is_neighbour() || least < (above ? nearest_rounded : nearest_within)) {
+        if (above && seen.surely_lies_above(tolerance)) continue;
+        if (seen.lies_beside(prism, surface, work)) continue;
+        if (is_beside_at_corners(prism, surface, seen, tolerance)) continue;
+        const double within = seen.is_neighbour() ? 0 : least;
+        nearest_rounded = std::min(nearest_rounded, within);
+        if (!above) nearest_within = std::min(nearest_within, within);
       }
     }
     // What is cut short by a neighbour within the prism is not known.
     bounds.tolerant[static_cast<std::size_t>(face)] = std::max(std::min(nearest, nearest_within), 0.0);
     bounds.exact[static_cast<std::size_t>(face)] = std::max(nearest_within, 0.0);
+    bounds.rounded[static_cast<std::size_t>(face)] = std::max(std::min(nearest_within, nearest_rounded), 0.0);
   }
   return bounds;
 }
 
-std::vector<bool> faces_clear_of_neighbours(const Surface::Data& surface) {
+std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface) {
   const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
   std::vector<bool> clear(surface.mesh.faces.size(), false);
   VertexSights sights(surface);

@@ -18,19 +18,19 @@ inline constexpr double kThicknessTolerance = 0x1p-30;
 /// surface, m; infinite where there is none (PCM section 6). It holds for every line off the true one by less than
 /// kThicknessTolerance times the reach, 0 where that can't be told. It serves as a filter only: a penetration below it
 /// needs no search of the master's own faces. O(n log n).
-std::vector<double> lower_bounds_of_thickness(const Surface::Data& surface);
+std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface);
 
 /// Lower bounds of the same distance over all points of each face. O(n log n).
-ThicknessEverywhere lower_bounds_of_thickness_everywhere(const Surface::Data& surface);
+ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface);
 
 /// The faces beneath which no face that shares a vertex with them reaches, by more than the tolerance: at each of their
 /// corners either all faces look their way, or each lies beside one of their sides. Not where a face stands upright.
 /// O(n).
-std::vector<bool> faces_clear_of_neighbours(const Surface::Data& surface);
+std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface);
 
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for
 /// `moved`, m, which turns its normal by at most twice that over its edges' heights.
-inline bool thickness_holds(const Surface::Data& surface, double moved, const FaceGeometry& face) {
+inline bool thickness_holds(const PreparedSurface& surface, double moved, const FaceGeometry& face) {
   const Ray ray(face, face.points_Me[0]);
   const auto& p = face.points_Me;
   const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();

@@ -5,11 +5,12 @@
 #include <array>
 #include <cstdint>
 
-#include "fast/contact.h"
+#include "fast/inputs.h"
 #include "fast/orientation.h"
+#include "fast/prepared_surface.h"
 #include "fast/stamped_array.h"
-#include "fast/surface.h"
 #include "fast/vertex_rounding.h"
+#include "fast/work_counters.h"
 
 namespace pcm::fast {
 
@@ -27,14 +28,14 @@ inline Eigen::Vector3d rounded_transform(const Pose& pose, const Eigen::Vector3d
 /// are transformed when first asked for, each once a pose.
 class PosedSurface {
  public:
-  void place_E(const Surface::Data& surface) {
+  void place_E(const PreparedSurface& surface) {
     surface_ = &surface;
     vertices_Me_ = surface.mesh.vertices.data();
     moved_ = false;
     first_rank_ = 0;
   }
   /// `with_roundings`: whether sharp roundings will be asked for.
-  void place_F(const Surface::Data& surface, const Pose& pose, std::size_t vertices_of_E, bool with_roundings) {
+  void place_F(const PreparedSurface& surface, const Pose& pose, std::size_t vertices_of_E, bool with_roundings) {
     surface_ = &surface;
     if (transformed_Me_.size() < surface.mesh.vertices.size()) transformed_Me_.resize(surface.mesh.vertices.size());
     vertices_Me_ = transformed_Me_.data();
@@ -53,7 +54,7 @@ class PosedSurface {
     for (std::size_t v = 0; v < surface_->mesh.vertices.size(); ++v) vertex_Me(static_cast<Index>(v), work);
   }
 
-  const Surface::Data& surface() const { return *surface_; }
+  const PreparedSurface& surface() const { return *surface_; }
 
   const Eigen::Vector3d& vertex_Me(Index v, WorkCounters& work) {
     const auto i = static_cast<std::size_t>(v);
@@ -94,7 +95,7 @@ class PosedSurface {
   }
 
  private:
-  const Surface::Data* surface_ = nullptr;
+  const PreparedSurface* surface_ = nullptr;
   const Eigen::Vector3d* vertices_Me_ = nullptr;
   std::vector<Eigen::Vector3d> transformed_Me_;
   StampedArray<bool> done_;

@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "fast/surface.h"
+#include "fast/inputs.h"
+#include "fast/prepared_surface.h"
 
 namespace pcm::fast {
 
@@ -23,7 +24,7 @@ inline constexpr double kBoundMargin = 1 + 0x1p-20;
 /// Order of operations: products first (u each), then (first + second), + third, + r_i, each off by u times its result.
 /// With B_j = |a_ij| reach_j the first and the second product are part of three sums, the third of two, r of one:
 /// u (4 B_1 + 4 B_2 + 3 B_3 + |r_i|). Three products may underflow, erring by 2^-1075 each.
-inline Eigen::Vector3d greatest_vertex_rounding(const Surface::Data& surface_F, const Pose& pose) {
+inline Eigen::Vector3d greatest_vertex_rounding(const PreparedSurface& surface_F, const Pose& pose) {
   const Eigen::Vector3d& reach = surface_F.reach;
   Eigen::Vector3d bound;
   for (int i = 0; i < 3; ++i) {
@@ -77,7 +78,7 @@ inline Eigen::Vector3d sharp_vertex_rounding(const Pose& pose, const Eigen::Vect
 }
 
 /// And for the vertices of one face of F, by `vertex_rounding`, which is not sharp: the greatest of the three.
-inline Eigen::Vector3d face_rounding(const Surface::Data& surface_F, const Pose& pose, Index face) {
+inline Eigen::Vector3d face_rounding(const PreparedSurface& surface_F, const Pose& pose, Index face) {
   const Triangle& t = surface_F.face(face);
   return vertex_rounding(pose, surface_F.vertex(t[0]))
       .cwiseMax(vertex_rounding(pose, surface_F.vertex(t[1])))

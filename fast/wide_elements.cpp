@@ -19,8 +19,11 @@ std::array<const WideElements*, 2> all_wide_elements() {
 }
 
 const WideElements& fastest_wide_elements() {
-  const auto [portable, wide] = all_wide_elements();
-  return wide != nullptr ? *wide : *portable;
+  static const WideElements& fastest = []() -> const WideElements& {
+    const auto [portable, wide] = all_wide_elements();
+    return wide != nullptr ? *wide : *portable;
+  }();
+  return fastest;
 }
 
 }  // namespace pcm::fast

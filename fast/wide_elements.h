@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "fast/inputs.h"
-#include "fast/surface.h"
+#include "fast/prepared_surface.h"
 
 namespace pcm::fast {
 
@@ -51,7 +51,7 @@ struct ElementLanes {
   std::array<DoubleLanes, 2> side;  ///< 1-norms of p1 - p0 and p2 - p0, m
   // For `settle`.
   CornerLanes slave_corners{};
-  std::array<const double*, kElementLanes> thickness{};     ///< Surface::Data::thickness of the master faces, m
+  std::array<const double*, kElementLanes> thickness{};     ///< PreparedSurface::thickness of the master faces, m
   std::array<const Clearance*, kElementLanes> clearance{};  ///< of the slave faces
   // What `settle` fills, and `force` reads.
   DoubleLanes depth;

@@ -87,8 +87,11 @@ std::array<const WideTests*, 2> all_wide_tests() {
 }
 
 const WideTests& fastest_wide_tests() {
-  const auto [portable, wide] = all_wide_tests();
-  return wide != nullptr ? *wide : *portable;
+  static const WideTests& fastest = []() -> const WideTests& {
+    const auto [portable, wide] = all_wide_tests();
+    return wide != nullptr ? *wide : *portable;
+  }();
+  return fastest;
 }
 
 }  // namespace pcm::fast

@@ -20,19 +20,19 @@ int passage(const RankedPoint& a, const RankedPoint& z, const std::array<RankedP
 
 }  // namespace
 
-Index winding_about_vertex(Workspace::Data& workspace, Side side, Index v) {
+Index winding_about_vertex(PosedPair& posed, Side side, Index v, std::vector<Index>& open) {
   const Side other_side = opposite(side);
-  PosedSurface& other = workspace.side(other_side).posed;
-  WorkCounters& work = workspace.contact.work;
+  PosedSurface& other = posed[other_side];
+  WorkCounters& work = posed.work;
   const BoxTree& tree = other.surface().tree;
   const Box& hull = tree.root().box;
-  const RankedPoint a = workspace.side(side).posed.point(v, work);
+  const RankedPoint a = posed[side].point(v, work);
 
   // The segment runs along an axis of the tree's frame, towards the nearest side of the hull. The point outside is well
   // clear of the slack; its own coordinates in Me and back are off by no more, being within 8 times the reach.
-  const double slack = 8 * workspace.placement.slack(other_side);
+  const double slack = 8 * posed.placement.slack(other_side);
   const double margin = hull.half.maxCoeff() + 4 * slack;
-  const Eigen::Vector3d x = workspace.placement.to_frame_of(other_side, Eigen::Vector3d::Map(a.x_Me));
+  const Eigen::Vector3d x = posed.placement.to_frame_of(other_side, Eigen::Vector3d::Map(a.x_Me));
   int axis = 0;
   double shortest = std::numeric_limits<double>::infinity();
   Eigen::Vector3d end = x;
@@ -46,16 +46,16 @@ Index winding_about_vertex(Workspace::Data& workspace, Side side, Index v) {
     end = x;
     end[k] = hull.centre[k] + std::copysign(hull.half[k] + margin, offset);
   }
-  const Eigen::Vector3d end_Me = workspace.placement.from_frame_of(other_side, end);
+  const Eigen::Vector3d end_Me = posed.placement.from_frame_of(other_side, end);
   const RankedPoint z{end_Me.data(), std::numeric_limits<std::int64_t>::max()};
   const Eigen::Vector3d centre = 0.5 * x + 0.5 * end;
   const double half_length = 0.5 * std::abs(end[axis] - x[axis]);
 
   Index winding = 0;
-  workspace.nodes.assign(1, 0);
-  while (!workspace.nodes.empty()) {
-    const BoxNode& node = tree.node(workspace.nodes.back());
-    workspace.nodes.pop_back();
+  open.assign(1, 0);
+  while (!open.empty()) {
+    const BoxNode& node = tree.node(open.back());
+    open.pop_back();
     bool apart = false;
     ++work.box_tests;
     for (int k = 0; k < 3; ++k) {
@@ -67,8 +67,8 @@ Index winding_about_vertex(Workspace::Data& workspace, Side side, Index v) {
       // From v, with winding number w, to 0 outside: w plus the sum of the passages is 0.
       winding -= passage(a, z, other.face_points(node.face, work), work);
     } else {
-      workspace.nodes.push_back(node.child);
-      workspace.nodes.push_back(node.child + 1);
+      open.push_back(node.child);
+      open.push_back(node.child + 1);
     }
   }
   return winding;

@@ -78,7 +78,7 @@ int Dyadic::compare_magnitudes(const Dyadic& a, const Dyadic& b) {
   return 0;
 }
 
-int compare(const Dyadic& a, const Dyadic& b) {
+int sign_of_difference(const Dyadic& a, const Dyadic& b) {
   if (a.sign_ != b.sign_) return a.sign_ > b.sign_ ? 1 : -1;
   return a.sign_ * Dyadic::compare_magnitudes(a, b);
 }

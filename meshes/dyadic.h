@@ -42,7 +42,7 @@ class Dyadic {
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, b, -b.sign_); }
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
   /// The sign of a - b.
-  friend int compare(const Dyadic& a, const Dyadic& b);
+  friend int sign_of_difference(const Dyadic& a, const Dyadic& b);
 
  private:
   // A finite double is an integer multiple of 2^-1074 below 2^1024: it lies in the limbs of weight 2^(64 k), k = -17 to

@@ -35,7 +35,7 @@ int filtered_turn_sign(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const
 int exact_turn_sign(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   const Dyadic ax(a.x());
   const Dyadic ay(a.y());
-  return compare((Dyadic(b.x()) - ax) * (Dyadic(c.y()) - ay), (Dyadic(b.y()) - ay) * (Dyadic(c.x()) - ax));
+  return sign_of_difference((Dyadic(b.x()) - ax) * (Dyadic(c.y()) - ay), (Dyadic(b.y()) - ay) * (Dyadic(c.x()) - ax));
 }
 
 /// (a x b) . c of rounded differences, and what its error is measured by.

@@ -35,16 +35,16 @@ fast::MasterForce Algorithm2003::sum_elements(Side master, const fast::ForceProb
   const std::vector<Index>& slave_faces = workspace.active(slave).active();
   workspace.slaves.clear();
   for (const Index f : slave_faces) workspace.slaves.push_back(workspace.faces(slave)[f]);
-  fast::MasterForce total;
+  fast::ElementSum sum(problem, workspace.record, workspace.contact.work);
   for (const Index e : workspace.active(master).active()) {
     const fast::FaceGeometry geometry(workspace.faces(master)[e].points_Me);
     const PenetrationLine line(geometry);
     FirstMet first;
     for (std::size_t k = 0; k < slave_faces.size(); ++k)
       look_for_first<Edges::excluded>(line, slave_faces[k], workspace.slaves[k], first);
-    add_element(workspace, master, e, geometry, first, problem, total);
+    add_element(master, e, geometry, first, sum);
   }
-  return total;
+  return sum.total();
 }
 
 const fast::Contact& Algorithm2003::evaluate(const Pose& pose, const Velocity& velocity, const Wanted& wanted,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compare/published/workspace.h"
-#include "fast/contact_elements.h"
+#include "fast/element_sum.h"
 
 namespace pcm::compare::published {
 

@@ -62,11 +62,10 @@ fast::MasterForce Algorithm2023::sum_elements(Side master, const fast::ForceProb
 
   std::sort(workspace.lines.begin(), workspace.lines.end(),
             [](const MasterLine& a, const MasterLine& b) { return a.face < b.face; });
-  fast::MasterForce total;
+  fast::ElementSum sum(problem, workspace.record, workspace.contact.work);
   for (const MasterLine& line : workspace.lines)
-    if (line.first.depth <= greatest_depth_)
-      add_element(workspace, master, line.face, line.geometry, line.first, problem, total);
-  return total;
+    if (line.first.depth <= greatest_depth_) add_element(master, line.face, line.geometry, line.first, sum);
+  return sum.total();
 }
 
 const fast::Contact& Algorithm2023::evaluate(const Pose& pose, const Velocity& velocity, const Wanted& wanted,

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "compare/published/workspace.h"
-#include "fast/contact_elements.h"
+#include "fast/element_sum.h"
 
 /// What both published algorithms share with the engine: the question, the law of PCM section 7 and the sums.
 namespace pcm::compare::published {
@@ -16,8 +16,8 @@ void begin(const Surface& surface_E, const Surface& surface_F, const Pose& pose,
 
 /// Adds the element of a master face (7), (13) to (24) where its line leaves the slave through what it meets first, at
 /// u > 0.
-void add_element(Workspace& workspace, Side master, Index face, const fast::FaceGeometry& geometry,
-                 const FirstMet& first, const fast::ForceProblem& problem, fast::MasterForce& total);
+void add_element(Side master, Index face, const fast::FaceGeometry& geometry, const FirstMet& first,
+                 fast::ElementSum& sum);
 
 /// Forms the elements of one master.
 using SumElements = std::function<fast::MasterForce(Side master, const fast::ForceProblem& problem)>;

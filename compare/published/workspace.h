@@ -8,6 +8,7 @@
 #include "compare/published/active_faces.h"
 #include "compare/published/slave_search.h"
 #include "fast/contact.h"
+#include "fast/element_sum.h"
 
 namespace pcm::compare::published {
 
@@ -24,6 +25,7 @@ struct Workspace {
   PosedFaces faces_E, faces_F;
   std::vector<std::pair<Index, Index>> open_boxes;
   fast::Contact contact;
+  fast::ElementRecord record;
 
   // The algorithm of 2003.
   std::vector<Segment> segments;

@@ -19,7 +19,7 @@ namespace {
 
 using Line = Eigen::ParametrizedLine<double, 3>;
 
-std::array<Eigen::Vector3d, 3> points_of(const Surface::Data& surface, Index face) {
+std::array<Eigen::Vector3d, 3> points_of(const PreparedSurface& surface, Index face) {
   const Triangle& t = surface.face(face);
   return {surface.vertex(t[0]), surface.vertex(t[1]), surface.vertex(t[2])};
 }
@@ -40,7 +40,7 @@ double passage(const Line& line, const std::array<Eigen::Vector3d, 3>& f) {
 void expect_lines_clear(const TriangleMesh& mesh, unsigned seed) {
   SCOPED_TRACE(mesh.name + ", seed " + std::to_string(seed));
   const Surface surface(mesh);
-  const Surface::Data& data = surface.data();
+  const PreparedSurface& data = surface.data();
   const double reach = data.reach.maxCoeff();
   std::mt19937 random(seed);
   std::uniform_real_distribution<> uniform;

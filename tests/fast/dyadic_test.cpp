@@ -99,9 +99,9 @@ TEST(Dyadic, ExtremeDoublesMultiplyToTheCapacity) {
   // 2^20 times the product, less 2^20 times the product written with its factors in halves: (w^3)(w^4).
   const Dyadic third = widest * widest * widest;
   Dyadic again = third * (third * widest);
-  EXPECT_EQ(compare(product, again), 1);
+  EXPECT_EQ(sign_of_difference(product, again), 1);
   for (int i = 0; i < 20; ++i) again = again + again;
-  EXPECT_EQ(compare(product, again), 0);
+  EXPECT_EQ(sign_of_difference(product, again), 0);
   EXPECT_EQ((product - again).sign(), 0);
   EXPECT_GT(product.size(), 220);
 }
@@ -133,10 +133,10 @@ TEST(Dyadic, ComparisonIsTheSignOfTheDifference) {
     const double scale = doubles.scaled(3);
     const Twin a = random_polynomial(2, doubles, [&] { return doubles.small_integer(2) * scale; });
     const Twin b = random_polynomial(2, doubles, [&] { return doubles.small_integer(2) * scale; });
-    EXPECT_EQ(compare(a.dyadic, b.dyadic), cmp(a.rational, b.rational) > 0   ? 1
-                                           : cmp(a.rational, b.rational) < 0 ? -1
-                                                                             : 0);
-    EXPECT_EQ(compare(b.dyadic, a.dyadic), -compare(a.dyadic, b.dyadic));
+    EXPECT_EQ(sign_of_difference(a.dyadic, b.dyadic), cmp(a.rational, b.rational) > 0   ? 1
+                                                      : cmp(a.rational, b.rational) < 0 ? -1
+                                                                                        : 0);
+    EXPECT_EQ(sign_of_difference(b.dyadic, a.dyadic), -sign_of_difference(a.dyadic, b.dyadic));
   }
 }
 

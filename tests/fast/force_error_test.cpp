@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "fast/contact_force.h"
+#include "fast/force_problem.h"
 #include "tests/fast/true_force.h"
 
 /// The force law's error bounds against the law in long double at geometry moved within its errors: to the ends of
@@ -70,8 +70,8 @@ TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
     pose.r = vector();
     const Velocity velocity{example.speed * std::exp2(-8 * std::abs(unit(random))) * vector(),
                             example.speed * std::exp2(-8 * std::abs(unit(random))) * vector()};
-    ForceProblem problem{Scheme::barycentric, example.law, SeriesStiffness(example.law), pose, velocity};
-    problem.with_velocities = problem.with_bound = true;
+    ForceProblem problem(example.law, pose, velocity, {});
+    problem.with_velocities = true;
     const double scale = trial % 4 == 0 ? 0 : std::pow(10.0, -1 - 12 * std::abs(unit(random)));
     Element element;
     element.master = random() % 2 == 0 ? Side::E : Side::F;

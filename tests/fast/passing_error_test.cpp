@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fast/contact_force.h"
+#include "fast/force_problem.h"
 #include "tests/fast/true_force.h"
 
 /// What it costs that elements of one master face pass area and volume to each other, against the law in long double.
@@ -55,8 +55,8 @@ TEST_P(PassingErrorOf, HoldsForWhatElementsPassToEachOther) {
     Pose pose;
     pose.r = vector();
     const Velocity velocity{vector(), 3 * vector()};
-    ForceProblem problem{Scheme::clipped, example.law, SeriesStiffness(example.law), pose, velocity};
-    problem.with_velocities = problem.with_bound = true;
+    ForceProblem problem(example.law, pose, velocity, {});
+    problem.with_velocities = true;
     const Side master = random() % 2 == 0 ? Side::E : Side::F;
     const Eigen::Vector3d n = vector().normalized();
     const RealVector true_n = n.cast<Real>().normalized();

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "meshes/degenerate/hard_bodies.h"
+#include "meshes/generate_boxes.h"
 #include "meshes/generate_parts.h"
 #include "tests/fast/engine_support.h"
 #include "tests/fast/same_answer.h"
@@ -190,6 +192,30 @@ TEST(Scene, ABodyInTheCavityOfAnotherIsApartByCertificate) {
     EXPECT_TRUE(solid.load(0).nested);
     EXPECT_EQ(solid.counters().evaluated, 1);
   }
+}
+
+/// A small box in the loop of a figure of eight that is wound about -1 times: neither touches nor is nested, and has an
+/// area and a volume all the same. No step before may make the scene forget it.
+TEST(Scene, ABodyInAFoldOfNegativeWindingKeepsItsAreaWhateverCameBefore) {
+  const Surface eight(degenerate::figure_of_eight());
+  const Surface small(generate::box({-0.155, -0.01, -0.1}, {-0.145, 0.01, 0.1}));
+  Workspace workspace;
+  const Contact alone = evaluate(Pairing(small, eight), {}, {}, {}, workspace);
+  ASSERT_FALSE(alone.touching || alone.nested);
+  ASSERT_LT(alone.volume, 0);
+  Scene scene;
+  scene.add_body(small);
+  scene.add_body(eight);
+  scene.add_pairing(0, 1);
+  std::vector<BodyState> states(2);
+  for (const double x : {1e-4, 5e-5, 0.0}) {
+    states[0].pose.r[0] = x;
+    scene.move(states);
+    scene.evaluate(0, workspace);
+  }
+  const Contact& in_scene = scene.evaluate(0, workspace);
+  EXPECT_EQ(in_scene.volume, alone.volume);
+  EXPECT_EQ(in_scene.E.area, alone.E.area);
 }
 
 TEST(Scene, RefusesWhatItCanNotPlaceAndStaysAsItWas) {

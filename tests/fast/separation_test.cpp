@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "fast/surface.h"
+#include "fast/prepared_surface.h"
 #include "tests/fast/engine_support.h"
 
 namespace pcm::fast {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "fast/ascending.h"
-#include "fast/contact_force.h"
 #include "fast/depth.h"
+#include "fast/force_problem.h"
 #include "fast/geometry.h"
 
 /// Elements computed four at a time against the same computed one by one: bit for bit, on every set of instructions.
@@ -135,7 +135,7 @@ TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
       const Pose pose{Eigen::Matrix3d::Identity(), draw()};
       Velocity velocity;
       if (round % 11 != 0) velocity = {draw(), draw() / GetParam()};
-      ForceProblem problem{Scheme::barycentric, law, SeriesStiffness(law), pose, velocity};
+      ForceProblem problem(law, pose, velocity, {});
       problem.with_velocities = round % 6 != 0;
       const Side master = round % 2 == 0 ? Side::E : Side::F;
       const LaneBits known = with_geometry & set->force(lanes, force_limits(problem, master));

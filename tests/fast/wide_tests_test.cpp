@@ -78,7 +78,7 @@ class WideTestsOn : public testing::TestWithParam<Situation> {
     posed[1].place_F(F.data(), GetParam().pose, GetParam().E.vertices.size(), false);
   }
 
-  const Surface::Data& surface(std::size_t side) const { return side == 0 ? E.data() : F.data(); }
+  const PreparedSurface& surface(std::size_t side) const { return side == 0 ? E.data() : F.data(); }
   bool edge_passes(std::size_t side, Index face, Index other_face) {
     const auto e = posed[side].face_points(face, work), f = posed[1 - side].face_points(other_face, work);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/surface.h"
+#include "fast/prepare_surface.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +13,6 @@
 #include "fast/thickness.h"
 #include "meshes/bad_input.h"
 #include "meshes/check.h"
-#include "meshes/floating_point_environment.h"
 
 namespace pcm::fast {
 
@@ -42,7 +41,7 @@ struct HalfEdge {
   bool operator<(const HalfEdge& other) const { return ends != other.ends ? ends < other.ends : face < other.face; }
 };
 
-void connect_edges(Surface::Data& surface) {
+void connect_edges(PreparedSurface& surface) {
   std::vector<HalfEdge> half_edges;
   half_edges.reserve(3 * surface.mesh.faces.size());
   for (Index f = 0; f < static_cast<Index>(surface.mesh.faces.size()); ++f) {
@@ -77,7 +76,7 @@ void connect_edges(Surface::Data& surface) {
       std::find(surface.border_edges.begin(), surface.border_edges.end(), true) == surface.border_edges.end();
 }
 
-void find_components(Surface::Data& surface) {
+void find_components(PreparedSurface& surface) {
   surface.face_component.assign(surface.mesh.faces.size(), -1);
   Index components = 0;
   std::vector<Index> stack;
@@ -136,42 +135,32 @@ std::string out_of_range(double reach) {
   return why.str();
 }
 
-[[gnu::noinline]] Surface::Data::Data(TriangleMesh surface_mesh) : mesh(std::move(surface_mesh)) {
+PreparedSurface prepare_surface(TriangleMesh mesh) {
   require_fit(mesh);
   require_countable(mesh);
-  reach = reach_of(mesh);
-  if (const std::string why = out_of_range(reach.maxCoeff()); !why.empty()) refuse(mesh, why);
-  connect_edges(*this);
-  vertex_edges = incidence(mesh.vertices.size(), [&](auto&& pair) {
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      for (const Index v : edges[e]) pair(v, static_cast<Index>(e));
+  PreparedSurface surface;
+  surface.reach = reach_of(mesh);
+  if (const std::string why = out_of_range(surface.reach.maxCoeff()); !why.empty()) refuse(mesh, why);
+  surface.mesh = std::move(mesh);
+  connect_edges(surface);
+  surface.vertex_edges = incidence(surface.mesh.vertices.size(), [&surface](auto&& pair) {
+    for (std::size_t e = 0; e < surface.edges.size(); ++e) {
+      for (const Index v : surface.edges[e]) pair(v, static_cast<Index>(e));
     }
   });
-  vertex_faces = incidence(mesh.vertices.size(), [&](auto&& pair) {
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      for (const Index v : mesh.faces[f]) pair(v, static_cast<Index>(f));
+  surface.vertex_faces = incidence(surface.mesh.vertices.size(), [&surface](auto&& pair) {
+    for (std::size_t f = 0; f < surface.mesh.faces.size(); ++f) {
+      for (const Index v : surface.mesh.faces[f]) pair(v, static_cast<Index>(f));
     }
   });
-  find_components(*this);
-  tree = BoxTree(mesh);
-  wide_tree = WideTree(mesh, tree);
-  thickness = lower_bounds_of_thickness(*this);
-  thickness_everywhere = lower_bounds_of_thickness_everywhere(*this);
-  clearance = clearances(*this);
-  clear_of_neighbours = faces_clear_of_neighbours(*this);
-}
-
-Surface::Surface(TriangleMesh mesh) {
-  const DefaultFloatingPoint environment;
-  data_ = std::make_shared<const Data>(std::move(mesh));
-}
-
-const TriangleMesh& Surface::mesh() const {
-  return data_->mesh;
-}
-
-bool Surface::closed() const {
-  return data_->closed;
+  find_components(surface);
+  surface.tree = BoxTree(surface.mesh);
+  surface.wide_tree = WideTree(surface.mesh, surface.tree);
+  surface.thickness = lower_bounds_of_thickness(surface);
+  surface.thickness_everywhere = lower_bounds_of_thickness_everywhere(surface);
+  surface.clearance = clearances(surface);
+  surface.clear_of_neighbours = faces_clear_of_neighbours(surface);
+  return surface;
 }
 
 }  // namespace pcm::fast

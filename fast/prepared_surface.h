@@ -3,12 +3,11 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "fast/box_tree.h"
-#include "fast/engine.h"
 #include "fast/wide_tree.h"
+#include "meshes/triangle_mesh.h"
 
 namespace pcm::fast {
 
@@ -49,12 +48,13 @@ struct ThicknessEverywhere {
   /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face
   /// by however little.
   std::vector<double> exact;
+  /// The same for the surface as a pose rounds its vertices (F's), but for parts of the prism within rounding size of
+  /// its sides: a face that touches the master's plane from above may be folded beneath it. At most `exact`.
+  std::vector<double> rounded;
 };
 
 /// What is derived from a mesh once, in the surface's own frame; read by every step of the evaluation.
-struct Surface::Data {
-  explicit Data(TriangleMesh surface_mesh);
-
+struct PreparedSurface {
   TriangleMesh mesh;
   /// Edges as pairs (smaller, greater vertex), in lexicographic order: comparing edge indices compares the pairs.
   std::vector<std::array<Index, 2>> edges;
@@ -87,11 +87,5 @@ struct Surface::Data {
   Index other_end(Index e, Index v) const { return edge(e)[0] == v ? edge(e)[1] : edge(e)[0]; }
   bool border(Index e) const { return border_edges[static_cast<std::size_t>(e)]; }
 };
-
-/// Greatest |coordinate| of the faces' vertices along each axis, m.
-Eigen::Vector3d reach_of(const TriangleMesh& mesh);
-
-/// Why the engine takes no surface whose greatest |coordinate| is `reach`, m; empty where it does.
-std::string out_of_range(double reach);
 
 }  // namespace pcm::fast
