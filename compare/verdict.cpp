@@ -26,18 +26,24 @@ std::string describe(Side edge_side, const std::array<Index, 2>& edge, Index fac
   return fmt::format("{} edge ({}, {}) through face {}", letter(edge_side), edge[0], edge[1], face);
 }
 
-/// Whether the polygons' ranges follow each other and make up all crossings, and the elements' faces exist: all else
-/// relies on that.
-bool is_sound(const Question& question, const fast::Contact& subj, Checks& checks) {
-  const auto crossings = static_cast<std::int64_t>(subj.crossings.size());
+/// The polygons' ranges follow each other and make up all crossings.
+void check_ranges(const fast::Contact& subj, Checks& checks) {
   std::int64_t next = 0;
   for (const fast::Polygon& p : subj.polygons) {
-    if (p.first != next || p.count < 0 || next + p.count > crossings)
-      checks.add(Kind::polygon_cycle, "polygon of {} crossings from {} on, of {}; those before it end at {}", p.count,
-                 p.first, crossings, next);
-    next += std::max<std::int64_t>(p.count, 0);
+    if (p.first != next)
+      checks.add(Kind::polygon_cycle, "polygon from {} on, those before it end at {}", p.first, next);
+    next = std::int64_t{p.first} + p.count;
   }
-  if (next != crossings) checks.add(Kind::polygon_cycle, "{} crossings, polygons of {}", crossings, next);
+  if (next != static_cast<std::int64_t>(subj.crossings.size()))
+    checks.add(Kind::polygon_cycle, "{} crossings, polygons of {}", subj.crossings.size(), next);
+}
+
+/// Whether the polygons' ranges and the elements' faces exist: all else relies on that.
+bool is_sound(const Question& question, const fast::Contact& subj, Checks& checks) {
+  const auto crossings = static_cast<std::int64_t>(subj.crossings.size());
+  for (const fast::Polygon& p : subj.polygons)
+    if (p.first < 0 || p.count < 0 || std::int64_t{p.first} + p.count > crossings)
+      checks.add(Kind::polygon_cycle, "polygon of {} crossings from {} on, of {}", p.count, p.first, crossings);
   const auto exists = [&](Side side, Index face) {
     const SurfaceFeatures& surface = side == Side::E ? question.E : question.F;
     return face >= 0 && static_cast<std::size_t>(face) < surface.mesh.faces.size();
@@ -229,6 +235,7 @@ Checks hold_answer(const Question& question, const fast::Contact& subj, const re
   checks.check_equal(Kind::touching, "touching", subj.touching, truth.touching);
   checks.check_equal(Kind::nested, "nested", subj.nested, truth.nested);
   checks.check_equal(Kind::ambiguous, "ambiguous", subj.ambiguous, truth.ambiguous);
+  check_ranges(subj, checks);
   const bool same_polygons = check_polygons(subj, truth, checks);
   check_faces(Kind::intersected_faces, Side::E, subj.E.intersected, truth.E.intersected, checks);
   check_faces(Kind::intersected_faces, Side::F, subj.F.intersected, truth.F.intersected, checks);
