@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,11 +21,11 @@ struct Disagreement {
   std::string text;
 };
 
-/// How wide a check was: its bound in units of what it holds. 0 for discrete facts; infinite where anything passes, and
-/// the greatest double where what it holds is 0 and the bound is not.
+/// How wide a check was: its bound in units of what it holds. 0 for discrete facts; infinite where anything passes.
+/// None where what it holds is 0 and the bound is not, nor infinite: there are no units then.
 struct Width {
   Kind kind = Kind::failure;
-  double relative = 0;
+  std::optional<double> relative;
 };
 
 /// Holds one value after the other; gathers the first disagreement of each kind and the width of every check.
@@ -41,12 +42,15 @@ class Checks {
     add(kind, "{}: engine {}, oracle {}", what, subj, truth);
     return false;
   }
-  /// A value must be within `bound` of the truth. A NaN on either side disagrees, and so does one in the bound. `scale`
-  /// is what the bound's width is told in units of, the value itself or what its error is measured against.
+  /// A value must be within `bound` of the truth. A NaN on either side disagrees, and so does one in the bound,
+  /// whatever the values. Infinite values agree where they are the same. `scale` is what the bound's width is told in
+  /// units of, the value itself or what its error is measured against.
   void check_value(Kind kind, std::string_view what, double subj, double truth, double bound, double scale);
   /// The same for the length of a difference.
   void check_vector(Kind kind, std::string_view what, const Eigen::Vector3d& subj, const Eigen::Vector3d& truth,
                     double bound, double scale);
+  /// A value must lie between both, which it is told in units of the truth how far they are from.
+  void check_between(Kind kind, std::string_view what, double subj, double truth, double at_least, double at_most);
   /// A check of that width was made; nothing is counted where there was nothing to hold: 0 to within 0.
   void checked(Kind kind, double bound = 0, double scale = 1);
 

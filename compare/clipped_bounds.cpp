@@ -81,10 +81,18 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   return result;
 }
 
-// Along either side of what could be seen if nothing hid it, and of what hides that.
+// Along either side of what could be seen if nothing hid it, and of what hides that. The normal computed here and the
+// engine's are off by their own errors each; a foot has the roundings of one place on a face (above).
 ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
-  const Sight seen = MasterView(faces_, e.master, e.master_face).sight(e.slave_face);
-  return {kHigherOrder * (strips_along(4 * seen.outline, seen.strip) + seen.neglected), seen.deepest};
+  const MasterView view(faces_, e.master, e.master_face);
+  const Sight seen = view.sight(e.slave_face);
+  Sliver sliver;
+  sliver.area = kHigherOrder * (strips_along(4 * seen.outline, seen.strip) + seen.neglected);
+  sliver.depth = std::max(0.0, seen.deepest + std::max(seen.deepest - seen.at_tip, 0.0));
+  sliver.face = faces_.face(e.master, e.master_face);
+  sliver.normal_error = std::min(2.0, kHigherOrder * (view.turn() + sliver.face.normal_error));
+  sliver.foot_error = kHigherOrder * 16 * u * faces_.reach();
+  return sliver;
 }
 
 }  // namespace pcm::compare

@@ -49,10 +49,14 @@ class ClippedBounds {
   const std::vector<OfElement>& elements() const { return elements_; }
   /// Greatest |coordinate|, m.
   double reach() const { return faces_.reach(); }
-  /// What an element that the engine alone has may be at most.
+  const RoundedFaces& faces() const { return faces_; }
+  /// What an element that the engine alone has may be at most, and where.
   struct Sliver {
-    double area = 0;   ///< m^2
-    double depth = 0;  ///< m, nowhere deeper
+    double area = 0;          ///< m^2
+    double depth = 0;         ///< m, nowhere deeper
+    double normal_error = 0;  ///< of the master face's normal, that of `face` included
+    double foot_error = 0;    ///< off the master face's plane and border, m
+    RoundedFaces::Face face;  ///< the master
   };
   Sliver sliver(const fast::Element& element) const;
 

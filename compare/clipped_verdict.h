@@ -17,13 +17,18 @@ void check_element(const Question& question, const fast::Element& subj, const re
 
 /// How far the totals of the clipped scheme may be off; halved in mode `both`.
 struct ClippedTotals {
-  double penetration = 0;  ///< of the greatest, m
-  double force = 0;        ///< N
-  double torque = 0;       ///< N m
+  /// Between these lies a right engine's greatest penetration, m.
+  double greatest_at_least = 0;
+  double greatest_at_most = 0;
+  double force = 0;   ///< N
+  double torque = 0;  ///< N m
 };
 
 /// Holds the clipped scheme's elements: those of either side that are no slivers must be the other's as well, with all
-/// their numbers. Both lists are in the order of masters, master faces, slave faces.
+/// their numbers. Both lists are in the order of masters, master faces, slave faces, each element once.
+///
+/// A sliver that the engine alone has must be no larger and no deeper than one may be, lie on its master face with that
+/// face's normal, and carry what the law makes of its own area, penetration, normal and position.
 ClippedTotals check_clipped_elements(const Question& question, const fast::Contact& subj,
                                      const reference::Answer& truth, Checks& checks);
 

@@ -87,8 +87,8 @@ void visit_bound(T& bound, const Visit& visit) {
   visit(Field{"bound.force_Me", Asked::bound, Kind::bound}, force_Me);
   visit(Field{"bound.torque_Me", Asked::bound, Kind::bound}, torque_Me);
   visit(Field{"bound.flipped", Asked::bound, Kind::bound}, flipped);
-  visit(Field{"bound.penetration_at_least", Asked::bound, Kind::bound}, penetration_at_least);
-  visit(Field{"bound.penetration_at_most", Asked::bound, Kind::bound}, penetration_at_most);
+  visit(Field{"bound.penetration_at_least", Asked::bound, Kind::penetration_bound}, penetration_at_least);
+  visit(Field{"bound.penetration_at_most", Asked::bound, Kind::penetration_bound}, penetration_at_most);
 }
 
 template <class T, class Visit>

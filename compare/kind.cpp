@@ -39,6 +39,7 @@ std::string_view name(Kind kind) {
       "sums",
       "statistics",
       "bound",
+      "penetration bound",
       "paths",
       "work",
       "history",

@@ -34,20 +34,21 @@ enum class Kind : std::uint8_t {
   element_velocity,     ///< v_n or v_t
   element_force,        ///< F_n, F_t or the force on E
   penetration,          ///< greatest penetration
-  exceeded,             ///< whether it exceeds the law's bound, where that is certain
+  exceeded,             ///< whether the answer's own one exceeds the law's bound
   has_volume,           ///< whether there is a volume
   force,                ///< force on E
   torque,               ///< torque on E about Mf
-  sums,                 ///< force, torque or count against the answer's own elements
+  sums,                 ///< force, torque, greatest penetration or count against the answer's own elements
   statistics,           ///< the summary against the answer's own elements
-  bound,                ///< the engine's own bound on the error of force or torque against the exact problem broken, or
-                        ///< a flip it did not announce
+  bound,                ///< the engine's own bound on the error of force or torque against the exact problem broken or
+                        ///< infinite, or a flip it did not announce
+  penetration_bound,    ///< its bounds on the exact problem's greatest penetration broken, or at odds with its own one
   paths,                ///< an answer to another question, with other savings or by a scene differs in a bit
   work,                 ///< counters that contradict the answer or each other
   history,              ///< the oracle answers the exact problem otherwise when it is asked afresh
 };
 
-inline constexpr int kKinds = 33;
+inline constexpr int kKinds = 34;
 
 /// The kind as a word of the tables, e.g. "polygon cycle".
 std::string_view name(Kind kind);

@@ -18,6 +18,13 @@ double friction_share_error(double slip_velocity, double v_t, double v_t_error) 
   return v_t > v_t_error || v_t_error == 0 ? 0 : 1;
 }
 
+void scale(double factor, ElementBounds& bounds) {
+  for (double* bound :
+       {&bounds.area, &bounds.penetration, &bounds.depth, &bounds.position, &bounds.normal, &bounds.normal_velocity,
+        &bounds.tangential_velocity, &bounds.normal_force, &bounds.tangential_force, &bounds.force, &bounds.torque})
+    *bound *= factor;
+}
+
 }  // namespace
 
 ElementBounds bounds_after_law(const Question& question, const reference::Element& truth,
@@ -88,10 +95,12 @@ ElementBounds bounds_after_law(const Question& question, const reference::Elemen
   bounds.force = bounds.normal_force + normal_force * bounds.normal + friction_error + 3 * u * magnitude;
   bounds.torque = times(arm.stableNorm(), bounds.force) + times(arm_error + 4 * u * arm.stableNorm(), magnitude);
 
-  for (double* bound :
-       {&bounds.area, &bounds.penetration, &bounds.depth, &bounds.position, &bounds.normal, &bounds.normal_velocity,
-        &bounds.tangential_velocity, &bounds.normal_force, &bounds.tangential_force, &bounds.force, &bounds.torque})
-    *bound *= kHigherOrder;
+  scale(kHigherOrder, bounds);
+  return bounds;
+}
+
+ElementBounds twice(ElementBounds bounds) {
+  scale(2, bounds);
   return bounds;
 }
 

@@ -34,4 +34,7 @@ struct ElementBounds {
 /// roundings of a straightforward evaluation times its condition. `truth` is the oracle's element.
 ElementBounds bounds_after_law(const Question& question, const reference::Element& truth, const GeometryErrors& errors);
 
+/// Where both sides round as one of them does here.
+ElementBounds twice(ElementBounds bounds);
+
 }  // namespace pcm::compare

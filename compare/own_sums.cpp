@@ -104,6 +104,23 @@ void check_work(const Question& question, const fast::Contact& subj, Checks& che
   check("no box tested", work.box_tests > 0);
 }
 
+/// The greatest penetration is no less than any element's, and barycentric, where an element has one depth, the
+/// greatest of theirs but for the clamp; the flag compares it with the law's. Comparisons do not round.
+void check_greatest_penetration(const Question& question, const fast::Contact& subj, Checks& checks) {
+  const double clamp = question.law.max_penetration;
+  double greatest = 0;
+  for (const fast::Element& e : subj.elements) greatest = std::max(greatest, e.penetration);
+  checks.checked(Kind::sums);
+  const bool one_depth = question.scheme == Scheme::barycentric || subj.elements.empty();
+  if (!(subj.max_penetration >= greatest) || (one_depth && std::min(subj.max_penetration, clamp) != greatest))
+    checks.add(Kind::sums, "greatest penetration {}, of elements {}, of the law {}", subj.max_penetration, greatest,
+               clamp);
+  checks.checked(Kind::exceeded);
+  if (subj.penetration_exceeded != (subj.max_penetration > clamp))
+    checks.add(Kind::exceeded, "penetration exceeded: {}, greatest penetration {}, of the law {}",
+               subj.penetration_exceeded, subj.max_penetration, clamp);
+}
+
 }  // namespace
 
 void check_own_sums(const Question& question, const fast::Contact& subj, Checks& checks) {
@@ -119,6 +136,7 @@ void check_own_sums(const Question& question, const fast::Contact& subj, Checks&
   }
   checks.check_vector(Kind::sums, "force", subj.force_Me, force.value, force.bound(0), force.sizes);
   checks.check_vector(Kind::sums, "torque", subj.torque_Me, torque.value, torque.bound(8), torque.sizes);
+  check_greatest_penetration(question, subj, checks);
   check_statistics(subj, checks);
   check_work(question, subj, checks);
 }

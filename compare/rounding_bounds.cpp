@@ -82,7 +82,8 @@ ForceBounds RoundingBounds::force() const {
 // x = a + t (b - a), t = d_a / (d_a - d_b), d = n_f . (x - f_0). |dd| <= D (|dn_f| + 4 u) with D the farthest end's
 // distance from the farthest corner; |d_a| + |d_b| = |d_a - d_b| since the ends lie on different sides, so |dt| <=
 // 2 |dd| / |d_a - d_b| and |dx| <= 2 |dd| / sine along the edge, sine = |n_f . (b - a)| / |b - a|. Both true and
-// computed crossing lie on the edge, which caps it; off the edge only the 2 roundings of a + t (b - a) show.
+// computed crossing lie on the edge, which caps it; off the edge only the 2 roundings of a + t (b - a) show. Not yet
+// doubled for terms of higher order, which the cap has none of.
 RoundingBounds::PositionError RoundingBounds::position_error(const reference::Crossing& crossing) const {
   const Eigen::Vector3d& a = faces_.vertex(crossing.edge_side, crossing.edge[0]);
   const Eigen::Vector3d& b = faces_.vertex(crossing.edge_side, crossing.edge[1]);
@@ -94,10 +95,10 @@ RoundingBounds::PositionError RoundingBounds::position_error(const reference::Cr
   }
   const double length = (b - a).stableNorm();
   const double height = 2 * D * (crossed.normal_error + 4 * u);
-  if (length == 0) return {0, kHigherOrder * height};
+  if (length == 0) return {0, height, 0};
   const double sine = std::abs(crossed.normal_Me.dot(b - a)) / length - (crossed.normal_error + 4 * u);
   const double along = sine > 0 ? height / sine : length;
-  return {kHigherOrder * std::min(length, along), kHigherOrder * height};
+  return {std::min(length, along), height, std::min(length, kHigherOrder * along)};
 }
 
 // The corners that the other surface does not wind about bound nothing; all do where it is open.
@@ -130,12 +131,12 @@ AreaBounds RoundingBounds::area() const {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const reference::Polygon& polygon : true_.polygons) {
     const std::size_t n = polygon.points.size();
-    std::vector<double>& s = bounds.positions.emplace_back();
+    std::vector<double>& bounds_of_polygon = bounds.positions.emplace_back();
     std::vector<Eigen::Vector3d> d;
     std::vector<double> along, edge_length, height;
     for (const reference::Crossing& x : polygon.points) {
       const PositionError error = position_error(x);
-      s.push_back(error.along);
+      bounds_of_polygon.push_back(error.bound);
       along.push_back(error.along);
       height.push_back(error.height);
       const Eigen::Vector3d edge = faces_.vertex(x.edge_side, x.edge[1]) - faces_.vertex(x.edge_side, x.edge[0]);
@@ -150,9 +151,9 @@ AreaBounds RoundingBounds::area() const {
       const bool has_p = polygon.closed || k > 0, has_q = polygon.closed || k + 1 < n;
       const Eigen::Vector3d p = has_p ? polygon.points[(k + n - 1) % n].position_Me : x.position_Me;
       const Eigen::Vector3d q = has_q ? polygon.points[(k + 1) % n].position_Me : x.position_Me;
-      moved[crossed] += s[k] * d[k].cross(q - p).stableNorm() / 2;
+      moved[crossed] += along[k] * d[k].cross(q - p).stableNorm() / 2;
       moved[own] +=
-          s[k] * (d[k].cross(p - x.position_Me).stableNorm() + d[k].cross(q - x.position_Me).stableNorm()) / 2;
+          along[k] * (d[k].cross(p - x.position_Me).stableNorm() + d[k].cross(q - x.position_Me).stableNorm()) / 2;
       // The point as stored is off its edge by two roundings, the oracle's by one.
       const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
       const double reach = (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
@@ -162,14 +163,14 @@ AreaBounds RoundingBounds::area() const {
       moved_volume += height[k] * to_p * to_q / 2;
       gaps += (height[k] + stored) * (2 * to_p + 2 * to_q) + stored * edge_length[k];
       // The neighbours as stored are off as well, and move with it.
-      for (double& m : moved) m += stored * (reach + 4 * (stored + s[k]));
+      for (double& m : moved) m += stored * (reach + 4 * (stored + along[k]));
       // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
       moved[own] += stored * edge_length[k];
       if (has_q) {
         const std::size_t next = (k + 1) % n;
-        for (double& m : moved) m += s[k] * s[next] * d[k].cross(d[next]).stableNorm() / 2;
+        for (double& m : moved) m += along[k] * along[next] * d[k].cross(d[next]).stableNorm() / 2;
       }
-      s[k] += kHigherOrder * stored;
+      bounds_of_polygon[k] += kHigherOrder * stored;
       parts[crossed][x.face].add(x.position_Me, 2);
       const SurfaceFeatures& edges = faces_.surface(x.edge_side);
       for (const Index f : edges.faces_at(x.edge)) parts[own][f].add(x.position_Me, 3);

@@ -49,6 +49,7 @@ class RoundingBounds {
   struct PositionError {
     double along = 0;   ///< the edge, m
     double height = 0;  ///< over the plane of the face, m
+    double bound = 0;   ///< along the edge, with terms of higher order, m
   };
   PositionError position_error(const reference::Crossing& crossing) const;
   /// The points that bound the clipped part of a face.

@@ -130,6 +130,7 @@ PoseOutcome Scene::hold(const fast::Pairing& engine, reference::Inquiry& inquiry
                [&](const fast::Contact& bounded) {
                  outcome.unbounded =
                      bounded.bound && !(bounded.bound->force_Me.allFinite() && bounded.bound->torque_Me.allFinite());
+                 outcome.announced = bounded.bound && bounded.bound->flipped;
                  checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
                  outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
                });

@@ -13,9 +13,12 @@ namespace pcm::compare {
 namespace {
 
 constexpr int kZeroBin = INT_MIN;
+constexpr int kTopBin = INT_MAX;  // what is no finite number
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kBins = Histogram::kBinsPerFactorOfTwo;
 
 int bin_of(double value) {
+  if (!std::isfinite(value)) return kTopBin;
   if (!(value > 0)) return kZeroBin;
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);  // in [1/2, 1)
@@ -24,8 +27,11 @@ int bin_of(double value) {
 
 double upper_end(int bin) {
   if (bin == kZeroBin) return 0;
+  if (bin == kTopBin) return kInfinity;
   const int exponent = bin >= 0 ? bin / kBins : -((kBins - 1 - bin) / kBins);
-  return std::ldexp(0.5 + (bin - kBins * exponent + 1) / (2.0 * kBins), exponent);
+  // That of the greatest doubles' bin is beyond them.
+  return std::min(std::ldexp(0.5 + (bin - kBins * exponent + 1) / (2.0 * kBins), exponent),
+                  std::numeric_limits<double>::max());
 }
 
 }  // namespace
@@ -68,29 +74,32 @@ Histogram Histogram::from_json(const nlohmann::ordered_json& json) {
   return histogram;
 }
 
-void Widths::add(double width) {
-  if (std::isinf(width)) {
+void Widths::add(const Width& width) {
+  if (!width.relative) {
+    ++of_zero;
+  } else if (!std::isfinite(*width.relative)) {
     ++infinite;
-    return;
+  } else {
+    relative.add(*width.relative);
+    wider += *width.relative > 1;
   }
-  relative.add(width);
-  wider += width > 1;
 }
 
 void Widths::merge(const Widths& other) {
   relative.merge(other.relative);
   infinite += other.infinite;
   wider += other.wider;
+  of_zero += other.of_zero;
 }
 
 double Widths::quantile(double q) const {
-  const auto wanted = static_cast<std::int64_t>(std::ceil(q * static_cast<double>(count())));
-  if (wanted > relative.count()) return std::numeric_limits<double>::infinity();
+  const auto wanted = static_cast<std::int64_t>(std::ceil(q * static_cast<double>(relative.count() + infinite)));
+  if (wanted > relative.count()) return kInfinity;
   return relative.at_rank(wanted);
 }
 
 nlohmann::ordered_json Widths::to_json() const {
-  return {relative.to_json(), infinite, wider};
+  return {relative.to_json(), infinite, wider, of_zero};
 }
 
 Widths Widths::from_json(const nlohmann::ordered_json& json) {
@@ -98,15 +107,21 @@ Widths Widths::from_json(const nlohmann::ordered_json& json) {
   widths.relative = Histogram::from_json(json.at(0));
   widths.infinite = json.at(1).get<std::int64_t>();
   widths.wider = json.at(2).get<std::int64_t>();
+  widths.of_zero = json.at(3).get<std::int64_t>();
   return widths;
 }
 
 void Greatest::add(double candidate, const std::string& candidate_pose) {
   if (candidate_pose.empty()) return;
+  if (std::isnan(candidate)) candidate = kInfinity;
   if (pose.empty() || candidate > value || (candidate == value && candidate_pose < pose)) {
     value = candidate;
     pose = candidate_pose;
   }
+}
+
+Greatest Greatest::from_json(const nlohmann::ordered_json& value, const nlohmann::ordered_json& pose) {
+  return {value.is_null() ? kInfinity : value.get<double>(), pose.get<std::string>()};
 }
 
 void Tally::add(const PoseOutcome& outcome, const std::string& pose) {
@@ -116,10 +131,11 @@ void Tally::add(const PoseOutcome& outcome, const std::string& pose) {
   ambiguous += outcome.ambiguous;
   flipped += outcome.flipped;
   unbounded += outcome.unbounded;
+  announced += outcome.announced;
   too_deep += outcome.too_deep;
   disagreeing += !outcome.disagreements.empty();
   for (const Disagreement& d : outcome.disagreements) ++by_kind[static_cast<std::size_t>(d.kind)];
-  for (const Width& width : outcome.widths) widths[static_cast<std::size_t>(width.kind)].add(width.relative);
+  for (const Width& width : outcome.widths) widths[static_cast<std::size_t>(width.kind)].add(width);
   predicates += outcome.predicates;
   exact_predicates += outcome.exact_predicates;
   const RelativeErrors& e = outcome.errors;
@@ -143,6 +159,7 @@ void Tally::merge(const Tally& other) {
   ambiguous += other.ambiguous;
   flipped += other.flipped;
   unbounded += other.unbounded;
+  announced += other.announced;
   too_deep += other.too_deep;
   disagreeing += other.disagreeing;
   for (std::size_t k = 0; k < by_kind.size(); ++k) by_kind[k] += other.by_kind[k];
@@ -171,8 +188,8 @@ double Tally::disagreement_rate_bound() const {
 
 nlohmann::ordered_json Tally::to_json() const {
   nlohmann::ordered_json json;
-  json["counts"] = {poses,     touching, nested,      ambiguous,  flipped,
-                    unbounded, too_deep, disagreeing, predicates, exact_predicates};
+  json["counts"] = {poses,    touching,    nested,     ambiguous,        flipped,  unbounded,
+                    too_deep, disagreeing, predicates, exact_predicates, announced};
   json["by_kind"] = by_kind;
   for (const Widths& of_kind : widths) json["widths"].push_back(of_kind.to_json());
   for (std::size_t k = 0; k < errors.size(); ++k)
@@ -187,17 +204,17 @@ Tally Tally::from_json(const nlohmann::ordered_json& json) {
   std::size_t at = 0;
   for (std::int64_t* count :
        {&tally.poses, &tally.touching, &tally.nested, &tally.ambiguous, &tally.flipped, &tally.unbounded,
-        &tally.too_deep, &tally.disagreeing, &tally.predicates, &tally.exact_predicates})
+        &tally.too_deep, &tally.disagreeing, &tally.predicates, &tally.exact_predicates, &tally.announced})
     *count = json.at("counts").at(at++).get<std::int64_t>();
   tally.by_kind = json.at("by_kind").get<std::array<std::int64_t, kKinds>>();
   for (std::size_t k = 0; k < tally.widths.size(); ++k) tally.widths[k] = Widths::from_json(json.at("widths").at(k));
   for (std::size_t k = 0; k < tally.errors.size(); ++k) {
     const auto& entry = json.at("errors").at(k);
     tally.errors[k] = Histogram::from_json(entry.at(0));
-    tally.worst[k] = {entry.at(1).get<double>(), entry.at(2).get<std::string>()};
+    tally.worst[k] = Greatest::from_json(entry.at(1), entry.at(2));
   }
   const auto& backward = json.at("backward_error_ulps");
-  tally.backward_error_ulps = {backward.at(0).get<double>(), backward.at(1).get<std::string>()};
+  tally.backward_error_ulps = Greatest::from_json(backward.at(0), backward.at(1));
   tally.engine_seconds = Histogram::from_json(json.at("seconds").at(0));
   tally.oracle_seconds = Histogram::from_json(json.at("seconds").at(1));
   tally.oracle_exact_seconds = Histogram::from_json(json.at("seconds").at(2));

@@ -21,11 +21,12 @@ class Histogram {
  public:
   static constexpr int kBinsPerFactorOfTwo = 64;
 
+  /// What is no finite number counts as greater than all others.
   void add(double value);
   void merge(const Histogram& other);
   std::int64_t count() const { return count_; }
   /// The smallest bin's upper end below or at which at least the part q of the numbers lies: never too small, and at
-  /// most 1/64 too large. 0 for an empty distribution.
+  /// most 1/64 too large; infinite where it is no finite number. 0 for an empty distribution.
   double quantile(double q) const;
   /// The same for the number of that rank, from 1.
   double at_rank(std::int64_t rank) const;
@@ -38,12 +39,15 @@ class Histogram {
   std::int64_t count_ = 0;
 };
 
-/// The greatest of the values added and the first pose (in the order of pose names) that has it.
+/// The greatest of the values added and the first pose (in the order of pose names) that has it. What is no number
+/// counts as infinite.
 struct Greatest {
   double value = 0;
   std::string pose;
 
   void add(double candidate, const std::string& candidate_pose);
+  /// JSON has no infinity: null stands for it.
+  static Greatest from_json(const nlohmann::ordered_json& value, const nlohmann::ordered_json& pose);
 };
 
 /// How wide the checks of one kind were (checks.h).
@@ -51,11 +55,13 @@ struct Widths {
   Histogram relative;         ///< the finite ones
   std::int64_t infinite = 0;  ///< passed anything
   std::int64_t wider = 0;     ///< finite, and wider than what they held
+  std::int64_t of_zero = 0;   ///< held 0 to within a finite bound: no quantile counts these
 
-  void add(double width);
+  void add(const Width& width);
   void merge(const Widths& other);
-  std::int64_t count() const { return relative.count() + infinite; }
-  /// Over all, infinite ones last.
+  std::int64_t count() const { return relative.count() + infinite + of_zero; }
+  bool has_quantiles() const { return relative.count() + infinite > 0; }
+  /// Over all that have a width, infinite ones last; 0 where none has.
   double quantile(double q) const;
   nlohmann::ordered_json to_json() const;
   static Widths from_json(const nlohmann::ordered_json& json);
@@ -76,6 +82,7 @@ struct PoseOutcome {
   bool ambiguous = false;
   bool flipped = false;
   bool unbounded = false;
+  bool announced = false;
   bool too_deep = false;
   std::vector<Disagreement> disagreements;
   std::vector<Width> widths;
@@ -95,6 +102,7 @@ struct Tally {
   std::int64_t ambiguous = 0;
   std::int64_t flipped = 0;
   std::int64_t unbounded = 0;  ///< the engine promises nothing about force or torque
+  std::int64_t announced = 0;  ///< the engine says that a decision may be another one (ForceBound::flipped)
   std::int64_t too_deep = 0;
   std::int64_t disagreeing = 0;  ///< poses with a disagreement of any kind
   std::array<std::int64_t, kKinds> by_kind{};

@@ -22,9 +22,11 @@ Checks hold_answer(const Question& question, const fast::Contact& subj, const re
 std::vector<Disagreement> disagreements(const Question& question, const fast::Contact& subj,
                                         const reference::Answer& true_rounded);
 
-/// Breaches of the engine's own bounds, where it gave any: by a component of force or torque, by the greatest
-/// penetration, or by an element that the exact problem has and the rounded one has not (or the reverse) while the
-/// engine calls its elements certain. At most one, of kind `bound`; nothing without a bound.
+/// Breaches of the engine's own bounds, where it gave any. Kind `bound`: by a component of force or torque, by an
+/// infinite bound though no number is near the end of the range of doubles, or by an element that the exact problem has
+/// and the rounded one has not (or the reverse) while the engine calls its elements certain. Kind `penetration_bound`:
+/// by the greatest penetration of the exact problem, or by a lower bound that the engine's own greatest penetration, or
+/// its upper bound, does not reach. Nothing without a bound.
 Checks broken_bounds(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
                      const reference::Answer& true_exact);
 

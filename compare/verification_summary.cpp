@@ -31,8 +31,10 @@ std::string error_row(const std::string& label, const Tally& t) {
 }
 
 std::string bound_row(const std::string& label, const Tally& t) {
-  std::string row = fmt::format("{:<16}{:>9}{:>10}{:>11}", label, t.by_kind[static_cast<std::size_t>(Kind::bound)],
-                                t.errors[kFirstBound].count(), t.unbounded);
+  const std::int64_t broken =
+      t.by_kind[static_cast<std::size_t>(Kind::bound)] + t.by_kind[static_cast<std::size_t>(Kind::penetration_bound)];
+  std::string row = fmt::format("{:<16}{:>9}{:>10}{:>11}{:>11}", label, broken, t.errors[kFirstBound].count(),
+                                t.unbounded, t.announced);
   for (std::size_t k = kFirstBound; k < kErrors; ++k)
     row +=
         t.errors[k].count() == 0
@@ -46,9 +48,10 @@ std::string bounds_table(const std::vector<NamedTally>& strata, const Tally& all
   if (all.errors[kFirstBound].count() + all.unbounded == 0) return "";
   std::string text =
       "\nThe engine's own bounds on these errors of force and torque: how often broken; how many are finite (with a\n"
-      "force) and how many infinite; median and 99.9th percentile in the same units\n";
-  text += fmt::format("{:<16}{:>9}{:>10}{:>11}{:>20}{:>20}\n", "stratum", "broken", "finite", "infinite", "force bound",
-                      "torque bound");
+      "force) and how many infinite; how often it announced that a decision may be another one in the exact problem;\n"
+      "median and 99.9th percentile in the same units\n";
+  text += fmt::format("{:<16}{:>9}{:>10}{:>11}{:>11}{:>20}{:>20}\n", "stratum", "broken", "finite", "infinite",
+                      "announced", "force bound", "torque bound");
   for (const auto& [label, tally] : strata) text += bound_row(label, tally);
   return text + bound_row("all", all);
 }

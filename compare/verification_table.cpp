@@ -89,15 +89,17 @@ std::string verification_markdown(const Verification& run) {
       "`touch` to `other kinds` count them by what engine and oracle disagree about. "
       "`touching`, `nested` (one body inside the other without crossing), `ambiguous` (an open surface that does not "
       "tell inside from outside), `flipped` (rounding may have changed a contact element), `unbounded` (the engine "
-      "promises nothing about its force) and `too deep` (a line of "
+      "promises nothing about its force), `announced` (it says that a decision may be another one in the exact "
+      "problem) and `too deep` (a line of "
       "penetration leaves its own body first) count poses that are so. `fallback`: part of the engine's predicates "
       "that needed exact arithmetic. `rate <`: 95 % upper bound on the rate of disagreeing poses. `backward`: greatest "
       "distance of a rounded vertex of F from the true one, in ulps.\n\n"
       "| pair | stratum | scheme | mode | poses | touching | disagreements | touch | polygon count | polygon cycle | "
       "intersected | "
-      "inner | elements | other kinds | nested | ambiguous | flipped | unbounded | too deep | fallback | rate < | "
+      "inner | elements | other kinds | nested | ambiguous | flipped | unbounded | announced | too deep | fallback | "
+      "rate < | "
       "backward |\n"
-      "|---|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      "|---|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Row& row : table) {
     const Tally& t = row.tally;
     std::int64_t others = 0;
@@ -108,11 +110,11 @@ std::string verification_markdown(const Verification& run) {
       others -= n;
       kinds += fmt::format(" {} |", n);
     }
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} | {} |{} {} | {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.2f} |\n",
-                    row.pair, row.stratum, row.scheme, row.mode, t.poses, t.touching, t.disagreeing, kinds, others,
-                    t.nested, t.ambiguous, t.flipped, t.unbounded, t.too_deep, exact_fallback_rate(t),
-                    t.disagreement_rate_bound(), t.backward_error_ulps.value);
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} |{} {} | {} | {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.2f} |\n",
+        row.pair, row.stratum, row.scheme, row.mode, t.poses, t.touching, t.disagreeing, kinds, others, t.nested,
+        t.ambiguous, t.flipped, t.unbounded, t.announced, t.too_deep, exact_fallback_rate(t),
+        t.disagreement_rate_bound(), t.backward_error_ulps.value);
   }
   text +=
       "\n## Rounding error against the oracle on the exact problem\n\n"
@@ -153,7 +155,8 @@ std::string verification_csv(const Verification& run) {
   std::string text = "pair,stratum,scheme,mode,poses,touching,disagreements";
   for (int k = 0; k < kKinds; ++k) text += fmt::format(",{} disagreements", name(static_cast<Kind>(k)));
   text +=
-      ",nested,ambiguous,flipped,unbounded,too_deep,exact_fallback_rate,rate_bound_95,backward_error_ulps,backward_"
+      ",nested,ambiguous,flipped,unbounded,announced,too_deep,exact_fallback_rate,rate_bound_95,backward_error_ulps,"
+      "backward_"
       "error_pose";
   for (const char* error : kErrorNames)
     text += fmt::format(",{0} count,{0} median,{0} p99,{0} p99.9,{0} max,{0} max pose", error);
@@ -163,8 +166,8 @@ std::string verification_csv(const Verification& run) {
     text += fmt::format("{},{},{},{},{},{},{}", plain(row.pair), plain(row.stratum), plain(row.scheme), plain(row.mode),
                         t.poses, t.touching, t.disagreeing);
     for (const std::int64_t n : t.by_kind) text += fmt::format(",{}", n);
-    text += fmt::format(",{},{},{},{},{},{},{},{},{}", t.nested, t.ambiguous, t.flipped, t.unbounded, t.too_deep,
-                        exact_fallback_rate(t), t.disagreement_rate_bound(), t.backward_error_ulps.value,
+    text += fmt::format(",{},{},{},{},{},{},{},{},{},{}", t.nested, t.ambiguous, t.flipped, t.unbounded, t.announced,
+                        t.too_deep, exact_fallback_rate(t), t.disagreement_rate_bound(), t.backward_error_ulps.value,
                         t.backward_error_ulps.pose);
     for (std::size_t k = 0; k < kErrors; ++k) {
       text += fmt::format(",{}", t.errors[k].count());
@@ -202,6 +205,7 @@ nlohmann::ordered_json verification_json(const Verification& run) {
     entry["ambiguous"] = t.ambiguous;
     entry["flipped"] = t.flipped;
     entry["unbounded"] = t.unbounded;
+    entry["announced"] = t.announced;
     entry["too_deep"] = t.too_deep;
     entry["exact_fallback_rate"] = exact_fallback_rate(t);
     entry["rate_bound_95"] = t.disagreement_rate_bound();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -40,20 +41,15 @@ constexpr KindText kTexts[] = {
     {Kind::element_force, "the element's force", "what is said of area, penetration and normal; friction near rest"},
     {Kind::penetration, "the greatest penetration",
      "as an element's; clipped scheme: of the deepest, though it be a sliver"},
-    {Kind::exceeded, "1", "where the greatest penetration lies within its bound of the law's"},
     {Kind::force, "the sum of the elements' forces", "what is said of elements, in the mean over all of them"},
     {Kind::torque, "the sum of lever times force", "the same"},
     {Kind::sums, "the sum of the terms' sizes", "n roundings of n terms"},
     {Kind::statistics, "the value", "a mean pressure or centre of pressure in which tension cancels pressure"},
     {Kind::bound, "the sum of the elements' forces, or of lever times force",
      "the engine's own bound: where a decision may be another one in the exact problem it holds all answers"},
+    {Kind::penetration_bound, "the greatest penetration",
+     "the engine's own two bounds, how far apart they are: as above, or where what lies deepest is hidden"},
 };
-
-const KindText* text_of(Kind kind) {
-  for (const KindText& text : kTexts)
-    if (text.kind == kind) return &text;
-  return nullptr;
-}
 
 const Widths& widths_of(const Tally& tally, Kind kind) {
   return tally.widths[static_cast<std::size_t>(kind)];
@@ -90,13 +86,14 @@ std::string widths_markdown(const Verification& run) {
       "## How wide the checks were\n\n"
       "A check holds a value of the engine to within a derived bound of the oracle's. Its width is that bound in units "
       "of what it holds; `exact` checks let nothing else pass. `any`: checks that let anything pass; `wider`: finite, "
-      "but wider than what they held.\n\n"
-      "| stratum | scheme | check | checks | median | p99 | p99.9 | any | wider |\n"
-      "|---|---|---|--:|--:|--:|--:|--:|--:|\n";
+      "but wider than what they held; `of 0`: held 0 to within a bound that is not, so that they have no width.\n\n"
+      "| stratum | scheme | check | checks | median | p99 | p99.9 | any | wider | of 0 |\n"
+      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
   for_each_width(run, [&text](const StratumTally& t, Kind kind, const Widths& widths) {
     text += fmt::format("| {} | {} | {} | {} |", name(t.stratum), name(t.scheme), name(kind), widths.count());
-    for (const double q : kQuantiles) text += fmt::format(" {} |", number(widths.quantile(q)));
-    text += fmt::format(" {} | {} |\n", widths.infinite, widths.wider);
+    for (const double q : kQuantiles)
+      text += fmt::format(" {} |", widths.has_quantiles() ? number(widths.quantile(q)) : "-");
+    text += fmt::format(" {} | {} | {} |\n", widths.infinite, widths.wider, widths.of_zero);
   });
   text += "\n| check | in units of | wide where |\n|---|---|---|\n";
   for (const KindText& of_kind : kTexts)
@@ -105,53 +102,62 @@ std::string widths_markdown(const Verification& run) {
 }
 
 std::string widths_csv(const Verification& run) {
-  std::string text = "stratum,scheme,check,checks,median,p99,p99.9,any,wider\n";
+  std::string text = "stratum,scheme,check,checks,median,p99,p99.9,any,wider,of 0\n";
   for_each_width(run, [&text](const StratumTally& t, Kind kind, const Widths& widths) {
     text += fmt::format("{},{},{},{}", name(t.stratum), name(t.scheme), name(kind), widths.count());
-    for (const double q : kQuantiles) text += fmt::format(",{}", widths.quantile(q));
-    text += fmt::format(",{},{}\n", widths.infinite, widths.wider);
+    for (const double q : kQuantiles) text += widths.has_quantiles() ? fmt::format(",{}", widths.quantile(q)) : ",";
+    text += fmt::format(",{},{},{}\n", widths.infinite, widths.wider, widths.of_zero);
   });
   return text;
 }
 
 nlohmann::ordered_json widths_json(const Verification& run) {
   auto json = nlohmann::ordered_json::array();
-  // JSON has no infinity: null stands for it.
+  // JSON has no infinity: null stands for it. What has no quantiles has no entries for them.
   const auto finite = [](double x) { return std::isinf(x) ? nlohmann::ordered_json() : nlohmann::ordered_json(x); };
   for_each_width(run, [&](const StratumTally& t, Kind kind, const Widths& widths) {
-    json.push_back({{"stratum", std::string(name(t.stratum))},
-                    {"scheme", std::string(name(t.scheme))},
-                    {"check", std::string(name(kind))},
-                    {"checks", widths.count()},
-                    {"median", finite(widths.quantile(0.5))},
-                    {"p99", finite(widths.quantile(0.99))},
-                    {"p99.9", finite(widths.quantile(0.999))},
-                    {"any", widths.infinite},
-                    {"wider", widths.wider}});
+    nlohmann::ordered_json entry = {{"stratum", std::string(name(t.stratum))},
+                                    {"scheme", std::string(name(t.scheme))},
+                                    {"check", std::string(name(kind))},
+                                    {"checks", widths.count()}};
+    if (widths.has_quantiles()) {
+      entry["median"] = finite(widths.quantile(0.5));
+      entry["p99"] = finite(widths.quantile(0.99));
+      entry["p99.9"] = finite(widths.quantile(0.999));
+    }
+    entry["any"] = widths.infinite;
+    entry["wider"] = widths.wider;
+    entry["of 0"] = widths.of_zero;
+    json.push_back(std::move(entry));
   });
   return json;
 }
 
 std::string widths_summary(const Verification& run) {
   const std::vector<NamedTally> strata = run.by_stratum();
-  const Tally all = run.total();
+  const std::vector<StratumTally> cells = strata_in_schemes(run);
   std::string text =
       "\nHow wide the checks were: medians of their bounds in units of what they hold; `any`: let anything pass; "
-      "`wider`:\nthan what they held\n";
-  text += fmt::format("{:<20}{:>12}", "check", "checks");
+      "`wider`:\nthan what they held; `of 0`: held 0 to within a bound, so in no units\n";
+  text += fmt::format("{:<20}{:<12}{:>12}", "check", "scheme", "checks");
   for (const NamedTally& stratum : strata) text += fmt::format("{:>17}", stratum.name);
-  text += fmt::format("{:>10}{:>10}\n", "any", "wider");
-  for (int k = 1; k < kKinds; ++k) {
-    const auto kind = static_cast<Kind>(k);
-    const Widths& widths = widths_of(all, kind);
-    if (widths.count() == 0 || text_of(kind) == nullptr) continue;
-    text += fmt::format("{:<20}{:>12}", name(kind), widths.count());
-    for (const NamedTally& stratum : strata) {
-      const Widths& of_stratum = widths_of(stratum.tally, kind);
-      text += fmt::format("{:>17}", of_stratum.count() == 0 ? "-" : number(of_stratum.quantile(0.5)));
+  text += fmt::format("{:>10}{:>10}{:>10}\n", "any", "wider", "of 0");
+  for (const KindText& of_kind : kTexts)
+    for (const Scheme scheme : run.plan().schemes) {
+      Widths all;
+      std::string medians;
+      for (const NamedTally& stratum : strata) {
+        const auto cell = std::find_if(cells.begin(), cells.end(), [&](const StratumTally& t) {
+          return t.scheme == scheme && name(t.stratum) == stratum.name;
+        });
+        const Widths widths = cell == cells.end() ? Widths{} : widths_of(cell->tally, of_kind.kind);
+        all.merge(widths);
+        medians += fmt::format("{:>17}", widths.has_quantiles() ? number(widths.quantile(0.5)) : "-");
+      }
+      if (all.count() == 0) continue;
+      text += fmt::format("{:<20}{:<12}{:>12}{}{:>10}{:>10}{:>10}\n", name(of_kind.kind), name(scheme), all.count(),
+                          medians, all.infinite, all.wider, all.of_zero);
     }
-    text += fmt::format("{:>10}{:>10}\n", widths.infinite, widths.wider);
-  }
   return text;
 }
 

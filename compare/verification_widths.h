@@ -11,14 +11,14 @@
 /// is.
 namespace pcm::compare {
 
-/// For each stratum, scheme and kind of check: how many, quantiles of their widths, how many were infinite or wider
-/// than what they held; and why, for each kind.
+/// For each stratum, scheme and kind of check: how many, quantiles of their widths, how many were infinite, wider than
+/// what they held, or of 0; and why, for each kind.
 std::string widths_markdown(const Verification& run);
 /// The same numbers.
 std::string widths_csv(const Verification& run);
 nlohmann::ordered_json widths_json(const Verification& run);
 
-/// On one screen: a row a kind, medians by stratum.
+/// On one screen: a row a kind and scheme, medians by stratum.
 std::string widths_summary(const Verification& run);
 
 }  // namespace pcm::compare

@@ -7,11 +7,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "compare/contact_fields.h"
+#include "compare/element_law.h"
 #include "compare/rounded_vertices.h"
 #include "compare/scene.h"
 #include "compare/state_draw.h"
@@ -315,6 +320,218 @@ TEST_P(SeamOverSchemes, SumsThatAreNotThoseOfTheElementsAreFlagged) {
   const Held held = hold_altered(seam, Stratum::generic, GetParam(), 20);
   EXPECT_EQ(held.flagged, 20);
   EXPECT_TRUE(held.kinds.contains(Kind::sums));
+}
+
+TEST_P(SeamOverSchemes, ListsLongerOrShorterAreFlagged) {
+  const auto change = [](auto& list, bool longer) {
+    if (list.empty()) return false;
+    if (longer)
+      list.push_back(list.back());
+    else
+      list.pop_back();
+    return true;
+  };
+  const std::vector<std::function<bool(fast::Contact&, bool)>> lists = {
+      [&](fast::Contact& contact, bool longer) { return change(contact.crossings, longer); },
+      [&](fast::Contact& contact, bool longer) { return change(contact.polygons, longer); },
+      [&](fast::Contact& contact, bool longer) { return change(contact.elements, longer); },
+      [&](fast::Contact& contact, bool longer) { return change(contact.E.intersected, longer); },
+      [&](fast::Contact& contact, bool longer) { return change(contact.F.intersected, longer); },
+      [&](fast::Contact& contact, bool longer) { return change(contact.E.inner, longer); },
+      [&](fast::Contact& contact, bool longer) { return change(contact.F.inner, longer); }};
+  for (std::size_t k = 0; k < lists.size(); ++k)
+    for (const bool longer : {true, false}) {
+      const AlteringSeam seam([&](fast::Contact& contact) { return lists[k](contact, longer); });
+      const Held held = hold_altered(seam, Stratum::generic, GetParam(), 5);
+      EXPECT_EQ(held.altered, 5) << k;
+      EXPECT_EQ(held.flagged, 5) << k << (longer ? " longer" : " shorter");
+    }
+  const AlteringSeam far([](fast::Contact& contact) {
+    contact.crossings.emplace_back().position_Me.setConstant(1e99);
+    return true;
+  });
+  const Held held = hold_altered(far, Stratum::generic, GetParam(), 5);
+  EXPECT_EQ(held.flagged, 5);
+  EXPECT_TRUE(held.kinds.contains(Kind::polygon_cycle));
+}
+
+TEST_P(SeamOverSchemes, GreatestPenetrationAtOddsWithItsElementsOrFlagIsFlagged) {
+  const AlteringSeam half([](fast::Contact& contact) {
+    double greatest = 0;
+    for (const fast::Element& e : contact.elements) greatest = std::max(greatest, e.penetration);
+    contact.max_penetration = greatest / 2;
+    return greatest > 0;
+  });
+  const Held halved = hold_altered(half, Stratum::generic, GetParam(), 20);
+  EXPECT_EQ(halved.flagged, 20);
+  EXPECT_TRUE(halved.kinds.contains(Kind::sums));
+  for (const Stratum stratum : kStrata) {
+    const AlteringSeam flag([](fast::Contact& contact) {
+      contact.penetration_exceeded = !contact.penetration_exceeded;
+      return true;
+    });
+    const Held held = hold_altered(flag, stratum, GetParam(), 20);
+    EXPECT_EQ(held.flagged, 20) << name(stratum);
+    EXPECT_TRUE(held.kinds.contains(Kind::exceeded)) << name(stratum);
+  }
+}
+
+TEST_P(SeamOverSchemes, BoundThatPromisesNothingOrContradictsItselfIsFlagged) {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  struct BoundFault {
+    const char* name;
+    Kind kind;
+    std::function<void(fast::Contact&)> alter;
+  };
+  const std::vector<BoundFault> bound_faults = {
+      {"infinite force", Kind::bound, [](fast::Contact& c) { c.bound->force_Me.setConstant(kInfinity); }},
+      {"infinite torque", Kind::bound, [](fast::Contact& c) { c.bound->torque_Me[1] = kInfinity; }},
+      {"no number", Kind::bound,
+       [](fast::Contact& c) { c.bound->torque_Me[2] = std::numeric_limits<double>::quiet_NaN(); }},
+      {"lower above own", Kind::penetration_bound,
+       [](fast::Contact& c) { c.bound->penetration_at_least = std::nextafter(c.max_penetration, kInfinity); }},
+      {"upper below lower", Kind::penetration_bound,
+       [](fast::Contact& c) { c.bound->penetration_at_most = -0x1p-1074; }},
+      {"lower below 0", Kind::penetration_bound, [](fast::Contact& c) { c.bound->penetration_at_least = -1; }}};
+  for (const BoundFault& fault : bound_faults)
+    for (const Stratum stratum : kStrata) {
+      const AlteringSeam seam([&](fast::Contact& contact) {
+        if (!contact.bound) return false;
+        fault.alter(contact);
+        return true;
+      });
+      const Held held = hold_altered(seam, stratum, GetParam(), 5);
+      EXPECT_EQ(held.flagged, 5) << fault.name << ", " << name(stratum);
+      EXPECT_TRUE(held.kinds.contains(fault.kind)) << fault.name << ", " << name(stratum);
+    }
+}
+
+TEST(Seam, FlipsAnnouncedAndBoundsOfPenetrationShowInTheTally) {
+  const SurfacePair pair = small_pair();
+  const Scene scene(pair.E, pair.F, ContactLaw{}, Mode::E);
+  const AlteringSeam seam([](fast::Contact& contact) {
+    if (!contact.bound) return false;
+    contact.bound->flipped = true;
+    contact.bound->penetration_at_most = 1e300;
+    return true;
+  });
+  fast::Workspace workspace;
+  for (const bool altered : {false, true}) {
+    Tally tally;
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const DrawnPose drawn = draw_pose(Stratum::generic, scene.features(), PoseRandom(kSeed, 3, 0, i));
+      tally.add(scene.hold(drawn.pose, drawn.velocity, workspace, altered ? seam : EngineSeam::none()).front(), "");
+    }
+    EXPECT_EQ(tally.announced, altered ? 20 : 0);
+    const Widths& widths = tally.widths[static_cast<std::size_t>(Kind::penetration_bound)];
+    EXPECT_EQ(widths.wider + widths.of_zero == 20, altered);
+    EXPECT_EQ(Tally::from_json(tally.to_json()).announced, tally.announced);
+  }
+}
+
+/// Adds an element to an answer, with its own sums.
+void insert(fast::Contact& contact, const Pose& pose, const fast::Element& e, double share) {
+  const auto before = [](const fast::Element& a, const fast::Element& b) {
+    return std::tuple(a.master, a.master_face, a.slave_face) < std::tuple(b.master, b.master_face, b.slave_face);
+  };
+  contact.elements.insert(std::upper_bound(contact.elements.begin(), contact.elements.end(), e, before), e);
+  ++contact.element_count;
+  ++contact.work.elements;
+  ++contact.work.velocities;
+  contact.force_Me += share * e.force_Me;
+  contact.torque_Me += share * (e.position_Me - pose.r).cross(e.force_Me);
+}
+
+struct Invention {
+  const char* name;
+  Kind kind;
+  std::function<void(fast::Element&)> alter;
+};
+
+TEST(Seam, SliverThatNoRightEngineHasIsFlagged) {
+  const std::vector<Invention> inventions = {
+      {"deep", Kind::element_penetration, [](fast::Element& e) { e.penetration = 1e6; }},
+      {"flat", Kind::element_penetration, [](fast::Element& e) { e.penetration = 0; }},
+      {"no area", Kind::elements, [](fast::Element& e) { e.area = -e.area; }},
+      {"long normal", Kind::element_normal, [](fast::Element& e) { e.normal_Me *= 8.7; }},
+      {"turned normal", Kind::element_normal,
+       [](fast::Element& e) { e.normal_Me = Eigen::Vector3d(e.normal_Me.y(), e.normal_Me.z(), e.normal_Me.x()); }},
+      {"far away", Kind::element_position, [](fast::Element& e) { e.position_Me += Eigen::Vector3d(9, 0, 0); }},
+      {"off the plane", Kind::element_position, [](fast::Element& e) { e.position_Me += 1e-9 * e.normal_Me; }},
+      {"fast", Kind::element_velocity, [](fast::Element& e) { e.normal_velocity += 1e-9; }},
+      {"slipping", Kind::element_velocity, [](fast::Element& e) { e.tangential_velocity += 1e-9; }},
+      {"strong", Kind::element_force, [](fast::Element& e) { e.force_Me = Eigen::Vector3d(1e20, 0, 0); }},
+      {"doubled", Kind::element_force, [](fast::Element& e) { e.force_Me *= 2; }},
+      {"pressing", Kind::element_force, [](fast::Element& e) { e.normal_force = 1; }},
+      {"rubbing", Kind::element_force, [](fast::Element& e) { e.tangential_force = 1; }}};
+  const SurfacePair pair = small_pair();
+  ContactLaw law;
+  law.friction = 0.5;
+  law.damping = 3;
+  const Scene scene(pair.E, pair.F, law, Mode::both, Scheme::clipped);
+  fast::Workspace workspace;
+  int tried = 0;
+  for (std::uint64_t i = 0; tried < 20; ++i) {
+    ASSERT_LT(i, 400U);
+    const DrawnPose drawn = draw_pose(Stratum::generic, scene.features(), PoseRandom(kSeed, 4, 0, i));
+    const Question question{scene.features().E, scene.features().F, law,           Mode::both,
+                            Scheme::clipped,    drawn.pose,         drawn.velocity};
+    reference::Inquiry inquiry(scene.oracle(), drawn.pose, drawn.velocity, {}, law, Scheme::clipped);
+    const reference::Answer truth = inquiry.answer(reference::Problem::rounded, Mode::both);
+    fast::Contact right = fast::evaluate(scene.engine(), drawn.pose, drawn.velocity, {}, workspace);
+    if (right.elements.empty()) continue;
+    ++tried;
+    // Like the heaviest element, through a slave face that it does not see.
+    reference::Element sliver;
+    const fast::Element like = *heaviest(right);
+    sliver.master = like.master;
+    sliver.master_face = like.master_face;
+    while (std::any_of(right.elements.begin(), right.elements.end(), [&](const fast::Element& e) {
+      return e.master == sliver.master && e.master_face == sliver.master_face && e.slave_face == sliver.slave_face;
+    }))
+      ++sliver.slave_face;
+    sliver.area = 1e-40;
+    sliver.penetration = 1e-40;
+    sliver.normal_Me = like.normal_Me;
+    sliver.position_Me = like.position_Me - 0.5 * like.penetration * like.normal_Me;
+    sliver = after_law(question, sliver);
+    fast::Element base = like;
+    base.slave_face = sliver.slave_face;
+    base.area = sliver.area;
+    base.penetration = sliver.penetration;
+    base.position_Me = sliver.position_Me;
+    base.normal_velocity = sliver.normal_velocity;
+    base.tangential_velocity = sliver.tangential_velocity;
+    base.normal_force = sliver.normal_force;
+    base.tangential_force = sliver.tangential_force;
+    base.force_Me = sliver.force_Me;
+    const auto kinds_with = [&](const fast::Element& e) {
+      fast::Contact subj = right;
+      insert(subj, drawn.pose, e, 0.5);
+      std::set<Kind> kinds;
+      for (const Disagreement& d : disagreements(question, subj, truth)) kinds.insert(d.kind);
+      return kinds;
+    };
+    const std::set<Kind> of_base = kinds_with(base);
+    for (const Invention& invention : inventions) {
+      fast::Element e = base;
+      invention.alter(e);
+      if (e.force_Me.isZero(0) && invention.name == std::string("doubled")) continue;
+      EXPECT_FALSE(of_base.contains(invention.kind)) << invention.name << " at " << i;
+      EXPECT_TRUE(kinds_with(e).contains(invention.kind)) << invention.name << " at " << i;
+    }
+  }
+}
+
+TEST(Seam, ClippedElementsOutOfOrderAreFlagged) {
+  const AlteringSeam seam([](fast::Contact& contact) {
+    if (contact.elements.size() < 2) return false;
+    std::swap(contact.elements.front(), contact.elements.back());
+    return true;
+  });
+  const Held held = hold_altered(seam, Stratum::generic, Scheme::clipped, 20);
+  EXPECT_EQ(held.flagged, 20);
+  EXPECT_TRUE(held.kinds.contains(Kind::elements));
 }
 
 TEST_P(SeamOverSchemes, ForceOffByABillionthIsFlaggedIn99Of100AnswersThatAreNotShallow) {
