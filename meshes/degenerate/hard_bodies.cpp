@@ -51,6 +51,22 @@ TriangleMesh open_box(const Eigen::Vector3d& extents) {
   return mesh;
 }
 
+TriangleMesh folded_sheet(Index folds, double pitch, double height) {
+  TriangleMesh mesh;
+  mesh.name = "folded sheet";
+  for (Index i = 0; i <= folds; ++i) {
+    const double x = pitch * (i - 0.5 * folds), z = (i % 2 == 0 ? -0.5 : 0.5) * height;
+    mesh.vertices.emplace_back(x, -0.5, z);
+    mesh.vertices.emplace_back(x, 0.5, z);
+  }
+  for (Index i = 0; i < folds; ++i) {
+    const Index a = 2 * i;
+    mesh.faces.push_back({a, a + 2, a + 3});
+    mesh.faces.push_back({a, a + 3, a + 1});
+  }
+  return mesh;
+}
+
 TriangleMesh without_face(TriangleMesh mesh, Index face) {
   mesh.faces.erase(mesh.faces.begin() + face);
   mesh.name += " without face " + std::to_string(face + 1);

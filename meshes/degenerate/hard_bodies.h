@@ -22,6 +22,10 @@ TriangleMesh needle(double half_width);
 /// Open box about the origin without its top. 10 faces.
 TriangleMesh open_box(const Eigen::Vector3d& extents);
 
+/// Open sheet folded up and down about z = 0, `folds` strips in a row along x, each `pitch` wide and rising or falling
+/// by `height`, from y = -1/2 to 1/2: a straight edge passes through it several times. 2 faces a strip.
+TriangleMesh folded_sheet(Index folds, double pitch, double height);
+
 /// The same surface without that face.
 TriangleMesh without_face(TriangleMesh mesh, Index face);
 

@@ -32,7 +32,8 @@ TEST(HardBodies, AreFitForContact) {
   using namespace degenerate;
   for (const TriangleMesh& mesh :
        {fan_tipped_spike(0x1p-20), needle(0x1p-20), open_box({1, 1, 0.5}), without_face(generate::box({1, 1, 1}), 3),
-        hollow_cube(0.5), pentagram(), figure_of_eight(), shrinking_cubes(4, 15), torus_chain(3, 4, 1, 4, 4)}) {
+        folded_sheet(6, 0.125, 0.25), hollow_cube(0.5), pentagram(), figure_of_eight(), shrinking_cubes(4, 15),
+        torus_chain(3, 4, 1, 4, 4)}) {
     EXPECT_NO_THROW(require_fit(mesh)) << mesh.name << '\n' << check(mesh).summary();
     EXPECT_EQ(test::flaw(mesh), "") << mesh.name;
   }
@@ -51,6 +52,7 @@ TEST(HardBodies, ClosedOnesHaveTheFacesPromised) {
 TEST(HardBodies, OpenOnesHaveTheBordersPromised) {
   test::expect_open(degenerate::open_box({1, 1, 0.5}), 10, 4);
   test::expect_open(degenerate::without_face(generate::box({1, 1, 1}), 3), 11, 3);
+  test::expect_open(degenerate::folded_sheet(6, 0.125, 0.25), 12, 14);
 }
 
 TEST(HardBodies, VolumesAreThoseWorkedOutByHand) {
