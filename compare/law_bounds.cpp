@@ -59,17 +59,18 @@ ElementBounds bounds_after_law(const Question& question, const reference::Elemen
   // Normal force: F_c = c_l A u_k (14); F_d = d_l A v_n fade (15), fade = min(1, u_k / u_d) is Lipschitz with 1 / u_d;
   // what damping may do to F_n (18) never magnifies an error. c_l (12) has 3 roundings.
   const double c_l = series_stiffness(law);
-  const double elastic = c_l * most_area * most_penetration;
+  const double elastic = c_l * times(most_area, most_penetration);
   const double elastic_error =
-      c_l * (bounds.area * truth.penetration + times(most_area, bounds.penetration)) + 6 * u * elastic;
+      c_l * (times(bounds.area, truth.penetration) + times(most_area, bounds.penetration)) + 6 * u * elastic;
   const double v_n = std::abs(truth.normal_velocity), most_v_n = v_n + bounds.normal_velocity;
   const double fade = law.transition_depth > 0 ? std::min(1.0, truth.penetration / law.transition_depth) : 1;
   const double fade_error = law.transition_depth > 0 && truth.penetration < law.transition_depth + bounds.penetration
                                 ? std::min(1.0, bounds.penetration / law.transition_depth + u)
                                 : 0;
-  const double damping = law.damping * most_area * most_v_n;
-  double damping_error = times(law.damping, (bounds.area * v_n + times(most_area, bounds.normal_velocity)) * fade) +
-                         times(damping, fade_error + 4 * u);
+  const double damping = times(law.damping, times(most_area, most_v_n));
+  double damping_error =
+      times(law.damping, times(times(bounds.area, v_n) + times(most_area, bounds.normal_velocity), fade)) +
+      times(damping, fade_error + 4 * u);
   const bool parts = truth.normal_velocity < -kHigherOrder * bounds.normal_velocity;
   if (law.damping_mode == DampingMode::compression && parts) damping_error = 0;
   bounds.normal_force = elastic_error + damping_error;

@@ -4,6 +4,8 @@
 
 #include "fast/inputs.h"
 
+/// All but `layer_stiffness` are parts of the engine's entry points, which hold a `DefaultFloatingPoint`, and compute
+/// in the caller's floating-point environment.
 namespace pcm::fast {
 
 /// Throws BadInput, naming the parameter and its range, where the law has none of the values PCM section 7 allows.

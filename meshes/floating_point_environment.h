@@ -12,11 +12,17 @@ namespace pcm {
 /// lives: rounding to nearest, denormals neither flushed to zero nor taken for it, no traps. Afterwards the caller's is
 /// back as it was, sticky exception flags included: what is raised meanwhile leaves no trace.
 ///
-/// Every public function of the engine that computes holds one, and those that read, make and check surfaces, so that a
-/// host may have any environment; so does each thread that the engine runs. On x86-64 it looks at MXCSR alone, as the
-/// engine does not use the x87 unit (the C library asks that how to round the last digit of a number in a message), and
-/// writes only what differs: two reads where nothing does. A compiler knows nothing of all this, so who holds one
-/// computes with what is in memory, or in functions that are not inlined.
+/// A host may have any environment, and gets the same answer, where it calls
+/// - the engine: `fast::Surface`, `Pairing`, `evaluate`, `Scene` and `layer_stiffness`, and each thread they run;
+/// - surfaces: `read_mesh`, `read_obj`, `read_off`, `parse_obj`, `parse_off`, `parse_number`, `make` and `check`;
+/// - the oracle: `reference::Oracle`, `Inquiry`, `prove_identities` and `self_intersections`.
+/// Each of these holds one, or computes nothing beside what it calls. What they are built of holds none: of fast/law.h
+/// all but `layer_stiffness`, and the generators that `make` calls (`generate::`, `degenerate::`), which give the
+/// promised bits in the default environment only. Nor does what writes surfaces, or compare/.
+///
+/// On x86-64 it looks at MXCSR alone, as the engine does not use the x87 unit (the C library asks that how to round the
+/// last digit of a number in a message), and writes only what differs: two reads where nothing does. A compiler knows
+/// nothing of all this, so who holds one computes with what is in memory, or in functions that are not inlined.
 class DefaultFloatingPoint {
  public:
   DefaultFloatingPoint();

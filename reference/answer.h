@@ -91,10 +91,10 @@ struct Element {
 
 /// The oracle's answer to one problem. Every number is the true value, correctly rounded (ties to even, zero as +0):
 /// positions, areas, volume, and all of elements, force, torque and penetration, with two exceptions (contact_force.h).
-/// The scales and the elements' perimeters and folds are near enough for what they are for. And where an element is
-/// clamped to max_penetration, if only in part, while F turns (w != 0), its v_t is a root of a root, and with friction
-/// so are forces and torque: those are enclosed to 4096 bits, and where that does not tell which way to round, the
-/// middle of the enclosure is rounded.
+/// The scales may go to either neighbour where they are halfway between two doubles, or as good as that. And where an
+/// element is clamped to max_penetration, if only in part, while F turns (w != 0), its v_t is a root of a root, and
+/// with friction so are forces and torque: of those, too, what 4096 bits do not tell from a tie may go to either
+/// neighbour.
 struct Answer {
   bool touching = false;
   bool nested = false;

@@ -3,9 +3,22 @@
 #include "reference/ball.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <initializer_list>
+#include <limits>
 
 namespace pcm::reference {
+namespace {
+
+void multiply(mpfr_t product, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t rounding) {
+  if (mpfr_zero_p(x) || mpfr_zero_p(y))
+    mpfr_set_zero(product, 1);
+  else
+    mpfr_mul(product, x, y, rounding);
+}
+
+}  // namespace
 
 void Ball::make_room(mpfr_prec_t precision) {
   const std::size_t limbs = mpfr_custom_get_size(precision) / sizeof(mp_limb_t);
@@ -26,7 +39,16 @@ Ball::Ball(mpfr_prec_t precision) {
 
 Ball::Ball(const Ball& a, const Ball& b) : Ball(std::max(mpfr_get_prec(a.lower_), mpfr_get_prec(b.lower_))) {}
 
+void Ball::set_whole_line() {
+  mpfr_set_inf(lower_, -1);
+  mpfr_set_inf(upper_, 1);
+}
+
 Ball::Ball(double x, mpfr_prec_t precision) : Ball(precision) {
+  if (!std::isfinite(x)) {
+    set_whole_line();
+    return;
+  }
   mpfr_set_d(lower_, x, MPFR_RNDD);
   mpfr_set_d(upper_, x, MPFR_RNDU);
 }
@@ -66,8 +88,8 @@ Ball operator-(const Ball& a, const Ball& b) {
 Ball operator*(const Ball& a, const Ball& b) {
   Ball product(a, b);
   const auto ends = [&product](mpfr_srcptr l1, mpfr_srcptr l2, mpfr_srcptr u1, mpfr_srcptr u2) {
-    mpfr_mul(product.lower_, l1, l2, MPFR_RNDD);
-    mpfr_mul(product.upper_, u1, u2, MPFR_RNDU);
+    multiply(product.lower_, l1, l2, MPFR_RNDD);
+    multiply(product.upper_, u1, u2, MPFR_RNDU);
   };
   if (a.not_negative() && b.not_negative()) {
     ends(a.lower_, b.lower_, a.upper_, b.upper_);
@@ -83,8 +105,8 @@ Ball operator*(const Ball& a, const Ball& b) {
     Ball candidate(a, b);
     for (const auto& [x, y] : std::initializer_list<std::pair<mpfr_srcptr, mpfr_srcptr>>{
              {a.lower_, b.upper_}, {a.upper_, b.lower_}, {a.upper_, b.upper_}}) {
-      mpfr_mul(candidate.lower_, x, y, MPFR_RNDD);
-      mpfr_mul(candidate.upper_, x, y, MPFR_RNDU);
+      multiply(candidate.lower_, x, y, MPFR_RNDD);
+      multiply(candidate.upper_, x, y, MPFR_RNDU);
       mpfr_min(product.lower_, product.lower_, candidate.lower_, MPFR_RNDD);
       mpfr_max(product.upper_, product.upper_, candidate.upper_, MPFR_RNDU);
     }
@@ -96,12 +118,12 @@ Ball operator/(const Ball& a, const Ball& b) {
   Ball quotient(a, b);
   const bool positive = mpfr_sgn(b.lower_) > 0, negative = mpfr_sgn(b.upper_) < 0;
   if (!positive && !negative) {
-    mpfr_set_inf(quotient.lower_, -1);
-    mpfr_set_inf(quotient.upper_, 1);
+    quotient.set_whole_line();
     return quotient;
   }
   // Of the end of a that makes the quotient least, and of that which makes it greatest, the quotient moves the same way
-  // with b whatever the sign of b.
+  // with b whatever the sign of b. The end of b that an infinite end of a is divided by is the one nearer to zero,
+  // which is finite.
   const mpfr_srcptr least = positive ? a.lower_ : a.upper_, greatest = positive ? a.upper_ : a.lower_;
   mpfr_div(quotient.lower_, least, mpfr_sgn(least) >= 0 ? b.upper_ : b.lower_, MPFR_RNDD);
   mpfr_div(quotient.upper_, greatest, mpfr_sgn(greatest) >= 0 ? b.lower_ : b.upper_, MPFR_RNDU);
@@ -109,6 +131,7 @@ Ball operator/(const Ball& a, const Ball& b) {
 }
 
 Ball sqrt(const Ball& a) {
+  assert(mpfr_sgn(a.upper_) >= 0);
   Ball root(a, a);
   if (mpfr_sgn(a.lower_) > 0) mpfr_sqrt(root.lower_, a.lower_, MPFR_RNDD);
   mpfr_sqrt(root.upper_, a.upper_, MPFR_RNDU);
@@ -150,6 +173,7 @@ std::optional<int> Ball::sign() const {
 }
 
 std::optional<double> Ball::rounded() const {
+  if (!is_finite()) return {};
   // Adding +0 turns -0 into +0.
   const double lower = mpfr_get_d(lower_, MPFR_RNDN) + 0.0;
   const double upper = mpfr_get_d(upper_, MPFR_RNDN) + 0.0;
@@ -157,12 +181,15 @@ std::optional<double> Ball::rounded() const {
   return {};
 }
 
-double Ball::middle() const {
-  if (mpfr_sgn(lower_) <= 0 && mpfr_sgn(upper_) >= 0) return 0;
-  Ball sum(*this, *this);
-  mpfr_add(sum.lower_, lower_, upper_, MPFR_RNDN);
-  mpfr_div_2ui(sum.lower_, sum.lower_, 1, MPFR_RNDN);
-  return mpfr_get_d(sum.lower_, MPFR_RNDN) + 0.0;
+std::optional<double> Ball::nearly_rounded() const {
+  if (!is_finite()) return {};
+  const double lower = mpfr_get_d(lower_, MPFR_RNDN);
+  const double upper = mpfr_get_d(upper_, MPFR_RNDN);
+  if (std::nextafter(lower, std::numeric_limits<double>::infinity()) < upper) return {};
+  Ball middle(*this, *this);
+  mpfr_add(middle.lower_, lower_, upper_, MPFR_RNDN);
+  mpfr_div_2ui(middle.lower_, middle.lower_, 1, MPFR_RNDN);
+  return mpfr_get_d(middle.lower_, MPFR_RNDN) + 0.0;
 }
 
 double nearest_double(const Rational& x) {

@@ -60,8 +60,10 @@ class ClippedElements final : public ElementSource {
   ElementGeometry<Quadratic> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
   DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const override;
+  RadicalSum perimeter(std::size_t i, LiftedPose<Rational>& pose) const override;
   DoubleDouble folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
   Ball folds(std::size_t i, LiftedPose<Ball>& pose) const override;
+  RadicalSum folds(std::size_t i, LiftedPose<Rational>& pose) const override;
 
  private:
   const std::vector<ClippedElement>& elements_;

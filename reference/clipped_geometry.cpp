@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <optional>
 
 #include "reference/clipped_elements.h"
@@ -204,6 +205,32 @@ std::vector<PieceSide<T>> sides_of(LiftedPose<T>& pose, const MasterFrame<T>& e,
   return sides;
 }
 
+/// A length or a sum of lengths: each a number times the root of another.
+template <class T>
+struct RootTerm {
+  T factor, square;
+};
+
+template <class T>
+T enclosed_sum(const std::vector<RootTerm<T>>& terms, const Field<T>& field) {
+  T sum = field(0.0);
+  for (const auto& [factor, square] : terms) sum = sum + factor * sqrt(square);
+  return sum;
+}
+
+RadicalSum radical_sum(const std::vector<RootTerm<Rational>>& terms) {
+  RadicalSum sum;
+  for (const auto& [factor, square] : terms) sum.add(factor, square);
+  return sum;
+}
+
+/// A side between two corners in one place; an enclosure may not tell.
+template <class T>
+bool surely_no_length(const PieceSide<T>& side) {
+  if constexpr (std::same_as<T, Rational>) return side.from.s == side.to.s && side.from.t == side.to.t;
+  return false;
+}
+
 /// Which part of side a is also of side b, on the same line in the opposite direction; 0 for one in the same.
 template <class T>
 T common_fraction(LiftedPose<T>& pose, const PieceSide<T>& a, const PieceSide<T>& b) {
@@ -219,18 +246,19 @@ T common_fraction(LiftedPose<T>& pose, const PieceSide<T>& a, const PieceSide<T>
 /// Where the part was cut, the pieces on either side have sides on the line of the cut. No two pieces have common area,
 /// so what two sides on one line have in common lies within the part, and a third has no more than an end there.
 template <class T>
-T perimeter_of(LiftedPose<T>& pose, const ClippedElement& element) {
+std::vector<RootTerm<T>> perimeter_of(LiftedPose<T>& pose, const ClippedElement& element) {
   const MasterFrame<T> e = make_frame(pose, {element.faces.master, element.faces.master_face});
   const std::vector<PieceSide<T>> sides = sides_of(pose, e, element);
-  T sum = pose.number(0.0);
+  std::vector<RootTerm<T>> terms;
   for (const PieceSide<T>& a : sides) {
+    if (surely_no_length(a)) continue;
     T outer = pose.number(1.0);
     for (const PieceSide<T>& b : sides)
       if (a.piece != b.piece && a.line == b.line) outer = outer - common_fraction(pose, a, b);
     const Vec3<T> along = T(a.to.s - a.from.s) * e.v1 + T(a.to.t - a.from.t) * e.v2;
-    sum = sum + outer * sqrt(dot(along, along));
+    terms.push_back({outer, dot(along, along)});
   }
-  return sum;
+  return terms;
 }
 
 template <class T>
@@ -246,13 +274,13 @@ T longest_side_squared(LiftedPose<T>& pose, Face face) {
 /// over a thin one is off by more, as much as its longest side is longer than it is wide.
 /// Depth 0 is that of the master's own plane: the slave face carries nothing there, but what hides it begins there.
 template <class T>
-T folds_of(LiftedPose<T>& pose, const ClippedElement& element) {
+std::vector<RootTerm<T>> folds_of(LiftedPose<T>& pose, const ClippedElement& element) {
   using std::max;
   const Face master{element.faces.master, element.faces.master_face};
   const Face slave{other(master.side), element.faces.slave_face};
   const MasterFrame<T> e = make_frame(pose, master);
   const T NN = dot(e.N, e.N);
-  T sum = pose.number(0.0);
+  std::vector<RootTerm<T>> terms;
   for (const PieceSide<T>& side : sides_of(pose, e, element)) {
     if (side.line.kind != SightLine::Kind::fold) continue;
     T slope_s = pose.number(0.0), slope_t = slope_s, weight_squared = pose.number(1.0);
@@ -274,27 +302,35 @@ T folds_of(LiftedPose<T>& pose, const ClippedElement& element) {
     if (!hides) continue;
     const Vec3<T> gradient_N = slope_t * e.N_x_v1 - slope_s * e.N_x_v2;
     const Vec3<T> along = T(side.to.s - side.from.s) * e.v1 + T(side.to.t - side.from.t) * e.v2;
-    sum = sum + sqrt(dot(along, along) * NN * weight_squared / dot(gradient_N, gradient_N));
+    terms.push_back({pose.number(1.0), dot(along, along) * NN * weight_squared / dot(gradient_N, gradient_N)});
   }
-  return sum;
+  return terms;
 }
 
 }  // namespace
 
 DoubleDouble ClippedElements::folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
-  return folds_of(pose, elements_[i]);
+  return enclosed_sum(folds_of(pose, elements_[i]), pose.field());
 }
 
 Ball ClippedElements::folds(std::size_t i, LiftedPose<Ball>& pose) const {
-  return folds_of(pose, elements_[i]);
+  return enclosed_sum(folds_of(pose, elements_[i]), pose.field());
+}
+
+RadicalSum ClippedElements::folds(std::size_t i, LiftedPose<Rational>& pose) const {
+  return radical_sum(folds_of(pose, elements_[i]));
 }
 
 DoubleDouble ClippedElements::perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
-  return perimeter_of(pose, elements_[i]);
+  return enclosed_sum(perimeter_of(pose, elements_[i]), pose.field());
 }
 
 Ball ClippedElements::perimeter(std::size_t i, LiftedPose<Ball>& pose) const {
-  return perimeter_of(pose, elements_[i]);
+  return enclosed_sum(perimeter_of(pose, elements_[i]), pose.field());
+}
+
+RadicalSum ClippedElements::perimeter(std::size_t i, LiftedPose<Rational>& pose) const {
+  return radical_sum(perimeter_of(pose, elements_[i]));
 }
 
 ElementGeometry<DoubleDouble> ClippedElements::geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const {

@@ -24,9 +24,9 @@ struct ForceQuestion {
 /// Every value is enclosed first, in DoubleDouble and to 240 bits. Where an enclosure does not round to one double, or
 /// does not decide a case of the law, the value is computed exactly, as a sum of square roots of rationals
 /// (exact_loads.h, radical_sum.h). So all values are correctly rounded, ties to even and zero as +0, with two
-/// exceptions. The scales and the elements' perimeters are middles of enclosures of 240 bits or more where those do not
-/// round to one double. And roots of roots, which v_t is with w != 0 where an element is clamped, if only in part, and
-/// which friction brings into forces there, are enclosed to 4096 bits and no further.
+/// exceptions, where a number that kTiePrecision bits do not tell from a tie may go to either neighbour: the scales,
+/// and roots of roots, which v_t is with w != 0 where an element is clamped, if only in part, and which friction brings
+/// into forces there.
 class MasterLoads {
  public:
   /// All that the question refers to must outlive this.

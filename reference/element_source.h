@@ -10,6 +10,7 @@
 #include "reference/double_double.h"
 #include "reference/element_geometry.h"
 #include "reference/lifted_pose.h"
+#include "reference/radical_sum.h"
 
 namespace pcm::reference {
 
@@ -26,12 +27,14 @@ class ElementSource {
   /// The length of the border of the part of the master face that is the element, m; 0 for the barycentre's.
   virtual DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const = 0;
+  virtual RadicalSum perimeter(std::size_t i, LiftedPose<Rational>& pose) const = 0;
   /// The sides of that border where what hides the slave face lies at the same depth, or begins at depth 0: the sum of
   /// their lengths, each over the slope of the difference of both depths and the faces' cosines to the master face,
   /// times the faces' thinness (longest side squared over |N|). By so much the area changes for each metre that heights
   /// over fair faces are off, m.
   virtual DoubleDouble folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
   virtual Ball folds(std::size_t i, LiftedPose<Ball>& pose) const = 0;
+  virtual RadicalSum folds(std::size_t i, LiftedPose<Rational>& pose) const = 0;
 };
 
 /// Elements of the barycentric scheme: whole master faces, seen from their barycentres (8), (11). The pairs must
@@ -46,8 +49,10 @@ class BarycentricElements final : public ElementSource {
   ElementGeometry<Quadratic> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
   DoubleDouble perimeter(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
   Ball perimeter(std::size_t, LiftedPose<Ball>& pose) const override { return pose.number(0.0); }
+  RadicalSum perimeter(std::size_t, LiftedPose<Rational>&) const override { return {}; }
   DoubleDouble folds(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
   Ball folds(std::size_t, LiftedPose<Ball>& pose) const override { return pose.number(0.0); }
+  RadicalSum folds(std::size_t, LiftedPose<Rational>&) const override { return {}; }
 
  private:
   const std::vector<ElementPair>& pairs_;

@@ -5,7 +5,7 @@
 namespace pcm::reference {
 namespace {
 
-/// Of the scales, perimeters and folds, of which no rounding is claimed.
+/// Of the first enclosures of the scales.
 constexpr mpfr_prec_t kScalePrecision = 256;
 
 double rounded(const Quadratic& x) {
@@ -14,14 +14,29 @@ double rounded(const Quadratic& x) {
   return sum.rounded();
 }
 
-Ball force_size(const ElementLoad<Quadratic>& load) {
-  const Ball v_t = sqrt(enclosed(load.speed_squared, kScalePrecision));
-  Ball squares(0.0, kScalePrecision);
+Ball force_size(const ElementLoad<Quadratic>& load, mpfr_prec_t precision) {
+  const Ball v_t = sqrt(enclosed(load.speed_squared, precision));
+  Ball squares(0.0, precision);
   for (int i = 0; i < 3; ++i) {
-    const Ball component = enclosed(load.force[i], kScalePrecision) + v_t * enclosed(load.drag[i], kScalePrecision);
+    const Ball component = enclosed(load.force[i], precision) + v_t * enclosed(load.drag[i], precision);
     squares = squares + component * component;
   }
   return sqrt(squares);
+}
+
+Ball arm_length(const ElementLoad<Quadratic>& load, mpfr_prec_t precision) {
+  Ball squares(0.0, precision);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Ball component = enclosed(load.arm[axis], precision);
+    squares = squares + component * component;
+  }
+  return sqrt(squares);
+}
+
+/// Products of enclosures as narrow as the precision is high, without a quotient: they close in.
+template <class Enclosures>
+double scale(const Enclosures& enclosures) {
+  return rounded_number(kScalePrecision, kTiePrecision, enclosures);
 }
 
 }  // namespace
@@ -49,13 +64,11 @@ double ExactLoads::greatest_penetration(std::size_t i) {
 }
 
 double ExactLoads::perimeter(std::size_t i) {
-  LiftedPose<Ball> pose(question_.pose, {kScalePrecision});
-  return question_.elements.perimeter(i, pose).middle();
+  return question_.elements.perimeter(i, pose_).rounded();
 }
 
 double ExactLoads::folds(std::size_t i) {
-  LiftedPose<Ball> pose(question_.pose, {kScalePrecision});
-  return question_.elements.folds(i, pose).middle();
+  return question_.elements.folds(i, pose_).rounded();
 }
 
 double ExactLoads::cosine(std::size_t i) {
@@ -153,25 +166,24 @@ bool ExactTotals::greatest_exceeds(double bound) {
 }
 
 double ExactTotals::force_scale() {
-  Ball sum(0.0, kScalePrecision);
-  for (ExactLoads* master : masters_)
-    for (std::size_t i = 0; i < master->size(); ++i) sum = sum + force_size(master->load(i));
-  return (Ball(share_, kScalePrecision) * sum).middle();
+  return scale([this](mpfr_prec_t precision) {
+    Ball sum(0.0, precision);
+    for (ExactLoads* master : masters_)
+      for (std::size_t i = 0; i < master->size(); ++i) sum = sum + force_size(master->load(i), precision);
+    return Ball(share_, precision) * sum;
+  });
 }
 
 double ExactTotals::torque_scale() {
-  Ball sum(0.0, kScalePrecision);
-  for (ExactLoads* master : masters_)
-    for (std::size_t i = 0; i < master->size(); ++i) {
-      const ElementLoad<Quadratic>& load = master->load(i);
-      Ball squares(0.0, kScalePrecision);
-      for (int axis = 0; axis < 3; ++axis) {
-        const Ball component = enclosed(load.arm[axis], kScalePrecision);
-        squares = squares + component * component;
+  return scale([this](mpfr_prec_t precision) {
+    Ball sum(0.0, precision);
+    for (ExactLoads* master : masters_)
+      for (std::size_t i = 0; i < master->size(); ++i) {
+        const ElementLoad<Quadratic>& load = master->load(i);
+        sum = sum + arm_length(load, precision) * force_size(load, precision);
       }
-      sum = sum + sqrt(squares) * force_size(load);
-    }
-  return (Ball(share_, kScalePrecision) * sum).middle();
+    return Ball(share_, precision) * sum;
+  });
 }
 
 }  // namespace pcm::reference

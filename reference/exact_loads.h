@@ -27,8 +27,8 @@ class ExactLoads {
   double area(std::size_t i);
   double penetration(std::size_t i);
   double greatest_penetration(std::size_t i);
-  double perimeter(std::size_t i);  ///< not claimed to be correctly rounded: the middle of an enclosure
-  double folds(std::size_t i);      ///< likewise
+  double perimeter(std::size_t i);
+  double folds(std::size_t i);
   double cosine(std::size_t i);
   double normal_velocity(std::size_t i);
   double tangential_velocity(std::size_t i);
@@ -61,7 +61,7 @@ class ExactTotals {
   double torque(int axis);
   double greatest_penetration();
   bool greatest_exceeds(double bound);
-  /// Force and torque scale, not claimed to be correctly rounded: the middle of an enclosure.
+  /// Force and torque scale. Either neighbour at a tie, or what is that to kTiePrecision bits.
   double force_scale();
   double torque_scale();
 

@@ -3,6 +3,7 @@
 #include "reference/identities.h"
 
 #include "meshes/check.h"
+#include "meshes/floating_point_environment.h"
 #include "reference/area_values.h"
 #include "reference/ball.h"
 #include "reference/combinatorics.h"
@@ -45,6 +46,7 @@ void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip, Lift
 
 Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Problem problem,
                             const Pose& pose_doubles) {
+  const DefaultFloatingPoint environment;
   require_fit(mesh_E);
   require_fit(mesh_F);
   require_fit(pose_doubles, {});

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meshes/check.h"
+#include "meshes/floating_point_environment.h"
 #include "reference/clipped_elements.h"
 #include "reference/combinatorics.h"
 #include "reference/contact_elements.h"
@@ -67,6 +68,7 @@ struct Oracle::Data {
 
 Oracle::Oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, ContactLaw law, Mode mode, Scheme scheme,
                CandidateRegion region) {
+  const DefaultFloatingPoint environment;
   require_fit(law);
   require_fit(mesh_E);
   require_fit(mesh_F);
@@ -120,6 +122,7 @@ Inquiry::Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocit
 Inquiry::Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
                  const ContactLaw& law, Scheme scheme)
     : data_(std::make_unique<Data>(Data{*oracle.data_, pose, velocity, wanted, law, scheme})) {
+  const DefaultFloatingPoint environment;
   require_fit(law);
   require_fit(pose, velocity);
 }
@@ -192,6 +195,7 @@ Answer Inquiry::answer(Problem problem) {
 }
 
 Answer Inquiry::facts(Problem problem, Mode mode) {
+  const DefaultFloatingPoint environment;
   Answer answer = data_->solve(problem).without_force;
   if (!data_->wanted.force) return answer;
   for (const Side master : masters_of(mode)) {
@@ -203,10 +207,12 @@ Answer Inquiry::facts(Problem problem, Mode mode) {
 }
 
 std::size_t Inquiry::candidate_pairs(Problem problem) {
+  const DefaultFloatingPoint environment;
   return data_->solve(problem).found.near->candidates().size();
 }
 
 Answer Inquiry::answer(Problem problem, Mode mode) {
+  const DefaultFloatingPoint environment;
   Answer answer = facts(problem, mode);
   if (!data_->wanted.force) return answer;
   std::vector<MasterLoads*> loads;

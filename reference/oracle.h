@@ -10,7 +10,8 @@
 #include "reference/answer.h"
 #include "reference/candidate_region.h"
 
-/// The oracle: the same computation as the engine, over exact numbers, in code and method of its own.
+/// The oracle: the same computation as the engine, over exact numbers, in code and method of its own. Like the
+/// engine's, its answers do not depend on the caller's floating-point environment, which it leaves as it was.
 namespace pcm::reference {
 
 /// A pairing as the oracle sees it. Immutable; `answer` may be called from any number of threads at once.

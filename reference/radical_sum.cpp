@@ -11,7 +11,6 @@ namespace pcm::reference {
 namespace {
 
 constexpr mpfr_prec_t kFirstPrecision = 256;
-constexpr mpfr_prec_t kLastNestedPrecision = 4096;
 
 /// Odd primes, for telling radicands apart.
 constexpr std::array<unsigned long, 30> kPrimes = {3,  5,  7,  11, 13, 17, 19, 23, 29, 31,  37,  41,  43,  47,  53,
@@ -111,14 +110,14 @@ double RadicalSum::rounded() const {
       if (const Rational r = exact_sum(one.coefficients); sign_of(r) != 0) roots.push_back({r, one.radicand});
   if (roots.empty() && nested_.empty()) return nearest_double(rational_part);
 
-  for (mpfr_prec_t precision = kFirstPrecision;; precision *= 2) {
+  const auto enclose = [&](mpfr_prec_t precision) {
     Ball sum(rational_part, precision);
     for (const Root& root : roots) sum = sum + Ball(root.coefficient, precision) * sqrt(Ball(root.radicand, precision));
     for (const NestedRoot& root : nested_)
       sum = sum + enclosed(root.coefficient, precision) * sqrt(enclosed(root.radicand, precision));
-    if (const std::optional<double> value = sum.rounded()) return *value;
-    if (!nested_.empty() && precision >= kLastNestedPrecision) return sum.middle();
-  }
+    return sum;
+  };
+  return rounded_number(kFirstPrecision, nested_.empty() ? MPFR_PREC_MAX : kTiePrecision, enclose);
 }
 
 }  // namespace pcm::reference

@@ -10,6 +10,10 @@
 
 namespace pcm::reference {
 
+/// An enclosure of so many bits that leaves two neighbouring doubles is taken for that of a tie, where no more is
+/// known.
+inline constexpr mpfr_prec_t kTiePrecision = 4096;
+
 /// A finite sum of square roots r_i sqrt(b_i) with rational r_i and b_i >= 0, rounded correctly whatever it is: zero,
 /// half-way between two doubles, or as near to that as it likes.
 ///
@@ -19,8 +23,8 @@ namespace pcm::reference {
 /// linear independence of fractional powers of integers, J. London Math. Soc. 15, 1940, 3-6). An irrational number is
 /// no tie, so an enclosure of rising precision rounds to one double in the end.
 ///
-/// Roots of roots may be added too. For a sum that holds such terms nothing of the kind is proved: what an enclosure of
-/// 4096 bits does not settle is its middle, 0 where it holds 0.
+/// Roots of roots may be added too. For a sum that holds such terms nothing of the kind is proved: where kTiePrecision
+/// bits or more leave no more than two neighbouring doubles, it is taken for halfway between these.
 ///
 /// Cost: a few ms for a thousand terms of different radicands.
 class RadicalSum {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "meshes/floating_point_environment.h"
 #include "reference/candidates.h"
 
 namespace pcm::reference {
@@ -56,6 +57,7 @@ bool intersect(const Face& a, const Face& b) {
 }  // namespace
 
 std::vector<std::pair<Index, Index>> self_intersections(const TriangleMesh& mesh) {
+  const DefaultFloatingPoint environment;
   std::vector<Face> faces;
   for (const Triangle& t : mesh.faces) {
     Face face{t, {}};

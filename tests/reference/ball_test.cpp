@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <random>
+
+#include "reference/double_double.h"
 
 namespace pcm::reference {
 namespace {
@@ -46,6 +49,72 @@ TEST(Ball, RoundsOnlyWhereBothEndsAgree) {
   EXPECT_EQ((field(0.0) * field(-1.0)).rounded(), 0.0);
   EXPECT_FALSE(std::signbit(*(field(0.0) * field(-1.0)).rounded()));
   EXPECT_FALSE((field(1.0) / hull(field(-1.0), field(1.0))).rounded().has_value());
+}
+
+/// Of the number kinds alike: what may be anything, however it came about, is never settled by what is done with it.
+template <class T>
+void expect_unknown_to_stay_unknown(const Field<T>& field) {
+  const T zero = field(0.0), one = field(1.0), five = field(5.0);
+  const T around_zero = hull(field(-1.0), one), from_zero = hull(zero, one);
+  for (const T& unknown : {T(one / zero), T(one / around_zero), T(zero / zero), T(field(-1.0) / from_zero)}) {
+    EXPECT_FALSE(unknown.rounded().has_value());
+    EXPECT_FALSE(unknown.sign().has_value());
+    for (const T& x : {zero, one, five, around_zero, from_zero, T(zero - five), unknown})
+      for (const T& y : {T(x + unknown), T(x - unknown), T(unknown - x), T(unknown / one), T(one / unknown),
+                         T(five + from_zero * unknown), T(five + unknown * around_zero), T(unknown * unknown)}) {
+        EXPECT_FALSE(y.rounded().has_value());
+        EXPECT_FALSE(y.sign().has_value() && x.sign() != y.sign());
+        EXPECT_FALSE(max(y, x).rounded().has_value());
+        EXPECT_FALSE(min(x, y).rounded().has_value());
+        EXPECT_FALSE(hull(y, x).rounded().has_value());
+        EXPECT_FALSE(where_negative(y, zero, one).rounded().has_value());
+      }
+    EXPECT_FALSE(sqrt(max(unknown, zero)).rounded().has_value());
+    EXPECT_FALSE(min(max(unknown, zero), one).rounded().has_value());  // 0 to 1
+    EXPECT_FALSE(T(field(-1.0) * max(unknown, zero)).rounded().has_value());
+
+    // It is a number all the same.
+    EXPECT_EQ((zero * unknown).rounded(), 0.0);
+    EXPECT_EQ((unknown * zero).rounded(), 0.0);
+    EXPECT_EQ(max(five + zero * unknown, zero).rounded(), 5.0);
+    EXPECT_EQ(T(zero * max(unknown, zero)).rounded(), 0.0);
+    EXPECT_EQ(T(min(unknown, zero) * zero).rounded(), 0.0);
+  }
+}
+
+TEST(Ball, WhatIsUnknownIsNeverSettled) {
+  expect_unknown_to_stay_unknown(Field<Ball>{240});
+  expect_unknown_to_stay_unknown(Field<DoubleDouble>{});
+}
+
+TEST(Ball, OfWhatIsNoNumberNothingIsKnown) {
+  const Field<Ball> field{240};
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                         -std::numeric_limits<double>::infinity()}) {
+    EXPECT_FALSE(field(x).rounded().has_value());
+    EXPECT_FALSE(field(x).nearly_rounded().has_value());
+    EXPECT_FALSE(max(field(x), field(0.0)).rounded().has_value());
+    EXPECT_FALSE(min(field(x), field(0.0)).rounded().has_value());
+    EXPECT_FALSE(max(field(x), field(1.0)).nearly_rounded().has_value());
+  }
+  // Beyond the greatest double, without an upper bound: no double is known to be the nearest.
+  const Ball great = field(std::numeric_limits<double>::max()) * field(4.0);
+  EXPECT_EQ(great.rounded(), std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(max(great, field(1.0) / field(0.0)).rounded().has_value());
+}
+
+TEST(Ball, GoesToANeighbourWhereBothEndsDo) {
+  const Field<Ball> field{100};
+  const double next = std::nextafter(1.0, 2.0);
+  const Ball tie = field(1.0) + field(0x1p-53), about_tie = hull(tie - field(0x1p-90), tie + field(0x1p-90));
+  EXPECT_FALSE(about_tie.rounded().has_value());
+  EXPECT_EQ(about_tie.nearly_rounded(), 1.0);
+  EXPECT_EQ(hull(tie, field(next)).nearly_rounded(), next);
+  EXPECT_FALSE(hull(field(1.0), field(std::nextafter(next, 2.0))).nearly_rounded().has_value());
+  EXPECT_FALSE(hull(field(-1.0), field(1.0)).nearly_rounded().has_value());
+  const Ball tiny = field(0x1p-1000) * field(0x1p-100), about_zero = hull(field(0.0) - tiny, tiny);
+  EXPECT_EQ(about_zero.nearly_rounded(), 0.0);
+  EXPECT_FALSE(std::signbit(*about_zero.nearly_rounded()));
 }
 
 TEST(NearestDouble, HandlesMidpointsAndDenormals) {

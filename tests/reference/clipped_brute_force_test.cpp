@@ -105,7 +105,7 @@ TEST(ClippedBruteForce, KeelIsClampedPointByPoint) {
   for (const Element& element : a.elements) {
     integral += element_area(a.scene, element) * penetration(a.scene, element);
     EXPECT_EQ(greatest_penetration(a.scene, element), std::sqrt(0.5));
-    perimeter += element.perimeter * a.scene.unit.get_d();
+    perimeter += Rational(element.perimeter * a.scene.unit).get_d();
   }
   EXPECT_DOUBLE_EQ(integral, 2 * (std::sqrt(2) / 8 - 1.0 / 32));
   EXPECT_EQ(a.elements.size(),

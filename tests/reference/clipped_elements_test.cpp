@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -460,6 +461,34 @@ TEST(ClippedElements, IdenticalBodiesAtTheIdentityPoseCarryNothing) {
   const TriangleMesh cube = generate::gridded_box(1, 2);
   for (const Problem problem : kProblems)
     EXPECT_EQ(clipped(cube, cube).answer(problem, {}).force_Me, Eigen::Vector3d(0, 0, 0));
+}
+
+// Corners of parts lie at depth 0, which 240 bits do not tell from 1e-200: neither pressure nor its centre is enclosed.
+TEST(ClippedElements, SlidesAtTheSpeedOfItsPlaceHoweverSmallTheBoundOfPenetration) {
+  ContactLaw law = clamped_at(1e-200);
+  law.friction = 0.5;
+  const TriangleMesh sphere = generate::icosphere(1, 1), plate = generate::plate(8, 8, 4);
+  const Pose pose = tilted(40, {1, -1, 0.5}, {0.1, 0.2, -0.5});
+  for (const Eigen::Vector3d& w : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.5, -0.25, 0.75)}) {
+    Velocity velocity;
+    velocity.v = {0.75, -0.5, 0.25};
+    velocity.w = w;
+    for (const Mode mode : {Mode::E, Mode::F})
+      for (const Problem problem : kProblems) {
+        const Answer answer = clipped(sphere, plate, mode, law).answer(problem, pose, velocity);
+        EXPECT_GT(answer.elements.size(), 10u);
+        EXPECT_GT(answer.force_scale, 0);
+        for (const Element& e : answer.elements) {
+          const Eigen::Vector3d v_k = velocity.v + w.cross(e.position_Me - pose.r);          // (17)
+          const double v_t = (v_k - v_k.dot(e.normal_Me) * e.normal_Me).norm();              // (19)
+          EXPECT_NEAR(v_t, e.tangential_velocity, 1e-14);                                    // some roundings
+          EXPECT_NEAR(1, e.penetration / 1e-200, 1e-12);                                     // all of it deeper
+          EXPECT_NEAR(1, e.normal_force / (e.area * 1e-200), 1e-12);                         // c_l = 1
+          EXPECT_NEAR(0.5, e.tangential_force / e.normal_force, 1e-14);                      // (20)
+          EXPECT_NEAR(std::hypot(1, 0.5), e.force_Me.stableNorm() / e.normal_force, 1e-14);  // (21)
+        }
+      }
+  }
 }
 
 TEST(ClippedElements, ExchangedBodiesGiveTheOppositeForce) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "reference/oracle.h"
 #include "tests/reference/brute_force/twin_comparison.h"
@@ -27,9 +29,9 @@ void expect_same_element(const Answer& twin, const Element& expected, const refe
   EXPECT_EQ(element_area(twin.scene, expected), found.area);
   EXPECT_EQ(penetration(twin.scene, expected), found.penetration);
   EXPECT_EQ(greatest_penetration(twin.scene, expected), found.greatest_penetration);
-  // The twin's comes from its strips, of whose sides some are longer than the part is wide.
-  const double perimeter = expected.perimeter * twin.scene.unit.get_d();
-  EXPECT_NEAR(perimeter, found.perimeter, 1e-10 * perimeter);
+  // The twin's comes from its strips, of whose sides some are longer than the part is wide; GMP truncates to a double.
+  const double perimeter = Rational(expected.perimeter * twin.scene.unit).get_d();
+  EXPECT_NEAR(perimeter, found.perimeter, 1e-10 * perimeter + std::numeric_limits<double>::denorm_min());
   EXPECT_EQ(eigen(element_position(twin.scene, expected)), found.position_Me);
   EXPECT_EQ(eigen(element_force(twin.scene, expected, kStiffness)), found.force_Me);
 }
@@ -72,6 +74,30 @@ Answer compare(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
   };
   compare_on(Problem::exact);
   return compare_on(Problem::rounded);
+}
+
+/// Two boxes of whole or nearly whole corners, one of either at a height of t. Parts of their faces are of the size of
+/// t, which enclosures of any fixed number of bits lose.
+void compare_boxes_with_a_corner_at(double t) {
+  SCOPED_TRACE(t);
+  const double two = std::nextafter(2.0, 3.0), below = std::nextafter(1.0, 0.0), beyond = std::nextafter(-1.0, -2.0);
+  TriangleMesh E, F;
+  E.vertices = {{1, two, 2}, {below, 1, -1}, {beyond, -2, 1}, {2, 1, beyond},
+                {-1, 0, 2},  {-1, -1, 0},    {-1, -1, t},     {-1, 2, 2}};
+  E.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {0, 5, 4}, {1, 7, 6},
+             {1, 6, 2}, {0, 4, 7}, {0, 7, 1}, {3, 2, 6}, {3, 6, 5}};
+  F.vertices = {{-1, -1, -1}, {2, two, -1}, {0, 0, 1},     {2, two, 2},
+                {-1, 2, 0},   {1, -1, 0},   {t, 1, below}, {-1, -2, -2}};
+  F.faces = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}, {0, 3, 5}, {0, 5, 4},
+             {1, 7, 6}, {1, 6, 2}, {0, 4, 7}, {0, 7, 1}, {3, 2, 6}, {3, 6, 5}};
+  Pose pose;
+  pose.A << 0, -1, 0, 0, 0, 1, -1, 0, 0;
+  const Answer twin = compare(E, F, pose);
+  EXPECT_GT(twin.elements.size(), 4u);
+}
+
+TEST(ClippedTwin, AgreesOnCoordinatesThatEnclosuresLose) {
+  for (const int exponent : {-240, -1074}) compare_boxes_with_a_corner_at(std::ldexp(1, exponent));
 }
 
 TEST(ClippedTwin, AgreesOnTheDegenerateCatalogue) {

@@ -68,11 +68,11 @@ struct Element {
   Side master = Side::E;
   Index master_face = 0;
   Index slave_face = 0;
-  Rational q;            ///< u_k = q |N|; clipped scheme: clamped point by point, to 200 digits where it is
-  Rational alpha;        ///< A_k = alpha |N|
-  Rational q_greatest;   ///< of all points of the element, before clamping
-  Vector foot;           ///< what C_k (13) is measured from, in units
-  double perimeter = 0;  ///< of the part of the master face, to some roundings, in units; barycentric scheme: 0
+  Rational q;              ///< u_k = q |N|; clipped scheme: clamped point by point, to 200 digits where it is
+  Rational alpha;          ///< A_k = alpha |N|
+  Rational q_greatest;     ///< of all points of the element, before clamping
+  Vector foot;             ///< what C_k (13) is measured from, in units
+  Rational perimeter = 0;  ///< of the part of the master face, to 128 bits, in units; barycentric scheme: 0
 };
 
 struct Answer {

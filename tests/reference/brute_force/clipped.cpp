@@ -141,16 +141,18 @@ void add_triangle(Integrals& sum, const std::array<Corner, 3>& x, const Linear& 
 }
 
 /// The strips' sides less what two of them have in common, in units.
-double perimeter_of(const View& view, const std::vector<Strip>& strips) {
-  const auto length = [&](const Rational& s, const Rational& t) {
+Rational perimeter_of(const View& view, const std::vector<Strip>& strips) {
+  const auto length = [&](const Rational& s, const Rational& t) -> Rational {
     const Vector x = s * (view.p[1] - view.p[0]) + t * (view.p[2] - view.p[0]);
-    return std::sqrt(dot(x, x).get_d());
+    return Rational(mpf_class(sqrt(mpf_class(dot(x, x), 128))));
   };
   const auto along = [&](const Line& line, const Rational& from, const Rational& to) {
-    return from < to ? length(to - from, line.at(to) - line.at(from)) : 0;
+    return from < to ? length(to - from, line.at(to) - line.at(from)) : Rational(0);
   };
-  const auto across = [&](const Rational& low, const Rational& high) { return low < high ? length(0, high - low) : 0; };
-  double sum = 0;
+  const auto across = [&](const Rational& low, const Rational& high) {
+    return low < high ? length(0, high - low) : Rational(0);
+  };
+  Rational sum = 0;
   for (const Strip& a : strips) {
     sum += along(a.lower, a.from, a.to) + along(a.upper, a.from, a.to);
     for (const Rational& s : {a.from, a.to}) sum += across(a.lower.at(s), a.upper.at(s));
