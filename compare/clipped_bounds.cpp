@@ -55,15 +55,17 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
   const double strips = moved + (seen.hiders == 0 ? 0 : folds + seen.neglected);
   const double at_depth_0 =
-      seen.fold > 0 ? std::min(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
-  errors.area = strips + at_depth_0;
+      seen.fold > 0 ? no_more(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
+  // Neither has more than the face.
+  errors.area = no_more(strips + at_depth_0, e.area + view.greatest_area());
 
   // Of the depth at a point: what a shift by the strip's width makes along the slave's slope counts as well. Clamped
   // point by point, no depth counts more than the clamp.
   const double deepest = std::max(seen.deepest, e.greatest_penetration);
   const double counted = std::min(deepest, question_.law.max_penetration);
-  const double depth_error = std::min(seen.depth_error + times(seen.slope, seen.strip), counted);
-  const double volume_error = (e.area + errors.area) * depth_error + strips * counted;
+  const double depth_error = no_more(seen.depth_error + times(seen.slope, seen.strip), counted);
+  const double volume_error =
+      (e.area + errors.area) * depth_error + no_more(strips, e.area + view.greatest_area()) * counted;
 
   OfElement result;
   result.sliver = !(e.area > 2 * (errors.area + seen.uncertain));

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fast/visible_parts.h"
 
@@ -213,7 +214,7 @@ Eigen::Array2d MasterView::weights(const SeenPoint& x) const {
 double MasterView::place_error(const SeenPoint& x) const {
   const Eigen::Array2d st = weights(x).abs();
   const double distance = (1 + st[0]) * length_s_ + (1 + st[1]) * length_t_ + std::abs(x.z());
-  return std::min(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_reach());
+  return no_more(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_reach());
 }
 
 // A face is dropped where what is seen of it has less area in (s, t) than its extent in t times the uncertainty of s,
@@ -282,7 +283,28 @@ Sight MasterView::sight(Index slave_face) const {
   const double shift = times(sight.slope, 2 * sight.strip);
   sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + shift);
   sight.tip_error = sine > 0 ? sight.depth_error + shift / sine : sight.at_tip;
+  limit(sight);
   return sight;
+}
+
+// Two points of bodies that touch are no farther apart than 6 times the reach, a part of the face has no greater area
+// than the face, and a convex one no longer border than its triangle's. A face whose normal the doubles here can't tell
+// gives no better numbers, or none.
+void MasterView::limit(Sight& sight) const {
+  const double anywhere = 6 * faces_.placed_reach(), whole = greatest_area();
+  sight.uncertain = no_more(sight.uncertain, whole);
+  sight.neglected = no_more(sight.neglected, sight.hiders == 0 ? 0 : whole);
+  sight.area = no_more(sight.area, whole);
+  sight.strip = no_more(sight.strip, face_.longest);
+  sight.outline = no_more(sight.outline, 3 * face_.longest + 8 * sight.strip);
+  sight.fold = no_more(sight.fold, sight.outline);
+  sight.width = no_more(sight.width, face_.longest);
+  sight.depth_error = no_more(sight.depth_error, anywhere);
+  sight.slope = no_more(sight.slope, std::numeric_limits<double>::infinity());
+  sight.deepest = no_more(sight.deepest, anywhere);
+  sight.at_tip = no_more(sight.at_tip, sight.deepest);
+  sight.at_lowest = no_more(sight.at_lowest, sight.deepest);
+  sight.tip_error = no_more(sight.tip_error, sight.at_tip);
 }
 
 }  // namespace pcm::compare

@@ -39,6 +39,8 @@ class MasterView {
   Index master_face() const { return master_face_; }
   /// How far off the direction of the penetration lines may be, as an angle.
   double turn() const { return turn_; }
+  /// No more than this has the face, whatever is seen of it, m^2.
+  double greatest_area() const { return face_.area + face_.area_error; }
   /// O(n) in the faces that the master's lines meet.
   Sight sight(Index slave_face) const;
 
@@ -83,6 +85,7 @@ class MasterView {
   int side_of_plane(Side side_a, Index a, Side side_b, Index b) const;
   Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
   /// s and t of a point.
+  void limit(Sight& sight) const;
   Eigen::Array2d weights(const SeenPoint& point) const;
   /// How far off a point may be seen by MasterPrism::uncertainty, m.
   double place_error(const SeenPoint& point) const;

@@ -33,6 +33,11 @@ inline Side other(Side side) {
   return side == Side::E ? Side::F : Side::E;
 }
 
+/// The value, and no more than `most`; that as well where the value is no number.
+inline double no_more(double value, double most) {
+  return value <= most ? value : most;
+}
+
 /// a b for bounds, of which one may be infinite where the other is exactly 0: nothing, however often, is nothing.
 inline double times(double a, double b) {
   return a == 0 || b == 0 ? 0 : a * b;

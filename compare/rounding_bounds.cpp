@@ -178,11 +178,12 @@ AreaBounds RoundingBounds::area() const {
   }
   for (const Side side : {Side::E, Side::F}) {
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
-    for (const Index f : active.inner)
-      for (std::size_t k = 0; k < 3; ++k) {
-        low = low.cwiseMin(faces_.corner(side, f, k));
-        high = high.cwiseMax(faces_.corner(side, f, k));
-      }
+    for (const std::vector<Index>* uncrossed : {&active.inner, &active.pockets})
+      for (const Index f : *uncrossed)
+        for (std::size_t k = 0; k < 3; ++k) {
+          low = low.cwiseMin(faces_.corner(side, f, k));
+          high = high.cwiseMax(faces_.corner(side, f, k));
+        }
   }
   const double patch = width_between(low, high);
 
@@ -202,10 +203,11 @@ AreaBounds RoundingBounds::area() const {
       normal_error += turned;
       volume_error += patch * (value_error + turned + 6 * u * area) + 8 * u * e.farthest * area;
     };
-    for (const Index f : active.inner) {
-      const Face e = faces_.face(side, f);
-      add(e, e.area, e.area_error);
-    }
+    for (const std::vector<Index>* uncrossed : {&active.inner, &active.pockets})
+      for (const Index f : *uncrossed) {
+        const Face e = faces_.face(side, f);
+        add(e, e.area, e.area_error);
+      }
     for (const Index f : active.intersected) {
       const Face e = faces_.face(side, f);
       const auto found = parts[i].find(f);
@@ -214,7 +216,8 @@ AreaBounds RoundingBounds::area() const {
       const double sum_terms = part.terms + 3 * std::max(1, active.most_wound);
       add(e, std::min(e.area, width * width), 4 * u * (sum_terms + 2) * width * width);
     }
-    const double summing = u * static_cast<double>(active.inner.size() + active.intersected.size() + 1) * size;
+    const double summing =
+        u * static_cast<double>(active.inner.size() + active.pockets.size() + active.intersected.size() + 1) * size;
     (side == Side::E ? bounds.area_E : bounds.area_F) = kHigherOrder * (area_error + summing);
     (side == Side::E ? bounds.vector_area_E : bounds.vector_area_F) =
         kHigherOrder * (area_error + normal_error + 2 * summing);

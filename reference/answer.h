@@ -52,6 +52,9 @@ struct AreaInterval {
 struct ActiveArea {
   std::vector<Index> intersected;  ///< ascending
   std::vector<Index> inner;        ///< ascending, nested ones included
+  /// Uncrossed faces about which the other surface winds a negative number of times, being folded over: not active, but
+  /// they count in areas; ascending.
+  std::vector<Index> pockets;
   /// Vertices of intersected faces about which the other surface, where it is closed, winds; ascending.
   std::vector<Index> wound;
   int most_wound = 0;  ///< how often at most, either way round

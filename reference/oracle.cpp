@@ -146,8 +146,10 @@ Solution& Inquiry::Data::solve(Problem problem) {
   answer.ambiguous = facts.E.ambiguous || facts.F.ambiguous;
   answer.E.intersected = facts.E.intersected;
   answer.E.inner = facts.E.inner;
+  answer.E.pockets = facts.E.pockets;
   answer.F.intersected = facts.F.intersected;
   answer.F.inner = facts.F.inner;
+  answer.F.pockets = facts.F.pockets;
   report_wound(oracle.E, facts.E, answer.E);
   report_wound(oracle.F, facts.F, answer.F);
   if (wanted.polygons) {
