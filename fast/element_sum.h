@@ -40,7 +40,8 @@ MasterForce mean(const MasterForce& on_E, const MasterForce& on_F);
 /// Throws BadInput where the force or its torque overflowed.
 void require_finite(const MasterForce& total);
 
-/// Writes force and torque, and what the record has, into the answer; the list of elements goes with it.
+/// Writes force and torque, and what the record has, into the answer, which gets the list of elements and leaves its
+/// own in exchange.
 void report_elements(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact);
 
 /// Sums the elements of one master, in the order they come, and records them.

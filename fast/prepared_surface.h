@@ -48,8 +48,9 @@ struct ThicknessEverywhere {
   /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face
   /// by however little.
   std::vector<double> exact;
-  /// The same for the surface as a pose rounds its vertices (F's), but for parts of the prism within rounding size of
-  /// its sides: a face that touches the master's plane from above may be folded beneath it. At most `exact`.
+  /// The same for the surface as a pose rounds its vertices (F's). Faces that touch the master's plane from above count
+  /// as beneath it, for rounding may fold them under; what stands upright on the prism's sides does not count, though
+  /// it may reach in by a rounding. At most `exact`.
   std::vector<double> rounded;
 };
 

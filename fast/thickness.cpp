@@ -276,7 +276,7 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
     const TreePrism tree_prism(prism, 2 * tolerance);
     double nearest = kInfinity, nearest_within = kInfinity, nearest_rounded = kInfinity;
     open.assign(1, 0);
-    // What may be met as rounded holds what is met.
+    // Once nearest_within is 0, so are all three bounds.
     while (!open.empty() && nearest_within > 0) {
       const BoxNode& node = surface.tree.node(open.back());
       open.pop_back();

@@ -11,7 +11,8 @@ void begin(const Surface& surface_E, const Surface& surface_F, const Pose& pose,
            const Wanted& wanted, Workspace& workspace) {
   fast::require_valid(pose, velocity);
   if (wanted.bound) throw BadInput("the published algorithms know no bounds on their rounding errors");
-  workspace.contact.elements.swap(workspace.record.elements);
+  if (workspace.contact.elements.capacity() > workspace.record.elements.capacity())
+    workspace.contact.elements.swap(workspace.record.elements);
   workspace.contact.clear();
   workspace.record.clear();
   workspace.faces_E.place(surface_E, nullptr);

@@ -45,11 +45,14 @@ void expect_no_allocation_once_grown(Scheme scheme) {
   Workspace workspace;
   Wanted bounded;
   bounded.bound = true;
+  Wanted only_touch;
+  only_touch.polygons = only_touch.areas = only_touch.force = only_touch.elements = false;
   const auto run = [&] {
     for (int i = 0; i < 20; ++i) {
       const Pose deep = test::turned(0.3 * i, {0.05, 0.1, 0.12});
       EXPECT_TRUE(evaluate(closed, deep, {}, {}, workspace).touching);
       EXPECT_TRUE(evaluate(open, test::turned(0.3 * i, {0.01, 0.02, 0.05}), {}, {}, workspace).touching);
+      EXPECT_TRUE(evaluate(closed, deep, {}, only_touch, workspace).touching);
       EXPECT_TRUE(evaluate(closed, deep, {}, bounded, workspace).bound.has_value());
       EXPECT_TRUE(evaluate(clamped, deep, {}, bounded, workspace).penetration_exceeded);
     }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 
+#include "fast/engine.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_parts.h"

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "fast/depth.h"
+#include "fast/engine.h"
 #include "fast/transform.h"
 #include "fast/vertex_rounding.h"
 #include "tests/fast/exact_numbers.h"

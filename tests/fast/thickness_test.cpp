@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fast/penetration_predicates.h"
+#include "fast/prepare_surface.h"
 #include "meshes/generate_boxes.h"
 #include "meshes/generate_bubbles.h"
 #include "meshes/generate_parts.h"
@@ -122,7 +123,7 @@ bool is_fit(const TriangleMesh& mesh) {
 
 /// No bound above the exact thickness; counts those that are nearly it.
 Count expect_no_greater(const TriangleMesh& mesh) {
-  const PreparedSurface surface(mesh);
+  const PreparedSurface surface = prepare_surface(mesh);
   const ThicknessEverywhere bounds = lower_bounds_of_thickness_everywhere(surface);
   Count count;
   for (Index face = 0; face < static_cast<Index>(mesh.faces.size()); ++face) {
@@ -223,7 +224,7 @@ TEST(ThicknessEverywhere, UprightWallsOfABoxDoNotCount) {
       TriangleMesh gridded = generate::gridded_box({scale, 2 * scale, 3 * scale}, {3, 2, 2});
       for (TriangleMesh* const mesh : {&plain, &gridded}) {
         for (Eigen::Vector3d& x : mesh->vertices) x += Eigen::Vector3d::Constant(shift * scale);
-        const PreparedSurface surface(*mesh);
+        const PreparedSurface surface = prepare_surface(*mesh);
         for (Index face = 0; face < static_cast<Index>(mesh->faces.size()); ++face) {
           const auto p = points_of(surface, face);
           const Eigen::Vector3d n = (p[1] - p[0]).cross(p[2] - p[0]).cwiseAbs().normalized();
@@ -243,7 +244,7 @@ double thickness_over_wall(double x_wall, double wall_top) {
   const TriangleMesh mesh = sheets({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}},
                                     {{{1, -1, wall_top}, {1, 2, wall_top}, {x_wall, 0.5, -2}}},
                                     {{{-5, -5, -3}, {-5, 9, -3}, {9, -5, -3}}}});
-  const PreparedSurface surface(mesh);
+  const PreparedSurface surface = prepare_surface(mesh);
   return surface.thickness_everywhere.exact[0];
 }
 
@@ -261,7 +262,7 @@ TEST(ThicknessEverywhere, WallsOfABoxThatLeanInwardByAnUlpCount) {
     for (Eigen::Vector3d& x : box.vertices) {
       if (x[2] == 0 && x[0] == 1) x[0] = std::nextafter(1.0, inward ? 0.0 : 2.0);
     }
-    const PreparedSurface surface(box);
+    const PreparedSurface surface = prepare_surface(box);
     int leant_over = 0, whole = 0;
     for (Index face = 0; face < static_cast<Index>(box.faces.size()); ++face) {
       const auto p = points_of(surface, face);
@@ -282,7 +283,7 @@ TEST(ThicknessEverywhere, NeighbourThatFoldsBackLeavesNothing) {
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {x, 0.5, z}};
     mesh.faces = {{0, 1, 2}, {0, 2, 3}};
-    const PreparedSurface surface(mesh);
+    const PreparedSurface surface = prepare_surface(mesh);
     return surface.thickness_everywhere.exact[0];
   };
   EXPECT_EQ(folded(0.5, -0.5), 0);
@@ -298,7 +299,7 @@ TEST(ThicknessEverywhere, SheetInTheFacesPlaneLiesAtDepthZeroUnlessBesideIt) {
   const auto beside = [](double x) {
     const TriangleMesh mesh =
         sheets({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}, {{{x, 0.25, 0}, {x + 1, 0.25, 0}, {x, 0.75, 0}}}});
-    return PreparedSurface(mesh).thickness_everywhere.exact[0];
+    return prepare_surface(mesh).thickness_everywhere.exact[0];
   };
   EXPECT_EQ(beside(0.5), 0);
   EXPECT_EQ(beside(std::nextafter(1.0, 0.0)), 0);

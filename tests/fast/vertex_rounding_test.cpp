@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "fast/prepare_surface.h"
 #include "fast/transform.h"
 #include "tests/fast/exact_numbers.h"
 
@@ -133,7 +134,7 @@ TEST(FaceRounding, IsNoLessThanThoseOfItsVerticesAndNoMoreThanTheSurfaces) {
   for (int trial = 0; trial < 500; ++trial) {
     mesh.vertices.clear();
     for (int k = 0; k < 3; ++k) mesh.vertices.push_back(Doubles::point([&] { return random.scaled(20); }));
-    const PreparedSurface surface(mesh);
+    const PreparedSurface surface = prepare_surface(mesh);
     const Pose pose = draw(Kind::magnitudes, random).pose;
     const Eigen::Vector3d of_face = face_rounding(surface, pose, 0), of_all = greatest_vertex_rounding(surface, pose);
     for (const Eigen::Vector3d& x : mesh.vertices) {
