@@ -168,7 +168,7 @@ void add_hurting_pairs(PairList& list) {
   list.add_both_orders("cube", cube, "tray", tray, kSmallShare);
   list.add_both_orders("tray", tray, "sheet", sheet, kSmallShare);
   // Edges of the beam pass through the sheet up to five times.
-  list.add_both_orders("beam", box({1.5, 0.25, 0.25}), "folded sheet", folded_sheet(6, 0.125, 0.25), kHalfShare);
+  list.add_both_orders("beam", box({1.5, 0.25, 0.25}), "folded sheet", folded_sheet(6, 0.125, 0.25), kSmallShare);
   list.add_both_orders("cube without a face", without_face(cube, 3), "small wedge", on_dyadic_grid(wedge(45, 1, 1, 1)),
                        kSmallShare);
 
