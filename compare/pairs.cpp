@@ -166,9 +166,9 @@ void add_hurting_pairs(PairList& list) {
   const TriangleMesh sheet = rectangle(1, 1, 2, 2), tray = open_box({1, 1, 0.5});
   list.add_both_orders("cube", cube, "sheet", sheet, kSmallShare);
   list.add_both_orders("cube", cube, "tray", tray, kSmallShare);
-  list.add_both_orders("tray", tray, "sheet", sheet, kSmallShare);
+  list.add_both_orders("tray", tray, "sheet", sheet, kSmallShare / 2);
   // Edges of the beam pass through the sheet up to five times.
-  list.add_both_orders("beam", box({1.5, 0.25, 0.25}), "folded sheet", folded_sheet(6, 0.125, 0.25), kSmallShare);
+  list.add_both_orders("beam", box({1.5, 0.25, 0.25}), "folded sheet", folded_sheet(6, 0.125, 0.25), kSmallShare / 2);
   list.add_both_orders("cube without a face", without_face(cube, 3), "small wedge", on_dyadic_grid(wedge(45, 1, 1, 1)),
                        kSmallShare);
 
