@@ -178,6 +178,8 @@ void add_hurting_pairs(PairList& list) {
   list.add_both_orders("pentagram", star, "cube", cube, kSmallShare);
   list.add_both_orders("figure of eight", eight, "cube", cube, kSmallShare);
   list.add_both_orders("pentagram", star, "figure of eight", eight, 0);
+  // Small enough for whole faces of it to lie in the loop of negative winding.
+  list.add_both_orders("figure of eight", eight, "small gridded cube", gridded_box(0.25, 2), 0);
   list.add_both_orders("square chain", torus_chain(3, 1, 0.25, 4, 4), "square ring", torus(1, 0.25, 4, 4), 0);
   const TriangleMesh chain = torus_chain(3, 0.5, 0.125, 16, 8), link = torus(0.5, 0.125, 16, 8);
   list.add_general("torus chain-torus", chain, link, kSmallShare);
