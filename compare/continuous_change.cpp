@@ -54,7 +54,7 @@ ContinuousChange::Face ContinuousChange::face_Me(const Pose& pose, Side side, In
 
 double ContinuousChange::operator()(const Pose& a, const Pose& b, const FaceLoad& before, const FaceLoad& after) const {
   const double d = way(a, b);
-  const Side slave = before.master == Side::E ? Side::F : Side::E;
+  const Side slave = opposite(before.master);
   const Face e = face_Me(a, before.master, before.face);
   double steepness = 0;  // sum of 1 / |n_e . n_f|
   for (const FaceLoad* load : {&before, &after})
@@ -68,7 +68,7 @@ double ContinuousChange::operator()(const Pose& a, const Pose& b, const FaceLoad
 }
 
 bool ContinuousChange::flush(const Pose& pose, Side master, Index master_face, Index slave_face) const {
-  const Side slave = master == Side::E ? Side::F : Side::E;
+  const Side slave = opposite(master);
   const Face e = face_Me(pose, master, master_face), f = face_Me(pose, slave, slave_face);
   const double size = reach_E_ + reach_F_ + pose.r.norm();
   // A tilt by t moves the plane by t times the size.

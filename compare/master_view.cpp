@@ -172,7 +172,7 @@ int MasterView::order(Side side_b, Index b, Side side_a, Index a) const {
 }
 
 MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const {
-  const Side slave = other(master_);
+  const Side slave = opposite(master_);
   const Extent of_part = extent(part);
   Hiders hiders;
   std::vector<std::array<Index, 3>> sides;  // surface, vertex of smaller index, the other
@@ -247,8 +247,8 @@ void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double 
 }
 
 Sight MasterView::sight(Index slave_face) const {
-  const SeenFace slave = seen(other(master_), slave_face);
-  const Eigen::Vector3d& slave_normal = faces_.face(other(master_), slave_face).normal_Me;
+  const SeenFace slave = seen(opposite(master_), slave_face);
+  const Eigen::Vector3d& slave_normal = faces_.face(opposite(master_), slave_face).normal_Me;
   double distance = 0, depth = 0, greatest = 0, place = 0;
   for (const SeenPoint& x : slave) {
     distance = std::max(distance, face_.longest + x.stableNorm());

@@ -29,10 +29,6 @@ struct Question {
   Velocity velocity;
 };
 
-inline Side other(Side side) {
-  return side == Side::E ? Side::F : Side::E;
-}
-
 /// The value, and no more than `most`; that as well where the value is no number.
 inline double no_more(double value, double most) {
   return value <= most ? value : most;

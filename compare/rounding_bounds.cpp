@@ -29,7 +29,7 @@ RoundingBounds::RoundingBounds(const Question& question, const reference::Answer
     : question_(question), true_(true_rounded), faces_(question) {}
 
 ElementBounds RoundingBounds::element(const reference::Element& e) const {
-  const Face master = faces_.face(e.master, e.master_face), slave = faces_.face(other(e.master), e.slave_face);
+  const Face master = faces_.face(e.master, e.master_face), slave = faces_.face(opposite(e.master), e.slave_face);
   const Eigen::Vector3d C = (faces_.corner(e.master, e.master_face, 0) + faces_.corner(e.master, e.master_face, 1) +
                              faces_.corner(e.master, e.master_face, 2)) /
                             3;
@@ -46,7 +46,7 @@ ElementBounds RoundingBounds::element(const reference::Element& e) const {
   // |dc| <= |dn_e| + |dn_f| + 4 u, |du| <= (|dh| + u_k |dc|) / (c - |dc|) and one rounding.
   double D = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    D = std::max(D, (faces_.corner(other(e.master), e.slave_face, k) - C).stableNorm());
+    D = std::max(D, (faces_.corner(opposite(e.master), e.slave_face, k) - C).stableNorm());
   const double cosine_error = master.normal_error + slave.normal_error + 4 * u;
   const double height_error = errors.foot + D * (slave.normal_error + 5 * u);
   const double cosine = std::abs(e.cosine) - cosine_error;
@@ -87,10 +87,10 @@ ForceBounds RoundingBounds::force() const {
 RoundingBounds::PositionError RoundingBounds::position_error(const reference::Crossing& crossing) const {
   const Eigen::Vector3d& a = faces_.vertex(crossing.edge_side, crossing.edge[0]);
   const Eigen::Vector3d& b = faces_.vertex(crossing.edge_side, crossing.edge[1]);
-  const Face crossed = faces_.face(other(crossing.edge_side), crossing.face);
+  const Face crossed = faces_.face(opposite(crossing.edge_side), crossing.face);
   double D = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Eigen::Vector3d& f = faces_.corner(other(crossing.edge_side), crossing.face, k);
+    const Eigen::Vector3d& f = faces_.corner(opposite(crossing.edge_side), crossing.face, k);
     D = std::max({D, (a - f).stableNorm(), (b - f).stableNorm()});
   }
   const double length = (b - a).stableNorm();
@@ -104,7 +104,7 @@ RoundingBounds::PositionError RoundingBounds::position_error(const reference::Cr
 // The corners that the other surface does not wind about bound nothing; all do where it is open.
 double RoundingBounds::width_of(Part part, Side side, Index face) const {
   const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
-  const bool closed = faces_.surface(other(side)).closed;
+  const bool closed = faces_.surface(opposite(side)).closed;
   for (std::size_t k = 0; k < 3; ++k) {
     const Index v = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)][k];
     if (!closed || std::binary_search(active.wound.begin(), active.wound.end(), v)) part.add(faces_.vertex(side, v), 0);

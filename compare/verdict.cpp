@@ -50,7 +50,7 @@ bool is_sound(const Question& question, const fast::Contact& subj, Checks& check
   };
   for (const fast::Element& e : subj.elements)
     if ((e.master != Side::E && e.master != Side::F) || !exists(e.master, e.master_face) ||
-        !exists(other(e.master), e.slave_face))
+        !exists(opposite(e.master), e.slave_face))
       checks.add(Kind::elements, "an element of faces {} and {}, which do not exist", e.master_face, e.slave_face);
   return checks.disagreements().empty();
 }

@@ -135,7 +135,7 @@ std::string out_of_range(double reach) {
   return why.str();
 }
 
-PreparedSurface prepare_surface(TriangleMesh mesh) {
+[[gnu::noinline]] PreparedSurface prepare_surface(TriangleMesh mesh) {
   require_fit(mesh);
   require_countable(mesh);
   PreparedSurface surface;

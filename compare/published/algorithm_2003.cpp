@@ -31,7 +31,7 @@ void Algorithm2003::find_segments(const Pose& pose, Workspace& workspace) const 
 /// Step 3 for one master.
 fast::MasterForce Algorithm2003::sum_elements(Side master, const fast::ForceProblem& problem,
                                               Workspace& workspace) const {
-  const Side slave = master == Side::E ? Side::F : Side::E;
+  const Side slave = opposite(master);
   const std::vector<Index>& slave_faces = workspace.active(slave).active();
   workspace.slaves.clear();
   for (const Index f : slave_faces) workspace.slaves.push_back(workspace.faces(slave)[f]);

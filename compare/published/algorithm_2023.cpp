@@ -42,7 +42,7 @@ fast::MasterForce Algorithm2023::sum_elements(Side master, const fast::ForceProb
                                               Workspace& workspace) const {
   const Surface& surface = master == Side::E ? E_ : F_;
   PosedFaces& masters = workspace.faces(master);
-  PosedFaces& slaves = workspace.faces(master == Side::E ? Side::F : Side::E);
+  PosedFaces& slaves = workspace.faces(opposite(master));
   workspace.line_of_face.start(surface.mesh.faces.size());
   workspace.lines.clear();
   const auto look = [&](Index e, Index f) {
