@@ -4,7 +4,7 @@
 add_library(pcm_floating_point INTERFACE)
 target_compile_options(pcm_floating_point INTERFACE -ffp-contract=off)
 
-# All that sets flags before the sources do; meshes/floating_point_policy.h refuses what comes otherwise.
+# All that sets flags before the sources do; meshes/base/floating_point_policy.h refuses what comes otherwise.
 get_directory_property(pcm_inherited_options COMPILE_OPTIONS)
 string(JOIN " " pcm_flags ${pcm_inherited_options} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}
   ${CMAKE_CXX_FLAGS_RELWITHDEBINFO} ${CMAKE_CXX_FLAGS_MINSIZEREL} ${CMAKE_CXX_FLAGS_DEV} ${CMAKE_CXX_FLAGS_DEBUG} "")

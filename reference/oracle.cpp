@@ -9,16 +9,16 @@
 #include <utility>
 #include <vector>
 
-#include "meshes/check.h"
-#include "meshes/floating_point_environment.h"
-#include "reference/clipped_elements.h"
-#include "reference/combinatorics.h"
-#include "reference/contact_elements.h"
-#include "reference/contact_force.h"
-#include "reference/exact_pose.h"
-#include "reference/proximity.h"
+#include "meshes/base/floating_point_environment.h"
+#include "pcm/check.h"
+#include "reference/combinatorics/combinatorics.h"
+#include "reference/combinatorics/proximity.h"
+#include "reference/elements/clipped_elements.h"
+#include "reference/elements/contact_elements.h"
+#include "reference/loads/contact_force.h"
+#include "reference/pose/exact_pose.h"
+#include "reference/pose/surface.h"
 #include "reference/report.h"
-#include "reference/surface.h"
 #include "reference/validate.h"
 
 namespace pcm::reference {

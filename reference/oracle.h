@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <memory>
 
-#include "fast/inputs.h"
-#include "meshes/triangle_mesh.h"
-#include "reference/answer.h"
-#include "reference/candidate_region.h"
+#include "pcm/inputs.h"
+#include "pcm/triangle_mesh.h"
+#include "reference/pose/candidate_region.h"
+#include "reference/vocabulary/answer.h"
 
 /// The oracle: the same computation as the engine, over exact numbers, in code and method of its own. Like the
 /// engine's, its answers do not depend on the caller's floating-point environment, which it leaves as it was.

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "reference/double_double.h"
-#include "reference/radical_sum.h"
-#include "reference/settle.h"
+#include "reference/numbers/double_double.h"
+#include "reference/numbers/radical_sum.h"
+#include "reference/numbers/settle.h"
 
 namespace pcm::reference {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "reference/answer.h"
-#include "reference/area_values.h"
-#include "reference/clipped_areas.h"
-#include "reference/crossing_points.h"
-#include "reference/polygons.h"
+#include "reference/active/area_values.h"
+#include "reference/active/clipped_areas.h"
+#include "reference/crossings/crossing_points.h"
+#include "reference/crossings/polygons.h"
+#include "reference/vocabulary/answer.h"
 
 /// From exact combinatorics to correctly rounded doubles: enclosures are refined until both ends round alike; where
 /// they do not (as where a value equals a double or a midpoint of two), rational numbers and their roots decide.

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "meshes/bad_input.h"
-#include "reference/numbers.h"
-#include "reference/vector3.h"
+#include "pcm/bad_input.h"
+#include "reference/numbers/numbers.h"
+#include "reference/numbers/vector3.h"
 
 namespace pcm::reference {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "fast/inputs.h"
+#include "pcm/inputs.h"
 
 namespace pcm {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "meshes/triangle_mesh.h"
+#include "pcm/triangle_mesh.h"
 
 namespace pcm {
 

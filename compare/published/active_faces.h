@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/published/intersection_polygons.h"
-#include "fast/stamped_array.h"
+#include "fast/base/stamped_array.h"
 
 namespace pcm::compare::published {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compare/published/workspace.h"
-#include "fast/element_sum.h"
+#include "fast/force/element_sum.h"
 
 namespace pcm::compare::published {
 

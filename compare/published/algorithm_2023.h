@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "compare/published/workspace.h"
-#include "fast/element_sum.h"
+#include "fast/force/element_sum.h"
 
 namespace pcm::compare::published {
 

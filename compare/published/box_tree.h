@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "fast/inputs.h"
-#include "meshes/triangle_mesh.h"
+#include "pcm/inputs.h"
+#include "pcm/triangle_mesh.h"
 
 namespace pcm::compare::published {
 

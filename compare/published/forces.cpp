@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/published/forces.h"
 
-#include "fast/law.h"
-#include "meshes/bad_input.h"
+#include "fast/force/law.h"
+#include "pcm/bad_input.h"
 
 namespace pcm::compare::published {
 

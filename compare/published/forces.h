@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "compare/published/workspace.h"
-#include "fast/element_sum.h"
+#include "fast/force/element_sum.h"
 
 /// What both published algorithms share with the engine: the question, the law of PCM section 7 and the sums.
 namespace pcm::compare::published {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "compare/published/surface.h"
-#include "fast/geometry.h"
+#include "fast/base/geometry.h"
 
 namespace pcm::compare::published {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "compare/published/box_tree.h"
-#include "fast/stamped_array.h"
-#include "meshes/triangle_mesh.h"
+#include "fast/base/stamped_array.h"
+#include "pcm/triangle_mesh.h"
 
 namespace pcm::compare::published {
 

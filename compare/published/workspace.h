@@ -7,8 +7,8 @@
 
 #include "compare/published/active_faces.h"
 #include "compare/published/slave_search.h"
-#include "fast/contact.h"
-#include "fast/element_sum.h"
+#include "fast/force/element_sum.h"
+#include "pcm/contact.h"
 
 namespace pcm::compare::published {
 

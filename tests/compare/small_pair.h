@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compare/pairs.h"
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_round.h"
+#include "compare/poses/pairs.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/round.h"
 
 namespace pcm::compare {
 

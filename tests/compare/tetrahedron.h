@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "meshes/triangle_mesh.h"
+#include "pcm/triangle_mesh.h"
 
 namespace pcm::compare {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "meshes/dyadic.h"
+#include "meshes/exact/dyadic.h"
 #include "tests/fast/exact_numbers.h"
 
 namespace pcm {

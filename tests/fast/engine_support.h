@@ -5,11 +5,11 @@
 #include <Eigen/Geometry>
 #include <utility>
 
-#include "fast/engine.h"
-#include "meshes/degenerate/bodies.h"
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_bubbles.h"
-#include "meshes/generate_round.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "meshes/generate/degenerate/bodies.h"
+#include "meshes/generate/round.h"
+#include "pcm/engine.h"
 #include "tests/meshes/transformed_meshes.h"
 #include "tests/shifted_pose.h"
 

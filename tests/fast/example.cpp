@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-#include "fast/engine.h"
-#include "meshes/read_mesh.h"
+#include "pcm/engine.h"
+#include "pcm/read_mesh.h"
 
 int main() {
   const pcm::fast::Surface bubble{pcm::read_mesh("meshes/surfaces/bubble.obj")};  // checked, immutable, shareable

@@ -11,10 +11,10 @@
 #include <random>
 #include <vector>
 
-#include "fast/engine.h"
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_bubbles.h"
-#include "meshes/generate_round.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "meshes/generate/round.h"
+#include "pcm/engine.h"
 
 namespace pcm::fast {
 namespace {

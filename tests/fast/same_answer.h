@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fast/contact.h"
+#include "pcm/contact.h"
 
 namespace pcm::fast::test {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/inputs.h"
+#include "pcm/inputs.h"
 
 /// The force law in long double, which the bounds on its errors are held to.
 namespace pcm::fast {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "meshes/bad_input.h"
+#include "pcm/bad_input.h"
 
 namespace pcm {
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "meshes/triangle_mesh.h"
+#include "pcm/triangle_mesh.h"
 
 /// Plain measures of a mesh for the tests of the generators, written without the code they test.
 namespace pcm::test {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "meshes/bad_input.h"
-#include "meshes/check.h"
-#include "meshes/read_mesh.h"
+#include "pcm/bad_input.h"
+#include "pcm/check.h"
+#include "pcm/read_mesh.h"
 
 namespace pcm {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "meshes/generate_boxes.h"
+#include "meshes/generate/boxes.h"
 #include "tests/reference/brute_force/trials.h"
 #include "tests/shifted_pose.h"
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "meshes/degenerate/bodies.h"
-#include "meshes/generate_boxes.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/degenerate/bodies.h"
 #include "tests/reference/brute_force/brute_force.h"
 #include "tests/shifted_pose.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshes/floating_point_environment.h"
+#include "meshes/base/floating_point_environment.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@
 #include <xmmintrin.h>
 #endif
 
-#include "meshes/degenerate/bodies.h"
-#include "meshes/generate_round.h"
-#include "reference/identities.h"
+#include "meshes/generate/degenerate/bodies.h"
+#include "meshes/generate/round.h"
 #include "reference/oracle.h"
-#include "reference/self_intersections.h"
+#include "reference/proofs/identities.h"
+#include "reference/proofs/self_intersections.h"
 #include "tests/reference/poses.h"
 
 /// The oracle's answers do not depend on the environment a host has set up, and leave it as it was.

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "meshes/degenerate/bodies.h"
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_round.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/degenerate/bodies.h"
+#include "meshes/generate/round.h"
 #include "reference/oracle.h"
 #include "tests/reference/brute_force/brute_force.h"
 

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <iostream>
 
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_bubbles.h"
-#include "meshes/generate_round.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "meshes/generate/round.h"
 #include "reference/oracle.h"
 #include "tests/reference/poses.h"
 

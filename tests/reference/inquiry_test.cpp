@@ -7,9 +7,9 @@
 #include <random>
 #include <string>
 
-#include "meshes/bad_input.h"
-#include "meshes/degenerate/bodies.h"
-#include "meshes/generate_boxes.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/degenerate/bodies.h"
+#include "pcm/bad_input.h"
 #include "reference/oracle.h"
 #include "tests/reference/brute_force/trials.h"
 #include "tests/reference/poses.h"

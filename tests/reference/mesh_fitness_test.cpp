@@ -41,13 +41,13 @@
 #include <set>
 #include <tuple>
 
-#include "meshes/check.h"
-#include "meshes/degenerate/bodies.h"
-#include "meshes/degenerate/hard_bodies.h"
-#include "meshes/degenerate/lattice_tetrahedra.h"
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_round.h"
-#include "meshes/write_obj.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/degenerate/bodies.h"
+#include "meshes/generate/degenerate/hard_bodies.h"
+#include "meshes/generate/degenerate/lattice_tetrahedra.h"
+#include "meshes/generate/round.h"
+#include "pcm/check.h"
+#include "pcm/write_obj.h"
 
 namespace pcm {
 namespace {

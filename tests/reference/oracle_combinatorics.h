@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "reference/answer.h"
+#include "reference/vocabulary/answer.h"
 #include "tests/reference/brute_force/combinatorics.h"
 
 namespace pcm::brute_force {

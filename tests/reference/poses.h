@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "meshes/degenerate/bodies.h"
+#include "meshes/generate/degenerate/bodies.h"
 #include "tests/shifted_pose.h"
 
 namespace pcm::reference {

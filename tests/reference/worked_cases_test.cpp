@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "meshes/degenerate/bodies.h"
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_bubbles.h"
-#include "meshes/generate_round.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "meshes/generate/degenerate/bodies.h"
+#include "meshes/generate/round.h"
 #include "reference/oracle.h"
 #include "tests/reference/oracle_combinatorics.h"
 #include "tests/shifted_pose.h"

@@ -9,12 +9,12 @@
 #include <tuple>
 #include <utility>
 
-#include "compare/pairs.h"
-#include "compare/subject.h"
-#include "meshes/bad_input.h"
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_bubbles.h"
-#include "meshes/generate_round.h"
+#include "compare/opponents/subject.h"
+#include "compare/poses/pairs.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "meshes/generate/round.h"
+#include "pcm/bad_input.h"
 #include "reference/oracle.h"
 
 namespace pcm::compare {

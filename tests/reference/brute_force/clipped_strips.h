@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "meshes/triangle_mesh.h"
+#include "pcm/triangle_mesh.h"
 #include "tests/reference/brute_force/rational.h"
 
 /// A map of the triangle s, t >= 0, s + t <= 1, drawn by asking points: between the abscissae at which anything may

@@ -5,9 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "fast/inputs.h"
-#include "meshes/triangle_mesh.h"
-#include "reference/answer.h"
+#include "pcm/inputs.h"
+#include "pcm/triangle_mesh.h"
+#include "reference/vocabulary/answer.h"
 #include "tests/reference/brute_force/rational.h"
 
 namespace pcm::brute_force {

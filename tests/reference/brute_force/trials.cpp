@@ -7,9 +7,9 @@
 #include <limits>
 #include <random>
 
-#include "meshes/generate_boxes.h"
-#include "meshes/generate_bubbles.h"
-#include "meshes/generate_round.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "meshes/generate/round.h"
 
 namespace pcm::brute_force {
 namespace {

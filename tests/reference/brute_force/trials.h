@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "fast/inputs.h"
-#include "meshes/triangle_mesh.h"
+#include "pcm/inputs.h"
+#include "pcm/triangle_mesh.h"
 
 namespace pcm::brute_force {
 

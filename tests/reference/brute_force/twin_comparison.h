@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "meshes/degenerate/catalogue.h"
+#include "meshes/generate/degenerate/catalogue.h"
 #include "tests/reference/brute_force/brute_force.h"
 #include "tests/reference/brute_force/trials.h"
 

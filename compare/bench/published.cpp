@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/bench/contestant.h"
+#include "compare/published/algorithm_2003.h"
+#include "compare/published/algorithm_2023.h"
+#include "compare/verify/wanted.h"
+
+namespace pcm::compare {
+namespace {
+
+/// Lines of a fifth of the body: twice as deep as the poses, for longer ones cost more.
+constexpr double kGreatestDepth = 0.2;
+
+class Paper final : public Contestant {
+ public:
+  Paper(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) : algorithm_(mesh_E, mesh_F, bench_law(), Mode::E) {}
+
+  std::int64_t query(const Pose& pose) override {
+    return algorithm_.evaluate(pose, bench_velocity(), kForceOnly, workspace_).work.crossing_pairs;
+  }
+
+ private:
+  published::Algorithm2003 algorithm_;
+  published::Workspace workspace_;
+};
+
+class Variant final : public Contestant {
+ public:
+  Variant(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
+      : algorithm_(mesh_E, mesh_F, bench_law(), Mode::E, kGreatestDepth * published::Surface(mesh_E).size) {}
+
+  std::int64_t query(const Pose& pose) override {
+    return algorithm_.evaluate(pose, bench_velocity(), kForceOnly, workspace_).element_count;
+  }
+
+ private:
+  published::Algorithm2023 algorithm_;
+  published::Workspace workspace_;
+};
+
+template <class Published>
+ContestantEntry entry(const char* who, const char* finds) {
+  return {who, "force and torque", finds, "", true, [](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
+            return std::make_unique<Published>(mesh_E, mesh_F);
+          }};
+}
+
+}  // namespace
+
+std::vector<ContestantEntry> published_contestants() {
+  return {entry<Paper>("as published 2003", "pairs"), entry<Variant>("as published 2023", "elements")};
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/bench/timing.h"
+
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+
+namespace pcm::compare {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double microseconds(Clock::duration time) {
+  return std::chrono::duration<double, std::micro>(time).count();
+}
+
+/// What this thread has been given of its processor so far.
+double processor_us() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
+}
+
+/// The processor as the kernel names it.
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
+  return "unknown processor";
+}
+
+}  // namespace
+
+std::string stay_on_one_core() {
+  const int core = sched_getcpu();
+  cpu_set_t only;
+  CPU_ZERO(&only);
+  if (core >= 0) CPU_SET(static_cast<std::size_t>(core), &only);
+  if (core < 0 || sched_setaffinity(0, sizeof only, &only) != 0)
+    return fmt::format("not kept on one core ({})", std::strerror(errno));
+  return fmt::format("core {}", core);
+}
+
+double time_us(const std::function<void()>& work) {
+  constexpr double kLong = 500;
+  const double processor_before = processor_us();
+  const Clock::time_point before = Clock::now();
+  work();
+  const double wall = microseconds(Clock::now() - before);
+  return wall < kLong ? wall : processor_us() - processor_before;
+}
+
+Timing least_time(const std::function<void()>& prepare, const std::function<void()>& query) {
+  constexpr int kMeasured = 5;
+  constexpr std::chrono::milliseconds kEnough(50);
+  const Clock::time_point start = Clock::now();
+  Timing least;
+  for (int k = 0; k <= kMeasured; ++k) {
+    const double preparation = time_us(prepare);
+    const Timing measured{preparation, time_us(query)};
+    if (k == 1) least = measured;
+    if (k > 1) {
+      least.preparation_us = std::min(least.preparation_us, measured.preparation_us);
+      least.query_us = std::min(least.query_us, measured.query_us);
+    }
+    if (k > 0 && Clock::now() - start > kEnough) break;
+  }
+  return least;
+}
+
+double quantile(std::vector<double> values, double part) {
+  if (values.empty()) return 0;
+  const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(values.size())));
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(rank, 1, values.size()) - 1);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+double fitted_exponent(const std::vector<double>& x, const std::vector<double>& y) {
+  assert(x.size() == y.size());
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += std::log(x[i]) / static_cast<double>(x.size());
+    mean_y += std::log(y[i]) / static_cast<double>(x.size());
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (std::log(x[i]) - mean_x) * (std::log(x[i]) - mean_x);
+    xy += (std::log(x[i]) - mean_x) * (std::log(y[i]) - mean_y);
+  }
+  return xy / xx;
+}
+
+Machine this_machine(std::string core) {
+#ifdef __clang__
+  const std::string compiler = "clang " __clang_version__;
+#else
+  const std::string compiler = "gcc " __VERSION__;
+#endif
+  return {processor_name(), compiler, PCM_BENCH_FLAGS, std::move(core)};
+}
+
+std::string describe(const Machine& machine) {
+  return fmt::format("{}, {}; {}, {}", machine.processor, machine.core, machine.compiler, machine.flags);
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/verify_engines.h"
+
+#include <iostream>
+#include <utility>
+
+#include "compare/opponents/contest_report.h"
+#include "meshes/files/text_file.h"
+
+namespace pcm::compare {
+
+Exit verify_engines(VerificationPlan plan, const std::vector<Engine>& engines, int jobs,
+                    const std::optional<std::filesystem::path>& folder, const std::function<bool()>& stop,
+                    const std::function<void(std::int64_t)>& progress) {
+  const ContestResult result = hold_contest(std::move(plan), engines, jobs, stop, progress);
+  const Table table = contest_table(result);
+  std::string omissions;
+  for (const std::string& omission : result.omissions) omissions += omission + "\n";
+  const std::string after = "\n" + contest_shallow(result) + omissions + contest_verdict(result) + "\n";
+  if (folder) {
+    write_text_file(*folder / "wrong_answers.md",
+                    "# Wrong answers by stratum\n\n" + contest_legend() + "\n" + markdown(table) + after);
+    write_text_file(*folder / "wrong_answers.csv", csv(table));
+    const nlohmann::ordered_json whole{{"seed", result.seed}, {"complete", result.finished}, {"strata", json(table)}};
+    write_text_file(*folder / "wrong_answers.json", whole.dump(1) + "\n");
+  }
+  std::cout << contest_legend() << '\n' << on_screen(table) << after;
+  return result.finished && !result.anything_wrong() ? Exit::success : Exit::negative;
+}
+
+}  // namespace pcm::compare

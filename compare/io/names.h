@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "pcm/inputs.h"
+
+/// The words by which tables and options call the inputs' choices.
+namespace pcm::compare {
+
+inline std::string_view name(Side side) {
+  return side == Side::E ? "E" : "F";
+}
+
+inline std::string_view name(Mode mode) {
+  return mode == Mode::E ? "E" : mode == Mode::F ? "F" : "both";
+}
+
+inline std::string_view name(Scheme scheme) {
+  return scheme == Scheme::barycentric ? "barycentric" : "clipped";
+}
+
+}  // namespace pcm::compare

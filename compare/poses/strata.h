@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "compare/io/random.h"
+#include "compare/poses/surface_features.h"
+#include "pcm/inputs.h"
+
+/// The strata that verification poses are drawn from (DESIGN section 4). A pose is a pure function of (seed, stratum,
+/// pair, pose number) and of the two meshes.
+namespace pcm::compare {
+
+enum class Stratum : std::uint8_t {
+  generic,          ///< uniform rotation, penetration log-uniform between 1e-6 and 0.5 of the smaller body's size
+  grazing,          ///< the same, penetration between 1e-15 and 1e-6
+  separated,        ///< bounding boxes overlap, surfaces do not
+  nested,           ///< one body inside the other, no crossing
+  degenerate,       ///< features coincide exactly
+  near_degenerate,  ///< degenerate, then moved by 1 to 8 ulps
+};
+
+inline constexpr std::array kStrata = {Stratum::generic, Stratum::grazing,    Stratum::separated,
+                                       Stratum::nested,  Stratum::degenerate, Stratum::near_degenerate};
+
+/// The word of DESIGN section 4, e.g. "near-degenerate".
+std::string_view name(Stratum stratum);
+std::optional<Stratum> stratum_named(std::string_view word);
+
+/// True of the strata whose poses are made to hurt, so that small surfaces show as much as large ones.
+inline bool hard(Stratum stratum) {
+  return stratum == Stratum::degenerate || stratum == Stratum::near_degenerate;
+}
+
+/// A pose and how it came about.
+struct DrawnPose {
+  Pose pose;
+  Velocity velocity;
+  std::string_view construction;  ///< e.g. "vertex on edge"
+  /// Degenerate poses: the features coincide in both problems without rounding (`false`: only nearly so).
+  bool exact = false;
+};
+
+/// A pair made fit for the stratum nested: the guest is scaled by a power of two, hence exactly, until it fits into a
+/// ball inside the host. The host is the closed surface with the larger ball for its guest. None where neither surface
+/// is closed or no ball was found.
+struct NestedMeshes {
+  TriangleMesh E;
+  TriangleMesh F;
+  InnerBall ball;
+  Side host = Side::E;
+};
+std::optional<NestedMeshes> nested_meshes(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F);
+
+/// Two surfaces as the strata see them.
+struct FeaturePair {
+  FeaturePair(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) : E(mesh_E), F(mesh_F) {}
+  explicit FeaturePair(const NestedMeshes& meshes) : E(meshes.E), F(meshes.F), ball(meshes.ball), host(meshes.host) {}
+
+  /// Size of the smaller body, m.
+  double size() const { return E.size < F.size ? E.size : F.size; }
+
+  SurfaceFeatures E;
+  SurfaceFeatures F;
+  InnerBall ball;       ///< stratum nested only: where the guest goes
+  Side host = Side::E;  ///< stratum nested only: whose ball it is
+};
+
+/// Draws one pose. `random` must be fresh. Stratum nested asks for a pair made of `NestedMeshes`.
+/// Cost: O(n) in the number of vertices.
+DrawnPose draw_pose(Stratum stratum, const FeaturePair& pair, PoseRandom random);
+
+namespace detail {
+DrawnPose draw_overlapping(const FeaturePair& pair, double least, double greatest, PoseRandom& random);
+DrawnPose draw_separated(const FeaturePair& pair, PoseRandom& random);
+DrawnPose draw_nested(const FeaturePair& pair, PoseRandom& random);
+DrawnPose draw_degenerate(const FeaturePair& pair, PoseRandom& random);
+void move_by_ulps(const FeaturePair& pair, PoseRandom& random, DrawnPose& drawn);
+}  // namespace detail
+
+}  // namespace pcm::compare

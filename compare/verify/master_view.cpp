@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verify/master_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fast/clipped/visible_parts.h"
+
+namespace pcm::compare {
+namespace {
+
+constexpr double u = kRoundoff;
+
+/// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
+constexpr double kNeedle = 0x1p-16;
+
+/// The part of a convex polygon where a linear function of the point is not negative.
+template <class Height>
+std::vector<Eigen::Vector3d> cut(const std::vector<Eigen::Vector3d>& polygon, const Height& height) {
+  std::vector<Eigen::Vector3d> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double at_a = height(a), at_b = height(b);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return kept;
+}
+
+/// In the master's plane.
+double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Whether `all_beyond(k, is_beyond)` holds for a side k of the face: `is_beyond` says of a point whether it lies on
+/// the far side of that one by more than `strip`.
+template <class AllBeyond>
+bool some_side_parts(const std::array<Eigen::Vector3d, 3>& face, double strip, const AllBeyond& all_beyond) {
+  const double sign = cross(face[1] - face[0], face[2] - face[0]) < 0 ? -1 : 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d along = face[(k + 1) % 3] - face[k];
+    const double margin = strip * along.head<2>().stableNorm();
+    if (all_beyond(k, [&](const Eigen::Vector3d& x) { return sign * cross(along, x - face[k]) < -margin; }))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face)
+    : faces_(faces), master_(master), master_face_(master_face), face_(faces.face(master, master_face)) {
+  // 4 u for each component of N over its terms, 4 u for n itself, and twice all of it.
+  const double thinness = face_.longest * face_.longest / (2 * face_.area);
+  turn_ = 16 * u * (1 + std::min(thinness, 1 / kNeedle));
+  const Eigen::Vector3d& p0 = faces_.corner(master, master_face, 0);
+  const Eigen::Vector3d& n = face_.normal_Me;
+  const Eigen::Vector3d first = (faces_.corner(master, master_face, 1) - p0).stableNormalized();
+  const Eigen::Vector3d second = n.cross(first);
+  for (const Side side : {Side::E, Side::F}) {
+    const std::size_t count = faces_.surface(side).mesh.vertices.size();
+    std::vector<SeenPoint>& seen = vertices_[static_cast<std::size_t>(side)];
+    seen.reserve(count);
+    for (std::size_t v = 0; v < count; ++v) {
+      const Eigen::Vector3d offset = faces_.vertex(side, static_cast<Index>(v)) - p0;
+      seen.emplace_back(first.dot(offset), second.dot(offset), -n.dot(offset));
+    }
+  }
+  own_ = seen(master, master_face);
+  side_s_ = own_[1] - own_[0];
+  side_t_ = own_[2] - own_[0];
+  length_s_ = side_s_.stableNorm();
+  length_t_ = side_t_.stableNorm();
+  skew_ = length_s_ * length_t_ / (2 * face_.area);
+  // In sums of |components|, as the engine reckons: each no more than sqrt(3) times the length.
+  tilt_ = 8 * u * (1 + std::min(3 * skew_, 1 / kNeedle));
+  find_near_faces();
+}
+
+void MasterView::find_near_faces() {
+  const Extent own = extent(own_);
+  const double margin = strip(face_.longest + 4 * faces_.reach(), 4 * faces_.reach());
+  for (const Side side : {Side::E, Side::F}) {
+    const std::size_t count = faces_.surface(side).mesh.faces.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index face = static_cast<Index>(i);
+      const Extent of_face = extent(seen(side, face));
+      if ((of_face.low.head<2>() > own.high.head<2>() + margin).any()) continue;
+      if ((of_face.high < own.low - margin).any()) continue;
+      if (side != master_ || face != master_face_) near_.push_back({side, face, of_face});
+    }
+  }
+}
+
+MasterView::SeenFace MasterView::seen(Side side, Index face) const {
+  const std::vector<SeenPoint>& vertices = vertices_[static_cast<std::size_t>(side)];
+  const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
+  return {vertices[static_cast<std::size_t>(corners[0])], vertices[static_cast<std::size_t>(corners[1])],
+          vertices[static_cast<std::size_t>(corners[2])]};
+}
+
+std::vector<MasterView::SeenPoint> MasterView::seen_part(const SeenFace& slave) const {
+  std::vector<SeenPoint> part(slave.begin(), slave.end());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SeenPoint &a = own_[k], side = own_[(k + 1) % 3] - a;
+    part = cut(part, [&](const SeenPoint& x) { return cross(side, x - a); });
+  }
+  return cut(part, [](const SeenPoint& x) { return x.z(); });
+}
+
+MasterView::Extent MasterView::extent(std::span<const SeenPoint> polygon) {
+  Extent extent{polygon[0].array(), polygon[0].array()};
+  for (const SeenPoint& x : polygon) {
+    extent.low = extent.low.min(x.array());
+    extent.high = extent.high.max(x.array());
+  }
+  return extent;
+}
+
+// Weights have 4 roundings and their gradients 8, so that s and t are each off by 12 u of the distance times their
+// gradient: with both along the sides that is a way of 24 u q times the distance, q the skew. What a turn of the lines
+// moves a point by grows with its depth.
+double MasterView::strip(double distance, double depth) const {
+  return 24 * u * skew_ * distance + 2 * turn_ * (depth + 16 * u * distance);
+}
+
+bool MasterView::side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const {
+  const SeenFace seen_b = seen(side_b, b);
+  const Triangle& corners_a = faces_.surface(side_a).mesh.faces[static_cast<std::size_t>(a)];
+  const Triangle& corners_b = faces_.surface(side_b).mesh.faces[static_cast<std::size_t>(b)];
+  return some_side_parts(seen(side_a, a), strip, [&](std::size_t k, const auto& is_beyond) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool shared = side_a == side_b && (corners_b[i] == corners_a[k] || corners_b[i] == corners_a[(k + 1) % 3]);
+      if (!shared && !is_beyond(seen_b[i])) return false;
+    }
+    return true;
+  });
+}
+
+bool MasterView::side_parts(Side side, Index face, const std::vector<SeenPoint>& polygon, double strip) const {
+  return some_side_parts(seen(side, face), strip, [&](std::size_t, const auto& is_beyond) {
+    return std::all_of(polygon.begin(), polygon.end(), is_beyond);
+  });
+}
+
+int MasterView::side_of_plane(Side side_a, Index a, Side side_b, Index b) const {
+  const RoundedFaces::Face plane = faces_.face(side_a, a);
+  const Eigen::Vector3d& a0 = faces_.corner(side_a, a, 0);
+  const double cosine = -plane.normal_Me.dot(face_.normal_Me);
+  if (!(std::abs(cosine) > plane.normal_error + turn_)) return 0;
+  const Triangle& corners_a = faces_.surface(side_a).mesh.faces[static_cast<std::size_t>(a)];
+  const Triangle& corners_b = faces_.surface(side_b).mesh.faces[static_cast<std::size_t>(b)];
+  bool beyond = true, before = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (side_a == side_b && std::find(corners_a.begin(), corners_a.end(), corners_b[i]) != corners_a.end()) continue;
+    const Eigen::Vector3d offset = faces_.corner(side_b, b, i) - a0;
+    const double along = std::copysign(1, cosine) * plane.normal_Me.dot(offset);
+    const double error = (plane.normal_error + 8 * u) * offset.stableNorm();
+    beyond = beyond && along > error;
+    before = before && along < -error;
+  }
+  return beyond ? 1 : before ? -1 : 0;
+}
+
+int MasterView::order(Side side_b, Index b, Side side_a, Index a) const {
+  const int b_from_a = side_of_plane(side_a, a, side_b, b), a_from_b = side_of_plane(side_b, b, side_a, a);
+  if (b_from_a > 0 || a_from_b < 0) return 1;
+  return b_from_a < 0 || a_from_b > 0 ? -1 : 0;
+}
+
+MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const {
+  const Side slave = opposite(master_);
+  const Extent of_part = extent(part);
+  Hiders hiders;
+  std::vector<std::array<Index, 3>> sides;  // surface, vertex of smaller index, the other
+  for (const auto& [side, face, of_face] : near_) {
+    if (side == slave && face == slave_face) continue;
+    if ((of_face.low > of_part.high + strip).any()) continue;
+    if ((of_face.high.head<2>() < of_part.low.head<2>() - strip).any()) continue;
+    if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
+        side_parts(side, face, slave, slave_face, strip) || side_parts(side, face, part, strip))
+      continue;
+    const int order_to_slave = order(side, face, slave, slave_face);
+    if (order_to_slave > 0) continue;
+    ++hiders.count;
+    hiders.loose += (of_face.low.z() <= strip) + (order_to_slave == 0);
+    const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+      sides.push_back({static_cast<Index>(side), low, high});
+    }
+    for (const SeenPoint& x : seen(side, face)) {
+      hiders.distance = std::max(hiders.distance, x.stableNorm());
+      hiders.place = std::max(hiders.place, place_error(x));
+    }
+  }
+  hiders.lines = hiders.loose;
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size(); ++hiders.lines) {
+    const bool is_shared = i + 1 < sides.size() && sides[i + 1] == sides[i];
+    hiders.loose += !is_shared;
+    i += is_shared ? 2 : 1;
+  }
+  return hiders;
+}
+
+Eigen::Array2d MasterView::weights(const SeenPoint& x) const {
+  return Eigen::Array2d(cross(x, side_t_), cross(side_s_, x)) / cross(side_s_, side_t_);
+}
+
+double MasterView::place_error(const SeenPoint& x) const {
+  const Eigen::Array2d st = weights(x).abs();
+  const double distance = (1 + st[0]) * length_s_ + (1 + st[1]) * length_t_ + std::abs(x.z());
+  return no_more(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_reach());
+}
+
+// A face is dropped where what is seen of it has less area in (s, t) than its extent in t times the uncertainty of s,
+// and the reverse: the place error times the gradient, |p2 - p0| / 2A of s and |p1 - p0| / 2A of t. So is a part of it
+// where others may hide some, for e = kSliver times that error: where it has no more area than e q times its extents
+// along both gradients, q = |p1 - p0| |p2 - p0| / 2A. With a diameter d these add up to no more than c d, c the length
+// of the sum or of the difference of the gradients' directions. A convex set has no less than half its diameter times
+// its least width, and a polygon's least width is that from one of its sides: so the part lies in a strip no wider than
+// 2 e q c along one of the lines that made it. Those are the sight's own, with all parts on one side, and those of the
+// faces that hide something, with parts on both. A single face leaves no more than five parts. Strips that a right
+// engine sees between faces that hide what lies behind both are as wide as their lines are off.
+void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders,
+                                     Sight& sight) const {
+  if (part.empty()) return;
+  Eigen::Array2d low = weights(part[0]), high = low;
+  for (const SeenPoint& x : part) {
+    const Eigen::Array2d st = weights(x);
+    low = low.min(st);
+    high = high.max(st);
+  }
+  sight.uncertain = place * ((high - low)[1] * length_t_ + (high - low)[0] * length_s_);
+  if (hiders.count == 0) return;
+  const SeenPoint along_first = side_s_.stableNormalized(), along_second = side_t_.stableNormalized();
+  const double c = std::max((along_first + along_second).stableNorm(), (along_first - along_second).stableNorm());
+  const double width = 2 * fast::kSliver * place * skew_ * c;
+  const double lines = static_cast<double>(part.size()) + 2.0 * hiders.lines;
+  const double dropped = lines * width * (sight.width + 2 * width);
+  sight.neglected = hiders.count == 1 ? std::min(dropped, 5 * fast::kSliver * sight.uncertain)
+                                      : dropped + hiders.loose * sight.strip * sight.width;
+}
+
+Sight MasterView::sight(Index slave_face) const {
+  const SeenFace slave = seen(opposite(master_), slave_face);
+  const Eigen::Vector3d& slave_normal = faces_.face(opposite(master_), slave_face).normal_Me;
+  double distance = 0, depth = 0, greatest = 0, place = 0;
+  for (const SeenPoint& x : slave) {
+    distance = std::max(distance, face_.longest + x.stableNorm());
+    depth = std::max(depth, std::abs(x.z()));
+    greatest = std::max(greatest, x.z());
+    place = std::max(place, place_error(x));
+  }
+  // A face that hides something of the slave's lies over the master somewhere, not deeper than that one.
+  const double farthest = std::max(distance, 2 * face_.longest + depth + faces_.longest_side());
+  const std::vector<SeenPoint> part = seen_part(slave);
+  Sight sight;
+  const Hiders hiders = part.empty() ? Hiders{} : find_hiders(slave_face, part, strip(farthest, depth));
+  sight.hiders = hiders.count;
+  sight.strip = strip(std::max(distance, face_.longest + hiders.distance), depth);
+  sight.depth_error = (16 * u + turn_) * distance;
+  sight.slope = face_.normal_Me.cross(slave_normal).stableNorm() / std::abs(face_.normal_Me.dot(slave_normal));
+  double sine = 0;  // at the deepest corner
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const SeenPoint &a = part[i], &b = part[(i + 1) % part.size()], &before = part[(i + part.size() - 1) % part.size()];
+    const double side = (b - a).head<2>().stableNorm(), other_side = (before - a).head<2>().stableNorm();
+    sight.outline += side;
+    sight.area += cross(a - part[0], b - part[0]) / 2;
+    if (a.z() <= sight.depth_error && b.z() <= sight.depth_error) sight.fold += side;
+    sight.at_lowest = i == 0 ? a.z() : std::min(sight.at_lowest, a.z());
+    if (a.z() <= sight.at_tip) continue;
+    sight.at_tip = a.z();
+    sine = std::abs(cross(b - a, before - a)) / (side * other_side);
+  }
+  sight.outline += 8 * sight.strip;
+  sight.width = std::min(sight.outline / 2, face_.longest);
+  add_uncertain_areas(part, std::max(place, hiders.place), hiders, sight);
+  const double shift = times(sight.slope, 2 * sight.strip);
+  sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + shift);
+  sight.tip_error = sine > 0 ? sight.depth_error + shift / sine : sight.at_tip;
+  limit(sight);
+  return sight;
+}
+
+// Two points of bodies that touch are no farther apart than 6 times the reach, a part of the face has no greater area
+// than the face, and a convex one no longer border than its triangle's. A face whose normal the doubles here can't tell
+// gives no better numbers, or none.
+void MasterView::limit(Sight& sight) const {
+  const double anywhere = 6 * faces_.placed_reach(), whole = greatest_area();
+  sight.uncertain = no_more(sight.uncertain, whole);
+  sight.neglected = no_more(sight.neglected, sight.hiders == 0 ? 0 : whole);
+  sight.area = no_more(sight.area, whole);
+  sight.strip = no_more(sight.strip, face_.longest);
+  sight.outline = no_more(sight.outline, 3 * face_.longest + 8 * sight.strip);
+  sight.fold = no_more(sight.fold, sight.outline);
+  sight.width = no_more(sight.width, face_.longest);
+  sight.depth_error = no_more(sight.depth_error, anywhere);
+  sight.slope = no_more(sight.slope, std::numeric_limits<double>::infinity());
+  sight.deepest = no_more(sight.deepest, anywhere);
+  sight.at_tip = no_more(sight.at_tip, sight.deepest);
+  sight.at_lowest = no_more(sight.at_lowest, sight.deepest);
+  sight.tip_error = no_more(sight.tip_error, sight.at_tip);
+}
+
+}  // namespace pcm::compare

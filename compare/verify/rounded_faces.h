@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "compare/poses/surface_features.h"
+#include "pcm/inputs.h"
+
+namespace pcm::compare {
+
+/// Unit roundoff: |fl(x op y) - (x op y)| <= kRoundoff |x op y|.
+inline constexpr double kRoundoff = 0x1p-53;
+
+/// Terms of second order in the unit roundoff, and the rounding of the bounds themselves, are covered by doubling.
+inline constexpr double kHigherOrder = 2;
+
+/// A question put to both sides.
+struct Question {
+  const SurfaceFeatures& E;
+  const SurfaceFeatures& F;
+  const ContactLaw& law;
+  Mode mode = Mode::E;
+  Scheme scheme = Scheme::barycentric;
+  Pose pose;
+  Velocity velocity;
+};
+
+/// The value, and no more than `most`; that as well where the value is no number.
+inline double no_more(double value, double most) {
+  return value <= most ? value : most;
+}
+
+/// a b for bounds, of which one may be infinite where the other is exactly 0: nothing, however often, is nothing.
+inline double times(double a, double b) {
+  return a == 0 || b == 0 ? 0 : a * b;
+}
+
+/// c_l (12).
+inline double series_stiffness(const ContactLaw& law) {
+  if (!law.layers) return law.stiffness;
+  const auto [c_E, c_F] = *law.layers;
+  if (std::isinf(c_E)) return c_F;
+  if (std::isinf(c_F)) return c_E;
+  return c_E * (c_F / (c_E + c_F));
+}
+
+/// The rounded problem's faces, and what rounding may do to what is computed of them.
+class RoundedFaces {
+ public:
+  struct Face {
+    Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();  ///< unit, null where the area is 0
+    double area = 0;
+    double area_error = 0;    ///< m^2
+    double normal_error = 0;  ///< of the unit normal, at most 2
+    double longest = 0;       ///< longest side, m
+    double farthest = 0;      ///< greatest |coordinate|, m
+  };
+
+  /// O(n) in the vertices and faces. The question's surfaces must outlive this.
+  explicit RoundedFaces(const Question& question);
+
+  const SurfaceFeatures& surface(Side side) const { return side == Side::E ? E_ : F_; }
+  const Eigen::Vector3d& vertex(Side side, Index v) const {
+    const auto i = static_cast<std::size_t>(v);
+    return side == Side::E ? E_.mesh.vertices[i] : vertices_F_Me_[i];
+  }
+  const Eigen::Vector3d& corner(Side side, Index face, std::size_t k) const {
+    return vertex(side, surface(side).mesh.faces[static_cast<std::size_t>(face)][k]);
+  }
+  Face face(Side side, Index face) const;
+  /// Greatest |coordinate| of either surface in Me, m.
+  double reach() const { return reach_; }
+  /// Bound of the same that the engine makes of both surfaces' boxes, m: |A| x_F + |r| component by component.
+  double placed_reach() const { return placed_reach_; }
+  /// Longest side of any face of either surface, m.
+  double longest_side() const { return longest_side_; }
+
+ private:
+  const SurfaceFeatures& E_;
+  const SurfaceFeatures& F_;
+  std::vector<Eigen::Vector3d> vertices_F_Me_;
+  double reach_ = 0;
+  double placed_reach_ = 0;
+  double longest_side_ = 0;
+};
+
+}  // namespace pcm::compare

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/barycentric/barycentric_elements.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pcm::fast {
+
+namespace {
+
+/// Faces that cross one of the slave start there.
+void start_walks(const Intersection& intersection, Side master, PenetrationWalks& walks) {
+  walks.last = -1;
+  walks.slave_nearby.start(intersection.posed.surface(master).mesh.faces.size());
+  for (const CrossingNode& crossing : intersection.crossings.nodes) {
+    if (crossing.next < 0) continue;
+    walks.slave_nearby[crossing.segment_face[static_cast<std::size_t>(master)]] =
+        crossing.segment_face[static_cast<std::size_t>(opposite(master))];
+  }
+}
+
+/// The elements of active faces, formed kElementLanes at a time and summed in face-index order.
+class ElementBatch {
+ public:
+  ElementBatch(const Intersection& intersection, Side master, const ForceProblem& problem, BarycentricScratch& scratch,
+               ElementRecord& record)
+      : posed_(intersection.posed),
+        master_(master),
+        problem_(problem),
+        scratch_(scratch),
+        record_(record),
+        queue_(problem, master, record, posed_.work, scratch.lanes) {
+    start_walks(intersection, master, scratch.walks);
+  }
+
+  void add(Index face) {
+    faces_[count_++] = face;
+    if (count_ == kElementLanes) form_elements();
+  }
+  /// After the last face.
+  MasterForce total() {
+    if (count_ > 0) form_elements();
+    return queue_.total();
+  }
+
+ private:
+  void form_elements() {
+    ElementLanes& lanes = scratch_.lanes;
+    find_geometry(posed_, master_, faces_, count_, lanes);
+    std::array<Penetration, kElementLanes> found;
+    find_penetrations(posed_, master_, faces_, count_, lanes, scratch_.walks, found);
+    LaneBits elements = 0;
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      if (found[lane].outcome == Penetration::Outcome::too_deep) ++record_.too_deep;
+      if (found[lane].outcome == Penetration::Outcome::element) elements |= 1U << lane;
+      lanes.depth.value[lane] = std::min(found[lane].depth, problem_.law.max_penetration);
+      queue_.set_faces(lane, faces_[lane], found[lane].slave_face, found[lane].depth);
+    }
+    queue_.add_lanes(elements);
+    count_ = 0;
+  }
+
+  PosedPair& posed_;
+  Side master_;
+  const ForceProblem& problem_;
+  BarycentricScratch& scratch_;
+  ElementRecord& record_;
+  ElementQueue queue_;
+  FaceBatch faces_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+MasterForce sum_barycentric_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
+                                     BarycentricScratch& scratch, ElementRecord& record) {
+  ElementBatch batch(intersection, master, problem, scratch, record);
+  for_each_active_face(intersection, master, [&batch](Index face) { batch.add(face); });
+  return batch.total();
+}
+
+}  // namespace pcm::fast

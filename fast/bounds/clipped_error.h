@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "fast/bounds/footprint.h"
+#include "fast/bounds/prism_error.h"
+#include "fast/clipped/visible_parts.h"
+#include "fast/posed/transform.h"
+#include "fast/surface/prepared_surface.h"
+
+namespace pcm::fast {
+
+/// How far the integrals over the parts of one master face, as computed, may be from the exact problem's (PCM sections
+/// 1 and 6, clipped scheme).
+///
+/// Both problems, and what is computed, see the same face first at every point (s, t) of the master but those near a
+/// line where that is decided. So the part that belongs to a face f has an area off by no more than the strips
+///
+///   - along the border of f, and of every face g that may lie before f over it, as wide as it may be shifted;
+///   - where f's own depth is 0, or g's: within the errors of that depth;
+///   - where f and g may lie at one depth: within both errors.
+///
+/// A strip costs its area times the greatest depth of f, except where f's own depth is near 0; and elsewhere f's depth
+/// is off by no more than its error. Where nothing is sure over all that f and g have in common, g lies nearly flush
+/// with f or with the master: all of it counts. Roundings of cuts and integrals count as shifts
+/// (fast/bounds/footprint.cpp, fast/bounds/strips.cpp). What the engine knowingly leaves out is added (Neglect).
+///
+/// Where the law clamps the depth u to u_max, point by point, |min(u, u_max) - min(u', u_max)| <= |u - u'|: all of this
+/// holds of the integrals of the clamped depth as well, and no area costs more than itself times u_max. Where a part is
+/// cut at u_max, that cut has roundings of its own (fast/bounds/clipped_error.cpp).
+class SightError {
+ public:
+  SightError(SightScratch& scratch, const MasterPrism& prism, const PrismError& error, const ContactLaw& law)
+      : scratch_(&scratch),
+        prism_(prism),
+        error_(error),
+        continuous_(law.damping == 0 && law.friction == 0),
+        greatest_allowed_(law.max_penetration) {
+    scratch.sights.clear();
+  }
+
+  /// Any face that the master's prism may meet, ascending, the slave's first. `shared`: corners that are the master's.
+  void see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
+           const std::array<bool, 3>& shared, WorkCounters& work);
+  /// No part is seen deeper in either problem, before clamping; less than 0 where no face may carry anything, m.
+  double greatest_depth() const { return greatest_depth_; }
+  /// No face of the master itself need be entered, but its lines deviate from where it would be so by up to this times
+  /// the depth: upright faces beside its prism may hide as much.
+  void may_lean(double lean) { lean_ = lean; }
+  /// To be called once all faces are entered.
+  /// `projected`: of all faces entered those that the engine sees.
+  void compare(const PreparedSurface& slave, const PreparedSurface& master, const ProjectionScratch& projected);
+  /// The face just entered is the engine's own projected one at this place.
+  void is_projected(bool own, Index face, std::size_t place);
+
+  /// Errors of the element made of the part that sees a slave face. Faces come in ascending order.
+  ElementError of_element(Index slave_face, const Moments& moments, const Neglect& neglect, const FaceError& face);
+  /// A part of this area that sees the slave face was computed and made no element.
+  void leave_out(Index slave_face, double area);
+
+  /// What the exact problem may have beside the computed elements.
+  struct Beside {
+    double area = 0;                            ///< in (s, t)
+    double volume = 0;                          ///< integral of the depth, clamped, m
+    double depth = 0;                           ///< no deeper, clamped, m
+    double passed_area = 0, passed_volume = 0;  ///< of these, what may pass between them and the computed ones
+  };
+  Beside beside() const;
+
+  bool known() const { return known_; }  ///< otherwise there is no such bound: a face of no known normal
+  /// Whether a face is seen flush: elements with a force of any size may be others.
+  bool flush() const { return flush_; }
+
+ private:
+  double clamped(double depth) const { return std::min(depth, greatest_allowed_); }
+  /// An integral of the depth over no more than this area, where that is nowhere greater than `greatest`, m.
+  double clamped_volume(double volume, double area, double greatest) const {
+    return greatest > greatest_allowed_ ? std::min(volume, area * greatest_allowed_) : volume;
+  }
+  /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
+  void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
+  double area_leant_over(const Footprint& f) const;
+  void find_outline(Sight& sight, const PreparedSurface& surface);
+  const Footprint* find(bool own, Index face) const;
+  Sight* find(Index slave_face);
+
+  SightScratch* scratch_;
+  const MasterPrism& prism_;
+  const PrismError& error_;
+  /// Forces are sums of integrals of the depth, whatever elements these are parted into: only lines where the depth
+  /// itself jumps count for them.
+  bool continuous_;
+  double greatest_allowed_;  ///< u_max, m
+  double lean_ = 0;
+  std::size_t next_ = 0;
+  double greatest_depth_ = -1;
+  bool known_ = true;
+  bool flush_ = false;
+};
+
+}  // namespace pcm::fast

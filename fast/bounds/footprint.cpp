@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/bounds/footprint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fast/bounds/prism_error.h"
+#include "fast/bounds/strips.h"
+#include "fast/posed/vertex_rounding.h"
+
+namespace pcm::fast {
+
+namespace {
+
+constexpr double u = kUnitRoundoff;
+/// A cut puts a new vertex off the line through its neighbours by 2 u times the way from the nearer one, at most half
+/// of what the corners' coordinates are apart, and u times itself; off the cutting line, where that is a line of zeros
+/// of a coordinate, by 4 u times that way and u times itself. Vertices between those that are off are off by no more
+/// than these and their own.
+double off_line(double apart, double greatest) {
+  return u * (apart + greatest);
+}
+double off_cut(double apart, double greatest) {
+  return u * (2 * apart + greatest);
+}
+/// A linear function given by its values at a face's corners, none greater than H, is computed with no more than 38
+/// roundings of H times the product of the face's widths over its doubled area; which may be off by a quarter itself
+/// where a face's facing is sure.
+constexpr double kLinearRoundings = 52;
+/// Its slopes: the rises, the edges, the products, their difference, the quotient and the area, twice for the latter.
+constexpr double kSlopeRoundings = 12;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double greatest_of(const std::array<PrismPoint, 3>& corners, int coordinate) {
+  return std::max(
+      {std::abs(corners[0][coordinate]), std::abs(corners[1][coordinate]), std::abs(corners[2][coordinate])});
+}
+
+double least_of(const std::array<PrismPoint, 3>& corners, int coordinate) {
+  return std::min({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]});
+}
+
+double greatest_difference(const std::array<PrismPoint, 3>& corners, int coordinate) {
+  return std::max({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]}) -
+         least_of(corners, coordinate);
+}
+
+/// Whether a neighbour of the master face, which shares corners with it, surely lies beside it.
+bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double s, double t,
+                   double third) {
+  const std::array<double, 3> margin{s + t + third, s, t};
+  for (int weight = 0; weight < 3; ++weight) {
+    bool beside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double w = corners[k][weight];
+      beside = beside && (shared[k] ? w == 0 : w < -margin[static_cast<std::size_t>(weight)]);
+    }
+    if (beside) return true;
+  }
+  return false;
+}
+
+/// Whether all corners lie beyond one of the master's sides, by more than a shift of (s, t), or above its plane.
+bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
+  const auto all_below = [&corners](int coordinate, double level) {
+    return corners[0][coordinate] < level && corners[1][coordinate] < level && corners[2][coordinate] < level;
+  };
+  return all_below(0, -(shift.s + shift.t)) || all_below(kS, -shift.s) || all_below(kT, -shift.t) ||
+         all_below(kDepth, -shift.depth);
+}
+
+PrismShift sum_of(const PrismShift& a, const PrismShift& b) {
+  return {a.s + b.s, a.t + b.t, a.depth + b.depth};
+}
+
+/// The part of a face that may come to lie over the master face, at a depth >= 0, when its points are shifted; all
+/// coordinates are larger by the shift.
+ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismShift& shift, double third) {
+  ConvexPolygon part;
+  const PrismPoint enlarged(shift.s + shift.t + third, shift.s, shift.t, shift.depth);
+  for (const PrismPoint& corner : corners) part.add(corner + enlarged);
+  for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
+    if (least_of(corners, coordinate) >= 0) continue;
+    keep_where_not_negative(part, coordinate);
+    if (part.count == 0) break;
+  }
+  return part;
+}
+
+BoxST box_of(const PrismPoint* points, int count) {
+  BoxST box{points[0][kS], points[0][kS], points[0][kT], points[0][kT]};
+  for (int i = 1; i < count; ++i) {
+    const PrismPoint& x = points[i];
+    box.low_s = std::min(box.low_s, x[kS]);
+    box.high_s = std::max(box.high_s, x[kS]);
+    box.low_t = std::min(box.low_t, x[kT]);
+    box.high_t = std::max(box.high_t, x[kT]);
+  }
+  return box;
+}
+
+/// On which side of the plane of f the vertices of g certainly lie: 1 all above, -1 all below, 0 unsure. With lambda
+/// the barycentric coordinates of a vertex c of g in f, both as shifted, the plane of f passes there within sum
+/// |lambda| (depth + gradient x shift of f's vertices) of the unshifted one.
+int certain_side(const Footprint& f, const Footprint& g) {
+  const auto steepness = [&f](const PrismShift& shift) {
+    return shift.depth + std::abs(f.depth.per_s) * shift.s + std::abs(f.depth.per_t) * shift.t;
+  };
+  const double of_plane = steepness(f.vertex_shift), of_vertex = steepness(g.vertex_shift);
+  const double twice_area = cross_st(f.corners[0], f.corners[1], f.corners[2]);
+  int above = 0, below = 0, shared = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (f.own == g.own && std::find(f.vertices.begin(), f.vertices.end(), g.vertices[j]) != f.vertices.end()) {
+      ++shared;
+      continue;
+    }
+    const PrismPoint& c = g.corners[j];
+    double lambda = 0, widths = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PrismPoint& a = f.corners[k];
+      lambda += std::abs(cross_st(a, f.corners[(k + 1) % 3], c));
+      widths += (f.corner_shift.s + g.corner_shift.s) * (std::abs(c[kT] - a[kT]) + g.corner_shift.t) +
+                (f.corner_shift.t + g.corner_shift.t) * std::abs(c[kS] - a[kS]);
+    }
+    // Shifting leaves the face at least half its area (find_footprint).
+    lambda = 2 * (lambda + 8 * widths) / twice_area;
+    const double plane =
+        f.depth.value + (f.depth.per_s * (c[kS] - f.depth.s_0) + f.depth.per_t * (c[kT] - f.depth.t_0));
+    const double error =
+        2 * (of_plane * lambda + of_vertex) + f.relative_noise * (std::abs(plane) + std::abs(c[kDepth]));
+    above += plane - c[kDepth] > error ? 1 : 0;
+    below += plane - c[kDepth] < -error ? 1 : 0;
+  }
+  if (shared == 3) return 0;
+  return above + shared == 3 ? 1 : below + shared == 3 ? -1 : 0;
+}
+
+}  // namespace
+
+CertainOrder certain_order(const Footprint& g, const Footprint& f) {
+  const int g_over_f = certain_side(f, g);
+  const int f_over_g = g_over_f == 0 ? certain_side(g, f) : 0;
+  if (g_over_f > 0 || f_over_g < 0) return CertainOrder::before;
+  return g_over_f < 0 || f_over_g > 0 ? CertainOrder::after : CertainOrder::unsure;
+}
+
+BoxST BoxST::common(const BoxST& other) const {
+  return {std::max(low_s, other.low_s), std::min(high_s, other.high_s), std::max(low_t, other.low_t),
+          std::min(high_t, other.high_t)};
+}
+
+bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners) {
+  const double distance =
+      error.distance(greatest_of(corners, kS), greatest_of(corners, kT), greatest_of(corners, kDepth));
+  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth], 0.0});
+  return surely_outside(corners,
+                        sum_of(error.of_any_vertices(error.greatest_noise(distance), own), error.of_frame(deepest)));
+}
+
+// The two steps of PrismError move each corner by no more than corner_shift but for an affine map of the plane, which
+// leaves windings and sides as they are; and each point that is seen by no more than `shift`, its depth besides by
+// shift.depth. A depth at a fixed (s, t) is off by what depth - per_s s - per_t t is, a side by its cross product with
+// the displacement. Windings: with both edges shifted by up to twice corner_shift the product changes by at most
+// 4 (s width_t + t width_s + 2 s t).
+bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint& f) {
+  const std::array<PrismPoint, 3>& corners = seen.corners;
+  const std::array<bool, 3>& shared = seen.shared;
+  const double greatest_s = greatest_of(corners, kS), greatest_t = greatest_of(corners, kT);
+  const double farthest_depth = greatest_of(corners, kDepth);
+  const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
+  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
+  const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
+  const PrismNoise noise = error.noise(seen.points_Me, corners, shared);
+  const PrismShift of_vertices = error.of_vertices(noise, seen.rounding_Me);
+  const PrismShift of_tilt = error.of_tilt(farthest_depth);
+  f.vertex_shift = of_vertices;
+  f.corner_shift = {of_vertices.s + of_tilt.s, of_vertices.t + of_tilt.t, 0};
+  f.hinge_depth = 0;
+  if (shared[0] || shared[1] || shared[2]) {
+    const PrismShift frame = error.of_frame(farthest_depth);
+    const double far = 1 + greatest_s + greatest_t;
+    f.hinge_shift = {of_vertices.s + far * frame.s, of_vertices.t + far * frame.t,
+                     of_vertices.depth + far * frame.depth + far * distance * frame.s};
+    if (surely_beside(corners, shared, f.hinge_shift.s, f.hinge_shift.t, noise.third)) return false;
+    f.hinge_depth = kInfinity;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, corners[k][kDepth]);
+    }
+    f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_shift.depth, 0.0) : 0;
+  }
+
+  const PrismShift widest = sum_of(of_vertices, widest_frame);
+  f.box = box_of(corners.data(), 3);
+  f.greatest = deepest + widest.depth;
+  if (std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT), least_of(corners, kDepth)}) < 0) {
+    const ConvexPolygon part = part_over_master(corners, widest, error.of_third_weight(std::max(deepest, 0.0), noise));
+    if (part.count == 0) return false;
+    f.box = box_of(part.points.data(), part.count);
+    f.greatest = part[0][kDepth];
+    for (int i = 1; i < part.count; ++i) f.greatest = std::max(f.greatest, part[i][kDepth]);
+  }
+  // Both ways about what may be enlarged.
+  f.box.low_s = std::max(f.box.low_s - 2 * widest.s, 0.0);
+  f.box.low_t = std::max(f.box.low_t - 2 * widest.t, 0.0);
+  f.box.high_s = std::min(f.box.high_s + widest.s, 1.0);
+  f.box.high_t = std::min(f.box.high_t + widest.t, 1.0);
+  if (f.box.empty()) return false;
+  const PrismShift frame = error.of_frame(f.greatest);
+  f.shift = sum_of(of_vertices, frame);
+  int side_cuts = 0;
+  for (int coordinate = 0; coordinate < kDepth; ++coordinate) side_cuts += least_of(corners, coordinate) <= 0 ? 1 : 0;
+  const int last_cuts = least_of(corners, kDepth) <= 0 ? 1 : 0;
+  const int cuts = side_cuts + last_cuts;
+  const double apart_s = greatest_difference(corners, kS), apart_t = greatest_difference(corners, kT);
+  f.cut_shift = {cuts * off_cut(apart_s, greatest_s), cuts * off_cut(apart_t, greatest_t), 0};
+  f.third_side_shift = error.of_third_weight(f.greatest, noise);
+
+  f.face = seen.face;
+  f.own = seen.own;
+  f.rounding_Me = seen.rounding_Me;
+  f.vertices = seen.vertices;
+  f.corners = corners;
+  f.noise = noise;
+  f.knows_sides = false;
+  f.fixed = shared;
+  const double twice_area = cross_st(corners[0], corners[1], corners[2]);
+  if (twice_area < 0) {
+    std::swap(f.vertices[1], f.vertices[2]);
+    std::swap(f.corners[1], f.corners[2]);
+    std::swap(f.fixed[1], f.fixed[2]);
+  }
+  const PrismPoint a = f.corners[1] - f.corners[0], b = f.corners[2] - f.corners[0];
+  const double width_s = std::abs(a[kS]) + std::abs(b[kS]), width_t = std::abs(a[kT]) + std::abs(b[kT]);
+  const double turn =
+      4 * (f.corner_shift.s * width_t + f.corner_shift.t * width_s + 2 * f.corner_shift.s * f.corner_shift.t);
+  f.greatest += f.shift.depth;
+  if (!(std::abs(twice_area) > 2 * turn)) {
+    f.facing = 0;
+    f.sliver = 0.5 * std::abs(twice_area);
+    f.depth = {0, 0, 0};
+    f.field_error = f.line_error = f.depth_error = kInfinity;
+    f.relative_noise = f.crossing_noise = 0;
+    return f.greatest >= 0;
+  }
+  f.facing = twice_area < 0 ? -1 : 1;
+  f.sliver = 0;
+  const double inverse = 1 / std::abs(twice_area);
+  f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
+             (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
+  f.relative_noise = kLinearRoundings * u * width_s * width_t * inverse;
+  const double cut_noise = off_line(greatest_difference(corners, kDepth), farthest_depth) +
+                           std::abs(f.depth.per_s) * off_line(apart_s, greatest_s) +
+                           std::abs(f.depth.per_t) * off_line(apart_t, greatest_t);
+  // At depth 0 it is cut last: what is left then lies over the master, where depths differ by no more than the slopes.
+  const double slopes = std::abs(f.depth.per_s) + std::abs(f.depth.per_t);
+  const double last_cut = std::min(cut_noise, kBoundMargin * (off_line(slopes, 0) + slopes * off_line(1, 1)));
+  const double off_slope = kSlopeRoundings * u * inverse;
+  const double slopes_off = off_slope * ((std::abs(a[kDepth] * b[kT]) + std::abs(b[kDepth] * a[kT])) * f.shift.s +
+                                         (std::abs(b[kDepth] * a[kS]) + std::abs(a[kDepth] * b[kS])) * f.shift.t);
+  f.field_error =
+      kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, seen.rounding_Me) +
+      slopes_off + side_cuts * cut_noise + last_cuts * last_cut;
+  f.line_error = f.field_error + 2 * last_cut;
+  f.depth_error = f.line_error + f.relative_noise * farthest_depth;
+  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
+  const auto length_of = [&error](const PrismPoint& edge) {
+    return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
+  };
+  f.crossing_noise = 16 * u * length_of(a) * length_of(b) * inverse / error.twice_area();
+  return f.greatest >= 0;
+}
+
+void find_side_shifts(const PrismError& error, Footprint& f) {
+  if (f.knows_sides) return;
+  f.knows_sides = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const PrismPoint& a = f.corners[k];
+    const PrismPoint& b = f.corners[next];
+    const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
+    int cuts = 0;
+    for (int coordinate = 0; coordinate <= kDepth; ++coordinate)
+      cuts += std::min(a[coordinate], b[coordinate]) <= 0 && std::max(a[coordinate], b[coordinate]) >= 0 ? 1 : 0;
+    const double cut_s = off_line(std::abs(side_s), std::max(std::abs(a[kS]), std::abs(b[kS])));
+    const double cut_t = off_line(std::abs(side_t), std::max(std::abs(a[kT]), std::abs(b[kT])));
+    // Corners that are the master's are where they are in both problems.
+    const bool moves = !(f.fixed[k] && f.fixed[next]);
+    f.side_shift[k] = moves ? error.of_function({-side_t, side_s, 0}, f.greatest, f.noise, f.rounding_Me) : 0;
+    f.side_cuts[k] = cuts * (std::abs(side_t) * cut_s + std::abs(side_s) * cut_t);
+  }
+}
+
+// That of all that shifts may bring over the master, and what its border may pass over then.
+double greatest_area(const Footprint& face) {
+  const ConvexPolygon part = part_over_master(face.corners, face.shift, face.third_side_shift);
+  return std::min(face.box.area(),
+                  (1 + 0x1p-40) * (0.5 * std::abs(twice_area(part))) +
+                      strip_along_border(face.box, face.shift.s + face.cut_shift.s, face.shift.t + face.cut_shift.t));
+}
+
+}  // namespace pcm::fast

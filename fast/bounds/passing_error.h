@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fast/bounds/element_error.h"
+#include "fast/bounds/force_error.h"
+#include "fast/force/force_problem.h"
+
+namespace pcm::fast {
+
+/// What it costs that the exact problem may part a master face otherwise between its elements (clipped scheme): where
+/// two faces of the slave go on smoothly into each other, an area that one element loses the other one gains.
+///
+/// With fixed velocities the force (14)-(22) of an element k is linear in its integrals, dF = c_k dV + b_k dA, but
+/// where damping begins to fade or the normal force to vanish; V is the integral of the clamped depth. What passes sums
+/// up to nothing, so the force is off by no more than the sum of |c_k - c| |dV| + |b_k - b| |dA|, c and b those of any
+/// one element: as much as the velocities differ from element to element. An element whose force may not be linear
+/// counts in full, and what it may pass to the others as well.
+class PassingError {
+ public:
+  /// An element and its errors, of which those that pass are not part yet. If its force may not be linear, they become
+  /// so.
+  void add(const ForceProblem& problem, const Element& element, ElementError& error, ElementForceError& sum);
+  /// What may pass to or from where no element was computed, m^2 and m^3.
+  void add_elsewhere(double area, double volume);
+  /// Once all the face's elements are entered.
+  void finish(ElementForceError& sum) const;
+
+  /// By how much the other errors of an element whose force is linear may grow through what passes.
+  static constexpr double kGrowth = 1 + 0x1p-10;
+
+ private:
+  struct Rates {
+    Eigen::Vector3d per_volume_Me = Eigen::Vector3d::Zero();  ///< N / m^3
+    Eigen::Vector3d per_area_Me = Eigen::Vector3d::Zero();    ///< N / m^2
+    Eigen::Vector3d lever_Me = Eigen::Vector3d::Zero();       ///< m
+  };
+  Rates first_;
+  bool has_first_ = false;
+  double elsewhere_area_ = 0, elsewhere_volume_ = 0;
+};
+
+}  // namespace pcm::fast

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/clipped/visible_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcm::fast {
+
+namespace {
+
+/// Where a face lies along the lines, compared with another one.
+enum class Order : std::uint8_t { before, after, crossing };
+
+/// A linear function c_s (s - s_0) + c_t (t - t_0); a half plane is where it is not negative.
+struct HalfPlane {
+  double c_s, s_0, c_t, t_0;
+
+  double operator()(const PrismPoint& x) const { return c_s * (x[kS] - s_0) + c_t * (x[kT] - t_0); }
+};
+
+/// A convex set of points, the intersection of half planes.
+struct ConvexSet {
+  std::array<HalfPlane, 5> half_planes;
+  std::size_t count = 0;
+
+  void add(const HalfPlane& half_plane) { half_planes[count++] = half_plane; }
+  const HalfPlane* begin() const { return half_planes.data(); }
+  const HalfPlane* end() const { return half_planes.data() + count; }
+};
+
+/// The inner side of side k of a counterclockwise face. The line runs from the vertex of smaller index to the other, so
+/// that both faces at the edge have the same one.
+HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
+  const std::size_t next = (k + 1) % 3;
+  const bool ascending = face.vertices[k] < face.vertices[next];
+  const PrismPoint& a = face.corners[ascending ? k : next];
+  const PrismPoint& b = face.corners[ascending ? next : k];
+  const double sign = ascending ? 1 : -1;
+  return {-sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT]};
+}
+
+/// Where the linear function with the given values at the corners of a face, some of them negative, not all, is not
+/// negative. It is laid through the point where the function is 0 on the side from the corner P whose sign is its own
+/// to the next one, a; b is where it is 0 on the other side from P. With e1, e2 the two sides and r1, r2 the function's
+/// rise along them, the roundings of its gradient, r1 e2 - r2 e1 turned by a right angle, move what it tells of a point
+/// between a and b by a few ulps of the longer of |a - P| and |b - P|, however narrow the face is.
+HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double, 3>& values) {
+  const bool one_negative = (values[0] < 0) + (values[1] < 0) + (values[2] < 0) == 1;
+  std::size_t lone = 0;
+  while ((values[lone] < 0) != one_negative) ++lone;
+  const std::size_t next = (lone + 1) % 3, last = (lone + 2) % 3;
+  const PrismPoint& P = face.corners[lone];
+  const PrismPoint& Q = face.corners[next];
+  const PrismPoint e1 = Q - P, e2 = face.corners[last] - P;
+  const double r1 = values[next] - values[lone], r2 = values[last] - values[lone];
+  const PrismPoint a =
+      one_negative ? point_at_zero(Q, values[next], P, values[lone]) : point_at_zero(P, values[lone], Q, values[next]);
+  return {r1 * e2[kT] - r2 * e1[kT], a[kS], r2 * e1[kS] - r1 * e2[kS], a[kT]};
+}
+
+/// Heights of the vertices of g over the plane of f, times twice the area of f. Above is where the lines come from: the
+/// vertices of f run counterclockwise as the master sees them.
+std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, WorkCounters& work) {
+  std::array<double, 3> heights;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& shared = f.projected.vertices;
+    const bool is_corner = f.projected.own == g.projected.own &&
+                           std::find(shared.begin(), shared.end(), g.projected.vertices[k]) != shared.end();
+    heights[k] = is_corner ? 0 : height_over(f.points_Me, g.points_Me[k], work);
+  }
+  return heights;
+}
+
+/// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both sides.
+int side_of_plane(const std::array<double, 3>& heights) {
+  const bool above = std::max({heights[0], heights[1], heights[2]}) > 0;
+  const bool below = std::min({heights[0], heights[1], heights[2]}) < 0;
+  return above && below ? 2 : above ? 1 : below ? -1 : 0;
+}
+
+/// How g lies to f; `f_over_g` is filled where they cross.
+Order order_of(const PlacedFace& g, const PlacedFace& f, std::array<double, 3>& f_over_g, WorkCounters& work) {
+  const int side_of_g = side_of_plane(heights_over(f, g, work));
+  if (side_of_g == 0) {
+    return !g.projected.own && g.projected.face < f.projected.face ? Order::before : Order::after;
+  }
+  if (side_of_g != 2) return side_of_g > 0 ? Order::before : Order::after;
+  f_over_g = heights_over(g, f, work);
+  const int side_of_f = side_of_plane(f_over_g);
+  if (side_of_f != 2) return side_of_f > 0 ? Order::after : Order::before;
+  return Order::crossing;
+}
+
+Heights heights_of(const ConvexPolygon& polygon, const HalfPlane& half_plane) {
+  Heights heights{};
+  for (int i = 0; i < polygon.count; ++i) heights[static_cast<std::size_t>(i)] = half_plane(polygon[i]);
+  return heights;
+}
+
+/// What a convex polygon and a convex set have in common.
+ConvexPolygon common(ConvexPolygon polygon, const ConvexSet& set) {
+  for (const HalfPlane& half_plane : set) {
+    keep_where_not_negative(polygon, heights_of(polygon, half_plane));
+    if (polygon.empty()) break;
+  }
+  return polygon;
+}
+
+/// Appends a part, in two where it has too many vertices for the cuts to come.
+void append(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
+  if (part.count <= ConvexPolygon::kMost) {
+    parts.push_back(part);
+    return;
+  }
+  const int half = part.count / 2;
+  ConvexPolygon first, second;
+  first.cuts = second.cuts = part.cuts;
+  for (int i = 0; i <= half; ++i) first.add(part[i]);
+  for (int i = half; i < part.count; ++i) second.add(part[i]);
+  second.add(part[0]);
+  parts.push_back(first);
+  parts.push_back(second);
+}
+
+double area_of(const ConvexPolygon& polygon) {
+  return polygon.empty() ? 0 : 0.5 * std::abs(twice_area(polygon));
+}
+
+/// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
+/// second, and so on.
+void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<ConvexPolygon>& parts,
+              std::vector<ConvexPolygon>& remaining, Neglect& neglect) {
+  remaining.clear();
+  for (const ConvexPolygon& part : parts) {
+    const ConvexPolygon overlap = common(part, set);
+    if (overlap.empty()) {
+      remaining.push_back(part);
+      continue;
+    }
+    const std::size_t before = remaining.size();
+    double dropped = 0;
+    ConvexPolygon rest = part;
+    for (const HalfPlane& half_plane : set) {
+      Heights heights = heights_of(rest, half_plane);
+      if (*std::min_element(heights.begin(), heights.begin() + rest.count) >= 0) continue;
+      ConvexPolygon outside = rest;
+      keep_where_not_negative(rest, heights);
+      for (double& height : heights) height = -height;
+      keep_where_not_negative(outside, heights);
+      if (certain(outside, uncertainty)) {
+        append(outside, remaining);
+      } else {
+        dropped += area_of(outside);
+      }
+      if (rest.empty()) break;
+    }
+    if (remaining.size() > before + 1 && !certain(overlap, uncertainty)) {
+      remaining.resize(before);
+      remaining.push_back(part);
+      dropped = area_of(overlap);
+    }
+    neglect.area += dropped;
+  }
+  std::swap(parts, remaining);
+}
+
+/// Greatest difference and greatest value of a coordinate.
+struct Extent {
+  double width, high;
+
+  Extent(const ConvexPolygon& polygon, int coordinate) : width(0), high(polygon[0][coordinate]) {
+    double low = high;
+    for (int i = 1; i < polygon.count; ++i) {
+      low = std::min(low, polygon[i][coordinate]);
+      high = std::max(high, polygon[i][coordinate]);
+    }
+    width = high - low;
+  }
+};
+
+}  // namespace
+
+void Neglect::add_part(const ConvexPolygon& part, const ConvexPolygon& whole) {
+  constexpr double u = 0x1p-53;
+  ++parts;
+  const int seen = part.cuts - whole.cuts;
+  cuts = std::max(cuts, seen);
+  const Extent s(part, kS), t(part, kT);
+  const double off_s = (seen * (2 * Extent(whole, kS).width + 1) + 10 * s.width) * u;
+  const double off_t = (seen * (2 * Extent(whole, kT).width + 1) + 10 * t.width) * u;
+  const double changed = 2 * (s.width * off_t + t.width * off_s) + 48 * off_s * off_t;
+  cut_area += changed;
+  cut_volume += changed * Extent(part, kDepth).high;
+}
+
+void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
+                     std::vector<ConvexPolygon>& remaining, Neglect& neglect, WorkCounters& work) {
+  std::array<double, 3> f_over_g;
+  const Order order = order_of(g, f, f_over_g, work);
+  if (order == Order::after) return;
+  ConvexSet hidden;
+  for (std::size_t k = 0; k < 3; ++k) hidden.add(inside_of_side(g.projected, k));
+  const auto& corners = g.projected.corners;
+  const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
+  if (std::min({depths[0], depths[1], depths[2]}) < 0) hidden.add(where_not_negative(g.projected, depths));
+  // Points of f beyond g lie below it.
+  if (order == Order::crossing) {
+    hidden.add(where_not_negative(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
+  }
+  const Uncertainty &of_f = f.projected.uncertainty, &of_g = g.projected.uncertainty;
+  subtract(hidden, {kSliver * std::max(of_f.s, of_g.s), kSliver * std::max(of_f.t, of_g.t)}, parts, remaining, neglect);
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "fast/prism/projected_face.h"
+
+namespace pcm::fast {
+
+/// How far what a master face is found to see may be from the rounded problem, whose vertices are given (PCM section
+/// 1). Which of two faces lies before the other, wherever their order is one, and what is met at depth 0 is decided
+/// exactly; only places are rounded. With u = 2^-53, S the greatest |coordinate| of E, F, A x_F and r, so that no two
+/// points of bodies that touch are farther apart than D = 3 sqrt(3) S, no edge is longer than 2 sqrt(3) S, and
+/// Placement::reach is no more than (1 + sqrt(3)) S, and q = |p1 - p0| |p2 - p0| / |N| of the master face, lengths
+/// being sums of |components|:
+///
+/// Places. A weight has 4 roundings, its gradient 8: with errors of s and t apart, a corner is off by 2 q 12 u D in the
+/// plane, at most 125 q u S, and by the lines' direction, 4 u (1 + q), at most 42 q u S more. The four cuts that shape
+/// a projected face round by 3 u of segments up to 2 q D long, together 125 q u S; a half plane's value at a point by
+/// 42 q u S; each further cut, within the master, by 10 q u S. Strips that are dropped or kept though they are not
+/// certain are no wider than the uncertainty of s and t, 64 u (1 + sqrt(3)) S each: 350 q u S. With no more than 34
+/// further cuts that is delta = kPlaceRoundings q u S.
+///
+/// Depths. A height has kFilterRelative of its terms, which is 47 q u S of depth, the lines' direction and the four
+/// cuts add 84 q u S, and being off in place adds tan theta times 292 q u S, theta the angle between the planes of the
+/// face and of the master: no more than epsilon = kDepthRoundings q u S / cos theta.
+///
+/// Lines that part what is seen, each off by
+///   - a projected edge: delta;
+///   - where f and g have one depth, or g has depth 0 (f the master), their planes at an angle a: delta
+///     + min(2 kDepthRoundings q u S / sin a, 2 kHeightError S). For |grad (d_f - d_g)| >= sin a / min(cos theta_f, cos
+///     theta_g); and between its corners' sure heights a line is off by no more than kHeightError / 2 of an edge.
+///
+/// So of an element {e, f} with the outline P of what e sees of f (in any number of convex pieces), its sides as long
+/// as l_i and off by delta_i, meeting at angles b_ij, the area is off by no more than
+///     sum l_i delta_i + sum (delta_i + delta_j) min((delta_i + delta_j) / sin b_ij, |p1 - p0| + |p2 - p0|)
+///     + 4 delta^2 / cos theta_f,
+/// nor by more than what e and f's projection have in common; the integral of the depth by each of these terms times
+/// the greatest depth near it, and by area times epsilon. An element that only one of them has is no greater than the
+/// strips along the outlines of its master face's elements, and of the face itself. A force of the clipped scheme is
+/// off by the sum over the elements times the stiffness, however many of them there are.
+inline constexpr double kPlaceRoundings = 1024;
+inline constexpr double kDepthRoundings = 512;
+
+/// Parts no wider than this part of what makes a face certain are dropped where faces are cut by others: about as wide
+/// as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.
+inline constexpr double kSliver = 1.0 / 16;
+
+/// A face in the prism together with its vertices in Me.
+struct PlacedFace {
+  const ProjectedFace& projected;
+  std::array<Eigen::Vector3d, 3> points_Me;  ///< of `projected.vertices`, so counterclockwise as the master sees them
+};
+
+/// What was done to the parts of a face that is not exact but for roundings of its own points.
+struct Neglect {
+  double area = 0;  ///< dropped, or kept though hidden, in (s, t)
+  /// Of the parts that are left: how many, and what the cuts that part them from the whole may change.
+  int parts = 0;
+  int cuts = 0;  ///< the greatest number of them that one part has seen
+  double cut_area = 0;
+  double cut_volume = 0;  ///< integral of the depth there, m
+
+  /// A cut of the whole by other faces puts vertices, whose coordinates are no greater than 1, off by 2 u times the
+  /// whole's width and u. The integrals are off by as much as a shift by 10 u times the part's width would make.
+  void add_part(const ConvexPolygon& part, const ConvexPolygon& whole);
+};
+
+/// Takes from `parts` of the face f, through which the lines leave the slave, what they reach only after g: where g is
+/// met at a depth >= 0 and not farther than f (PCM section 6). Where the two planes are one, the face of smaller index
+/// is before the other one of the slave, and none of the master is before any of the slave. Which of two faces lies
+/// before the other is decided exactly where the plane of one has the other on one side, as it has wherever faces share
+/// a vertex and wherever they do not intersect; the part taken is exact but for roundings.
+///
+/// Slivers are dropped (kSliver), and a part of which g hides no more than a sliver is not split: it loses that strip
+/// where one part remains, and stays whole where more would. Both change only strips along the borders
+/// of f and g, as wide as these are uncertain. So the parts, which do not overlap, have areas, and are cells between
+/// the sides of those faces that certainly hide some of f: with n of them at most of the order of n^2, and of n where
+/// each meets few of the parts the others leave; `neglect` counts both. Without that, slivers of rounding size along
+/// one line (faces that the lines run in, several at one border) would cut each other to pieces without end.
+/// `remaining` is scratch.
+void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
+                     std::vector<ConvexPolygon>& remaining, Neglect& neglect, WorkCounters& work);
+
+}  // namespace pcm::fast

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "fast/base/stamped_array.h"
+#include "fast/posed/posed_pair.h"
+#include "fast/search/candidates.h"
+
+namespace pcm::fast {
+
+/// A crossing while its polygon is being made. The segment that starts at it runs through the crossing pair
+/// (segment_face[E], segment_face[F]) to the crossing `next`.
+struct CrossingNode {
+  Side edge_side = Side::E;
+  Index edge = 0;           ///< index among the edges of its surface
+  Index face = 0;           ///< of the other surface
+  bool from_above = false;  ///< the edge's first vertex is above the face: the winding number grows along the edge
+  bool has_previous = false;
+  Index next = -1;  ///< -1 where an open polygon ends
+  std::array<Index, 2> segment_face{-1, -1};
+  Index polygon = -1;
+  Index next_on_edge = -1;  ///< another crossing of the same edge, in the polygons' order
+  Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();
+
+  /// E before F, then by the edge's vertices, then by face; edges are numbered in the order of their vertices.
+  std::uint64_t key() const {
+    return (static_cast<std::uint64_t>(edge_side) << 63) | (static_cast<std::uint64_t>(edge) << 31) |
+           static_cast<std::uint64_t>(face);
+  }
+  /// Change of the winding number of the face's surface along the edge, from its smaller to its greater vertex.
+  int winding_change() const { return from_above ? 1 : -1; }
+};
+
+/// The crossings of one edge.
+struct EdgeCrossings {
+  Index first = -1;  ///< in Crossings::nodes; the others follow by next_on_edge
+  Index count = 0;
+  Index winding_change = 0;  ///< sum over them, from the smaller vertex to the greater
+};
+
+/// What is crossed of one surface.
+struct CrossedSurface {
+  std::vector<Index> intersected;     ///< faces in a crossing pair, ascending
+  StampedArray<bool> is_intersected;  ///< by face
+  StampedArray<EdgeCrossings> edges;  ///< by edge, where there is one; by list_crossings_by_edge
+};
+
+/// All crossings of a pose, with the segments between them.
+struct Crossings {
+  std::vector<CrossingNode> nodes;
+  std::array<CrossedSurface, 2> surfaces;
+  /// Face pairs (E, F) that may touch, in whatever order: where they are to be kept.
+  std::vector<std::pair<Index, Index>> candidates;
+
+  CrossedSurface& of(Side side) { return surfaces[static_cast<std::size_t>(side)]; }
+  const CrossedSurface& of(Side side) const { return surfaces[static_cast<std::size_t>(side)]; }
+  const CrossingNode& operator[](Index crossing) const { return nodes[static_cast<std::size_t>(crossing)]; }
+};
+
+/// Crossings by key: open addressing, emptied in constant time.
+class CrossingIndex {
+ public:
+  void start();
+  /// The place of the crossing with this key in the list; `fresh` is entered and returned where it is new.
+  Index find_or_insert(std::uint64_t key, Index fresh);
+
+ private:
+  struct Slot {
+    std::uint64_t key = 0;
+    Index value = -1;
+  };
+  void grow();
+  std::vector<std::uint64_t> keys_;  ///< in the order of insertion, to fill a larger table
+  StampedArray<Slot> table_;
+  std::size_t capacity_ = 0;
+};
+
+/// Scratch memory of find_crossings.
+struct CrossingScratch {
+  CrossingIndex index;
+  NodePairs open;
+  std::vector<std::uint64_t> marks;  ///< of sort_ascending
+};
+
+/// What find_crossings may leave out, or has to do beside.
+struct CrossingOptions {
+  bool stop_at_first = false;    ///< return as soon as one crossing pair is known
+  bool keep_candidates = false;  ///< fill Crossings::candidates
+  bool filtered = true;          ///< false: every sign is found by exact arithmetic
+};
+
+/// Finds all crossings (PCM section 4) and the segments between them: each once, with its successor in the circulation
+/// of (5), and both surfaces' intersected faces. Exact on the rounded problem. True where there is a crossing.
+bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingScratch& scratch, Crossings& crossings);
+
+/// Computes the positions of all crossings: edge meets face plane. No edge crosses a face in whose plane it lies, nor a
+/// face without area: the tie rule moves all of E one way off such a plane, by more than anything of F. So positions
+/// are where crossings tend to as the tie rule's move vanishes, and so are all areas made of them. Off by a few ulps of
+/// the face and edge sizes over the sine of the angle between them.
+void locate_crossings(PosedPair& posed, Crossings& crossings);
+
+/// Lists each edge's crossings in the order of `order`, or in that of Crossings::nodes where it is empty.
+void list_crossings_by_edge(const PosedPair& posed, const std::vector<Index>& order, Crossings& crossings);
+
+}  // namespace pcm::fast

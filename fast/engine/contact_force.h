@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "fast/active/intersection.h"
+#include "fast/barycentric/barycentric_elements.h"
+#include "fast/bounds/force_bound.h"
+#include "fast/clipped/clipped_elements.h"
+
+namespace pcm::fast {
+
+/// Scratch memory of compute_force.
+struct ForceScratch {
+  BarycentricScratch barycentric;
+  ClippedScratch clipped;
+  BoundScratch bound;
+};
+
+/// Force and torque of a pairing (23), (24), with a bound where it is wanted.
+struct PairingForce {
+  MasterForce total;
+  std::optional<ForceBound> bound;
+};
+
+/// Of the master's elements, in mode `both` the mean of both masters'. Records the elements. Throws BadInput where
+/// force or torque overflow.
+PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
+                           bool with_bound, ForceScratch& scratch, ElementRecord& record);
+
+/// Forms the elements that modes E and F do without, and forgets them: what a one-sided mode saves.
+void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
+                            ForceScratch& scratch);
+
+}  // namespace pcm::fast

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pcm/engine.h"
+
+#include <utility>
+
+#include "fast/active/active_areas.h"
+#include "fast/crossings/crossings.h"
+#include "fast/crossings/polygons.h"
+#include "fast/engine/contact_force.h"
+#include "fast/engine/workspace.h"
+#include "fast/force/law.h"
+#include "fast/surface/prepare_surface.h"
+#include "meshes/base/floating_point_environment.h"
+
+namespace pcm::fast {
+
+namespace {
+
+/// Writes the polygons and their points into the answer.
+void report_polygons(const Workspace::Data& data, Contact& contact) {
+  for (const Index c : data.polygons.crossing_order) {
+    const CrossingNode& node = data.crossings[c];
+    Crossing crossing;
+    crossing.edge_side = node.edge_side;
+    crossing.edge = data.posed.surface(node.edge_side).edge(node.edge);
+    crossing.face = node.face;
+    crossing.position_Me = node.position_Me;
+    contact.crossings.push_back(crossing);
+  }
+  contact.polygons.assign(data.polygons.polygons.begin(), data.polygons.polygons.end());
+  for (std::size_t p = 0; p < contact.polygons.size(); ++p) contact.polygons[p].patch = data.patches.of_polygon[p];
+  contact.patches = data.patches.count;
+}
+
+void report_active_areas(const Intersection& found, Contact& contact) {
+  contact.nested = found.active.nested;
+  contact.ambiguous = found.active.ambiguous;
+  for (const Side side : {Side::E, Side::F}) {
+    ActiveArea& area = side == Side::E ? contact.E : contact.F;
+    const std::vector<Index>& intersected = found.crossings.of(side).intersected;
+    const std::vector<Index>& inner = found.active.of(side).inner;
+    area.intersected.assign(intersected.begin(), intersected.end());
+    area.inner.assign(inner.begin(), inner.end());
+  }
+}
+
+void report_clipped_areas(const ClippedAreas& areas, Contact& contact) {
+  contact.E.area = areas.area[0];
+  contact.F.area = areas.area[1];
+  contact.E.vector_area_Me = areas.vector_area_Me[0];
+  contact.F.vector_area_Me = areas.vector_area_Me[1];
+  contact.undefined_areas = areas.undefined;
+  contact.has_volume = areas.has_volume;
+  contact.volume = areas.volume;
+}
+
+/// Takes out of a whole answer what was not asked for.
+void keep_only(const Wanted& wanted, Contact& contact) {
+  const bool force = wants_force(wanted);
+  if (!wanted.polygons) {
+    contact.crossings.clear();
+    contact.polygons.clear();
+    contact.patches = 0;
+  }
+  if (!wanted.areas) {
+    for (ActiveArea* area : {&contact.E, &contact.F}) {
+      area->area = 0;
+      area->vector_area_Me.setZero();
+    }
+    contact.undefined_areas = 0;
+    contact.has_volume = false;
+    contact.volume = 0;
+  }
+  if (!wanted.elements) contact.elements.clear();
+  if (!wanted.elements && !wanted.statistics) contact.statistics = {};
+  if (!wanted.bound) contact.bound.reset();
+  if (!force) {
+    contact.element_count = contact.too_deep = 0;
+    contact.max_penetration = 0;
+    contact.penetration_exceeded = false;
+    contact.force_Me.setZero();
+    contact.torque_Me.setZero();
+  }
+  if (wants_only_touch(wanted)) {
+    contact.nested = contact.ambiguous = false;
+    for (ActiveArea* area : {&contact.E, &contact.F}) {
+      area->intersected.clear();
+      area->inner.clear();
+    }
+  }
+}
+
+}  // namespace
+
+Surface::Surface(TriangleMesh mesh) {
+  const DefaultFloatingPoint environment;
+  data_ = std::make_shared<const PreparedSurface>(prepare_surface(std::move(mesh)));
+}
+
+const TriangleMesh& Surface::mesh() const {
+  return data_->mesh;
+}
+
+bool Surface::closed() const {
+  return data_->closed;
+}
+
+Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode, Scheme scheme)
+    : surface_E_(std::move(surface_E)),
+      surface_F_(std::move(surface_F)),
+      law_(std::move(law)),
+      mode_(mode),
+      scheme_(scheme) {
+  const DefaultFloatingPoint environment;
+  require_valid(law_);
+}
+
+Workspace::Workspace() : data_(std::make_unique<Data>()) {}
+Workspace::~Workspace() = default;
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+
+Workspace::Data& Workspace::data() {
+  if (!data_) data_ = std::make_unique<Data>();
+  return *data_;
+}
+
+namespace {
+
+/// The steps, in their order.
+void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
+                     const Savings& savings, Workspace::Data& data) {
+  Contact& contact = data.contact;
+  // The list of elements that has grown is the record's while it is being made; the answer gets it when it is done.
+  if (contact.elements.capacity() > data.elements.elements.capacity()) data.elements.elements.swap(contact.elements);
+  contact.clear();
+  const PreparedSurface& surface_E = pairing.surface_E().data();
+  const PreparedSurface& surface_F = pairing.surface_F().data();
+  // The barycentric scheme's bound asks no vertex of its rounding.
+  data.posed.place(surface_E, surface_F, pose, wanted.bound && pairing.scheme() == Scheme::clipped);
+  if (!savings.lazy_vertices) data.posed[Side::F].transform_all(data.posed.work);
+
+  const bool only_touch = wants_only_touch(wanted);
+  const CrossingOptions options{only_touch && savings.first_crossing, wanted.bound, savings.filters};
+  contact.touching = find_crossings(data.posed, options, data.crossing_scratch, data.crossings);
+  if (only_touch) return;
+
+  data.polygons.clear();
+  if (wanted.polygons || wanted.areas) {
+    chain_polygons(data.crossings, data.polygon_scratch, data.polygons);
+    locate_crossings(data.posed, data.crossings);
+  }
+  list_crossings_by_edge(data.posed, data.polygons.crossing_order, data.crossings);
+  find_active_areas(data.posed, data.crossings, data.active_scratch, data.active);
+  const Intersection found{data.posed, data.crossings, data.active};
+  report_active_areas(found, contact);
+  if (wanted.polygons) {
+    group_patches(data.posed, data.crossings, data.polygons, data.active, data.patch_scratch, data.patches);
+    report_polygons(data, contact);
+  }
+  if (wanted.areas) {
+    report_clipped_areas(
+        measure_clipped_areas(data.posed, data.crossings, data.polygons, data.active, data.area_scratch), contact);
+  }
+  if (wants_force(wanted)) {
+    ForceProblem problem(pairing.law(), pose, velocity, wanted);
+    if (!savings.velocities) problem.with_velocities = true;
+    if (!savings.one_sided) {
+      form_elements_of_slave(found, pairing.scheme(), pairing.mode(), problem, data.force_scratch);
+    }
+    const PairingForce force = compute_force(found, pairing.scheme(), pairing.mode(), problem, wanted.bound,
+                                             data.force_scratch, data.elements);
+    report_elements(problem, force.total, data.elements, contact);
+    contact.bound = force.bound;
+  }
+}
+
+[[gnu::noinline]] const Contact& evaluate_in_default_environment(const Pairing& pairing, const Pose& pose,
+                                                                 const Velocity& velocity, const Wanted& wanted,
+                                                                 Workspace& workspace, const Savings& savings) {
+  if (!savings.only_wanted) {
+    Savings others = savings;
+    others.only_wanted = true;
+    Wanted all;
+    all.bound = wanted.bound;  // a promise of its own, and all of its cost
+    evaluate_in_default_environment(pairing, pose, velocity, all, workspace, others);
+    keep_only(wanted, workspace.data().contact);
+    return workspace.data().contact;
+  }
+  require_valid(pose, velocity);
+  Workspace::Data& data = workspace.data();
+  evaluate_wanted(pairing, pose, velocity, wanted, savings, data);
+  data.contact.work = data.posed.work;
+  return data.contact;
+}
+
+}  // namespace
+
+const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
+                        Workspace& workspace, const Savings& savings) {
+  const DefaultFloatingPoint environment;
+  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings);
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,370 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pcm/scene.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "fast/base/geometry.h"
+#include "fast/base/thread_team.h"
+#include "fast/engine/separation.h"
+#include "fast/engine/workspace.h"
+#include "fast/force/law.h"
+#include "fast/surface/prepared_surface.h"
+#include "meshes/base/floating_point_environment.h"
+#include "pcm/bad_input.h"
+
+namespace pcm::fast {
+
+namespace {
+
+/// A relative pose A_E^T A_F is a rotation to 1e-9 where both poses are rotations to this: with A^T A = I + D and no
+/// |entry| of D above d, A A^T - I has no singular value above 3 d, so A_F^T (A_E A_E^T) A_F - I no entry above 4 d and
+/// what two roundings of a product of rotations add.
+constexpr double kBodySkew = 1e-10;
+
+/// How far, relative to the greatest coordinates of a body, a box in W may be off what the pairing's relative pose has:
+/// A_E^T stands for the inverse of A_E (3 kBodySkew), and the roundings of relative poses, of vertices and of the box
+/// itself, all below 64 u of the greatest sum of absolute coordinates.
+constexpr double kBodySlack = 4 * kBodySkew;
+constexpr double kRoundingSlack = 64 * 0x1p-53;
+
+/// Whether one surface winds about faces of the other a negative number of times: neither touching nor nested, these
+/// have an area all the same. Not asked, and not known, where only touch is wanted.
+bool has_pockets(const Workspace::Data& data, const Wanted& wanted) {
+  if (wants_only_touch(wanted)) return false;
+  return !data.active.of(Side::E).pockets.empty() || !data.active.of(Side::F).pockets.empty();
+}
+
+struct WorldBox {
+  Eigen::Array3d low, high;  ///< m
+
+  WorldBox() = default;
+  WorldBox(const PreparedSurface& surface, const Pose& pose) {
+    const Box& box = surface.tree.root().box;
+    const double reach = surface.reach.sum();
+    const double slack = kBodySlack * reach + kRoundingSlack * (reach + pose.r.cwiseAbs().sum());
+    const Eigen::Array3d centre = pose.A * box.centre + pose.r;
+    const Eigen::Array3d half = (pose.A.cwiseAbs() * box.half).array() + slack;
+    low = centre - half;
+    high = centre + half;
+  }
+
+  bool apart_from(const WorldBox& other) const { return (low > other.high).any() || (other.low > high).any(); }
+};
+
+struct Body {
+  Surface surface;
+  BodyState state;
+  WorldBox box;
+};
+
+enum class Outcome : std::uint8_t { not_asked, apart_by_boxes, apart_by_certificate, evaluated };
+
+/// When to look for a certificate. A search costs more than to find out that nothing touches, so where certificates
+/// don't last, for a step or because there is hardly a gap, more and more evaluations go by before the next one.
+class Patience {
+ public:
+  bool may_search() {
+    if (waiting_ == 0) return true;
+    --waiting_;
+    return false;
+  }
+  void found_valid() { ++uses_; }
+  /// Before a search.
+  void judge_last() {
+    constexpr int kWorthIt = 8, kLongest = 64;
+    wait_ = uses_ >= kWorthIt ? 0 : std::min(2 * wait_ + 1, kLongest);
+    waiting_ = wait_;
+    uses_ = 0;
+  }
+
+ private:
+  int uses_ = kAtFirst;  ///< of the last certificate
+  int wait_ = 0, waiting_ = 0;
+  static constexpr int kAtFirst = 8;
+};
+
+struct ScenePairing {
+  Index body_E, body_F;
+  Pairing pairing;
+  Wanted wanted;
+  BoundingBall ball_F;
+  SeparationCertificate certificate;
+  Patience patience;
+  // Since the last move, written by the one thread that has the pairing.
+  Outcome outcome = Outcome::not_asked;
+  bool sought = false;
+  WorkCounters work;
+  PairingLoad load;
+  std::exception_ptr failure;
+};
+
+void add(WorkCounters& sum, const WorkCounters& work) {
+  sum.box_tests += work.box_tests;
+  sum.candidate_pairs += work.candidate_pairs;
+  sum.crossing_pairs += work.crossing_pairs;
+  sum.vertices_transformed += work.vertices_transformed;
+  sum.predicates += work.predicates;
+  sum.exact_predicates += work.exact_predicates;
+  sum.tie_breaks += work.tie_breaks;
+  sum.elements += work.elements;
+  sum.velocities += work.velocities;
+}
+
+[[noreturn]] void refuse(std::size_t body, const std::string& why) {
+  throw BadInput("body " + std::to_string(body) + ": " + why);
+}
+
+void require_valid_state(std::size_t body, const BodyState& state) {
+  try {
+    require_valid(state.pose, state.velocity);
+  } catch (const BadInput& error) {
+    refuse(body, error.what());
+  }
+  if (orthogonality_error(state.pose.A) > kBodySkew) {
+    refuse(body, "pose: A is no rotation to 1e-10 (max |A^T A - I|); normalise it");
+  }
+  const auto in_range = [](const Eigen::Vector3d& v) { return v.cwiseAbs().maxCoeff() <= kGreatestReach; };
+  if (!in_range(state.velocity.v) || !in_range(state.velocity.w)) {
+    refuse(body, "velocity: a component exceeds 2^300; choose other units");
+  }
+}
+
+}  // namespace
+
+struct Scene::Data {
+  explicit Data(const Savings& s) : savings(s) {}
+
+  Savings savings;
+  std::vector<Body> bodies;
+  std::vector<ScenePairing> pairings;
+  std::vector<Workspace> workspaces;  ///< of evaluate_all, one a thread
+  ThreadTeam team;
+
+  ScenePairing& at(Index pairing) {
+    const auto i = static_cast<std::size_t>(pairing);
+    if (pairing < 0 || i >= pairings.size()) {
+      throw BadInput("scene: there is no pairing " + std::to_string(pairing) + ", it has " +
+                     std::to_string(pairings.size()));
+    }
+    return pairings[i];
+  }
+  const Body& body(Index index) const { return bodies[static_cast<std::size_t>(index)]; }
+  Pose relative_pose(const ScenePairing& pairing) const;
+  Velocity relative_velocity(const ScenePairing& pairing) const;
+
+  /// Evaluates the pairing where it may be in contact; nullptr where it surely is apart.
+  const Contact* answer(ScenePairing& pairing, Workspace& workspace) const;
+};
+
+[[gnu::noinline]] Pose Scene::Data::relative_pose(const ScenePairing& pairing) const {
+  const Pose& E = body(pairing.body_E).state.pose;
+  const Pose& F = body(pairing.body_F).state.pose;
+  return {E.A.transpose() * F.A, E.A.transpose() * (F.r - E.r)};
+}
+
+[[gnu::noinline]] Velocity Scene::Data::relative_velocity(const ScenePairing& pairing) const {
+  const BodyState& E = body(pairing.body_E).state;
+  const BodyState& F = body(pairing.body_F).state;
+  const Eigen::Matrix3d to_Me = E.pose.A.transpose();
+  const Eigen::Vector3d carried_W = E.velocity.w.cross(F.pose.r - E.pose.r);
+  return {to_Me * (F.velocity.v - E.velocity.v - carried_W), to_Me * (F.velocity.w - E.velocity.w)};
+}
+
+const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) const {
+  // Bounds tell of what is about to touch too, by boxes that overlap: they are not foreseen here.
+  const bool may_skip = !pairing.wanted.bound;
+  if (savings.broad_phase && may_skip && body(pairing.body_E).box.apart_from(body(pairing.body_F).box)) {
+    pairing.outcome = Outcome::apart_by_boxes;
+    return nullptr;
+  }
+  const Pose pose = relative_pose(pairing);
+  if (savings.certificates && may_skip && pairing.certificate.holds(pose, pairing.ball_F)) {
+    pairing.outcome = Outcome::apart_by_certificate;
+    pairing.patience.found_valid();
+    return nullptr;
+  }
+  pairing.outcome = Outcome::evaluated;
+  const Contact& contact =
+      fast::evaluate(pairing.pairing, pose, relative_velocity(pairing), pairing.wanted, workspace, savings);
+  pairing.work = contact.work;
+  const bool apart =
+      !contact.touching && !contact.nested && !contact.ambiguous && !has_pockets(workspace.data(), pairing.wanted);
+  if (savings.certificates && may_skip && apart && pairing.patience.may_search()) {
+    pairing.sought = true;
+    pairing.patience.judge_last();
+    const PreparedSurface& E = pairing.pairing.surface_E().data();
+    const PreparedSurface& F = pairing.pairing.surface_F().data();
+    const double gap =
+        distance_lower_bound(E, F, workspace.data().posed.placement, workspace.data().gaps, pairing.work);
+    pairing.certificate = SeparationCertificate(pose, pairing.ball_F, gap);
+  }
+  return &contact;
+}
+
+Scene::Scene(Savings savings) : data_(std::make_unique<Data>(savings)) {}
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+Index Scene::add_body(Surface surface) {
+  const DefaultFloatingPoint environment;
+  Body body{std::move(surface), {}, {}};
+  body.box = WorldBox(body.surface.data(), body.state.pose);
+  data_->bodies.push_back(std::move(body));
+  return bodies() - 1;
+}
+
+Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, Scheme scheme, Wanted wanted) {
+  for (const Index body : {body_E, body_F}) {
+    if (body < 0 || body >= bodies()) {
+      throw BadInput("pairing: there is no body " + std::to_string(body) + ", the scene has " +
+                     std::to_string(bodies()));
+    }
+  }
+  if (body_E == body_F) throw BadInput("pairing: body " + std::to_string(body_E) + " with itself");
+  const DefaultFloatingPoint environment;
+  const Surface& F = data_->body(body_F).surface;
+  ScenePairing pairing{body_E,
+                       body_F,
+                       Pairing(data_->body(body_E).surface, F, std::move(law), mode, scheme),
+                       wanted,
+                       BoundingBall(F.data()),
+                       {},
+                       {},
+                       Outcome::not_asked,
+                       false,
+                       {},
+                       {},
+                       nullptr};
+  data_->pairings.push_back(std::move(pairing));
+  return pairings() - 1;
+}
+
+Index Scene::bodies() const {
+  return static_cast<Index>(data_->bodies.size());
+}
+
+Index Scene::pairings() const {
+  return static_cast<Index>(data_->pairings.size());
+}
+
+const Pairing& Scene::pairing(Index index) const {
+  return data_->at(index).pairing;
+}
+
+void Scene::move(const std::vector<BodyState>& states) {
+  if (states.size() != data_->bodies.size()) {
+    throw BadInput("scene: " + std::to_string(states.size()) + " states for " + std::to_string(data_->bodies.size()) +
+                   " bodies");
+  }
+  const DefaultFloatingPoint environment;
+  for (std::size_t b = 0; b < states.size(); ++b) require_valid_state(b, states[b]);
+  for (std::size_t b = 0; b < states.size(); ++b) {
+    Body& body = data_->bodies[b];
+    body.state = states[b];
+    body.box = WorldBox(body.surface.data(), body.state.pose);
+  }
+  for (ScenePairing& pairing : data_->pairings) {
+    pairing.outcome = Outcome::not_asked;
+    pairing.sought = false;
+    pairing.work = {};
+  }
+}
+
+Pose Scene::relative_pose(Index pairing) const {
+  const DefaultFloatingPoint environment;
+  return data_->relative_pose(data_->at(pairing));
+}
+
+Velocity Scene::relative_velocity(Index pairing) const {
+  const DefaultFloatingPoint environment;
+  return data_->relative_velocity(data_->at(pairing));
+}
+
+const Contact& Scene::evaluate(Index pairing, Workspace& workspace) {
+  const DefaultFloatingPoint environment;
+  ScenePairing& asked = data_->at(pairing);
+  if (const Contact* contact = data_->answer(asked, workspace)) return *contact;
+  // The only things said of what is apart.
+  Contact& apart = workspace.data().apart;
+  apart.has_volume = asked.wanted.areas && asked.pairing.surface_E().closed() && asked.pairing.surface_F().closed();
+  return apart;
+}
+
+void Scene::evaluate_all(int threads, const Visit& visit) {
+  if (threads < 1) throw BadInput("scene: evaluate_all needs at least 1 thread, not " + std::to_string(threads));
+  const auto members = static_cast<std::size_t>(threads);
+  if (data_->workspaces.size() < members) data_->workspaces.resize(members);
+  // Few enough to share the work evenly, enough that sharing costs nothing beside pairings that are apart.
+  constexpr std::size_t kChunk = 16;
+  std::atomic<std::size_t> next = 0;
+  std::vector<ScenePairing>& all = data_->pairings;
+  const auto take_part = [&](std::size_t member) {
+    const DefaultFloatingPoint environment;
+    Workspace& workspace = data_->workspaces[member];
+    for (std::size_t begin = next.fetch_add(kChunk); begin < all.size(); begin = next.fetch_add(kChunk)) {
+      for (std::size_t i = begin; i < std::min(begin + kChunk, all.size()); ++i) {
+        all[i].load = {};
+        try {
+          const Contact* contact = data_->answer(all[i], workspace);
+          if (contact == nullptr || !(contact->touching || contact->nested)) continue;
+          all[i].load = {contact->touching, contact->nested, contact->force_Me, contact->torque_Me};
+          if (visit) visit(static_cast<Index>(i), *contact);
+        } catch (...) {
+          all[i].failure = std::current_exception();
+        }
+      }
+    }
+  };
+  // By reference, so that no copy is allocated.
+  data_->team.run(members, std::cref(take_part));
+  std::exception_ptr first;
+  for (ScenePairing& pairing : all) {
+    if (const std::exception_ptr failure = std::exchange(pairing.failure, nullptr); !first) first = failure;
+  }
+  if (first) std::rethrow_exception(first);
+}
+
+const PairingLoad& Scene::load(Index pairing) const {
+  return data_->at(pairing).load;
+}
+
+std::vector<BodyLoad> Scene::body_loads() const {
+  const DefaultFloatingPoint environment;
+  std::vector<BodyLoad> loads(data_->bodies.size());
+  for (const ScenePairing& pairing : data_->pairings) {
+    if (!pairing.load.touching && !pairing.load.nested) continue;
+    const Pose& E = data_->body(pairing.body_E).state.pose;
+    const Pose& F = data_->body(pairing.body_F).state.pose;
+    BodyLoad& on_E = loads[static_cast<std::size_t>(pairing.body_E)];
+    BodyLoad& on_F = loads[static_cast<std::size_t>(pairing.body_F)];
+    // The torque is about Mf, the origin of body F.
+    const Eigen::Vector3d force_W = E.A * pairing.load.force_Me;
+    const Eigen::Vector3d torque_W = E.A * pairing.load.torque_Me;
+    on_E.force_W += force_W;
+    on_E.torque_W += torque_W + (F.r - E.r).cross(force_W);
+    on_F.force_W -= force_W;
+    on_F.torque_W -= torque_W;
+  }
+  return loads;
+}
+
+SceneCounters Scene::counters() const {
+  SceneCounters sum;
+  for (const ScenePairing& pairing : data_->pairings) {
+    sum.apart_by_boxes += pairing.outcome == Outcome::apart_by_boxes;
+    sum.apart_by_certificate += pairing.outcome == Outcome::apart_by_certificate;
+    sum.evaluated += pairing.outcome == Outcome::evaluated;
+    sum.certificates_sought += pairing.sought;
+    add(sum.work, pairing.work);
+  }
+  return sum;
+}
+
+}  // namespace pcm::fast

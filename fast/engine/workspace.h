@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fast/active/active_areas.h"
+#include "fast/active/clipped_areas.h"
+#include "fast/active/patches.h"
+#include "fast/crossings/crossings.h"
+#include "fast/crossings/polygons.h"
+#include "fast/engine/contact_force.h"
+#include "fast/engine/separation.h"
+#include "fast/posed/posed_pair.h"
+#include "pcm/contact.h"
+#include "pcm/engine.h"
+
+namespace pcm::fast {
+
+/// The values that each step hands to the next, each step's own scratch memory, and the answer.
+struct Workspace::Data {
+  PosedPair posed;
+  Crossings crossings;
+  PolygonChains polygons;
+  ActiveAreas active;
+  Patches patches;
+  ElementRecord elements;
+
+  CrossingScratch crossing_scratch;
+  std::vector<Index> polygon_scratch;
+  ActiveAreaScratch active_scratch;
+  PatchScratch patch_scratch;
+  ClippedAreaScratch area_scratch;
+  ForceScratch force_scratch;
+
+  Contact contact;
+  Contact apart;  ///< what a scene says of pairings it need not look at
+  BoxPairs gaps;  ///< of searches for a distance
+};
+
+}  // namespace pcm::fast

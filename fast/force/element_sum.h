@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fast/force/force_problem.h"
+#include "fast/force/statistics_sum.h"
+#include "fast/simd/elements.h"
+#include "pcm/contact.h"
+#include "pcm/work_counters.h"
+
+namespace pcm::fast {
+
+/// Force and torque of the elements of one master, resolved in Me.
+struct MasterForce {
+  Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
+  Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m
+};
+
+/// What is told of the elements of all masters beside their force and torque: see Contact.
+struct ElementRecord {
+  std::vector<Element> elements;  ///< where they are kept
+  Index element_count = 0;
+  Index too_deep = 0;
+  double max_penetration = 0;  ///< m
+  bool penetration_exceeded = false;
+  StatisticsSum statistics;  ///< where asked for
+
+  /// Enters the greatest penetration of an element, or of a part that underflow keeps from being one, m.
+  void note_depth(double greatest_penetration, const ContactLaw& law);
+  /// Empties it and keeps its memory.
+  void clear();
+};
+
+/// Of the elements of both masters.
+MasterForce mean(const MasterForce& on_E, const MasterForce& on_F);
+
+/// Throws BadInput where the force or its torque overflowed.
+void require_finite(const MasterForce& total);
+
+/// Writes force and torque, and what the record has, into the answer, which gets the list of elements and leaves its
+/// own in exchange.
+void report_elements(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact);
+
+/// Sums the elements of one master, in the order they come, and records them.
+class ElementSum {
+ public:
+  ElementSum(const ForceProblem& problem, ElementRecord& record, WorkCounters& work)
+      : problem_(problem), record_(record), work_(work) {}
+
+  /// Computes the element's force (21)-(24) and adds it. `element` brings its faces, area, normal and penetration,
+  /// clamped; `greatest_penetration` is that of any of its points, before clamping; `foot_Me` is C_e (8) or the centre
+  /// of pressure.
+  void add(double greatest_penetration, const Eigen::Vector3d& foot_Me, Element& element);
+  /// The same in two steps, for an element whose force was computed elsewhere; `torque_Me` about Mf.
+  void count(double greatest_penetration);
+  void add_forced(const Element& element, const Eigen::Vector3d& torque_Me);
+
+  const MasterForce& total() const { return total_; }
+
+ private:
+  const ForceProblem& problem_;
+  ElementRecord& record_;
+  WorkCounters& work_;
+  MasterForce total_;
+};
+
+/// The same, with forces computed kElementLanes at a time, to the same bits.
+class ElementQueue {
+ public:
+  /// `lanes`: scratch, or where `add_lanes` finds elements.
+  ElementQueue(const ForceProblem& problem, Side master, ElementRecord& record, WorkCounters& work,
+               ElementLanes& lanes);
+
+  /// See ElementSum::add.
+  void add(const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me);
+  /// Elements whose areas, normals, feet and penetrations are in the lanes already; none may wait.
+  void add_lanes(LaneBits which);
+  /// The faces of a lane for `add_lanes`.
+  void set_faces(std::size_t lane, Index master_face, Index slave_face, double greatest_penetration) {
+    faces_[lane] = {master_face, slave_face, greatest_penetration};
+  }
+  /// After the last element.
+  const MasterForce& total() {
+    form_waiting();
+    return sum_.total();
+  }
+
+ private:
+  struct Faces {
+    Index master, slave;
+    double greatest_penetration;
+  };
+  void form_waiting();
+  void add_lane(std::size_t lane, bool forced);
+
+  const ForceProblem& problem_;
+  Side master_;
+  ElementLanes& lanes_;
+  ForceLimits limits_;
+  std::array<Faces, kElementLanes> faces_{};
+  std::size_t waiting_ = 0;
+  ElementSum sum_;
+};
+
+}  // namespace pcm::fast

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/force/law.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "fast/base/geometry.h"
+#include "meshes/base/floating_point_environment.h"
+#include "pcm/bad_input.h"
+
+namespace pcm::fast {
+
+namespace {
+
+[[noreturn]] void refuse(const char* what, double value, const char* range) {
+  std::ostringstream message;
+  message.precision(17);
+  message << what << " is " << value << "; it must be " << range;
+  throw BadInput(message.str());
+}
+
+void require_not_negative(const char* what, double value) {
+  if (!(value >= 0 && std::isfinite(value))) refuse(what, value, "finite and not negative");
+}
+
+void require_positive(const char* what, double value) {
+  if (!(value > 0 && std::isfinite(value))) refuse(what, value, "finite and greater than 0");
+}
+
+void require_positive_or_infinite(const char* what, double value) {
+  if (!(value > 0)) refuse(what, value, "greater than 0 (infinite is allowed)");
+}
+
+/// Below the least normal number a sum of two halves has lost digits, or all.
+void require_layer_stiffness(const char* what, double value) {
+  if (!(value >= std::numeric_limits<double>::min())) refuse(what, value, "at least 2^-1022 (infinite is allowed)");
+}
+
+}  // namespace
+
+void require_valid(const ContactLaw& law) {
+  if (law.layers) {
+    require_layer_stiffness("contact law: layer stiffness c_E", law.layers->c_E);
+    require_layer_stiffness("contact law: layer stiffness c_F", law.layers->c_F);
+    if (std::isinf(law.layers->c_E) && std::isinf(law.layers->c_F)) {
+      throw BadInput("contact law: both bodies are rigid; give at least one a finite layer stiffness");
+    }
+  } else {
+    require_positive("contact law: stiffness c_l", law.stiffness);
+  }
+  require_not_negative("contact law: damping d_l", law.damping);
+  require_not_negative("contact law: transition depth u_d", law.transition_depth);
+  require_not_negative("contact law: friction mu", law.friction);
+  require_not_negative("contact law: slip velocity v_eps", law.slip_velocity);
+  require_positive_or_infinite("contact law: max_penetration", law.max_penetration);
+}
+
+void require_valid(const Pose& pose, const Velocity& velocity) {
+  if (!pose.A.allFinite() || !pose.r.allFinite()) throw BadInput("pose: A and r must be finite");
+  if (pose.r.cwiseAbs().maxCoeff() > kGreatestReach) {
+    refuse("pose: greatest |r|", pose.r.cwiseAbs().maxCoeff(), "at most 2^300 m; choose a larger unit of length");
+  }
+  if (!velocity.v.allFinite() || !velocity.w.allFinite()) throw BadInput("velocity: v and w must be finite");
+  const double skew = orthogonality_error(pose.A);
+  if (!(skew <= 1e-9)) refuse("pose: A is no rotation, max |A^T A - I|", skew, "at most 1e-9");
+  if (!(pose.A.determinant() > 0)) throw BadInput("pose: A is a reflection (its determinant is negative), no rotation");
+}
+
+namespace {
+
+[[gnu::noinline]] double stiffness_of_layer(double young, double poisson, double thickness) {
+  require_positive("elastic layer: Young's modulus", young);
+  require_positive("elastic layer: thickness", thickness);
+  if (!(poisson > -1 && poisson < 0.45)) {
+    refuse("elastic layer: Poisson's ratio", poisson, "greater than -1 and less than 0.45");
+  }
+  return (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) * young / thickness;
+}
+
+}  // namespace
+
+double layer_stiffness(double young, double poisson, double thickness) {
+  const DefaultFloatingPoint environment;
+  return stiffness_of_layer(young, poisson, thickness);
+}
+
+SeriesStiffness::SeriesStiffness(const ContactLaw& law) {
+  if (!law.layers) {
+    c_l = law.stiffness;
+    shift_from_E = shift_from_F = 0.5;
+    return;
+  }
+  const double c_E = law.layers->c_E, c_F = law.layers->c_F;
+  if (std::isinf(c_E) || std::isinf(c_F)) {
+    // A rigid body doesn't yield: the contact lies on its surface.
+    c_l = std::isinf(c_E) ? c_F : c_E;
+    shift_from_E = std::isinf(c_E) ? 0 : 1;
+    shift_from_F = std::isinf(c_F) ? 0 : 1;
+    return;
+  }
+  // Halved, so that the sum doesn't overflow.
+  const double half_sum = 0.5 * c_E + 0.5 * c_F;
+  shift_from_E = 0.5 * c_F / half_sum;
+  shift_from_F = 0.5 * c_E / half_sum;
+  c_l = c_E * shift_from_E;
+}
+
+ElementForce element_force(const ContactLaw& law, double c_l, double area, double penetration, double v_n, double v_t) {
+  const double elastic = c_l * area * penetration;  // (14)
+  double damping = law.damping * area * v_n;        // (15)
+  if (penetration < law.transition_depth) damping *= penetration / law.transition_depth;
+  if (law.damping_mode == DampingMode::compression && v_n < 0) damping = 0;
+  ElementForce force;
+  force.normal = elastic + damping;
+  if (law.damping_mode != DampingMode::full) force.normal = std::max(force.normal, 0.0);  // (18)
+  const double limit = law.friction * std::max(force.normal, 0.0);
+  if (v_t >= law.slip_velocity) {
+    force.tangential = v_t > 0 ? limit : 0;
+  } else {
+    const double slip = v_t / law.slip_velocity;  // (20)
+    force.tangential = limit * slip * (2 - slip);
+  }
+  return force;
+}
+
+}  // namespace pcm::fast

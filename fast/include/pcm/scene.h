@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "pcm/engine.h"
+#include "pcm/savings.h"
+
+namespace pcm::fast {
+
+/// Where a body is and how it moves, resolved in the scene's frame W: x_W = A x + r for points x of its surface, v =
+/// dr/dt, w its angular velocity.
+struct BodyState {
+  Pose pose;
+  Velocity velocity;
+};
+
+/// What a pairing contributes, at the marker of its body F, in the frame of its body E; all zero where it is apart.
+struct PairingLoad {
+  bool touching = false;
+  bool nested = false;
+  Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
+  Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m
+};
+
+/// Force and torque on a body, torque about its own origin, in W.
+struct BodyLoad {
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< N
+  Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< N m
+};
+
+/// What became of the pairings, since the last `move`.
+struct SceneCounters {
+  std::int64_t apart_by_boxes = 0;        ///< the bodies' boxes are apart
+  std::int64_t apart_by_certificate = 0;  ///< apart by more than they have moved since they were looked at
+  std::int64_t evaluated = 0;             ///< by the engine
+  std::int64_t certificates_sought = 0;   ///< searches for the distance of a pairing found apart
+  WorkCounters work;                      ///< of these evaluations and searches
+};
+
+/// Bodies that move, and the pairings among them; a pairing that can't be in contact costs nanoseconds. Answers are
+/// those of `evaluate` for each pairing's relative pose, bit for bit, whatever is skipped, however many threads, and
+/// whatever their floating-point environment.
+///
+/// For one caller at a time, except where it says otherwise. A number that is no pairing's throws BadInput.
+class Scene {
+ public:
+  explicit Scene(Savings savings = {});
+  ~Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+
+  /// Bodies and pairings are numbered from 0 in the order they are added. A surface may be that of many bodies.
+  Index add_body(Surface surface);
+  /// Throws BadInput where there is no such body, both are the same, or a parameter of the law is out of its range.
+  Index add_pairing(Index body_E, Index body_F, ContactLaw law = {}, Mode mode = Mode::E,
+                    Scheme scheme = Scheme::barycentric, Wanted wanted = {});
+
+  Index bodies() const;
+  Index pairings() const;
+  const Pairing& pairing(Index index) const;
+
+  /// Puts every body where it is. Throws BadInput, naming the body, where the number of states is not that of bodies, a
+  /// pose is no rotation to 1e-10 (so that every relative pose is one to 1e-9), anything is not finite or exceeds
+  /// 2^300. All bodies then are where they were.
+  void move(const std::vector<BodyState>& states);
+
+  /// Pose and velocity of the marker of the pairing's F relative to that of its E: A = A_E^T A_F, r = A_E^T (r_F -
+  /// r_E).
+  Pose relative_pose(Index pairing) const;
+  Velocity relative_velocity(Index pairing) const;
+
+  /// Answers one pairing, where its bodies are; the answer lives in `workspace` until its next use. Throws as
+  /// `evaluate` does. Different pairings may be asked for by different threads at once, each with its own workspace.
+  const Contact& evaluate(Index pairing, Workspace& workspace);
+
+  /// Called with each answer in `evaluate_all`, from the thread that has it.
+  using Visit = std::function<void(Index pairing, const Contact& contact)>;
+  /// Answers all pairings, `threads` at once (at least 1, else BadInput), and keeps their loads. `visit`, where given,
+  /// sees the answers of those that touch or are nested, at once and in any order, and in the default floating-point
+  /// environment. What is thrown for the first pairing that fails is thrown on, when all threads are done.
+  void evaluate_all(int threads = 1, const Visit& visit = {});
+
+  /// Of the last evaluate_all.
+  const PairingLoad& load(Index pairing) const;
+  /// Of every body, summed over its pairings in their order.
+  std::vector<BodyLoad> body_loads() const;
+
+  /// Sums over threads. Reset by `move`.
+  SceneCounters counters() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace pcm::fast

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/prism/master_prism.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fast/base/number_vector.h"
+
+namespace pcm::fast {
+
+namespace {
+
+/// The terms of N = (p1 - p0) x (p2 - p0) taken absolutely.
+Eigen::Vector3d magnitude_of_normal(const std::array<Eigen::Vector3d, 3>& p) {
+  const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
+  return {a[1] * b[2] + a[2] * b[1] + kFilterUnderflow, a[2] * b[0] + a[0] * b[2] + kFilterUnderflow,
+          a[0] * b[1] + a[1] * b[0] + kFilterUnderflow};
+}
+
+/// A power of two such that scaling everything by 2^k scales what is made of exact numbers in that unit exactly, too:
+/// their limbs have 64 bits. `size` is a length of the face.
+double unit_for(double size) {
+  const int exponent = std::ilogb(size) % 64;
+  return std::ldexp(1, exponent < 0 ? -exponent : 64 - exponent);
+}
+
+/// N . (x - p0) to a few ulps of itself, 0 only where it is 0: exact but for the last step.
+double exact_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x, double size) {
+  const double unit = unit_for(size);
+  const auto from_p0 = [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d to = unit * point, from = unit * p[0];
+    return difference<Dyadic>(to.data(), from.data());
+  };
+  return dot(cross(from_p0(p[1]), from_p0(p[2])), from_p0(x)).approximate() / (unit * unit * unit);
+}
+
+/// N to a few ulps of itself, component by component.
+Eigen::Vector3d exact_normal(const std::array<Eigen::Vector3d, 3>& p, double size) {
+  const double unit = unit_for(size);
+  const auto from_p0 = [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d to = unit * point, from = unit * p[0];
+    return difference<Dyadic>(to.data(), from.data());
+  };
+  const NumberVector<Dyadic> N = cross(from_p0(p[1]), from_p0(p[2]));
+  return Eigen::Vector3d(N.x.approximate(), N.y.approximate(), N.z.approximate()) / (unit * unit);
+}
+
+/// A face is a needle where |N| is less than this part of the product of two sides. Each component of N is off by at
+/// most 4 u of what its terms add up to, so |N| by 4 u of that product.
+constexpr double kNeedle = 0x1p-16;
+
+double product_of_sides(const std::array<Eigen::Vector3d, 3>& p) {
+  return (p[1] - p[0]).lpNorm<1>() * (p[2] - p[0]).lpNorm<1>();
+}
+
+/// `height`, N . (x - p0), exactly where it would not be sure to kHeightError of itself. It is the determinant of
+/// orient3d(p0, p1, p2, x), term by term, and so is the bound of its error, kFilterRelative of the magnitude.
+double sure_height(double height, const Eigen::Vector3d& N_magnitude, const std::array<Eigen::Vector3d, 3>& p,
+                   const Eigen::Vector3d& x, WorkCounters& work) {
+  const double magnitude = N_magnitude.dot((x - p[0]).cwiseAbs());
+  ++work.predicates;
+  if (std::abs(height) > kExactHeight * (magnitude + kFilterUnderflow)) return height;
+  ++work.exact_predicates;
+  return exact_height(p, x, (p[1] - p[0]).cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+
+FaceGeometry face_with_sure_normal(const std::array<Eigen::Vector3d, 3>& points_Me) {
+  const FaceGeometry plain(points_Me);
+  if (2 * plain.area >= kNeedle * product_of_sides(points_Me)) return plain;
+  const double size = std::max((points_Me[1] - points_Me[0]).cwiseAbs().maxCoeff(),
+                               (points_Me[2] - points_Me[0]).cwiseAbs().maxCoeff());
+  return size > 0 ? FaceGeometry(points_Me, exact_normal(points_Me, size)) : plain;
+}
+
+MasterPrism::MasterPrism(const FaceGeometry& face)
+    : face_(face),
+      edge_s_Me_(face.points_Me[1] - face.points_Me[0]),
+      edge_t_Me_(face.points_Me[2] - face.points_Me[0]),
+      inverse_twice_area_(1 / (2 * face.area)),
+      length_s_(length(edge_s_Me_)),
+      length_t_(length(edge_t_Me_)),
+      // 4 u for the roundings of n itself, twice all of it to be safe; a needle's normal is no worse than others'.
+      tilt_(8 * 0x1p-53 * (1 + std::min(product_of_sides(face.points_Me) * inverse_twice_area_, 1 / kNeedle))) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d side = face.points_Me[(k + 1) % 3] - face.points_Me[k];
+    inward_Me_[k] = inverse_twice_area_ * face.n_Me.cross(side);
+    inward_length_[k] = length(inward_Me_[k]);
+  }
+  const auto& p = face.points_Me;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    gradient_[k] = {inward_Me_[1][i], inward_Me_[2][i], inward_Me_[0][i], face.N_Me[i]};
+    origin_[k] = {p[1][i], p[2][i], p[0][i], p[0][i]};
+  }
+  N_magnitude_ = magnitude_of_normal(p);
+}
+
+PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) const {
+  PrismPoint point = products(x_Me);
+  const double height = point[kDepth];
+  const double sure = sure_height(height, N_magnitude_, face_.points_Me, x_Me, work);
+  // Stored as a whole: a number of it alone would have to reach memory before the point could be read.
+  point = point.cwiseProduct(PrismPoint(1, 1, 1, -inverse_twice_area_));
+  if (sure != height || sure == 0) point[kDepth] = -sure * inverse_twice_area_;
+  return point;
+}
+
+TreePrism::TreePrism(const MasterPrism& prism, double slack)
+    : down_(-prism.face().n_Me), top_(down_.dot(prism.p0_Me())), slack_(slack) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    inward_[k] = prism.inward_Me(k) / prism.inward_length(k);
+    offset_[k] = inward_[k].dot(prism.face().points_Me[k]);
+  }
+}
+
+TreePrism::TreePrism(const MasterPrism& prism, double slack, const Eigen::Matrix3d& A, const Eigen::Vector3d& r_Me)
+    : TreePrism(prism, slack) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    offset_[k] = inward_[k].dot(prism.face().points_Me[k] - r_Me);
+    inward_[k] = A.transpose() * inward_[k];
+  }
+  top_ = down_.dot(prism.p0_Me() - r_Me);
+  down_ = A.transpose() * down_;
+}
+
+double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work) {
+  const Eigen::Vector3d N = (f[1] - f[0]).cross(f[2] - f[0]);
+  return sure_height(N.dot(x - f[0]), magnitude_of_normal(f), f, x, work);
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "fast/posed/transform.h"
+
+namespace pcm::fast {
+
+/// How points lie across the penetration line of a master face (p0, p1, p2) with barycentre C: at
+///     X = (p1 - p0) . (x - C),  Y = (p2 - p0) . (x - C).
+/// For N = (p1 - p0) x (p2 - p0) and any v, w: N . (v x w) = X_v Y_w - Y_v X_w. So the side tests D of
+/// fast/predicates/penetration_predicates.h are determinants of two such points.
+///
+/// Error, with u = 2^-53, M the greatest |coordinate| in Me, |a| and |b| the 1-norms of both edges, W the greatest
+/// |coordinate| of x - C, at most 2 M: C is off by 8 u M, x - C by 10 u M, X by 10 u M |a| and five roundings of at
+/// most 2 M |a|: 20 u M |a|. Likewise Y. Of D's two products each is at most |a| |b| W^2 and off by 40 u M |a| |b| W
+/// and two roundings: 88 u M |a| |b| W for both. 128 pays for rounding the bound itself. Underflow costs nothing beside
+/// that where M |a| and M |b| exceed 2^-500 and the bound 2^-900; where anything overflows it is infinite.
+class AcrossLine {
+ public:
+  struct Point {
+    double x, y, width;
+  };
+
+  /// `a` and `b`: |a| and |b|, each within a few roundings.
+  AcrossLine(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double a, double b,
+             double reach)
+      : C_(barycentre), a_(p[1] - p[0]), b_(p[2] - p[0]) {
+    room_ = 128 * 0x1p-53 * reach * a * b;
+    usable_ = reach * a > 0x1p-500 && reach * b > 0x1p-500;
+  }
+
+  /// Whether numbers are neither so large nor so small that the bound fails.
+  bool usable() const { return usable_; }
+
+  Point see(const Eigen::Vector3d& x) const {
+    const Eigen::Vector3d from_C = x - C_;
+    return {a_.dot(from_C), b_.dot(from_C), from_C.cwiseAbs().maxCoeff()};
+  }
+
+  /// What |D| of edges between points no wider than `width` must exceed for its sign to be sure.
+  double room(double width) const { return room_ * width + 0x1p-900; }
+
+ private:
+  Eigen::Vector3d C_, a_, b_;
+  double room_;
+  bool usable_;
+};
+
+/// Walks over a surface from face to neighbouring face, each time over an edge that has the line on its far side, until
+/// the line surely passes through the face's interior, leaving the body there: that face. -1 where it can't be told,
+/// where a border or a face turned away is met, or after too many steps. A neighbour has the edge the other way round,
+/// which changes D's sign and no other bit: one vertex and two edges are new with each step.
+inline Index walk_to_face_left(PosedSurface& posed, const AcrossLine& line, Index start, WorkCounters& work) {
+  constexpr int kMostSteps = 32;
+  const PreparedSurface& surface = posed.surface();
+  const auto see = [&](Index v) { return line.see(posed.vertex_Me(v, work)); };
+  const auto side = [](const AcrossLine::Point& from, const AcrossLine::Point& to) {
+    return from.x * to.y - from.y * to.x;
+  };
+  const Triangle& corners = surface.face(start);
+  // Edge k runs from corner k on; corner 0 is the face's corner `first`.
+  std::array<AcrossLine::Point, 3> x{see(corners[0]), see(corners[1]), see(corners[2])};
+  std::array<double, 3> D{side(x[0], x[1]), side(x[1], x[2]), side(x[2], x[0])};
+  Index face = start;
+  std::size_t first = 0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    work.predicates += step == 0 ? 3 : 2;
+    const double room = line.room(std::max({x[0].width, x[1].width, x[2].width}));
+    // D0 + D1 + D2 = N . N_f: all are negative where the line leaves through f.
+    std::size_t worst = D[1] > D[0] ? 1 : 0;
+    if (D[2] > D[worst]) worst = 2;
+    if (D[worst] < -room) return face;
+    if (!(D[worst] > room) || !(D[0] + D[1] + D[2] < 0)) return -1;
+    const std::size_t over = (first + worst) % 3;
+    const Index edge = surface.edges_of(face)[over];
+    const Index beyond = surface.neighbours_of(face)[over];
+    if (beyond == face) return -1;
+    face = beyond;
+    const std::array<Index, 3>& edges = surface.edges_of(face);
+    first = edges[0] == edge ? 0 : edges[1] == edge ? 1 : 2;
+    x = {x[(worst + 1) % 3], x[worst], see(surface.face(face)[(first + 2) % 3])};
+    D = {-D[worst], side(x[1], x[2]), side(x[2], x[0])};
+  }
+  return -1;
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The steps of fast/simd/elements.h, for files that are compiled for different instructions: everything here is local
+// to the file that includes it, and no function of another header is called, so that no wide instruction leaks out
+// (nothing but accessors, which optimized builds do not call).
+#pragma once
+
+#include "fast/simd/elements.h"
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace pcm::fast {
+
+namespace {
+
+typedef double Double4 __attribute__((vector_size(32)));
+typedef std::int64_t Long4 __attribute__((vector_size(32)));
+
+struct Vector4 {
+  Double4 x, y, z;
+};
+
+inline Double4 load(const DoubleLanes& lanes) {
+  Double4 result;
+  __builtin_memcpy(&result, lanes.value.data(), sizeof result);
+  return result;
+}
+inline Vector4 load(const VectorLanes& lanes) {
+  return {load(lanes.component[0]), load(lanes.component[1]), load(lanes.component[2])};
+}
+inline Vector4 load(const std::array<const double*, kElementLanes>& points) {
+  const auto component = [&points](std::size_t k) {
+    return Double4{points[0][k], points[1][k], points[2][k], points[3][k]};
+  };
+  return {component(0), component(1), component(2)};
+}
+inline void store(const Double4& value, DoubleLanes& lanes) {
+  __builtin_memcpy(lanes.value.data(), &value, sizeof value);
+}
+inline void store(const Vector4& v, VectorLanes& lanes) {
+  store(v.x, lanes.component[0]);
+  store(v.y, lanes.component[1]);
+  store(v.z, lanes.component[2]);
+}
+inline Double4 four(double value) {
+  return Double4{value, value, value, value};
+}
+inline Vector4 four(const std::array<double, 3>& v) {
+  return {four(v[0]), four(v[1]), four(v[2])};
+}
+inline Double4 absolute(Double4 a) {
+  Long4 bits;
+  __builtin_memcpy(&bits, &a, sizeof bits);
+  bits &= 0x7fffffffffffffff;
+  __builtin_memcpy(&a, &bits, sizeof bits);
+  return a;
+}
+inline Double4 greatest(const Double4& a, const Double4& b) {
+  return a < b ? b : a;
+}
+inline Double4 least(const Double4& a, const Double4& b) {
+  return b < a ? b : a;
+}
+inline Double4 root(Double4 a) {
+#if defined(__AVX__)
+  __m256d vector;
+  __builtin_memcpy(&vector, &a, sizeof vector);
+  vector = _mm256_sqrt_pd(vector);
+  __builtin_memcpy(&a, &vector, sizeof vector);
+#elif defined(__SSE2__)
+  __m128d halves[2];
+  __builtin_memcpy(halves, &a, sizeof halves);
+  for (__m128d& half : halves) half = _mm_sqrt_pd(half);
+  __builtin_memcpy(&a, halves, sizeof halves);
+#else
+  for (std::size_t i = 0; i < kElementLanes; ++i) a[i] = __builtin_sqrt(a[i]);
+#endif
+  return a;
+}
+inline LaneBits lanes_of(const Long4& condition) {
+#if defined(__AVX__)
+  __m256d vector;
+  __builtin_memcpy(&vector, &condition, sizeof vector);
+  return static_cast<LaneBits>(_mm256_movemask_pd(vector));
+#elif defined(__SSE2__)
+  __m128d halves[2];
+  __builtin_memcpy(halves, &condition, sizeof halves);
+  return static_cast<LaneBits>(_mm_movemask_pd(halves[0]) | (_mm_movemask_pd(halves[1]) << 2));
+#else
+  LaneBits bits = 0;
+  for (unsigned i = 0; i < kElementLanes; ++i) bits |= static_cast<LaneBits>(condition[i] & 1) << i;
+  return bits;
+#endif
+}
+
+inline Vector4 operator+(const Vector4& a, const Vector4& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vector4 operator-(const Vector4& a, const Vector4& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vector4 operator-(const Vector4& a) {
+  return {-a.x, -a.y, -a.z};
+}
+inline Vector4 operator*(const Double4& factor, const Vector4& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+inline Vector4 operator/(const Vector4& a, const Double4& divisor) {
+  return {a.x / divisor, a.y / divisor, a.z / divisor};
+}
+inline Double4 dot(const Vector4& a, const Vector4& b) {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+inline Vector4 cross(const Vector4& a, const Vector4& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Double4 norm_1(const Vector4& a) {
+  return (absolute(a.x) + absolute(a.y)) + absolute(a.z);
+}
+inline Vector4 choice(const Long4& condition, const Vector4& a, const Vector4& b) {
+  return {condition ? a.x : b.x, condition ? a.y : b.y, condition ? a.z : b.z};
+}
+
+/// `length` of fast/base/geometry.h where no scaling is needed.
+struct Length {
+  Double4 value;
+  Long4 known, zero;
+
+  explicit Length(const Vector4& v) : value(root(dot(v, v))) {
+    const Double4 widest = greatest(greatest(absolute(v.x), absolute(v.y)), absolute(v.z));
+    known = (widest > four(0x1p-450)) & (widest < four(0x1p450));
+    zero = widest == four(0);
+  }
+};
+
+LaneBits find_geometry(ElementLanes& lanes) {
+  const Vector4 p0 = load(lanes.master_corners[0]), p1 = load(lanes.master_corners[1]),
+                p2 = load(lanes.master_corners[2]);
+  const Vector4 a = p1 - p0, b = p2 - p0;
+  const Vector4 N = cross(a, b);
+  const Length twice_area(N);
+  store(p0, lanes.p_Me[0]);
+  store(p1, lanes.p_Me[1]);
+  store(p2, lanes.p_Me[2]);
+  store(four(0.5) * twice_area.value, lanes.area);
+  store(N / twice_area.value, lanes.n_Me);
+  store(p0 + (a + b) / four(3), lanes.barycentre_Me);
+  store(norm_1(a), lanes.side[0]);
+  store(norm_1(b), lanes.side[1]);
+  return lanes_of(twice_area.known);
+}
+
+SettledLanes settle(ElementLanes& lanes, const SettleLimits& limits) {
+  const std::array<Vector4, 3> p{load(lanes.p_Me[0]), load(lanes.p_Me[1]), load(lanes.p_Me[2])};
+  const std::array<Vector4, 3> f{load(lanes.slave_corners[0]), load(lanes.slave_corners[1]),
+                                 load(lanes.slave_corners[2])};
+  const Vector4 first_side = f[1] - f[0], second_side = f[2] - f[0];
+  const Vector4 N_f = cross(first_side, second_side);
+  const Double4 square = dot(N_f, N_f), slope = -dot(load(lanes.n_Me), N_f);
+  const Double4 share = four(2 * limits.least_share) * (norm_1(first_side) * norm_1(second_side));
+  const Long4 fair =
+      (square > share * share) & (square > four(0x1p-900)) & (slope > four(0)) & (four(4) * slope * slope > square);
+
+  const Double4 distance = dot(N_f, f[0] - load(lanes.barycentre_Me)) / slope;
+  const Double4 square_cosine = slope * slope / square;
+  const Long4 in_wide_cone = square_cosine > four(limits.cone_cosine_square[1]);
+  const Long4 in_narrow_cone = in_wide_cone & (square_cosine > four(limits.cone_cosine_square[0]));
+  const auto by_cone = [&](const auto& clearance_in) {
+    return in_narrow_cone ? clearance_in(0) : in_wide_cone ? clearance_in(1) : four(0);
+  };
+  const auto beneath = [&lanes](std::size_t cone) {
+    const auto& c = lanes.clearance;
+    return Double4{c[0]->beneath[cone], c[1]->beneath[cone], c[2]->beneath[cone], c[3]->beneath[cone]};
+  };
+  const auto above = [&lanes](std::size_t cone) {
+    const auto of = [&](std::size_t lane) { return lanes.clearance[lane]->above[cone] ? 1.0 : 0.0; };
+    return Double4{of(0), of(1), of(2), of(3)};
+  };
+  const Double4 thickness{*lanes.thickness[0], *lanes.thickness[1], *lanes.thickness[2], *lanes.thickness[3]};
+  const Double4 farthest = distance + four(limits.error);
+  const Long4 left = fair & (distance > four(limits.error));
+  const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_reach);
+  const Long4 thick = (farthest < thickness) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
+                                                four(limits.thick_area) * load(lanes.area));
+  SettledLanes settled;
+  settled.nothing = lanes_of(fair & (distance < four(-limits.error)) & (by_cone(above) > four(0)));
+  settled.left = lanes_of(left);
+  settled.element = lanes_of(left & clear & thick);
+  if (settled.element == 0) return settled;
+
+  // (11) from the nearest corner, as DepthBelow takes it.
+  std::array<Vector4, 3> offset;
+  std::array<Double4, 3> squares;
+  for (std::size_t k = 0; k < 3; ++k) {
+    offset[k] = (f[k] - p[0]) + (f[k] - p[1]) + (f[k] - p[2]);
+    squares[k] = dot(offset[k], offset[k]);
+  }
+  const auto nearest = [&](std::size_t k, std::size_t i, std::size_t j) -> Long4 {
+    return (squares[k] < four(1 - 0x1p-40) * least(squares[i], squares[j])) & (squares[k] > four(0x1p-900));
+  };
+  const Long4 first = nearest(0, 1, 2), second = nearest(1, 2, 0), third = nearest(2, 0, 1);
+  const Vector4 from_C = choice(first, offset[0], choice(second, offset[1], offset[2])) / four(3);
+  const Double4 depth = dot(from_C, N_f) / slope;
+  const Long4 finite = absolute(depth) <= four(0x1.fffffffffffffp1023);
+  store(finite ? greatest(depth, four(0)) : four(0), lanes.depth);
+  settled.nearest_known = lanes_of(first | second | third);
+  return settled;
+}
+
+LaneBits find_force(ElementLanes& lanes, const ForceLimits& limits) {
+  const ContactLaw& law = limits.law;
+  const Vector4 n = -load(lanes.n_Me);
+  const Double4 area = load(lanes.area), depth = load(lanes.depth);
+  const Vector4 position = load(lanes.barycentre_Me) + (four(limits.shift) * depth) * n;  // (13)
+  const Vector4 lever = position - four(limits.r_Me);
+  Double4 v_n = four(0), v_t = four(0);
+  Vector4 slip = {four(0), four(0), four(0)};
+  LaneBits known = 0xf;
+  if (limits.with_velocities) {
+    const Vector4 v_F = four(limits.v_Me) + cross(four(limits.w_Me), lever);
+    const Vector4 v_k = limits.master_E ? v_F : -v_F;  // (17)
+    v_n = dot(n, v_k);                                 // (16)
+    slip = v_k - v_n * n;
+    const Length length(slip);
+    v_t = length.value;  // (19)
+    known = lanes_of(length.known | length.zero);
+  }
+  Double4 damping = four(law.damping) * area * v_n;  // (15)
+  damping = depth < four(law.transition_depth) ? damping * (depth / four(law.transition_depth)) : damping;
+  if (law.damping_mode == DampingMode::compression) damping = v_n < four(0) ? four(0) : damping;
+  Double4 normal = four(limits.c_l) * area * depth + damping;  // (14)
+  const Double4 pressing = greatest(normal, four(0));
+  if (law.damping_mode != DampingMode::full) normal = pressing;  // (18)
+  const Double4 limit = four(law.friction) * pressing;
+  const Double4 ratio = v_t / four(law.slip_velocity);
+  const Long4 slides = v_t > four(0);
+  const Double4 tangential =
+      v_t >= four(law.slip_velocity) ? (slides ? limit : four(0)) : limit * ratio * (four(2) - ratio);  // (20)
+  const Vector4 straight = normal * n;
+  Vector4 force = choice(slides, straight + tangential * (slip / v_t), straight);  // (21)
+  if (!limits.master_E) force = -force;
+  store(v_n, lanes.normal_velocity);
+  store(v_t, lanes.tangential_velocity);
+  store(normal, lanes.normal_force);
+  store(tangential, lanes.tangential_force);
+  store(position, lanes.position_Me);
+  store(force, lanes.force_Me);
+  store(cross(lever, force), lanes.torque_Me);
+  return known;
+}
+
+constexpr WideElements kElements{find_geometry, settle, find_force};
+
+}  // namespace
+
+}  // namespace pcm::fast

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "fast/surface/prepared_surface.h"
+#include "pcm/inputs.h"
+
+namespace pcm::fast {
+
+/// How many contact elements are computed at once.
+inline constexpr std::size_t kElementLanes = 4;
+
+/// Four numbers.
+struct alignas(32) DoubleLanes {
+  std::array<double, kElementLanes> value{};
+};
+
+/// Four vectors in Me, by component.
+struct VectorLanes {
+  std::array<DoubleLanes, 3> component;
+
+  Eigen::Vector3d operator[](std::size_t lane) const {
+    return {component[0].value[lane], component[1].value[lane], component[2].value[lane]};
+  }
+  void set(std::size_t lane, const Eigen::Vector3d& v) {
+    for (std::size_t k = 0; k < 3; ++k) component[k].value[lane] = v[static_cast<Eigen::Index>(k)];
+  }
+};
+
+/// Where the corners of four faces are, by corner: three coordinates in Me each. The lanes are filled from there in one
+/// go; number by number they would have to reach memory before they could be read as vectors.
+using CornerLanes = std::array<std::array<const double*, kElementLanes>, 3>;
+
+/// Some of the lanes: bit i is lane i.
+using LaneBits = std::uint32_t;
+inline bool has_lane(LaneBits bits, std::size_t lane) {
+  return (bits >> lane & 1U) != 0;
+}
+
+/// Four master faces of the barycentric scheme, the slave faces that they were matched with, and their elements.
+struct ElementLanes {
+  CornerLanes master_corners{};
+  // What `geometry` fills.
+  std::array<VectorLanes, 3> p_Me;  ///< corners of the master faces
+  VectorLanes n_Me, barycentre_Me;
+  DoubleLanes area;
+  std::array<DoubleLanes, 2> side;  ///< 1-norms of p1 - p0 and p2 - p0, m
+  // For `settle`.
+  CornerLanes slave_corners{};
+  std::array<const double*, kElementLanes> thickness{};     ///< PreparedSurface::thickness of the master faces, m
+  std::array<const Clearance*, kElementLanes> clearance{};  ///< of the slave faces
+  // What `settle` fills, and `force` reads.
+  DoubleLanes depth;
+  // What `force` fills: see Element; the torque is about Mf.
+  DoubleLanes normal_velocity, tangential_velocity, normal_force, tangential_force;
+  VectorLanes position_Me, force_Me, torque_Me;
+};
+
+/// What `settle` compares with.
+struct SettleLimits {
+  double least_share = 0;  ///< of two sides' product, that a slave face's area exceeds
+  double slave_reach = 0;  ///< unit of Clearance::beneath, m
+  double error = 0;        ///< of distances, m
+  double thick_edges = 0;  ///< the thickness of a master face holds where this times both sides is less than
+  double thick_area = 0;   ///< this times its area
+  std::array<double, 2> cone_cosine_square{};
+};
+
+/// What the line of each face finds; all lanes in none of them are not settled.
+struct SettledLanes {
+  LaneBits nothing = 0;        ///< meets no face
+  LaneBits left = 0;           ///< surely leaves the slave's body through its face f, at a distance greater than 0
+  LaneBits element = 0;        ///< and meets nothing before: an element
+  LaneBits nearest_known = 0;  ///< its depth is in `depth`; else two corners of f are about as near to the barycentre
+};
+
+/// The law and the motion as `force` takes them, see fast/engine/contact_force.h.
+struct ForceLimits {
+  ContactLaw law;
+  double c_l = 0;
+  double shift = 0;  ///< of the element from the master's surface, relative to the penetration (13)
+  bool master_E = true;
+  bool with_velocities = false;
+  std::array<double, 3> r_Me{}, v_Me{}, w_Me{};  ///< of Mf: position, velocity, angular velocity of F
+};
+
+/// The steps from faces to forces, compiled for one set of instructions, in the order of operations of FaceGeometry,
+/// DepthBelow and apply_force: never fused, so that all sets give the bits of these. `geometry` finds barycentres and
+/// sides in all lanes and returns those whose area and normal it found; `force` returns the lanes it filled. The
+/// numbers in others are too large or too small for them.
+struct WideElements {
+  LaneBits (*geometry)(ElementLanes& lanes);
+  SettledLanes (*settle)(ElementLanes& lanes, const SettleLimits& limits);
+  LaneBits (*force)(ElementLanes& lanes, const ForceLimits& limits);
+};
+
+/// The fastest that this processor runs.
+const WideElements& fastest_wide_elements();
+
+/// Each set that this processor runs, for tests: the portable one first.
+std::array<const WideElements*, 2> all_wide_elements();
+
+}  // namespace pcm::fast

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "fast/base/geometry.h"
+#include "fast/posed/posed_pair.h"
+#include "fast/simd/elements.h"
+
+namespace pcm::fast {
+
+using FaceBatch = std::array<Index, kElementLanes>;
+
+/// A lane's face as one object.
+inline FaceGeometry geometry_of(const ElementLanes& lanes, std::size_t lane) {
+  return {{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]}, lanes.n_Me[lane], lanes.area.value[lane]};
+}
+
+/// Where a lane's face has its corners: of F's, they are transformed on first touch.
+inline void enter_corners(PosedPair& posed, Side side, Index face, CornerLanes& corners, std::size_t lane) {
+  const Triangle& vertices = posed.surface(side).face(face);
+  for (std::size_t k = 0; k < 3; ++k) corners[k][lane] = posed.vertex_Me(side, vertices[k]).data();
+}
+
+/// Vertices, normals and areas of the first `count` faces of a batch, as FaceGeometry has them.
+inline void find_geometry(PosedPair& posed, Side side, const FaceBatch& faces, std::size_t count, ElementLanes& lanes) {
+  if (count == 0) return;
+  for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+    enter_corners(posed, side, faces[lane < count ? lane : 0], lanes.master_corners, lane);
+  }
+  const LaneBits known = fastest_wide_elements().geometry(lanes);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    if (has_lane(known, lane)) continue;
+    // Its squares would overflow or underflow.
+    const FaceGeometry geometry({lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]});
+    lanes.area.value[lane] = geometry.area;
+    lanes.n_Me.set(lane, geometry.n_Me);
+  }
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/simd/overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fast/simd/overlap_kernels.h"
+
+namespace pcm::fast {
+
+#if defined(PCM_WITH_AVX2)
+extern const WideTests kWideTestsAvx2;
+#endif
+
+namespace {
+
+/// In a tree's coordinates, beyond all that it holds.
+constexpr double kFarAway = 1024;
+
+}  // namespace
+
+WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placement) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      rotation[i][j] = static_cast<float>(placement.A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+      rotation_absolute[i][j] = std::abs(rotation[i][j]);
+    }
+  }
+  const Eigen::Vector3d shift_Me = placement.A * F.origin() + placement.r_Me - E.origin();
+  for (std::size_t k = 0; k < 3; ++k) {
+    shift[k] = static_cast<float>(shift_Me[static_cast<Eigen::Index>(k)] / E.unit());
+  }
+  const double exact_scale = F.unit() / E.unit();
+  scale = static_cast<float>(exact_scale);
+  const double reach = E.radius() + exact_scale * F.radius();
+  constexpr double kV = 0x1p-24;
+  constexpr double kUp = 1 + 0x1p-20;  // pays for rounding to single precision
+  const double in_double_E = 2 * placement.slack_E / E.unit(), in_double_F = 2 * placement.slack_F / E.unit();
+  slack_E = static_cast<float>(kUp * (64 * kV * reach + in_double_E));
+  slack_F = static_cast<float>(kUp * (64 * kV * reach + in_double_F));
+  const double tilt = 2 * in_double_E / (WideTree::kLeastHeight * exact_scale) * 2 * reach;
+  plane_slack = static_cast<float>(kUp * (128 * kV * reach + 2 * in_double_E + tilt));
+  edge_slack = exact_scale < 0x1p30 ? static_cast<float>(kUp * (32 * kV * reach + 2 * in_double_E))
+                                    : std::numeric_limits<float>::infinity();
+}
+
+WideRay::WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& ray_direction,
+                 double distance) {
+  const Eigen::Vector3d from_tree = (ray_origin - tree.origin()) / tree.unit();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    origin[k] = static_cast<float>(from_tree[axis]);
+    direction[k] = static_cast<float>(ray_direction[axis]);
+    inverse[k] = 1 / std::copysign(std::max(std::abs(direction[k]), 0x1p-60F), direction[k]);
+  }
+  slack = static_cast<float>((1 + 0x1p-20) *
+                             (64 * 0x1p-24 * (tree.radius() + from_tree.lpNorm<1>()) + 2 * distance / tree.unit()));
+}
+
+WidePrism::WidePrism(const WideTree& tree, const TreePrism& prism, double deepest_depth) {
+  constexpr double kUp = 1 + 0x1p-20;
+  const auto slack = [&](double x) {
+    return kUp * (16 * 0x1p-24 * (tree.radius() + std::abs(x)) + prism.slack() / tree.unit());
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Eigen::Vector3d& direction = k < 3 ? prism.inward()[k] : prism.down();
+    const double from_tree = ((k < 3 ? prism.offset()[k] : prism.top()) - direction.dot(tree.origin())) / tree.unit();
+    for (std::size_t i = 0; i < 3; ++i) {
+      axis[k][i] = static_cast<float>(direction[static_cast<Eigen::Index>(i)]);
+      axis_absolute[k][i] = std::abs(axis[k][i]);
+    }
+    offset[k] = static_cast<float>(from_tree - slack(from_tree));
+    if (k < 3) continue;
+    const double end = from_tree + deepest_depth / tree.unit();
+    deepest = std::abs(end) < kFarAway ? static_cast<float>(end + slack(end)) : std::numeric_limits<float>::infinity();
+  }
+}
+
+std::array<const WideTests*, 2> all_wide_tests() {
+  std::array<const WideTests*, 2> sets{&kTests, nullptr};
+#if defined(PCM_WITH_AVX2)
+  if (__builtin_cpu_supports("avx2")) sets[1] = &kWideTestsAvx2;
+#endif
+  return sets;
+}
+
+const WideTests& fastest_wide_tests() {
+  static const WideTests& fastest = []() -> const WideTests& {
+    const auto [portable, wide] = all_wide_tests();
+    return wide != nullptr ? *wide : *portable;
+  }();
+  return fastest;
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "fast/surface/prepared_surface.h"
+
+namespace pcm::fast {
+
+/// Prepares a mesh for contact. Throws BadInput, naming what is wrong where and what mends it, when the mesh is unfit
+/// (PCM section 2), out of range or has more faces than can be counted. O(n log n) in the number of faces.
+PreparedSurface prepare_surface(TriangleMesh mesh);
+
+/// Greatest |coordinate| of the faces' vertices along each axis, m.
+Eigen::Vector3d reach_of(const TriangleMesh& mesh);
+
+/// Why the engine takes no surface whose greatest |coordinate| is `reach`, m; empty where it does.
+std::string out_of_range(double reach);
+
+}  // namespace pcm::fast

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fast/base/box_tree.h"
+#include "fast/surface/wide_tree.h"
+#include "pcm/triangle_mesh.h"
+
+namespace pcm::fast {
+
+/// For each of some items the entries that belong to it: those of item i are entries[begin[i] .. begin[i + 1]).
+struct Incidence {
+  struct Span {
+    const Index* first;
+    const Index* last;
+    const Index* begin() const { return first; }
+    const Index* end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  };
+  std::vector<Index> offset;
+  std::vector<Index> entries;
+
+  std::size_t items() const { return offset.size() - 1; }
+  Span operator[](Index item) const {
+    const auto i = static_cast<std::size_t>(item);
+    return {entries.data() + offset[i], entries.data() + offset[i + 1]};
+  }
+};
+
+/// What surely is free of other faces of the same surface on either side of a face (fast/surface/clearance.h): a line
+/// that passes through the face's interior, within one of two cones about its normal, meets no other face nearer than
+/// that.
+struct Clearance {
+  std::array<float, 2> beneath{};  ///< on the side against the normal, relative to the reach; 0: nothing is known
+  std::array<bool, 2> above{};     ///< whether nothing is met on the side of the normal, however far
+};
+
+/// Lower bounds of the distance from any point of a face along its inward normal to the next face of the same surface
+/// (fast/surface/thickness.h), by face, m; infinite where nothing lies beneath.
+struct ThicknessEverywhere {
+  /// What lies beneath the face is no nearer, but for slivers of rounding size beside faces that share a vertex with it
+  /// and stand upright on it. 0 where a neighbour folds back beneath the face. Holds for lines that are a little off.
+  /// At most `exact`.
+  std::vector<double> tolerant;
+  /// No other face has a point strictly within the prism beneath the face, and nearer, exactly in the surface's own
+  /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face
+  /// by however little.
+  std::vector<double> exact;
+  /// The same for the surface as a pose rounds its vertices (F's). Faces that touch the master's plane from above count
+  /// as beneath it, for rounding may fold them under; what stands upright on the prism's sides does not count, though
+  /// it may reach in by a rounding. At most `exact`.
+  std::vector<double> rounded;
+};
+
+/// What is derived from a mesh once, in the surface's own frame; read by every step of the evaluation.
+struct PreparedSurface {
+  TriangleMesh mesh;
+  /// Edges as pairs (smaller, greater vertex), in lexicographic order: comparing edge indices compares the pairs.
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<bool> border_edges;                     ///< by edge: it belongs to one face only
+  std::vector<std::array<Index, 3>> face_edges;       ///< edge k of a face joins its vertices k and k + 1
+  std::vector<std::array<Index, 3>> face_neighbours;  ///< beyond edge k; the face itself where that is a border
+  Incidence vertex_edges;                             ///< ascending
+  Incidence vertex_faces;                             ///< ascending
+  std::vector<Index> face_component;                  ///< component (connected by edges) of each face
+  Incidence component_faces;                          ///< ascending
+  std::vector<Box> component_boxes;
+  bool closed = true;  ///< no border edge at all (rule: a surface is open as a whole)
+  BoxTree tree;
+  WideTree wide_tree;                               ///< the same boxes, eight at once
+  Eigen::Vector3d reach = Eigen::Vector3d::Zero();  ///< greatest |coordinate| along each axis, m
+  /// Lower bound of the distance from each face's barycentre along its inward normal to the next face of the same
+  /// surface, m; see fast/surface/thickness.h.
+  std::vector<double> thickness;
+  ThicknessEverywhere thickness_everywhere;  ///< the same over all points of each face
+  std::vector<bool> clear_of_neighbours;     ///< by face; see fast/surface/thickness.h
+  std::vector<Clearance> clearance;          ///< by face
+
+  const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }
+  const Eigen::Vector3d& vertex(Index v) const { return mesh.vertices[static_cast<std::size_t>(v)]; }
+  const std::array<Index, 2>& edge(Index e) const { return edges[static_cast<std::size_t>(e)]; }
+  const std::array<Index, 3>& edges_of(Index f) const { return face_edges[static_cast<std::size_t>(f)]; }
+  const std::array<Index, 3>& neighbours_of(Index f) const { return face_neighbours[static_cast<std::size_t>(f)]; }
+  /// Whether edge k of a face, from its vertex k on, runs the way that edge runs in `edges`.
+  bool runs_forwards(Index f, std::size_t k) const { return face(f)[k] < face(f)[k == 2 ? 0 : k + 1]; }
+  Index other_end(Index e, Index v) const { return edge(e)[0] == v ? edge(e)[1] : edge(e)[0]; }
+  bool border(Index e) const { return border_edges[static_cast<std::size_t>(e)]; }
+};
+
+}  // namespace pcm::fast

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/surface/thickness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "fast/predicates/penetration_predicates.h"
+#include "fast/prism/projected_face.h"
+
+namespace pcm::fast {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Steeper than this the distance to a face's plane follows the line's error by at most a factor of 2^8.
+constexpr double kSteep = 0x1p-8;
+
+std::array<Eigen::Vector3d, 3> points_of(const PreparedSurface& surface, Index face) {
+  const Triangle& triangle = surface.face(face);
+  return {surface.vertex(triangle[0]), surface.vertex(triangle[1]), surface.vertex(triangle[2])};
+}
+
+/// A lower bound of the distance at which a line within `tolerance` of the ray meets f; infinite where none does.
+///
+/// With u = 2^-53 and 1-norms: on which side of an edge e the ray passes, seen from its corner a, is told by
+/// d . (a x e), not by a x b with both ends, whose roundings are of no use beside a short edge far away. a and e are
+/// off by u |a| and u |e|, the product by 7 u |a| |e| in all, so by 13 u |a| times the edge's length; 16 u |a| pays for
+/// d's length, too. The plane's distance t = n . a / (n . d) with each component of n off by epsilon is off by epsilon
+/// (|a| + 2 |t|) / |n . d|, where t does not exceed the farthest corner's |a|.
+double least_distance(const Ray& ray, const FaceGeometry& f, double tolerance) {
+  std::array<Eigen::Vector3d, 3> from_origin;
+  std::array<double, 3> along, away;
+  for (std::size_t k = 0; k < 3; ++k) {
+    from_origin[k] = f.points_Me[k] - ray.origin;
+    along[k] = ray.direction.dot(from_origin[k]);
+    away[k] = from_origin[k].lpNorm<1>();
+  }
+  if (*std::max_element(along.begin(), along.end()) < -tolerance) return kInfinity;
+  // Seen along the line, the origin lies within the tolerance of the face only where it is no farther than that on the
+  // wrong side of any edge; a face seen edgewise may have either winding.
+  bool as_seen = true, as_seen_reversed = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d edge = f.points_Me[(k + 1) % 3] - f.points_Me[k];
+    const double side = ray.direction.dot(from_origin[k].cross(edge));
+    const double allowed = (tolerance + 16 * 0x1p-53 * away[k]) * length(edge) + 0x1p-1060;
+    as_seen = as_seen && side >= -allowed;
+    as_seen_reversed = as_seen_reversed && side <= allowed;
+  }
+  if (!(as_seen || as_seen_reversed)) return kInfinity;
+  const double cosine = ray.direction.dot(f.n_Me);
+  const double plane_error = 3 * normal_error(f) * *std::max_element(away.begin(), away.end());
+  if (std::abs(cosine) < kSteep || !(plane_error < tolerance)) {
+    return *std::min_element(along.begin(), along.end()) - tolerance;
+  }
+  const double distance = f.n_Me.dot(from_origin[0]) / cosine;
+  // A quarter for the line, a quarter for the plane.
+  const double margin = 4 / kSteep * tolerance;
+  return distance < -margin ? kInfinity : distance - margin;
+}
+
+/// How deep beneath the master face any part of f begins that the prism, wider by `tolerance` on all sides, has in it.
+double least_depth(const MasterPrism& prism, const std::array<PrismPoint, 3>& corners, double tolerance) {
+  ConvexPolygon part;
+  for (PrismPoint corner : corners) {
+    corner[0] += tolerance * prism.inward_length(1);
+    corner[1] += tolerance * prism.inward_length(2);
+    corner[2] += tolerance * prism.inward_length(0);
+    corner[kDepth] += tolerance;
+    part.add(corner);
+  }
+  for (int coordinate = 0; coordinate <= kDepth; ++coordinate) keep_where_not_negative(part, coordinate);
+  double least = kInfinity;
+  for (int i = 0; i < part.count; ++i) least = std::min(least, part[i][kDepth]);
+  return least - 2 * tolerance;
+}
+
+/// The same for a face that shares a vertex with the master face, whatever the tolerance: beside it, what stands
+/// upright is seen as slivers.
+double least_depth_of_neighbour(const Triangle& vertices, const std::array<PrismPoint, 3>& corners) {
+  ProjectedFace face;
+  if (!project_face(vertices, corners, face)) return kInfinity;
+  double least = kInfinity;
+  bool at_border = true;
+  for (int i = 0; i < face.seen.count; ++i) {
+    least = std::min(least, face.seen[i][kDepth]);
+    at_border = at_border && face.seen[i].head<3>().minCoeff() < 0x1p-10;
+  }
+  Moments moments;
+  moments.add(face.seen);
+  return at_border && moments.area < 0x1p-50 ? kInfinity : least;
+}
+
+/// The vertices as one master face sees them, each looked at once: faces that share them ask for it again and again,
+/// and depths in one plane are exact numbers' work.
+class VertexSights {
+ public:
+  explicit VertexSights(const PreparedSurface& surface)
+      : surface_(surface), sights_(surface.mesh.vertices.size()), seen_by_(sights_.size(), -1) {}
+
+  /// From now on those of this prism, which is the face's and has to outlive that.
+  void start(const MasterPrism& prism, Index face) {
+    prism_ = &prism;
+    face_ = face;
+  }
+  const PrismPoint& operator()(Index vertex) {
+    const auto i = static_cast<std::size_t>(vertex);
+    if (seen_by_[i] != face_) {
+      sights_[i] = prism_->see(surface_.vertex(vertex), work_);
+      seen_by_[i] = face_;
+    }
+    return sights_[i];
+  }
+
+ private:
+  const PreparedSurface& surface_;
+  const MasterPrism* prism_ = nullptr;
+  Index face_ = -1;
+  std::vector<PrismPoint> sights_;  ///< by vertex
+  std::vector<Index> seen_by_;      ///< the face that did so last
+  WorkCounters work_;
+};
+
+/// Another face as a master face sees it.
+struct SeenFace {
+  const Triangle& vertices;
+  std::array<PrismPoint, 3> corners;
+  std::array<int, 3> shared;  ///< which corner of the master it is, or -1
+
+  SeenFace(VertexSights& sights, const PreparedSurface& surface, const Triangle& master, Index face)
+      : vertices(surface.face(face)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto found = std::find(master.begin(), master.end(), vertices[k]);
+      shared[k] = found != master.end() ? static_cast<int>(found - master.begin()) : -1;
+      corners[k] = shared[k] >= 0 ? MasterPrism::corner(shared[k]) : sights(vertices[k]);
+    }
+  }
+
+  bool is_neighbour() const { return shared[0] >= 0 || shared[1] >= 0 || shared[2] >= 0; }
+
+  /// Whether the face lies above the master's plane or touches it from there, exactly.
+  bool lies_above() const {
+    const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
+    return std::max({depths[0], depths[1], depths[2]}) <= 0 && std::min({depths[0], depths[1], depths[2]}) < 0;
+  }
+  /// Whether it does so however its vertices and the master's are rounded, heights changing by less than `tolerance`:
+  /// the corners that both share stay in the master's plane, all others are well above.
+  bool surely_lies_above(double tolerance) const {
+    bool any = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (shared[k] >= 0) continue;
+      if (!(corners[k][kDepth] < -tolerance)) return false;
+      any = true;
+    }
+    return any;
+  }
+
+  /// Whether one of the prism's sides has all of the face on its far side or in it, exactly. Rounded, the face then
+  /// reaches into the prism no farther than vertices are moved.
+  bool lies_beside(const MasterPrism& prism, const PreparedSurface& surface, WorkCounters& work) const {
+    for (std::size_t weight = 0; weight < 3; ++weight) {
+      const std::size_t side = (weight + 1) % 3;
+      const auto may_lie_beyond = [&](std::size_t k) {
+        return shared[k] >= 0 ? shared[k] != static_cast<int>(weight)
+                              : corners[k][static_cast<Index>(weight)] <= prism.weight_error(side, corners[k]);
+      };
+      const auto lies_beyond = [&](std::size_t k) {
+        return shared[k] >= 0 || side_of_prism(prism.face().points_Me, side, surface.vertex(vertices[k]), work) <= 0;
+      };
+      if (may_lie_beyond(0) && may_lie_beyond(1) && may_lie_beyond(2) && lies_beyond(0) && lies_beyond(1) &&
+          lies_beyond(2)) {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+/// Whether all faces at a corner of the master face, whose prism it is, surely face its way, and go round that corner
+/// no more than once. Then they lie side by side as the master sees them.
+bool is_spread_out(const MasterPrism& prism, const PreparedSurface& surface, Index corner, double tolerance) {
+  const double off_s = tolerance * prism.inward_length(2), off_t = tolerance * prism.inward_length(0);
+  double angle = 0;
+  for (const Index face : surface.vertex_faces[corner]) {
+    const Triangle& t = surface.face(face);
+    const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), corner) - t.begin());
+    const Eigen::Vector3d from = prism.weights(surface.vertex(t[k]));
+    const Eigen::Vector3d a = prism.weights(surface.vertex(t[(k + 1) % 3])) - from;
+    const Eigen::Vector3d b = prism.weights(surface.vertex(t[(k + 2) % 3])) - from;
+    const double winding = a[kS] * b[kT] - a[kT] * b[kS];
+    const double turn =
+        4 * (off_s * (std::abs(a[kT]) + std::abs(b[kT]) + 2 * off_t) + off_t * (std::abs(a[kS]) + std::abs(b[kS])));
+    if (!(winding > turn)) return false;
+    angle += std::atan2(winding, a[kS] * b[kS] + a[kT] * b[kT]);
+  }
+  // A closed fan goes round once, 2 pi, or at least twice; an open one may go round once and a little more.
+  const bool closed = surface.vertex_edges[corner].size() == surface.vertex_faces[corner].size();
+  return angle < (closed ? 7 : 5);
+}
+
+/// Whether all other faces at a corner of the master face lie beside it: on the far side of one of its sides each, but
+/// for the vertices on that side.
+bool all_lie_beside(const MasterPrism& prism, VertexSights& sights, const PreparedSurface& surface, Index master_face,
+                    Index corner, double tolerance) {
+  for (const Index face : surface.vertex_faces[corner]) {
+    if (face == master_face) continue;
+    const SeenFace seen(sights, surface, surface.face(master_face), face);
+    std::array<bool, 3> beside{true, true, true};  // By weight; each is 0 on a side.
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t weight = 0; weight < 3; ++weight) {
+        const double margin = tolerance * prism.inward_length((weight + 1) % 3);
+        const double w = seen.corners[k][static_cast<Index>(weight)];
+        beside[weight] = beside[weight] && (seen.shared[k] >= 0 ? w == 0 : w < -margin);
+      }
+    }
+    if (!(beside[0] || beside[1] || beside[2])) return false;
+  }
+  return true;
+}
+
+/// Whether the face goes round a corner that it shares with the master beside it.
+bool is_beside_at_corners(const MasterPrism& prism, const PreparedSurface& surface, const SeenFace& seen,
+                          double tolerance) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (seen.shared[k] >= 0 && is_spread_out(prism, surface, seen.vertices[k], tolerance)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface) {
+  const double tolerance = kThicknessTolerance * surface.reach.maxCoeff();
+  std::vector<double> bounds(surface.mesh.faces.size(), 0.0);
+  std::vector<Index> open;
+  for (Index face = 0; face < static_cast<Index>(bounds.size()); ++face) {
+    const FaceGeometry geometry(points_of(surface, face));
+    const Ray ray(geometry, geometry.barycentre_Me());
+    if (!(8 * surface.reach.maxCoeff() * ray.direction_error < tolerance)) continue;
+    const TreeRay tree_ray(ray.origin, ray.direction, 2 * tolerance);
+    double nearest = kInfinity;
+    open.assign(1, 0);
+    while (!open.empty() && nearest > 0) {
+      const BoxNode& node = surface.tree.node(open.back());
+      open.pop_back();
+      const double entry = tree_ray.entry(node.box);
+      if (entry == kInfinity || entry - 2 * tolerance > nearest) continue;
+      if (!node.leaf()) {
+        open.push_back(node.child);
+        open.push_back(node.child + 1);
+      } else if (node.face != face) {
+        nearest = std::min(nearest, least_distance(ray, FaceGeometry(points_of(surface, node.face)), tolerance));
+      }
+    }
+    bounds[static_cast<std::size_t>(face)] = std::max(nearest, 0.0);
+  }
+  return bounds;
+}
+
+ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface) {
+  const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
+  const std::vector<double> zeros(surface.mesh.faces.size(), 0.0);
+  ThicknessEverywhere bounds{zeros, zeros, zeros};
+  std::vector<Index> open;
+  VertexSights sights(surface);
+  WorkCounters work;
+  for (Index face = 0; face < static_cast<Index>(bounds.exact.size()); ++face) {
+    const Triangle& master = surface.face(face);
+    const FaceGeometry geometry(points_of(surface, face));
+    if (!thickness_holds(surface, 0, geometry)) continue;
+    const MasterPrism prism(geometry);
+    sights.start(prism, face);
+    const TreePrism tree_prism(prism, 2 * tolerance);
+    double nearest = kInfinity, nearest_within = kInfinity, nearest_rounded = kInfinity;
+    open.assign(1, 0);
+    // Once nearest_within is 0, so are all three bounds.
+    while (!open.empty() && nearest_within > 0) {
+      const BoxNode& node = surface.tree.node(open.back());
+      open.pop_back();
+      if (!tree_prism.may_meet(node.box, nearest_within)) continue;
+      if (!node.leaf()) {
+        open.push_back(node.child);
+        open.push_back(node.child + 1);
+        continue;
+      }
+      if (node.face == face) continue;
+      const SeenFace seen(sights, surface, master, node.face);
+      const double least = seen.is_neighbour() ? least_depth_of_neighbour(seen.vertices, seen.corners)
+                                               : least_depth(prism, seen.corners, tolerance);
+      nearest = std::min(nearest, least);
+      // Only where something is near is it asked whether it is within the prism.
+      const bool above = seen.lies_above();
+      if (seen.is_neighbour() || least < (above ? nearest_rounded : nearest_within)) {
+        if (above && seen.surely_lies_above(tolerance)) continue;
+        if (seen.lies_beside(prism, surface, work)) continue;
+        if (is_beside_at_corners(prism, surface, seen, tolerance)) continue;
+        const double within = seen.is_neighbour() ? 0 : least;
+        nearest_rounded = std::min(nearest_rounded, within);
+        if (!above) nearest_within = std::min(nearest_within, within);
+      }
+    }
+    // What is cut short by a neighbour within the prism is not known.
+    bounds.tolerant[static_cast<std::size_t>(face)] = std::max(std::min(nearest, nearest_within), 0.0);
+    bounds.exact[static_cast<std::size_t>(face)] = std::max(nearest_within, 0.0);
+    bounds.rounded[static_cast<std::size_t>(face)] = std::max(std::min(nearest_within, nearest_rounded), 0.0);
+  }
+  return bounds;
+}
+
+std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface) {
+  const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
+  std::vector<bool> clear(surface.mesh.faces.size(), false);
+  VertexSights sights(surface);
+  for (Index face = 0; face < static_cast<Index>(clear.size()); ++face) {
+    const FaceGeometry geometry(points_of(surface, face));
+    if (!thickness_holds(surface, 0, geometry)) continue;
+    const MasterPrism prism(geometry);
+    sights.start(prism, face);
+    const Triangle& corners = surface.face(face);
+    clear[static_cast<std::size_t>(face)] = std::all_of(corners.begin(), corners.end(), [&](Index corner) {
+      return is_spread_out(prism, surface, corner, tolerance) ||
+             all_lie_beside(prism, sights, surface, face, corner, tolerance);
+    });
+  }
+  return clear;
+}
+
+}  // namespace pcm::fast

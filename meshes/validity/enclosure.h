@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "pcm/triangle_mesh.h"
+
+namespace pcm {
+
+/// For each closed component of a surface the number of other closed components that enclose it: even for an outer
+/// shell, odd for a cavity.
+///
+/// A component is enclosed by another if none of its vertices lies strictly outside the other and at least one lies
+/// strictly inside; so bodies that touch, stand on one another or cross aren't taken for nested ones. Inside is decided
+/// by the parity of the faces above a vertex, with exact signs, whatever their orientation.
+///
+/// `component_of_face[f]` is the closed component of face f, below `component_count`, or negative for a face to leave
+/// out. The vertices of the others must be finite. Cost: about F + V sqrt(F) where components are nested; a vertex each
+/// where they are apart.
+std::vector<Index> count_enclosing_components(const TriangleMesh& mesh, const std::vector<Index>& component_of_face,
+                                              Index component_count);
+
+}  // namespace pcm

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/elements/clipped_elements.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "reference/lines/convex_pieces.h"
+#include "reference/lines/penetration_line.h"
+#include "reference/pose/box_tree.h"
+
+namespace pcm::reference {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A column below part of the master face: x - q N for x in the box and 0 <= q <= depth.
+struct Column {
+  Vec3<Interval> top;
+  double depth;
+};
+
+/// Ascending; all faces that may have a point in the column.
+std::vector<Index> faces_in(const Column& column, const Vec3<Interval>& N, const BoxTree& tree) {
+  std::vector<Index> faces;
+  tree.look_along([&](const Box& box) { return reach(column.top, N, box); },
+                  [&](Index face) {
+                    faces.push_back(face);
+                    return column.depth;
+                  });
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+Vec3<Interval> box_of(SightPoints& points, Face face) {
+  return interval_point(points.enclosed.pose().face_box(face.side, face.index));
+}
+
+bool is_bounded(const Interval& x) {
+  return x.inf() > -kInfinity && x.sup() < kInfinity;
+}
+
+/// The column from the piece down to f's greatest depth there; below the whole face where enclosures do not tell.
+Column column_below(SightPlane& plane, const ConvexPiece& piece, Face f, const Vec3<Interval>& master_box) {
+  const MasterFrame<Interval>& e = plane.frame();
+  const Depth<Interval> d = plane.depth(f);
+  Column column{master_box, 0};
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Vec3<Interval>& corner = piece.corners[i];
+    const Interval depth = dot(d.numerator, corner) / (d.denominator * corner.z);
+    const Vec3<Interval> x = e.p0 + Interval(corner.x / corner.z) * e.v1 + Interval(corner.y / corner.z) * e.v2;
+    if (!is_bounded(depth) || !is_bounded(x.x) || !is_bounded(x.y) || !is_bounded(x.z)) return {master_box, kInfinity};
+    column.depth = std::max(column.depth, depth.sup());
+    column.top = i == 0 ? x : Vec3<Interval>{hull(column.top.x, x.x), hull(column.top.y, x.y), hull(column.top.z, x.z)};
+  }
+  return column;
+}
+
+/// All of one master face's sight.
+class Envelope {
+ public:
+  Envelope(SightPoints& points, Face master, const Proximity& near)
+      : plane_(points, master), slave_(other(master.side)), near_(near), master_box_(box_of(points, master)) {}
+
+  /// Appends the master face's elements.
+  void find_elements(std::vector<ClippedElement>& elements) {
+    const Face e = plane_.master();
+    const SeenFace& seen_e = plane_.see(e);
+    if (seen_e.facing == 0) return;  // without area
+    const ConvexPiece whole = whole_face(plane_, seen_e);
+    for (const Index f : faces_in({master_box_, kInfinity}, plane_.frame().N, near_.tree(slave_))) {
+      const std::vector<ConvexPiece> part = part_that_sees({slave_, f}, whole);
+      if (part.empty()) continue;
+      elements.push_back({{e.side, e.index, f}, {}});
+      for (const ConvexPiece& piece : part) {
+        PieceOutline& outline = elements.back().pieces.emplace_back();
+        for (const HalfPlane side : piece.sides) outline.push_back(plane_.name(side));
+      }
+    }
+  }
+
+ private:
+  std::vector<ConvexPiece> part_that_sees(Face f, const ConvexPiece& whole) {
+    const SeenFace& seen_f = plane_.see(f);
+    if (seen_f.facing >= 0 || !seen_f.ahead) return {};  // the line enters, or f lies in e's plane
+    ConvexPiece below = clip(plane_, whole, {*seen_f.ahead, seen_f.sides[0], seen_f.sides[1], seen_f.sides[2]});
+    if (below.empty()) return {};
+    const Column column = column_below(plane_, below, f, master_box_);
+    std::vector<ConvexPiece> part{std::move(below)};
+    for (const Side side : {slave_, plane_.master().side})
+      for (const Index g : faces_in(column, plane_.frame().N, near_.tree(side))) {
+        const Face other_face{side, g};
+        if (other_face != f && other_face != plane_.master()) take_out_what_is_before(f, other_face, part);
+        if (part.empty()) return part;
+      }
+    return part;
+  }
+
+  /// Takes proj(g) n {d_g >= 0} n {d_g <= d_f} out of the part.
+  void take_out_what_is_before(Face f, Face g, std::vector<ConvexPiece>& part) {
+    const SeenFace& seen_g = plane_.see(g);
+    if (seen_g.facing == 0) return;
+    std::vector<HalfPlane> bounds(seen_g.sides.begin(), seen_g.sides.end());
+    if (seen_g.ahead) bounds.push_back(*seen_g.ahead);
+    if (std::all_of(part.begin(), part.end(),
+                    [&](const ConvexPiece& piece) { return plainly_apart(plane_, piece, bounds); }))
+      return;
+    if (const std::optional<HalfPlane> before = plane_.deeper(f, g))
+      bounds.push_back(*before);
+    else if (g.side == plane_.master().side || f < g)
+      return;
+    part = subtract(plane_, part, bounds);
+  }
+
+  SightPlane plane_;
+  Side slave_;
+  const Proximity& near_;
+  Vec3<Interval> master_box_;
+};
+
+/// Elements by master face.
+struct MasterFaceOrder {
+  static Index master_face(Index face) { return face; }
+  static Index master_face(const ClippedElement& element) { return element.faces.master_face; }
+  template <class A, class B>
+  bool operator()(const A& a, const B& b) const {
+    return master_face(a) < master_face(b);
+  }
+};
+
+}  // namespace
+
+ClippedFindings find_clipped_elements(const ExactPose& pose, Side master, const Combinatorics& combinatorics,
+                                      const ClippedFindings& other) {
+  const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
+  ClippedFindings found;
+  SightPoints points(pose);
+  for (const Index face : (master == Side::E ? combinatorics.E : combinatorics.F).active()) {
+    points.robust = true;
+    if (std::binary_search(other.robust.begin(), other.robust.end(), face)) {
+      const auto [begin, end] = std::equal_range(other.elements.begin(), other.elements.end(), face, MasterFaceOrder());
+      found.elements.insert(found.elements.end(), begin, end);
+    } else {
+      Envelope(points, {master, face}, *combinatorics.near).find_elements(found.elements);
+    }
+    if (points.robust) found.robust.push_back(face);
+  }
+  return found;
+}
+
+}  // namespace pcm::reference

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/loads/contact_force.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "reference/loads/exact_loads.h"
+#include "reference/numbers/double_double.h"
+#include "reference/numbers/settle.h"
+
+namespace pcm::reference {
+namespace {
+
+/// An element's load with what only enclosures need.
+template <class T>
+struct EnclosedLoad {
+  ElementLoad<T> load;
+  T cosine;
+  T tangential_velocity;
+  T tangential_force;
+  Vec3<T> force_on_E;
+};
+
+template <class T>
+T length_of(const Vec3<T>& v) {
+  return sqrt(dot(v, v));
+}
+
+/// All loads enclosed in one kind of numbers, each when first asked for.
+template <class T>
+class EnclosedLoads {
+ public:
+  EnclosedLoads(const ForceQuestion& question, const Field<T>& field)
+      : question_(question), field_(field), pose_(question.pose, field_) {}
+
+  const Field<T>& field() const { return field_; }
+  std::size_t size() const { return question_.elements.size(); }
+  const EnclosedLoad<T>& at(std::size_t i) {
+    if (known_.empty()) known_.resize(size());
+    if (!known_[i]) known_[i] = enclose(i);
+    return *known_[i];
+  }
+  T perimeter(std::size_t i) { return question_.elements.perimeter(i, pose_); }
+  T folds(std::size_t i) { return question_.elements.folds(i, pose_); }
+
+ private:
+  EnclosedLoad<T> enclose(std::size_t i) {
+    const ElementGeometry<T> g = question_.elements.geometry(i, pose_);
+    const ElementLoad<T> load =
+        load_of(g, question_.elements.pair(i).master, question_.law, question_.pose.pose(), question_.velocity, field_);
+    const T v_t = sqrt(load.speed_squared);
+    return {load, dot(g.N, g.slave_N) / sqrt(dot(g.N, g.N) * dot(g.slave_N, g.slave_N)), v_t,
+            v_t * load.friction.constant + load.speed_squared * load.friction.linear, load.force + v_t * load.drag};
+  }
+
+  ForceQuestion question_;
+  Field<T> field_;
+  LiftedPose<T> pose_;
+  std::vector<std::optional<EnclosedLoad<T>>> known_;
+};
+
+/// Settles values by their enclosures, and what these leave by exact numbers where such are given.
+template <class ExactNumbers>
+class BackedSettler {
+ public:
+  explicit BackedSettler(ExactNumbers* exact) : exact_(exact) {}
+
+  template <class T, class Exactly>
+  void operator()(const T& value, double& target, const Exactly& exactly) {
+    Settler settle;
+    settle(value, target);
+    if (!settle.all()) fall_back(target, exactly);
+  }
+  template <class T, class Exactly>
+  void operator()(const Vec3<T>& value, Eigen::Vector3d& target, const Exactly& exactly) {
+    for (int axis = 0; axis < 3; ++axis)
+      (*this)(value[axis], target[axis], [&](ExactNumbers& exact) { return exactly(exact, axis); });
+  }
+  /// Whether the value exceeds the bound.
+  template <class T, class Exactly>
+  void exceeds(const T& value, const T& bound, bool& target, const Exactly& exactly) {
+    if (const std::optional<int> sign = (value - bound).sign())
+      target = *sign > 0;
+    else
+      fall_back(target, exactly);
+  }
+
+  bool all() const { return all_; }
+
+ private:
+  template <class Target, class Exactly>
+  void fall_back(Target& target, const Exactly& exactly) {
+    if (exact_ != nullptr)
+      target = exactly(*exact_);
+    else
+      all_ = false;
+  }
+
+  ExactNumbers* exact_;
+  bool all_ = true;
+};
+
+/// False where not all is settled.
+template <class T>
+bool settle_element(EnclosedLoads<T>& loads, std::size_t i, BackedSettler<ExactLoads> settle, Element& target) {
+  const EnclosedLoad<T>& element = loads.at(i);
+  const ElementLoad<T>& load = element.load;
+  settle(load.area, target.area, [i](ExactLoads& exact) { return exact.area(i); });
+  settle(load.penetration, target.penetration, [i](ExactLoads& exact) { return exact.penetration(i); });
+  settle(load.greatest_penetration, target.greatest_penetration,
+         [i](ExactLoads& exact) { return exact.greatest_penetration(i); });
+  settle(loads.perimeter(i), target.perimeter, [i](ExactLoads& exact) { return exact.perimeter(i); });
+  settle(loads.folds(i), target.folds, [i](ExactLoads& exact) { return exact.folds(i); });
+  settle(element.cosine, target.cosine, [i](ExactLoads& exact) { return exact.cosine(i); });
+  settle(load.normal_velocity, target.normal_velocity, [i](ExactLoads& exact) { return exact.normal_velocity(i); });
+  settle(element.tangential_velocity, target.tangential_velocity,
+         [i](ExactLoads& exact) { return exact.tangential_velocity(i); });
+  settle(load.normal_force, target.normal_force, [i](ExactLoads& exact) { return exact.normal_force(i); });
+  settle(element.tangential_force, target.tangential_force,
+         [i](ExactLoads& exact) { return exact.tangential_force(i); });
+  settle(load.normal, target.normal_Me, [i](ExactLoads& exact, int axis) { return exact.normal(i, axis); });
+  settle(load.position, target.position_Me, [i](ExactLoads& exact, int axis) { return exact.position(i, axis); });
+  settle(element.force_on_E, target.force_Me, [i](ExactLoads& exact, int axis) { return exact.force(i, axis); });
+  return settle.all();
+}
+
+/// The same for the totals over masters.
+template <class T>
+bool settle_totals(const std::vector<EnclosedLoads<T>*>& masters, double share, double greatest_allowed,
+                   BackedSettler<ExactTotals> settle, Answer& answer) {
+  const Field<T>& field = masters.front()->field();
+  const T zero = field(0.0);
+  Vec3<T> force{zero, zero, zero}, torque = force;
+  T force_scale = zero, torque_scale = zero, greatest = zero;
+  for (EnclosedLoads<T>* const master : masters)
+    for (std::size_t i = 0; i < master->size(); ++i) {
+      const EnclosedLoad<T>& element = master->at(i);
+      force = force + element.force_on_E;                             // (23)
+      torque = torque + cross(element.load.arm, element.force_on_E);  // (22), (24)
+      const T size = length_of(element.force_on_E);
+      force_scale = force_scale + size;
+      torque_scale = torque_scale + length_of(element.load.arm) * size;
+      greatest = max(greatest, element.load.greatest_penetration);
+    }
+  const T of_sum = field(share);
+  settle(of_sum * force, answer.force_Me, [](ExactTotals& exact, int axis) { return exact.force(axis); });
+  settle(of_sum * torque, answer.torque_Me, [](ExactTotals& exact, int axis) { return exact.torque(axis); });
+  settle(T(of_sum * force_scale), answer.force_scale, [](ExactTotals& exact) { return exact.force_scale(); });
+  settle(T(of_sum * torque_scale), answer.torque_scale, [](ExactTotals& exact) { return exact.torque_scale(); });
+  settle(greatest, answer.max_penetration, [](ExactTotals& exact) { return exact.greatest_penetration(); });
+  if (!std::isinf(greatest_allowed))
+    settle.exceeds(greatest, T(field(greatest_allowed)), answer.penetration_exceeded,
+                   [=](ExactTotals& exact) { return exact.greatest_exceeds(greatest_allowed); });
+  return settle.all();
+}
+
+}  // namespace
+
+struct MasterLoads::Data {
+  explicit Data(const ForceQuestion& asked)
+      : question(asked),
+        shortly(asked, Field<DoubleDouble>{}),
+        finely(asked, Field<Ball>{kSettlingPrecision}),
+        exact(asked) {}
+
+  ForceQuestion question;
+  EnclosedLoads<DoubleDouble> shortly;
+  EnclosedLoads<Ball> finely;
+  ExactLoads exact;
+  std::optional<std::vector<Element>> elements;
+};
+
+MasterLoads::MasterLoads(const ForceQuestion& question) : data_(std::make_unique<Data>(question)) {}
+
+MasterLoads::~MasterLoads() = default;
+
+std::vector<Element> MasterLoads::elements() {
+  if (data_->elements) return *data_->elements;
+  std::vector<Element> settled(data_->question.elements.size());
+  for (std::size_t i = 0; i < settled.size(); ++i) {
+    const ElementPair pair = data_->question.elements.pair(i);
+    settled[i].master = pair.master;
+    settled[i].master_face = pair.master_face;
+    settled[i].slave_face = pair.slave_face;
+    if (!settle_element(data_->shortly, i, BackedSettler<ExactLoads>(nullptr), settled[i]))
+      settle_element(data_->finely, i, BackedSettler<ExactLoads>(&data_->exact), settled[i]);
+  }
+  data_->elements = std::move(settled);
+  return *data_->elements;
+}
+
+void report_force(const std::vector<MasterLoads*>& masters, const Wanted& wanted, Answer& answer) {
+  const double share = masters.size() == 2 ? 0.5 : 1.0;
+  const double greatest_allowed = masters.front()->data_->question.law.max_penetration;
+  std::vector<EnclosedLoads<DoubleDouble>*> shortly;
+  std::vector<EnclosedLoads<Ball>*> finely;
+  std::vector<ExactLoads*> exact_loads;
+  for (MasterLoads* master : masters) {
+    shortly.push_back(&master->data_->shortly);
+    finely.push_back(&master->data_->finely);
+    exact_loads.push_back(&master->data_->exact);
+  }
+  if (!settle_totals(shortly, share, greatest_allowed, BackedSettler<ExactTotals>(nullptr), answer)) {
+    ExactTotals exactly(std::move(exact_loads), share);
+    settle_totals(finely, share, greatest_allowed, BackedSettler<ExactTotals>(&exactly), answer);
+  }
+  if (!wanted.elements) return;
+  for (MasterLoads* master : masters)
+    for (Element& element : master->elements()) answer.elements.push_back(element);
+}
+
+}  // namespace pcm::reference

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/loads/exact_loads.h"
+
+namespace pcm::reference {
+namespace {
+
+/// Of the first enclosures of the scales.
+constexpr mpfr_prec_t kScalePrecision = 256;
+
+double rounded(const Quadratic& x) {
+  RadicalSum sum;
+  sum.add(x);
+  return sum.rounded();
+}
+
+Ball force_size(const ElementLoad<Quadratic>& load, mpfr_prec_t precision) {
+  const Ball v_t = sqrt(enclosed(load.speed_squared, precision));
+  Ball squares(0.0, precision);
+  for (int i = 0; i < 3; ++i) {
+    const Ball component = enclosed(load.force[i], precision) + v_t * enclosed(load.drag[i], precision);
+    squares = squares + component * component;
+  }
+  return sqrt(squares);
+}
+
+Ball arm_length(const ElementLoad<Quadratic>& load, mpfr_prec_t precision) {
+  Ball squares(0.0, precision);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Ball component = enclosed(load.arm[axis], precision);
+    squares = squares + component * component;
+  }
+  return sqrt(squares);
+}
+
+/// Products of enclosures as narrow as the precision is high, without a quotient: they close in.
+template <class Enclosures>
+double scale(const Enclosures& enclosures) {
+  return rounded_number(kScalePrecision, kTiePrecision, enclosures);
+}
+
+}  // namespace
+
+const ExactLoads::Known& ExactLoads::at(std::size_t i) {
+  std::optional<Known>& known = known_[i];
+  if (!known) {
+    const ElementGeometry<Quadratic> g = question_.elements.geometry(i, pose_);
+    known = Known{g, load_of(g, question_.elements.pair(i).master, question_.law, question_.pose.pose(),
+                             question_.velocity, Field<Quadratic>{})};
+  }
+  return *known;
+}
+
+double ExactLoads::area(std::size_t i) {
+  return rounded(at(i).load.area);
+}
+
+double ExactLoads::penetration(std::size_t i) {
+  return rounded(at(i).load.penetration);
+}
+
+double ExactLoads::greatest_penetration(std::size_t i) {
+  return rounded(at(i).load.greatest_penetration);
+}
+
+double ExactLoads::perimeter(std::size_t i) {
+  return question_.elements.perimeter(i, pose_).rounded();
+}
+
+double ExactLoads::folds(std::size_t i) {
+  return question_.elements.folds(i, pose_).rounded();
+}
+
+double ExactLoads::cosine(std::size_t i) {
+  const ElementGeometry<Quadratic>& g = at(i).geometry;
+  const Rational squares = (dot(g.N, g.N) * dot(g.slave_N, g.slave_N)).a();
+  RadicalSum quotient;
+  quotient.add(Rational(dot(g.N, g.slave_N).a() / squares), squares);
+  return quotient.rounded();
+}
+
+double ExactLoads::normal_velocity(std::size_t i) {
+  return rounded(at(i).load.normal_velocity);
+}
+
+double ExactLoads::tangential_velocity(std::size_t i) {
+  RadicalSum root;
+  root.add(Quadratic(Rational(1)), at(i).load.speed_squared);
+  return root.rounded();
+}
+
+double ExactLoads::normal_force(std::size_t i) {
+  return rounded(at(i).load.normal_force);
+}
+
+double ExactLoads::tangential_force(std::size_t i) {
+  const ElementLoad<Quadratic>& load = at(i).load;
+  RadicalSum sum;
+  sum.add(load.friction.constant, load.speed_squared);
+  sum.add(load.friction.linear * load.speed_squared);
+  return sum.rounded();
+}
+
+double ExactLoads::normal(std::size_t i, int axis) {
+  return rounded(at(i).load.normal[axis]);
+}
+
+double ExactLoads::position(std::size_t i, int axis) {
+  return rounded(at(i).load.position[axis]);
+}
+
+double ExactLoads::force(std::size_t i, int axis) {
+  const ElementLoad<Quadratic>& load = at(i).load;
+  RadicalSum sum;
+  sum.add(load.force[axis]);
+  sum.add(load.drag[axis], load.speed_squared);
+  return sum.rounded();
+}
+
+double ExactTotals::force(int axis) {
+  const Quadratic share{Rational(share_)};
+  RadicalSum sum;
+  for (ExactLoads* master : masters_)
+    for (std::size_t i = 0; i < master->size(); ++i) {
+      const ElementLoad<Quadratic>& load = master->load(i);
+      sum.add(share * load.force[axis]);  // (23)
+      sum.add(share * load.drag[axis], load.speed_squared);
+    }
+  return sum.rounded();
+}
+
+double ExactTotals::torque(int axis) {
+  const Quadratic share{Rational(share_)};
+  RadicalSum sum;
+  for (ExactLoads* master : masters_)
+    for (std::size_t i = 0; i < master->size(); ++i) {
+      const ElementLoad<Quadratic>& load = master->load(i);
+      sum.add(share * cross(load.arm, load.force)[axis]);  // (22), (24)
+      sum.add(share * cross(load.arm, load.drag)[axis], load.speed_squared);
+    }
+  return sum.rounded();
+}
+
+std::optional<Quadratic> ExactTotals::greatest() {
+  std::optional<Quadratic> greatest;
+  Rational greatest_squared;
+  for (ExactLoads* master : masters_)
+    for (std::size_t i = 0; i < master->size(); ++i) {
+      const ElementGeometry<Quadratic>& g = master->geometry(i);
+      const Rational squared = (g.q_greatest * g.q_greatest * dot(g.N, g.N)).a();
+      if (greatest && squared <= greatest_squared) continue;
+      greatest_squared = squared;
+      greatest = master->load(i).greatest_penetration;
+    }
+  return greatest;
+}
+
+double ExactTotals::greatest_penetration() {
+  const std::optional<Quadratic> deepest = greatest();
+  return deepest ? rounded(*deepest) : 0;
+}
+
+bool ExactTotals::greatest_exceeds(double bound) {
+  const std::optional<Quadratic> deepest = greatest();
+  return deepest && (*deepest - Quadratic(Rational(bound))).sign() > 0;
+}
+
+double ExactTotals::force_scale() {
+  return scale([this](mpfr_prec_t precision) {
+    Ball sum(0.0, precision);
+    for (ExactLoads* master : masters_)
+      for (std::size_t i = 0; i < master->size(); ++i) sum = sum + force_size(master->load(i), precision);
+    return Ball(share_, precision) * sum;
+  });
+}
+
+double ExactTotals::torque_scale() {
+  return scale([this](mpfr_prec_t precision) {
+    Ball sum(0.0, precision);
+    for (ExactLoads* master : masters_)
+      for (std::size_t i = 0; i < master->size(); ++i) {
+        const ElementLoad<Quadratic>& load = master->load(i);
+        sum = sum + arm_length(load, precision) * force_size(load, precision);
+      }
+    return Ball(share_, precision) * sum;
+  });
+}
+
+}  // namespace pcm::reference

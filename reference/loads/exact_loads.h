@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "reference/loads/contact_force.h"
+#include "reference/loads/element_load.h"
+#include "reference/numbers/radical_sum.h"
+
+namespace pcm::reference {
+
+/// Loads of one master's elements with every decision of the law exact. An element is computed when something of it is
+/// asked for; its values are correctly rounded (radical_sum.h).
+class ExactLoads {
+ public:
+  /// All that the question refers to must outlive this.
+  explicit ExactLoads(const ForceQuestion& question)
+      : question_(question), pose_(question.pose), known_(question.elements.size()) {}
+
+  std::size_t size() const { return known_.size(); }
+  const ElementGeometry<Quadratic>& geometry(std::size_t i) { return at(i).geometry; }
+  const ElementLoad<Quadratic>& load(std::size_t i) { return at(i).load; }
+
+  double area(std::size_t i);
+  double penetration(std::size_t i);
+  double greatest_penetration(std::size_t i);
+  double perimeter(std::size_t i);
+  double folds(std::size_t i);
+  double cosine(std::size_t i);
+  double normal_velocity(std::size_t i);
+  double tangential_velocity(std::size_t i);
+  double normal_force(std::size_t i);
+  double tangential_force(std::size_t i);
+  double normal(std::size_t i, int axis);
+  double position(std::size_t i, int axis);
+  double force(std::size_t i, int axis);  ///< on body E
+
+ private:
+  struct Known {
+    ElementGeometry<Quadratic> geometry;
+    ElementLoad<Quadratic> load;
+  };
+  const Known& at(std::size_t i);
+
+  ForceQuestion question_;
+  LiftedPose<Rational> pose_;
+  std::vector<std::optional<Known>> known_;
+};
+
+/// Totals over masters with every sum exact, correctly rounded. A root of a root arises where, with friction and
+/// w != 0, an element is clamped, if only in part: its force has one, and every total it enters.
+class ExactTotals {
+ public:
+  /// The masters must outlive this. Force, torque and scales are multiplied by `share`.
+  ExactTotals(std::vector<ExactLoads*> masters, double share) : masters_(std::move(masters)), share_(share) {}
+
+  double force(int axis);
+  double torque(int axis);
+  double greatest_penetration();
+  bool greatest_exceeds(double bound);
+  /// Force and torque scale. Either neighbour at a tie, or what is that to kTiePrecision bits.
+  double force_scale();
+  double torque_scale();
+
+ private:
+  /// The greatest penetration before clamping; none without elements.
+  std::optional<Quadratic> greatest();
+
+  std::vector<ExactLoads*> masters_;
+  double share_;
+};
+
+}  // namespace pcm::reference

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pcm::test {
+
+/// The rooms of a part of the project, from the bottom up: each includes itself and those above it in this list.
+/// docs/DESIGN.md section 1.2 says what lies in them.
+struct Part {
+  std::string name;
+  std::vector<std::string> rooms;
+  /// In which room each public header lies, by its name: those of the vocabulary in the lowest one, so that all may
+  /// include them, those of the facade in the one that implements them.
+  std::map<std::string, std::string> public_headers;
+};
+
+inline const std::vector<Part>& parts() {
+  static const std::vector<Part> all{
+      {"meshes",
+       {"base", "exact", "validity", "files", "generate"},
+       {{"triangle_mesh.h", "base"},
+        {"bad_input.h", "base"},
+        {"check.h", "validity"},
+        {"read_mesh.h", "files"},
+        {"write_obj.h", "files"}}},
+      {"fast",
+       {"base", "predicates", "prism", "surface", "posed", "simd", "search", "crossings", "active", "force",
+        "barycentric", "clipped", "bounds", "engine"},
+       {{"inputs.h", "base"},
+        {"work_counters.h", "base"},
+        {"contact.h", "base"},
+        {"savings.h", "base"},
+        {"engine.h", "engine"},
+        {"scene.h", "engine"}}},
+      // The oracle's own facade lies beside its rooms; the proofs ask it.
+      {"reference",
+       {"vocabulary", "numbers", "pose", "crossings", "lines", "active", "combinatorics", "elements", "loads", "",
+        "proofs"},
+       {}},
+      {"compare",
+       {"io", "bodies", "poses", "verify", "published", "opponents", "known_answers", "error_budget", "motion", "bench",
+        "cli"},
+       {}},
+  };
+  return all;
+}
+
+/// Files that still include a room above their own: a face's bound is gathered while its elements are formed, and has
+/// to become a second pass.
+inline bool is_knot(const std::string& file) {
+  return file == "fast/clipped/clipped_elements.h" || file == "fast/clipped/clipped_elements.cpp";
+}
+
+}  // namespace pcm::test

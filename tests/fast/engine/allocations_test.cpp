@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <sstream>
+
+#include "meshes/generate/parts.h"
+#include "pcm/scene.h"
+#include "tests/fast/engine_support.h"
+
+namespace {
+std::atomic<long> allocations{0};
+std::atomic<std::size_t> greatest_allocation{0};
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  std::size_t greatest = greatest_allocation;
+  while (size > greatest && !greatest_allocation.compare_exchange_weak(greatest, size)) {
+  }
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace pcm::fast {
+namespace {
+
+void expect_no_allocation_once_grown(Scheme scheme) {
+  const Surface bubble(generate::bubble());
+  ContactLaw law;
+  law.friction = 0.5;
+  const Pairing closed(bubble, bubble, law, Mode::both, scheme);
+  const Pairing open(Surface(generate::pyramid()), bubble, law, Mode::both, scheme);
+  law.max_penetration = 0.03125;
+  const Pairing clamped(bubble, bubble, law, Mode::both, scheme);
+  Workspace workspace;
+  Wanted bounded;
+  bounded.bound = true;
+  Wanted only_touch;
+  only_touch.polygons = only_touch.areas = only_touch.force = only_touch.elements = false;
+  const auto run = [&] {
+    for (int i = 0; i < 20; ++i) {
+      const Pose deep = test::turned(0.3 * i, {0.05, 0.1, 0.12});
+      EXPECT_TRUE(evaluate(closed, deep, {}, {}, workspace).touching);
+      EXPECT_TRUE(evaluate(open, test::turned(0.3 * i, {0.01, 0.02, 0.05}), {}, {}, workspace).touching);
+      EXPECT_TRUE(evaluate(closed, deep, {}, only_touch, workspace).touching);
+      EXPECT_TRUE(evaluate(closed, deep, {}, bounded, workspace).bound.has_value());
+      EXPECT_TRUE(evaluate(clamped, deep, {}, bounded, workspace).penetration_exceeded);
+    }
+    EXPECT_TRUE(evaluate(closed, {}, {}, bounded, workspace).bound->flipped);
+  };
+  run();
+  const long before = allocations;
+  EXPECT_GT(before, 0);
+  run();
+  EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocations, NoneOnceTheWorkspaceHasGrown) {
+  expect_no_allocation_once_grown(Scheme::barycentric);
+}
+
+TEST(Allocations, NoneInTheClippedSchemeOnceTheWorkspaceHasGrown) {
+  expect_no_allocation_once_grown(Scheme::clipped);
+}
+
+TEST(Allocations, NoneInASceneThatHasSeenItsContacts) {
+  const Surface bubble(generate::bubble());
+  Scene scene;
+  for (int b = 0; b < 3; ++b) scene.add_body(bubble);
+  for (Index F = 1; F < 3; ++F) scene.add_pairing(0, F);
+  std::vector<BodyState> states(3);
+  const auto run = [&] {
+    for (int i = 0; i < 10; ++i) {
+      states[1].pose = test::turned(0.3 * i, {0.05, 0.1, 0.12});
+      states[2].pose = test::turned(0.2 * i, {0, 0.1 * i, 0.3});
+      scene.move(states);
+      scene.evaluate_all();
+    }
+  };
+  run();
+  const long before = allocations;
+  run();
+  EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocations, SliversOfRoundingSizeDoNotMultiplyThePartsOfAFace) {
+  // The flanks of a gear are parallel to its axis: along a cap's penetration lines they are seen edgewise, or, where
+  // rounding has moved vertices, as slivers as long as a tooth, four of them along one line. A face has at most a few
+  // parts for each of the other gear's 1200 faces, here less than one.
+  const Surface gear(generate::spur_gear(20, 0.1, 0.5, 4, 2));
+  constexpr std::size_t kPart = 400;  // bytes of a convex polygon
+  Workspace workspace;
+  const Pairing pairing(gear, gear, test::stiffness(1), Mode::both, Scheme::clipped);
+  for (int i = 0; i < 6; ++i) {
+    const Pose pose = test::turned(1 + 0.37 * i, {0.6 - 0.1 * i, 0.3, 0.2});
+    std::ostringstream text;
+    text << "A\n" << pose.A << "\nr " << pose.r.transpose();
+    SCOPED_TRACE(text.str());
+    greatest_allocation = 0;
+    const Contact& contact = evaluate(pairing, pose, {}, Wanted{false, false, true, false}, workspace);
+    EXPECT_TRUE(contact.touching);
+    EXPECT_GT(contact.force_Me.norm(), 0);
+    EXPECT_LT(greatest_allocation, 1200 * kPart);
+  }
+}
+
+}  // namespace
+}  // namespace pcm::fast

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pcm/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/degenerate/hard_bodies.h"
+#include "meshes/generate/parts.h"
+#include "tests/fast/engine_support.h"
+#include "tests/fast/same_answer.h"
+#include "tests/meshes/expect_bad_input.h"
+
+namespace pcm::fast {
+namespace {
+
+using Eigen::Vector3d;
+
+ContactLaw rough() {
+  ContactLaw law = test::stiffness(5.9e5);
+  law.damping = 1000;
+  law.transition_depth = 0.01;
+  law.friction = 0.25;
+  law.slip_velocity = 0.5;
+  return law;
+}
+
+/// Bubbles, a ball and an open pyramid that wander into, through and past each other.
+struct Wandering {
+  Scene scene;
+  double time = 0;
+
+  explicit Wandering(Savings savings) : scene(savings) {
+    const Surface bubble(generate::bubble());
+    const Surface ball(generate::icosphere(0.25, 2));
+    const Surface pyramid(generate::pyramid(0.5, 0.15));
+    for (int b = 0; b < 8; ++b) scene.add_body(b % 4 == 3 ? pyramid : b % 2 == 0 ? bubble : ball);
+    for (Index E = 0; E < scene.bodies(); ++E) {
+      for (Index F = E + 1; F < scene.bodies(); ++F) {
+        Wanted wanted;
+        wanted.bound = (E + F) % 5 == 0;
+        wanted.elements = (E + F) % 2 == 0;
+        scene.add_pairing(E, F, rough(), (E + F) % 3 == 0 ? Mode::both : Mode::E,
+                          F % 4 == 1 ? Scheme::clipped : Scheme::barycentric, wanted);
+      }
+    }
+  }
+
+  std::vector<BodyState> states() const {
+    std::vector<BodyState> states(8);
+    for (int b = 0; b < 8; ++b) {
+      const double phase = 0.7 * b, t = time;
+      BodyState& state = states[static_cast<std::size_t>(b)];
+      state.pose = test::turned(phase + t, {0.35 * std::cos(phase + t), 0.35 * std::sin(2 * phase - 0.7 * t),
+                                            0.2 * std::sin(phase + 1.3 * t)});
+      state.velocity = {{0.1 * b, -0.2, 0.3}, {0.4, 0.1 * b, -0.2}};
+    }
+    return states;
+  }
+  void step(double dt) {
+    time += dt;
+    scene.move(states());
+  }
+};
+
+TEST(Scene, WithAndWithoutSavingsAnswersEveryPairingBitForBitAlike) {
+  Wandering saving({}), plain(Savings::none());
+  Workspace one, other;
+  SceneCounters total;
+  int touching = 0;
+  for (int step = 0; step < 60; ++step) {
+    saving.step(step % 10 == 0 ? 0.5 : 0.002);
+    plain.time = saving.time;
+    plain.scene.move(plain.states());
+    for (Index i = 0; i < saving.scene.pairings(); ++i) {
+      SCOPED_TRACE("step " + std::to_string(step) + ", pairing " + std::to_string(i));
+      const Contact& a = saving.scene.evaluate(i, one);
+      const Contact& b = plain.scene.evaluate(i, other);
+      test::expect_same_answer(a, b);
+      touching += a.touching;
+    }
+    const SceneCounters counters = saving.scene.counters();
+    EXPECT_EQ(counters.apart_by_boxes + counters.apart_by_certificate + counters.evaluated, saving.scene.pairings());
+    total.apart_by_boxes += counters.apart_by_boxes;
+    total.apart_by_certificate += counters.apart_by_certificate;
+    EXPECT_EQ(plain.scene.counters().evaluated, plain.scene.pairings());
+    EXPECT_EQ(plain.scene.counters().certificates_sought, 0);
+  }
+  // Everything has happened.
+  EXPECT_GT(total.apart_by_boxes, 100);
+  EXPECT_GT(total.apart_by_certificate, 50);
+  EXPECT_GT(touching, 100);
+}
+
+TEST(Scene, AnyNumberOfThreadsGivesTheSameBits) {
+  Wandering one({});
+  for (const int threads : {2, 3, 8}) {
+    Wandering many({});
+    one.time = 0;
+    for (int step = 0; step < 20; ++step) {
+      one.step(0.03);
+      many.step(0.03);
+      std::vector<Contact> seen(static_cast<std::size_t>(one.scene.pairings()));
+      std::vector<Contact> seen_by_many = seen;
+      one.scene.evaluate_all(1, [&](Index i, const Contact& contact) { seen[static_cast<std::size_t>(i)] = contact; });
+      many.scene.evaluate_all(
+          threads, [&](Index i, const Contact& contact) { seen_by_many[static_cast<std::size_t>(i)] = contact; });
+      for (std::size_t i = 0; i < seen.size(); ++i) test::expect_same_answer(seen[i], seen_by_many[i]);
+      const std::vector<BodyLoad> loads = one.scene.body_loads(), loads_of_many = many.scene.body_loads();
+      for (std::size_t b = 0; b < loads.size(); ++b) {
+        EXPECT_TRUE(test::same(loads[b].force_W, loads_of_many[b].force_W));
+        EXPECT_TRUE(test::same(loads[b].torque_W, loads_of_many[b].torque_W));
+      }
+    }
+  }
+}
+
+TEST(Scene, LoadsOfAllBodiesBalance) {
+  Wandering wandering({});
+  wandering.step(0.1);
+  wandering.scene.evaluate_all();
+  Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();
+  double scale = 0;
+  const std::vector<BodyLoad> loads = wandering.scene.body_loads();
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    force += loads[b].force_W;
+    torque += loads[b].torque_W + wandering.states()[b].pose.r.cross(loads[b].force_W);
+    scale += loads[b].force_W.norm() + loads[b].torque_W.norm();
+  }
+  ASSERT_GT(scale, 1);
+  EXPECT_LT(force.norm(), 1e-13 * scale);
+  EXPECT_LT(torque.norm(), 1e-13 * scale);
+}
+
+TEST(Scene, FarFromTheOriginBoxesOfTouchingBodiesStillTouch) {
+  // Relative poses are off by an ulp of the bodies' coordinates, here 1e-4 m.
+  const Surface box(generate::box({1, 1, 1}));
+  Workspace workspace;
+  int touching = 0;
+  for (int k = -20; k <= 20; ++k) {
+    Scene scene, plain(Savings::none());
+    for (Scene* s : {&scene, &plain}) {
+      s->add_body(box);
+      s->add_body(box);
+      s->add_pairing(0, 1);
+      BodyState E, F;
+      E.pose.r = {0x1p40, 0x1p40, 0x1p40};
+      E.pose.A = test::turned(0.3, {}).A;
+      F.pose.A = E.pose.A;
+      F.pose.r = E.pose.r + E.pose.A.col(0) + Vector3d::Constant(k * 0x1p-13);
+      s->move({E, F});
+    }
+    const bool a = scene.evaluate(0, workspace).touching, b = plain.evaluate(0, workspace).touching;
+    EXPECT_EQ(a, b);
+    touching += a;
+  }
+  EXPECT_GT(touching, 5);
+  EXPECT_LT(touching, 36);
+}
+
+TEST(Scene, ABodyInTheCavityOfAnotherIsApartByCertificate) {
+  Scene scene;
+  TriangleMesh hollow = generate::box({4, 4, 4});
+  TriangleMesh cavity = generate::box({3, 3, 3});
+  const auto offset = static_cast<Index>(hollow.vertices.size());
+  hollow.vertices.insert(hollow.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
+  for (const Triangle& t : cavity.faces) hollow.faces.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
+  scene.add_body(Surface(hollow));
+  scene.add_body(Surface(generate::bubble()));
+  scene.add_pairing(0, 1);
+  BodyState state;
+  for (int step = 0; step < 100; ++step) {
+    state.pose = test::turned(0.01 * step, {0.01 * step, 0, 0});
+    scene.move({BodyState{}, state});
+    scene.evaluate_all();
+    EXPECT_FALSE(scene.load(0).touching);
+    EXPECT_EQ(scene.counters().evaluated + scene.counters().apart_by_certificate, 1);
+    if (step == 1) {
+      EXPECT_EQ(scene.counters().apart_by_certificate, 1);
+    }
+  }
+  // The same in the solid: nested, never skipped.
+  Scene solid;
+  solid.add_body(Surface(generate::box({4, 4, 4})));
+  solid.add_body(Surface(generate::bubble()));
+  solid.add_pairing(0, 1);
+  for (int step = 0; step < 3; ++step) {
+    solid.evaluate_all();
+    EXPECT_TRUE(solid.load(0).nested);
+    EXPECT_EQ(solid.counters().evaluated, 1);
+  }
+}
+
+/// A small box in the loop of a figure of eight that is wound about -1 times: neither touches nor is nested, and has an
+/// area and a volume all the same. No step before may make the scene forget it.
+TEST(Scene, ABodyInAFoldOfNegativeWindingKeepsItsAreaWhateverCameBefore) {
+  const Surface eight(degenerate::figure_of_eight());
+  const Surface small(generate::box({-0.155, -0.01, -0.1}, {-0.145, 0.01, 0.1}));
+  Workspace workspace;
+  const Contact alone = evaluate(Pairing(small, eight), {}, {}, {}, workspace);
+  ASSERT_FALSE(alone.touching || alone.nested);
+  ASSERT_LT(alone.volume, 0);
+  Scene scene;
+  scene.add_body(small);
+  scene.add_body(eight);
+  scene.add_pairing(0, 1);
+  std::vector<BodyState> states(2);
+  for (const double x : {1e-4, 5e-5, 0.0}) {
+    states[0].pose.r[0] = x;
+    scene.move(states);
+    scene.evaluate(0, workspace);
+  }
+  const Contact& in_scene = scene.evaluate(0, workspace);
+  EXPECT_EQ(in_scene.volume, alone.volume);
+  EXPECT_EQ(in_scene.E.area, alone.E.area);
+}
+
+TEST(Scene, RefusesWhatItCanNotPlaceAndStaysAsItWas) {
+  Scene scene;
+  scene.add_body(Surface(generate::box({1, 1, 1})));
+  scene.add_body(Surface(generate::box({1, 1, 1})));
+  expect_bad_input([&] { scene.add_pairing(0, 2); }, "no body 2");
+  expect_bad_input([&] { scene.add_pairing(1, 1); }, "body 1 with itself");
+  expect_bad_input([&] { scene.load(0); }, "no pairing 0, it has 0");
+  scene.add_pairing(0, 1);
+  BodyState E, F;
+  F.pose.r = {0.5, 0.25, 0.125};
+  scene.move({E, F});
+  expect_bad_input([&] { scene.move({E}); }, "1 states for 2 bodies");
+  BodyState skew = F;
+  skew.pose.A(0, 1) = 5e-10;
+  expect_bad_input([&] { scene.move({E, skew}); }, "body 1: pose: A is no rotation to 1e-10");
+  BodyState nowhere = F;
+  nowhere.pose.r.z() = std::numeric_limits<double>::infinity();
+  expect_bad_input([&] { scene.move({nowhere, F}); }, "body 0: ");
+  scene.evaluate_all(2);
+  EXPECT_TRUE(scene.load(0).touching);
+  EXPECT_EQ(scene.relative_pose(0).r, F.pose.r);
+}
+
+TEST(Scene, WhatFailsInAThreadIsThrownToTheCallerAndTheSceneStaysUsable) {
+  Scene scene;
+  scene.add_body(Surface(generate::box({1, 1, 1})));
+  scene.add_body(Surface(generate::box({1, 1, 1})));
+  ContactLaw huge = test::stiffness(1e308);
+  huge.damping = 1e308;
+  huge.damping_mode = DampingMode::full;
+  scene.add_pairing(0, 1, huge);
+  scene.add_pairing(0, 1, test::stiffness(1));
+  BodyState E, F;
+  F.pose.r = {0.25, 0.25, 0.125};
+  F.velocity.v = {1e9, 2e9, 3e9};
+  scene.move({E, F});
+  expect_bad_input([&] { scene.evaluate_all(0); }, "at least 1 thread");
+  expect_bad_input([&] { scene.evaluate_all(2); }, "exceeds the range of doubles");
+  EXPECT_FALSE(scene.load(0).touching);
+  EXPECT_TRUE(scene.load(1).touching);
+}
+
+}  // namespace
+}  // namespace pcm::fast

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/prism/master_prism.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "tests/fast/exact_numbers.h"
+
+namespace pcm::fast {
+namespace {
+
+using FacePoints = std::array<Eigen::Vector3d, 3>;
+
+mpq_class exact_height(const FacePoints& f, const Eigen::Vector3d& x) {
+  const RationalVector f0 = rational(f[0]);
+  return dot(cross(minus(rational(f[1]), f0), minus(rational(f[2]), f0)), minus(rational(x), f0));
+}
+
+/// |computed / exact - 1|; both may be 0.
+double relative_error(double computed, const mpq_class& exact) {
+  if (exact == 0) return computed == 0 ? 0 : std::numeric_limits<double>::infinity();
+  return std::abs(mpq_class(mpq_class(computed) / exact - 1).get_d());
+}
+
+FacePoints draw_face(Doubles& random) {
+  FacePoints f;
+  do {
+    for (Eigen::Vector3d& corner : f) corner = Doubles::point([&] { return random.unit(); });
+  } while ((f[1] - f[0]).cross(f[2] - f[0]).norm() < 0.1);
+  return f;
+}
+
+/// A point about the face whose distance from the plane is some 2^-k of that from the corners.
+Eigen::Vector3d draw_point_near(const FacePoints& f, int k, Doubles& random) {
+  const Eigen::Vector3d N = (f[1] - f[0]).cross(f[2] - f[0]).normalized();
+  const double s = random.unit(), t = random.unit();
+  return f[0] + s * (f[1] - f[0]) + t * (f[2] - f[0]) + std::ldexp(random.unit(), -k) * N;
+}
+
+TEST(HeightOver, IsSureToKHeightErrorOfItselfHoweverNearThePlane) {
+  Doubles random(151);
+  WorkCounters work;
+  for (int k = 0; k <= 60; ++k) {
+    for (int trial = 0; trial < 300; ++trial) {
+      const FacePoints f = draw_face(random);
+      const Eigen::Vector3d x = draw_point_near(f, k, random);
+      const mpq_class exact = exact_height(f, x);
+      EXPECT_LE(relative_error(height_over(f, x, work), exact), kHeightError + 0x1p-50) << "2^-" << k;
+      // The depth's factor 1 / |N| is off by some ulps as well.
+      const MasterPrism prism(face_with_sure_normal(f));
+      const double doubled_area = 2 * prism.face().area;
+      EXPECT_LE(relative_error(-prism.see(x, work)[kDepth] * doubled_area, exact), kHeightError + 0x1p-50) << k;
+    }
+  }
+}
+
+TEST(HeightOver, ScalesBitForBitWithPowersOfTwo) {
+  Doubles random(154);
+  WorkCounters work;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const FacePoints f = draw_face(random);
+    const Eigen::Vector3d x = draw_point_near(f, static_cast<int>(random.integer(0, 60)), random);
+    const double height = height_over(f, x, work);
+    for (const int k : {-100, -64, -33, -1, 1, 31, 63, 100}) {
+      const double scale = std::ldexp(1, k);
+      EXPECT_EQ(height_over({scale * f[0], scale * f[1], scale * f[2]}, scale * x, work), std::ldexp(height, 3 * k));
+    }
+  }
+}
+
+TEST(HeightOver, IsZeroExactlyInThePlane) {
+  Doubles random(152);
+  WorkCounters work;
+  int in_plane = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    FacePoints f;
+    for (Eigen::Vector3d& corner : f) corner = Doubles::point([&] { return random.small_integer(2); }) / 3;
+    const Eigen::Vector3d x = Doubles::point([&] { return random.small_integer(2); }) / 3;
+    const mpq_class exact = exact_height(f, x);
+    EXPECT_EQ(height_over(f, x, work) == 0, exact == 0);
+    in_plane += exact == 0 ? 1 : 0;
+  }
+  EXPECT_GE(in_plane, 1000);
+}
+
+TEST(HeightOver, IsRarelyComputedExactlyForPointsInNoSpecialPlace) {
+  Doubles random(153);
+  WorkCounters work;
+  for (int trial = 0; trial < 200000; ++trial) {
+    const FacePoints f = draw_face(random);
+    height_over(f, Doubles::point([&] { return random.unit(); }), work);
+  }
+  std::printf("  %lld exact of %lld\n", static_cast<long long>(work.exact_predicates),
+              static_cast<long long>(work.predicates));
+  EXPECT_LE(static_cast<double>(work.exact_predicates), 4 * kExactHeight * static_cast<double>(work.predicates));
+}
+
+// What compare/verify/master_view.h's bounds rest on, and fast/clipped/visible_parts.h's.
+TEST(MasterPrism, SeesPointsTo24RoundingsOfTheirDistanceTimesTheSkewOfTheFaceHoweverNarrowItIs) {
+  Doubles random(154);
+  WorkCounters work;
+  constexpr double u = 0x1p-53;
+  for (const double thinness : {1.0, 8.0, 64.0, 0x1p10, 0x1p15}) {
+    double worst = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+      const Eigen::Vector3d along = Doubles::point([&] { return random.unit(); }).normalized();
+      const Eigen::Vector3d across = along.unitOrthogonal(), p0 = Doubles::point([&] { return random.unit(); });
+      const MasterPrism prism(face_with_sure_normal({p0, p0 + along, p0 + along + across / thinness}));
+      const FacePoints& p = prism.face().points_Me;
+      const Eigen::Vector3d x = p0 + 30 * random.unit() * along + 30 * random.unit() * across -
+                                std::ldexp(random.unit(), -13) * prism.face().n_Me;
+      const PrismPoint seen = prism.see(x, work);
+
+      const RationalVector a = minus(rational(p[1]), rational(p[0])), b = minus(rational(p[2]), rational(p[0]));
+      const RationalVector N = cross(a, b), from_p0 = minus(rational(x), rational(p[0]));
+      // All weights have a factor in common, by the error of |N|, that moves no line on which one of them is 0.
+      const mpf_class factor = sqrt(mpf_class(dot(N, N), 256)) / (2 * prism.face().area);
+      const auto off = [&](double weight, const mpq_class& exact) {
+        return std::abs(mpf_class(weight - factor * mpf_class(exact, 256)).get_d());
+      };
+      const double s = off(seen[kS], dot(cross(from_p0, b), N) / dot(N, N));
+      const double t = off(seen[kT], dot(cross(a, from_p0), N) / dot(N, N));
+      const double length_s = prism.edge_s_Me().norm(), length_t = prism.edge_t_Me().norm();
+      const double skew = length_s * length_t / (2 * prism.face().area);
+      const double distance = std::max(length_s, length_t) + (x - p0).norm();
+      const double allowed = skew * (24 * u * distance + 2 * prism.tilt() * std::abs(seen[kDepth]));
+      worst = std::max(worst, (s * length_s + t * length_t) / allowed);
+    }
+    std::printf("  longest side over height %g: at most %.2f of what is allowed\n", thinness, worst);
+    EXPECT_LE(worst, 1) << thinness;
+  }
+}
+
+}  // namespace
+}  // namespace pcm::fast

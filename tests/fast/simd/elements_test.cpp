@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/simd/elements.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <random>
+#include <vector>
+
+#include "fast/base/ascending.h"
+#include "fast/base/depth.h"
+#include "fast/base/geometry.h"
+#include "fast/force/force_problem.h"
+
+/// Elements computed four at a time against the same computed one by one: bit for bit, on every set of instructions.
+namespace pcm::fast {
+namespace {
+
+std::uint64_t bits(double x) {
+  return std::bit_cast<std::uint64_t>(x);
+}
+void expect_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(bits(a[k]), bits(b[k])) << a.transpose() << " against " << b.transpose();
+}
+
+/// Master faces and slave faces somewhere beneath them, of size `scale`.
+class WideElementsAt : public testing::TestWithParam<double> {
+ protected:
+  Eigen::Vector3d draw() { return GetParam() * Eigen::Vector3d(number(random), number(random), number(random)); }
+  void draw(ElementLanes& lanes) {
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      const Eigen::Vector3d at = 8 * draw();
+      for (std::size_t k = 0; k < 3; ++k) master_points[lane][k] = at + draw();
+      const FaceGeometry face(master_points[lane]);
+      const Eigen::Vector3d below = -0.5 * GetParam() * number(random) * face.n_Me;
+      for (std::size_t k = 0; k < 3; ++k) slave_points[lane][k] = face.points_Me[k] + below + 0.1 * draw();
+      thickness[lane] = 4 * GetParam() * number(random);
+      for (std::size_t cone = 0; cone < 2; ++cone) {
+        clearance[lane].beneath[cone] = static_cast<float>(number(random));
+        clearance[lane].above[cone] = number(random) > 0;
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        lanes.master_corners[k][lane] = master_points[lane][k].data();
+        lanes.slave_corners[k][lane] = slave_points[lane][k].data();
+      }
+      lanes.thickness[lane] = &thickness[lane];
+      lanes.clearance[lane] = &clearance[lane];
+    }
+  }
+  SettleLimits limits() const {
+    SettleLimits limits;
+    limits.least_share = 0x1p-10;
+    limits.slave_reach = GetParam();
+    limits.error = 0x1p-30 * GetParam();
+    limits.thick_edges = 0x1p-40;
+    limits.thick_area = 1 / GetParam();
+    limits.cone_cosine_square = {0.9, 0.3};
+    return limits;
+  }
+
+  // What the lanes last drawn refer to.
+  std::array<std::array<Eigen::Vector3d, 3>, kElementLanes> master_points, slave_points;
+  std::array<double, kElementLanes> thickness{};
+  std::array<Clearance, kElementLanes> clearance;
+  std::mt19937_64 random{20047};
+  std::uniform_real_distribution<double> number{-1, 1};
+};
+
+TEST_P(WideElementsAt, GeometryIsThatOfEachFace) {
+  for (const WideElements* set : all_wide_elements()) {
+    if (set == nullptr) continue;
+    for (int round = 0; round < 200; ++round) {
+      ElementLanes lanes;
+      draw(lanes);
+      if (round % 7 == 0) master_points[1][2] = master_points[1][0];  // no area
+      const LaneBits known = set->geometry(lanes);
+      for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+        const FaceGeometry face(master_points[lane]);
+        for (std::size_t k = 0; k < 3; ++k) expect_same(lanes.p_Me[k][lane], master_points[lane][k]);
+        expect_same(lanes.barycentre_Me[lane], face.barycentre_Me());
+        EXPECT_EQ(has_lane(known, lane), face.area > 0 && GetParam() > 0x1p-200 && GetParam() < 0x1p200);
+        if (!has_lane(known, lane)) continue;
+        EXPECT_EQ(bits(lanes.area.value[lane]), bits(face.area));
+        expect_same(lanes.n_Me[lane], face.n_Me);
+      }
+    }
+  }
+}
+
+TEST_P(WideElementsAt, DepthIsThatOfEachPair) {
+  const auto [portable, wide] = all_wide_elements();
+  int depths = 0;
+  for (int round = 0; round < 1000; ++round) {
+    ElementLanes lanes;
+    draw(lanes);
+    portable->geometry(lanes);
+    ElementLanes wide_lanes = lanes;
+    const SettledLanes settled = portable->settle(lanes, limits());
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      if (!has_lane(settled.element & settled.nearest_known, lane)) continue;
+      ++depths;
+      const DepthBelow depth(FaceGeometry(master_points[lane]), slave_points[lane]);
+      EXPECT_EQ(bits(lanes.depth.value[lane]), bits(depth.value()));
+    }
+    if (wide == nullptr) continue;
+    const SettledLanes again = wide->settle(wide_lanes, limits());
+    EXPECT_EQ(settled.nothing, again.nothing);
+    EXPECT_EQ(settled.left, again.left);
+    EXPECT_EQ(settled.element, again.element);
+    EXPECT_EQ(settled.nearest_known, again.nearest_known);
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      EXPECT_EQ(bits(lanes.depth.value[lane]), bits(wide_lanes.depth.value[lane]));
+    }
+  }
+  // Near the ends of the range of doubles the kernels know no geometry, and say so.
+  EXPECT_EQ(depths > 0, GetParam() > 0x1p-200 && GetParam() < 0x1p200);
+}
+
+TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
+  for (const WideElements* set : all_wide_elements()) {
+    if (set == nullptr) continue;
+    for (int round = 0; round < 400; ++round) {
+      ElementLanes lanes;
+      draw(lanes);
+      const LaneBits with_geometry = set->geometry(lanes);
+      for (double& depth : lanes.depth.value) depth = GetParam() * (number(random) + 1);
+      ContactLaw law;
+      law.damping = round % 2 == 0 ? 1000 : 0;
+      law.transition_depth = round % 3 == 0 ? GetParam() : 0;
+      law.friction = round % 5 == 0 ? 0 : 0.25;
+      law.slip_velocity = round % 4 == 0 ? 0 : GetParam();
+      law.damping_mode = static_cast<DampingMode>(round % 3);
+      const Pose pose{Eigen::Matrix3d::Identity(), draw()};
+      Velocity velocity;
+      if (round % 11 != 0) velocity = {draw(), draw() / GetParam()};
+      ForceProblem problem(law, pose, velocity, {});
+      problem.with_velocities = round % 6 != 0;
+      const Side master = round % 2 == 0 ? Side::E : Side::F;
+      const LaneBits known = with_geometry & set->force(lanes, force_limits(problem, master));
+      for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+        if (!has_lane(known, lane)) continue;
+        Element element;
+        element.master = master;
+        element.area = lanes.area.value[lane];
+        element.penetration = lanes.depth.value[lane];
+        element.normal_Me = -lanes.n_Me[lane];
+        apply_force(problem, lanes.barycentre_Me[lane], element);
+        EXPECT_EQ(bits(lanes.normal_velocity.value[lane]), bits(element.normal_velocity));
+        EXPECT_EQ(bits(lanes.tangential_velocity.value[lane]), bits(element.tangential_velocity));
+        EXPECT_EQ(bits(lanes.normal_force.value[lane]), bits(element.normal_force));
+        EXPECT_EQ(bits(lanes.tangential_force.value[lane]), bits(element.tangential_force));
+        expect_same(lanes.position_Me[lane], element.position_Me);
+        expect_same(lanes.force_Me[lane], element.force_Me);
+        expect_same(lanes.torque_Me[lane], (element.position_Me - pose.r).cross(element.force_Me));
+      }
+    }
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<double>& info) {
+  return info.param > 1 ? "Great" : info.param == 1 ? "Usual" : "Small";
+}
+INSTANTIATE_TEST_SUITE_P(Units, WideElementsAt, testing::Values(1.0, 0x1p260, 0x1p-280), name_of);
+
+TEST(SortAscending, DenseAndSparseIndicesComeInOrder) {
+  std::mt19937 random{20048};
+  std::vector<std::uint64_t> marks;
+  for (const Index spread : {1, 3, 100, 5000}) {
+    for (const Index count : {0, 1, 2, 64, 65, 700}) {
+      std::vector<Index> indices;
+      for (Index i = 0; i < count; ++i) indices.push_back(1000 + spread * i + (spread > 1 ? i % 2 : 0));
+      const std::vector<Index> sorted = indices;
+      std::shuffle(indices.begin(), indices.end(), random);
+      sort_ascending(indices, marks);
+      EXPECT_EQ(indices, sorted) << spread << ' ' << count;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pcm::fast
