@@ -184,6 +184,11 @@ void add_hurting_pairs(PairList& list) {
   const TriangleMesh chain = torus_chain(3, 0.5, 0.125, 16, 8), link = torus(0.5, 0.125, 16, 8);
   list.add_general("torus chain-torus", chain, link, kSmallShare);
   list.add_general("torus-torus chain", link, chain, kSmallShare);
+
+  // A line in one plate leaves the stack through several of them: what lies before a face must not be guessed.
+  list.add_hurting("plate stack-gridded cube", plate_stack(8, 0x1p-3, 0x1p-7), gridded_box(0.5, 2), 0);
+  // A small turn about its marker moves the body far.
+  list.add_hurting("cube-cube off its marker", cube, box({16, -0.5, -0.5}, {17, 0.5, 0.5}), kSmallShare);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::uint64_t mixed(std::uint64_t x) {
 }
 
 /// What the bits drawn at a state are for.
-enum class Draw : std::uint64_t { ask = 1, scene_ask, bodies };
+enum class Draw : std::uint64_t { ask = 1, scene_ask, bodies, turn };
 
 /// 64 bits that depend on all bits of a state's doubles: those of coarse ones are in the upper half alone.
 std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) {
@@ -104,8 +104,21 @@ struct TwoBodies {
   }
 };
 
+/// A turn about one of the six half axes by the angle 2^-13, orthogonal but for roundings.
+Eigen::Matrix3d small_turn(std::uint64_t which) {
+  constexpr double t = 0x1p-14;  // The tangent of half the angle.
+  const auto axis = static_cast<Eigen::Index>(which % 3), second = (axis + 1) % 3, third = (axis + 2) % 3;
+  const double sine = (which / 3 % 2 == 0 ? 1.0 : -1.0) * (2 * t / (1 + t * t));
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R(second, second) = R(third, third) = (1 - t * t) / (1 + t * t);
+  R(third, second) = sine;
+  R(second, third) = -sine;
+  return R;
+}
+
 /// Holds a scene's answer against `whole`, the one to everything and a bound. A step on the way makes the scene look
-/// for a certificate where the bodies are apart, and use it where it still holds.
+/// for a certificate where the bodies are apart, and use it where it still holds. F is moved and turned about its
+/// marker on the way: where it lies far off that, the turn moves it by more than the step.
 void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                 const Ask& ask, const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks) {
   fast::Scene scene(ask.savings);
@@ -114,6 +127,7 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), ask.wanted);
   const TwoBodies bodies(pose, velocity);
   fast::BodyState nearby = bodies.F;
+  nearby.pose.A = small_turn(bits_of(pose, velocity, Draw::turn) % 6) * nearby.pose.A;
   nearby.pose.r.x() += step;
   scene.move({bodies.E, nearby});
   // Nearby the force may be beyond all doubles; what is asked is the place itself.
@@ -172,7 +186,8 @@ std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity) {
 }
 
 bool is_pose_for_scenes(const Pose& pose) {
-  constexpr double kSkew = 1e-10;
+  // Less what the product with a turn rounds.
+  constexpr double kSkew = (1 - 0x1p-10) * 1e-10;
   return fast::orthogonality_error(pose.A) <= kSkew;
 }
 

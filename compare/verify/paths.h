@@ -66,7 +66,8 @@ class EngineSeam {
 };
 
 /// Asks on every path but the plain one and holds each answer against the plain one, `whole`, bit by bit; `on_bound`
-/// hears of the answer that has a bound. `step`: a length by which the scene's body F is moved first, m.
+/// hears of the answer that has a bound. `step`: a length by which the scene's body F is moved first, beside a small
+/// turn about its marker, m.
 void hold_paths(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                 const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
                 const std::function<void(const fast::Contact&)>& on_bound);

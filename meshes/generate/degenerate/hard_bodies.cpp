@@ -123,6 +123,29 @@ TriangleMesh shrinking_cubes(Index count, int halvings) {
   return mesh;
 }
 
+TriangleMesh plate_stack(Index count, double thickness, double gap) {
+  constexpr std::array<std::array<double, 2>, 3> kTriangle = {{{-1, -0.75}, {1, -0.75}, {0, 1}}};
+  TriangleMesh mesh;
+  for (Index k = 0; k < count; ++k) {
+    const bool upright = k % 2 == 0;
+    const double middle = (k - 0.5 * (count - 1)) * (thickness + gap);
+    TriangleMesh plate;
+    for (const bool upper : {false, true}) {
+      const double size = upper == upright ? 0.75 : 1, z = middle + (upper ? 0.5 : -0.5) * thickness;
+      for (const auto& [x, y] : kTriangle) plate.vertices.emplace_back(size * x, size * y, z);
+    }
+    plate.faces = {{0, 2, 1}, {3, 4, 5}};
+    for (Index i = 0; i < 3; ++i) {
+      const Index next = (i + 1) % 3;
+      plate.faces.push_back({i, next, 3 + next});
+      plate.faces.push_back({i, 3 + next, 3 + i});
+    }
+    mesh = joined(std::move(mesh), plate);
+  }
+  mesh.name = "plate stack";
+  return mesh;
+}
+
 TriangleMesh torus_chain(Index links, double ring_radius, double tube_radius, Index segments, Index tube_segments) {
   // Neighbours pass each other at 3/8 of the ring's radius from the centre of its hole.
   const double step = 1.375 * ring_radius;

@@ -49,6 +49,11 @@ TriangleMesh figure_of_eight();
 /// all. 12 faces a cube.
 TriangleMesh shrinking_cubes(Index count, int halvings);
 
+/// `count` closed plates over each other about z = 0, `gap` apart. Each is a truncated pyramid, flat on one side over a
+/// triangle two metres wide, its other side three quarters as large: every second one is upside down. Seen from its
+/// smaller side nothing of a plate is nearer than its other side. 8 faces a plate.
+TriangleMesh plate_stack(Index count, double thickness, double gap);
+
 /// Chain of `links` closed tori along x, each through the hole of the one before and turned by a right angle against
 /// it. With tube_radius at most a quarter of ring_radius they do not touch. 2 segments tube_segments faces a link; with
 /// four segments each way links are square rings with exact corners.

@@ -33,7 +33,7 @@ TEST(HardBodies, AreFitForContact) {
   for (const TriangleMesh& mesh :
        {fan_tipped_spike(0x1p-20), needle(0x1p-20), open_box({1, 1, 0.5}), without_face(generate::box({1, 1, 1}), 3),
         folded_sheet(6, 0.125, 0.25), hollow_cube(0.5), pentagram(), figure_of_eight(), shrinking_cubes(4, 15),
-        torus_chain(3, 4, 1, 4, 4)}) {
+        plate_stack(8, 0x1p-3, 0x1p-7), torus_chain(3, 4, 1, 4, 4)}) {
     EXPECT_NO_THROW(require_fit(mesh)) << mesh.name << '\n' << check(mesh).summary();
     EXPECT_EQ(test::flaw(mesh), "") << mesh.name;
   }
@@ -46,6 +46,7 @@ TEST(HardBodies, ClosedOnesHaveTheFacesPromised) {
   test::expect_closed(degenerate::pentagram(), 20);
   test::expect_closed(degenerate::figure_of_eight(), 16);
   test::expect_closed(degenerate::shrinking_cubes(4, 15), 48, 8);
+  test::expect_closed(degenerate::plate_stack(8, 0x1p-3, 0x1p-7), 64, 16);
   test::expect_closed(degenerate::torus_chain(3, 0.5, 0.125, 16, 8), 3 * 2 * 16 * 8, 0);
 }
 
@@ -63,6 +64,9 @@ TEST(HardBodies, VolumesAreThoseWorkedOutByHand) {
   EXPECT_DOUBLE_EQ(test::signed_volume(degenerate::needle(0.25)), 2 * 0.25 * 0.25 / 3);
   EXPECT_DOUBLE_EQ(test::signed_volume(degenerate::hollow_cube(0.5)), 1 - 0.125);
   EXPECT_DOUBLE_EQ(test::signed_volume(degenerate::shrinking_cubes(2, 1)), 1 + 0.125);
+  // Frustums over triangles of area 7/4.
+  EXPECT_NEAR(test::signed_volume(degenerate::plate_stack(2, 0.125, 0x1p-7)),
+              2 * 0.125 / 3 * 1.75 * (1 + 0.75 + 0.75 * 0.75), 1e-15);
 }
 
 TEST(HardBodies, PentagramWindsTwiceAboutItsCoreAndOnceAboutItsPoints) {
@@ -88,6 +92,16 @@ TEST(HardBodies, CubesShrinkToTheSizeAndDistancePromised) {
   }
   EXPECT_EQ(low.x(), 1 + 0x1p-14 + 0x1p-29 + 0x1p-45);
   EXPECT_EQ(high - low, Eigen::Vector3d::Constant(0x1p-45));
+}
+
+TEST(HardBodies, PlatesOfAStackLieAsFarApartAsPromised) {
+  const TriangleMesh mesh = degenerate::plate_stack(3, 0.125, 0x1p-7);
+  ASSERT_EQ(mesh.vertices.size(), 18U);
+  for (std::size_t v = 6; v < 18; v += 6) EXPECT_EQ(mesh.vertices[v].z() - mesh.vertices[v - 1].z(), 0x1p-7);
+  EXPECT_EQ(mesh.vertices[3].z() - mesh.vertices[0].z(), 0.125);
+  EXPECT_EQ(mesh.vertices[0].z(), -mesh.vertices[17].z());
+  EXPECT_EQ(mesh.vertices[4].x(), 0.75) << "the first plate's upper side is the smaller one";
+  EXPECT_EQ(mesh.vertices[10].x(), 1) << "the second one's is the larger one";
 }
 
 TEST(HardBodies, LinksOfAChainDoNotTouchAndPassThroughEachOther) {
