@@ -107,11 +107,6 @@ struct Window {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  /// Whether a triangle's bounding box does.
-  bool meets(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) const {
-    const Eigen::Vector2d least = a.cwiseMin(b).cwiseMin(c), greatest = a.cwiseMax(b).cwiseMax(c);
-    return (least.array() <= high.array()).all() && (greatest.array() >= low.array()).all();
-  }
   bool empty() const { return !(low.x() <= high.x()); }
   void widen() {
     const Eigen::Vector2d by = Eigen::Vector2d::Constant(kSurroundings * (high - low).maxCoeff());
@@ -152,7 +147,7 @@ class Panel {
   double height(double scale) const { return scale * (window_.high - window_.low).y(); }
 
   std::string drawn(double left, double top, double height, double scale, double greatest) const {
-    const Place place{left + kPanelWidth / 2, top + height / 2, scale};
+    const Place place{left + kPanelWidth / 2, top + height / 2, scale, height};
     const std::string clip = surface_.side == Side::E ? "frame_E" : "frame_F";
     const std::string frame =
         fmt::format(R"(x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}")", left, top, kPanelWidth, height);
@@ -180,6 +175,14 @@ class Panel {
  private:
   struct Place {
     double x, y, scale;  ///< of the window's centre on the page
+    double height;       ///< of the frame
+
+    /// Whether a triangle's bounding box on the page meets the frame.
+    bool shows(const std::array<Eigen::Vector2d, 3>& p) const {
+      const Eigen::Vector2d centre(x, y), half(kPanelWidth / 2, height / 2);
+      const Eigen::Vector2d least = p[0].cwiseMin(p[1]).cwiseMin(p[2]), greatest = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+      return ((least - centre).array() <= half.array()).all() && ((greatest - centre).array() >= -half.array()).all();
+    }
   };
 
   Eigen::Vector2d on_page(const Place& place, const Eigen::Vector3d& x_Me) const {
@@ -196,7 +199,7 @@ class Panel {
     for (std::size_t face = 0; face < surface_.mesh.faces.size(); ++face) {
       const auto [a, b, c] = surface_.corners_Me(face);
       const double cosine = (b - a).cross(c - a).stableNormalized().dot(projection_.towards_viewer);
-      if (cosine > 0 && window_.meets(projection_.flat(a), projection_.flat(b), projection_.flat(c)))
+      if (cosine > 0 && place.shows({on_page(place, a), on_page(place, b), on_page(place, c)}))
         visible.push_back({(a + b + c).dot(projection_.towards_viewer), cosine, face});
     }
     std::stable_sort(visible.begin(), visible.end(), [](const auto& a, const auto& b) { return a.depth < b.depth; });
