@@ -3,21 +3,20 @@
 //
 // The README's example; a test holds the two equal.
 
-#include <cstdio>
+#include <pcm/engine.h>
+#include <pcm/read_mesh.h>
 
-#include "pcm/engine.h"
-#include "pcm/read_mesh.h"
+#include <cstdio>
 
 int main() {
   const pcm::fast::Surface bubble{pcm::read_mesh("meshes/surfaces/bubble.obj")};  // checked, immutable, shareable
   pcm::ContactLaw law;
-  law.stiffness = 5.9e5;  // c_l, N/m^3
-  law.damping = 1000;     // d_l, N s/m^3
-  law.friction = 0.25;    // mu
+  law.stiffness = 5.9e5;  // N/m^3; damping, friction and layers have defaults
   const pcm::fast::Pairing pairing{bubble, bubble, law, pcm::Mode::both};
-  pcm::fast::Workspace workspace;  // one per thread
   pcm::Pose pose;
-  pose.r = {0.15, 0.02, 0.1};  // of F's marker in E's frame, m
+  pose.A << 1, 0, 0, 0, 0.96, -0.28, 0, 0.28, 0.96;  // orientation of F seen from E
+  pose.r = {0.16, 0.02, 0.01};                       // its position, m
+  pcm::fast::Workspace workspace;                    // one per thread
   const auto& contact = pcm::fast::evaluate(pairing, pose, pcm::Velocity{}, pcm::Wanted{}, workspace);
   std::printf("force on E: %g %g %g N\n", contact.force_Me.x(), contact.force_Me.y(), contact.force_Me.z());
 }

@@ -13,6 +13,7 @@
 
 #include "compare/io/exact_json.h"
 #include "meshes/files/text_file.h"
+#include "tests/compare/io/well_formed_xml.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
@@ -108,6 +109,18 @@ TEST_F(Inspect, ClippedSchemeHasNoJumps) {
   EXPECT_NE(table.out.find("jumps: 0,"), std::string::npos) << table.out;
 }
 
+TEST_F(Inspect, PictureIsDrawnOfAPlaceOnThePath) {
+  const std::string file = scratch_.path("contact.svg");
+  const Outcome outcome =
+      inspect({"--path", slide_, "--steps", "1", "--svg", file, "--at", "1.5", "--view=-z", "--scheme", "clipped"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("jumps:"), std::string::npos) << outcome.out;
+  const std::string picture = read_text_file(file);
+  EXPECT_EQ(fault_in_xml(picture), "");
+  for (const char* words : {"plate.obj (E)", "box.obj (F)", "E, seen from -z", "Pose 1.5 of slide.txt", "clipped"})
+    EXPECT_NE(picture.find(words), std::string::npos) << words;
+}
+
 TEST_F(Inspect, BadInputIsRefusedByName) {
   const std::string one = scratch_.write("one.txt", "1 0 0 0 1 0 0 0 1 0 0 0\n");
   expect_refused({}, "--path");
@@ -126,6 +139,11 @@ TEST_F(Inspect, BadInputIsRefusedByName) {
   expect_refused({"--path", slide_, "--stiffness", "0"}, "--stiffness");
   expect_refused({"--path", slide_, "--json", "--out", scratch_.path("a")}, "--out");
   expect_refused({"--path", slide_, "--out", scratch_.path("nowhere/a")}, "nowhere");
+  const std::string svg = scratch_.path("a.svg");
+  expect_refused({"--path", slide_, "--svg", scratch_.path("nowhere/a")}, "nowhere");
+  for (const std::string at : {"2.5", "-1", "x"}) expect_refused({"--path", slide_, "--svg", svg, "--at", at}, "--at");
+  expect_refused({"--path", slide_, "--svg", svg, "--view", "up"}, "--view");
+  expect_refused({"--path", slide_, "--at", "1"}, "--svg");
 }
 
 }  // namespace
