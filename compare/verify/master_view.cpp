@@ -87,10 +87,15 @@ void MasterView::find_near_faces() {
     const std::size_t count = faces_.surface(side).mesh.faces.size();
     for (std::size_t i = 0; i < count; ++i) {
       const Index face = static_cast<Index>(i);
-      const Extent of_face = extent(seen(side, face));
-      if ((of_face.low.head<2>() > own.high.head<2>() + margin).any()) continue;
-      if ((of_face.high < own.low - margin).any()) continue;
-      if (side != master_ || face != master_face_) near_.push_back({side, face, of_face});
+      const SeenFace corners = seen(side, face);
+      // Most faces are far along the first axis already.
+      const auto is_far = [&](Eigen::Index axis) {
+        const double a = corners[0][axis], b = corners[1][axis], c = corners[2][axis];
+        return (axis < 2 && std::min({a, b, c}) > own.high[axis] + margin) ||
+               std::max({a, b, c}) < own.low[axis] - margin;
+      };
+      if (is_far(0) || is_far(1) || is_far(2)) continue;
+      if (side != master_ || face != master_face_) near_.push_back({side, face, extent(corners)});
     }
   }
 }
