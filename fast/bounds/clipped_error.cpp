@@ -101,32 +101,38 @@ ClampRoundings::ClampRoundings(const BoxST& box, int polygons) : cuts(2), sums(2
 
 }  // namespace
 
-void SightError::see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
-                     const std::array<bool, 3>& shared, WorkCounters& work) {
-  if (surely_unseen(error_, own, corners)) return;
+void SightError::see(PosedSurface& surface, Index face, bool own, const SeenCorners& corners,
+                     const ProjectedFace* projected, WorkCounters& work) {
+  if (surely_unseen(error_, own, corners.points)) return;
   // Not a local variable: most of it stays unused where nothing is seen.
   scratch_->sights.emplace_back();
   Sight& sight = scratch_->sights.back();
   Footprint& f = sight.footprint;
-  const FaceInPrism seen{face,    own,    surface.surface().face(face),        surface.face_Me(face, work),
-                         corners, shared, surface.sharp_face_rounding_Me(face)};
+  const FaceInPrism seen{face,
+                         own,
+                         surface.surface().face(face),
+                         surface.face_Me(face, work),
+                         corners.points,
+                         corners.is_shared,
+                         surface.sharp_face_rounding_Me(face)};
   if (!find_footprint(error_, seen, f)) {
     scratch_->sights.pop_back();
     return;
   }
   known_ = known_ && f.shift.s < kGreatestShift && f.shift.t < kGreatestShift;
+  sight.projected = projected;
   sight.may_carry = !own && f.facing <= 0;
   if (sight.may_carry) greatest_depth_ = std::max(greatest_depth_, f.greatest);
 }
 
-const Footprint* SightError::find(bool own, Index face) const {
-  const std::vector<Sight>& sights = scratch_->sights;
+Sight* SightError::find(bool own, Index face) const {
+  std::vector<Sight>& sights = scratch_->sights;
   const auto found = std::lower_bound(sights.begin(), sights.end(), std::pair(own, face),
                                       [](const Sight& sight, const std::pair<bool, Index>& key) {
                                         return std::pair(sight.footprint.own, sight.footprint.face) < key;
                                       });
   const bool is_there = found != sights.end() && found->footprint.own == own && found->footprint.face == face;
-  return is_there ? &found->footprint : nullptr;
+  return is_there ? &*found : nullptr;
 }
 
 // Where the neighbour beyond a side is not seen at all, neither is the side.
@@ -138,9 +144,9 @@ void SightError::find_outline(Sight& sight, const PreparedSurface& surface) {
     const Index neighbour = surface.neighbours_of(f.face)[side];
     bool goes_on = neighbour != f.face;
     if (goes_on) {
-      if (const Footprint* const beyond = find(f.own, neighbour); beyond != nullptr) {
-        goes_on = f.facing != 0 && beyond->facing == f.facing;
-        if (goes_on) sight.sheet_error = std::max(sight.sheet_error, beyond->depth_error);
+      if (const Sight* const beyond = find(f.own, neighbour); beyond != nullptr) {
+        goes_on = f.facing != 0 && beyond->footprint.facing == f.facing;
+        if (goes_on) sight.sheet_error = std::max(sight.sheet_error, beyond->footprint.depth_error);
       }
     }
     if (goes_on) continue;
@@ -164,15 +170,7 @@ double SightError::area_leant_over(const Footprint& f) const {
   return std::min(area, f.box.area());
 }
 
-void SightError::is_projected(bool own, Index face, std::size_t place) {
-  std::vector<Sight>& sights = scratch_->sights;
-  if (!sights.empty() && sights.back().footprint.face == face && sights.back().footprint.own == own) {
-    sights.back().projected = static_cast<std::ptrdiff_t>(place);
-  }
-}
-
-void SightError::compare(const PreparedSurface& slave, const PreparedSurface& master,
-                         const ProjectionScratch& projected) {
+void SightError::compare(const PreparedSurface& slave, const PreparedSurface& master) {
   std::vector<Sight>& sights = scratch_->sights;
   std::vector<std::size_t>& order = scratch_->order;
   order.clear();
@@ -202,9 +200,7 @@ void SightError::compare(const PreparedSurface& slave, const PreparedSurface& ma
                                   {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
     }
     const ZeroStrip zero = zero_strip(f.depth, {f.line_error, f.depth_error}, f.box);
-    const ConvexPolygon* const seen =
-        sight.projected >= 0 ? &projected.faces[static_cast<std::size_t>(sight.projected)].seen : nullptr;
-    AreaAndVolume cuts = errors_of_cuts(f, seen);
+    AreaAndVolume cuts = errors_of_cuts(f, sight.projected != nullptr ? &sight.projected->seen : nullptr);
     const double leant_over = lean_ > 0 ? area_leant_over(f) : 0;
     cuts.area += leant_over;
     cuts.volume += leant_over * f.greatest;
@@ -290,7 +286,7 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
     }
     area = std::min(outline.area + one_depth.area + zero.area, overlap);
     volume = std::min(outline.volume + one_depth.volume + zero.volume, area * greatest);
-    if (g.own && hider.projected < 0) {
+    if (g.own && hider.projected == nullptr) {
       // The elements were made without it, the master being thick enough, or it lying after all they see: whatever it
       // may hide is missing.
       area = std::min(greatest_area(g), overlap);
@@ -303,18 +299,11 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
   sight.volume_error += volume;
 }
 
-Sight* SightError::find(Index slave_face) {
-  std::vector<Sight>& sights = scratch_->sights;
-  while (next_ < sights.size() && !sights[next_].footprint.own && sights[next_].footprint.face < slave_face) ++next_;
-  const bool found =
-      next_ < sights.size() && !sights[next_].footprint.own && sights[next_].footprint.face == slave_face;
-  return found ? &sights[next_] : nullptr;
-}
-
-ElementError SightError::of_element(Index slave_face, const Moments& moments, const Neglect& neglect,
-                                    const FaceError& face) {
+ElementError SightError::of_element(const VisiblePart& part, const FaceError& face) {
+  const Moments& moments = part.moments;
+  const Neglect& neglect = part.neglect;
   ElementError error;
-  Sight* const sight = find(slave_face);
+  Sight* const sight = find(false, part.slave_face);
   const double twice_area = 2 * prism_.face().area;
   error.normal = face.normal;
   error.foot_Me = error_.of_point_in_master();
@@ -369,11 +358,11 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   return error;
 }
 
-void SightError::leave_out(Index slave_face, double area) {
-  Sight* const sight = find(slave_face);
+void SightError::leave_out(const VisiblePart& part) {
+  Sight* const sight = find(false, part.slave_face);
   if (sight == nullptr) return;
-  sight->area_error += area;
-  sight->volume_error += area * std::max(sight->footprint.greatest, 0.0);
+  sight->area_error += part.left_out;
+  sight->volume_error += part.left_out * std::max(sight->footprint.greatest, 0.0);
 }
 
 SightError::Beside SightError::beside() const {

@@ -10,6 +10,7 @@
 
 #include "fast/prism/convex_polygon.h"
 #include "fast/prism/prism_shift.h"
+#include "fast/prism/projected_face.h"
 #include "pcm/triangle_mesh.h"
 
 namespace pcm::fast {
@@ -83,7 +84,7 @@ struct Footprint {
 /// A footprint together with what is found out about the element it may carry (fast/bounds/clipped_error.h).
 struct Sight {
   Footprint footprint;
-  std::ptrdiff_t projected = -1;  ///< its place among the engine's own projected faces, where it is one of them
+  const ProjectedFace* projected = nullptr;  ///< the face as the engine sees it, where it does
   bool may_carry = false;
   bool has_element = false;
   bool knows_outline = false;

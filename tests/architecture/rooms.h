@@ -49,10 +49,4 @@ inline const std::vector<Part>& parts() {
   return all;
 }
 
-/// Files that still include a room above their own: a face's bound is gathered while its elements are formed, and has
-/// to become a second pass.
-inline bool is_knot(const std::string& file) {
-  return file == "fast/clipped/clipped_elements.h" || file == "fast/clipped/clipped_elements.cpp";
-}
-
 }  // namespace pcm::test
