@@ -61,7 +61,7 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
   }
   const double near = 4 * (f.shift.s + f.shift.t + f.cut_shift.s + f.cut_shift.t + f.third_side_shift);
   AreaAndVolume sum{strip_along_border(f.box, kFanRoundings * u * width_s, kFanRoundings * u * width_t) +
-                        48 * (f.cut_shift.s + f.third_side_shift) * (f.cut_shift.t + f.third_side_shift),
+                        area_about_corners(f.cut_shift.s + f.third_side_shift, f.cut_shift.t + f.third_side_shift),
                     0};
   sum.volume = sum.area * f.greatest;
   for (int i = 0; i < seen->count; ++i) {
@@ -96,7 +96,7 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
 ClampRoundings::ClampRoundings(const BoxST& box, int polygons) : cuts(2), sums(2), least(0x1p-1060) {
   const double width_s = box.width_s(), width_t = box.width_t();
   const double off_s = (6 + 21 * width_s) * u, off_t = (6 + 21 * width_t) * u;
-  area = polygons * (2 * (width_s * off_t + width_t * off_s) + 48 * off_s * off_t);
+  area = polygons * area_passed_by_border(width_s, width_t, off_s, off_t);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "fast/bounds/prism_error.h"
-#include "fast/bounds/strips.h"
 #include "fast/posed/vertex_rounding.h"
 
 namespace pcm::fast {
@@ -146,11 +145,6 @@ CertainOrder certain_order(const Footprint& g, const Footprint& f) {
   const int f_over_g = g_over_f == 0 ? certain_side(g, f) : 0;
   if (g_over_f > 0 || f_over_g < 0) return CertainOrder::before;
   return g_over_f < 0 || f_over_g > 0 ? CertainOrder::after : CertainOrder::unsure;
-}
-
-BoxST BoxST::common(const BoxST& other) const {
-  return {std::max(low_s, other.low_s), std::min(high_s, other.high_s), std::max(low_t, other.low_t),
-          std::min(high_t, other.high_t)};
 }
 
 bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners) {

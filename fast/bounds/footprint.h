@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "fast/bounds/box_st.h"
 #include "fast/prism/convex_polygon.h"
 #include "fast/prism/prism_shift.h"
 #include "fast/prism/projected_face.h"
@@ -16,17 +17,6 @@
 namespace pcm::fast {
 
 class PrismError;
-
-/// A box in (s, t).
-struct BoxST {
-  double low_s, high_s, low_t, high_t;
-
-  bool empty() const { return !(low_s <= high_s && low_t <= high_t); }
-  double width_s() const { return high_s - low_s; }
-  double width_t() const { return high_t - low_t; }
-  double area() const { return width_s() * width_t(); }
-  BoxST common(const BoxST& other) const;
-};
 
 /// A linear function of (s, t): a depth, m.
 struct LinearDepth {

@@ -263,10 +263,6 @@ double zero_strip_at_sides(const Footprint& face, const std::array<bool, 3>& sid
   return std::min(area, box.area());
 }
 
-double strip_along_border(const BoxST& box, double s, double t) {
-  return std::min(box.area(), 2 * (box.width_s() * t + box.width_t() * s) + 48 * s * t);
-}
-
 // At each s, or t, the zeros of both functions are no farther apart than what they differ by over the slope of either;
 // over the width of the box that is off by twice what the function is.
 ZeroStrip zero_strip(const LinearDepth& function, const LineError& error, const BoxST& box) {

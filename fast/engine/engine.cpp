@@ -116,16 +116,6 @@ Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode
   require_valid(law_);
 }
 
-Workspace::Workspace() : data_(std::make_unique<Data>()) {}
-Workspace::~Workspace() = default;
-Workspace::Workspace(Workspace&&) noexcept = default;
-Workspace& Workspace::operator=(Workspace&&) noexcept = default;
-
-Workspace::Data& Workspace::data() {
-  if (!data_) data_ = std::make_unique<Data>();
-  return *data_;
-}
-
 namespace {
 
 /// The steps, in their order.

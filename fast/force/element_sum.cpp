@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "fast/simd/element_sets.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::fast {

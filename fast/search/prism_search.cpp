@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "fast/simd/overlap.h"
+#include "fast/simd/overlap_sets.h"
 
 namespace pcm::fast {
 

@@ -34,6 +34,7 @@ inline const std::vector<Part>& parts() {
         {"work_counters.h", "base"},
         {"contact.h", "base"},
         {"savings.h", "base"},
+        {"workspace.h", "engine"},
         {"engine.h", "engine"},
         {"scene.h", "engine"}}},
       // The oracle's own facade lies beside its rooms; the proofs ask it.
