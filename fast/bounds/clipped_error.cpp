@@ -21,6 +21,16 @@ constexpr double kGreatestShift = 0x1p-6;
 /// make.
 constexpr double kFanRoundings = 6;
 
+/// A sum of areas of triangles, times 2 and the master's area: 4 of each triangle's product, one of the sum for each of
+/// a part's ten at most, 2 of the products. What sums over several parts round besides, Neglect::cut_area has: 40 u of
+/// each part's widths.
+constexpr double kAreaRoundings = 16;
+
+/// A foot's s is a quotient of two sums over triangles, none of whose terms exceed the triangle's area times the
+/// greatest depth: 14 roundings of a term of the one, 18 of the other, 10 of each sum for each part, 1 of the quotient.
+/// That is 33 + 20 a part; twice that pays for the quotient's second order.
+constexpr double kFootRoundings = 64;
+
 /// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.
 double noise_of_crossing(const Footprint& f, const Footprint& g, const PrismError& error) {
   double farthest = 0, highest = 0;
@@ -170,45 +180,65 @@ double SightError::area_leant_over(const Footprint& f) const {
   return std::min(area, f.box.area());
 }
 
+// What it would be off by if no other face were there.
+void SightError::measure_alone(Sight& sight, const PreparedSurface& slave) {
+  const Footprint& f = sight.footprint;
+  if (f.facing == 0) {
+    find_side_shifts(error_, sight.footprint);
+    sight.area_error = sliver(f, f, f.greatest, f.box).area;
+    sight.volume_error = sight.area_error * f.greatest;
+    return;
+  }
+  find_outline(sight, slave);
+  SideStrips outline, smooth;
+  if (sight.outline[0] || sight.outline[1] || sight.outline[2]) {
+    find_side_shifts(error_, sight.footprint);
+    outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
+  }
+  // Where nothing jumps, errors are of second order, and what passes is of no account where forces are linear.
+  if (continuous_) {
+    smooth.area = strip_along_border(f.box, f.shift.s, f.shift.t);
+    smooth.volume = smooth.area * f.greatest;
+  } else {
+    smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box,
+                                {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
+  }
+  const ZeroStrip zero = zero_strip(f.depth, {f.line_error, f.depth_error}, f.box);
+  AreaAndVolume cuts = errors_of_cuts(f, sight.projected != nullptr ? &sight.projected->seen : nullptr);
+  const double leant_over = lean_ > 0 ? area_leant_over(f) : 0;
+  cuts.area += leant_over;
+  cuts.volume += leant_over * f.greatest;
+  sight.area_error = outline.area + cuts.area + zero.area;
+  sight.volume_error =
+      outline.volume + cuts.volume + zero.area * 2 * f.depth_error + smooth.area * 4 * sight.sheet_error;
+  sight.passed_area = smooth.area;
+  sight.passed_volume = smooth.volume;
+}
+
+// What both may hide of each other.
+void SightError::compare_pair(Sight& f, Sight& g, const PreparedSurface& slave, const PreparedSurface& master) {
+  const BoxST box = f.footprint.box.common(g.footprint.box);
+  if (box.empty()) return;
+  double overlap = box.area();
+  if (f.footprint.facing != 0 && g.footprint.facing != 0) {
+    overlap = greatest_overlap(f.footprint, g.footprint, box);
+    if (overlap == 0) return;
+  }
+  for (Sight* const sight : {&f, &g}) {
+    if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
+    find_side_shifts(error_, sight->footprint);
+  }
+  if (f.may_carry) charge(f, g, box, overlap);
+  if (g.may_carry) charge(g, f, box, overlap);
+}
+
 void SightError::compare(const PreparedSurface& slave, const PreparedSurface& master) {
   std::vector<Sight>& sights = scratch_->sights;
   std::vector<std::size_t>& order = scratch_->order;
   order.clear();
   for (std::size_t i = 0; i < sights.size(); ++i) {
     order.push_back(i);
-    Sight& sight = sights[i];
-    const Footprint& f = sight.footprint;
-    if (!sight.may_carry) continue;
-    if (f.facing == 0) {
-      find_side_shifts(error_, sight.footprint);
-      sight.area_error = sliver(f, f, f.greatest, f.box).area;
-      sight.volume_error = sight.area_error * f.greatest;
-      continue;
-    }
-    find_outline(sight, slave);
-    SideStrips outline, smooth;
-    if (sight.outline[0] || sight.outline[1] || sight.outline[2]) {
-      find_side_shifts(error_, sight.footprint);
-      outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
-    }
-    // Where nothing jumps, errors are of second order, and what passes is of no account where forces are linear.
-    if (continuous_) {
-      smooth.area = strip_along_border(f.box, f.shift.s, f.shift.t);
-      smooth.volume = smooth.area * f.greatest;
-    } else {
-      smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box,
-                                  {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
-    }
-    const ZeroStrip zero = zero_strip(f.depth, {f.line_error, f.depth_error}, f.box);
-    AreaAndVolume cuts = errors_of_cuts(f, sight.projected != nullptr ? &sight.projected->seen : nullptr);
-    const double leant_over = lean_ > 0 ? area_leant_over(f) : 0;
-    cuts.area += leant_over;
-    cuts.volume += leant_over * f.greatest;
-    sight.area_error = outline.area + cuts.area + zero.area;
-    sight.volume_error =
-        outline.volume + cuts.volume + zero.area * 2 * f.depth_error + smooth.area * 4 * sight.sheet_error;
-    sight.passed_area = smooth.area;
-    sight.passed_volume = smooth.volume;
+    if (sights[i].may_carry) measure_alone(sights[i], slave);
   }
   std::sort(order.begin(), order.end(), [&sights](std::size_t a, std::size_t b) {
     return sights[a].footprint.box.low_s < sights[b].footprint.box.low_s;
@@ -218,20 +248,7 @@ void SightError::compare(const PreparedSurface& slave, const PreparedSurface& ma
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       Sight& g = sights[order[j]];
       if (g.footprint.box.low_s > f.footprint.box.high_s) break;
-      if (!(f.may_carry || g.may_carry)) continue;
-      const BoxST box = f.footprint.box.common(g.footprint.box);
-      if (box.empty()) continue;
-      double overlap = box.area();
-      if (f.footprint.facing != 0 && g.footprint.facing != 0) {
-        overlap = greatest_overlap(f.footprint, g.footprint, box);
-        if (overlap == 0) continue;
-      }
-      for (Sight* const sight : {&f, &g}) {
-        if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
-        find_side_shifts(error_, sight->footprint);
-      }
-      if (f.may_carry) charge(f, g, box, overlap);
-      if (g.may_carry) charge(g, f, box, overlap);
+      if (f.may_carry || g.may_carry) compare_pair(f, g, slave, master);
     }
   }
 }
@@ -321,7 +338,7 @@ ElementError SightError::of_element(const VisiblePart& part, const FaceError& fa
   const double passed_area = sight->passed_area;
   const double passed_volume = clamped_volume(sight->passed_volume, passed_area, deepest);
   const double differing = std::min(sight->area_error, f.box.area() + moments.area);
-  const double area_error = differing + neglect.area + neglect.cut_area + 16 * u * moments.area;
+  const double area_error = differing + neglect.area + neglect.cut_area + kAreaRoundings * u * moments.area;
   ClampRoundings clamp;
   if (moments.greatest > greatest_allowed_) clamp = ClampRoundings(f.box, std::max(neglect.parts, 1));
   const double off_plane =
@@ -350,9 +367,9 @@ ElementError SightError::of_element(const VisiblePart& part, const FaceError& fa
   // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
   double share = 1;
   if (2 * volume_off < moments.depth) share = std::min(1.0, volume_off / (moments.depth - volume_off));
-  const double noise =
-      64 * u * clamp.sums * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth) +
-      clamp.least / moments.depth;
+  const double noise = kFootRoundings * u * clamp.sums * (1 + neglect.parts) *
+                           std::min(0x1p40, moments.area * greatest / moments.depth) +
+                       clamp.least / moments.depth;
   error.foot_Me += (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
                    (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
   return error;

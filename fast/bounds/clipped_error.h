@@ -77,6 +77,8 @@ class SightError {
   double clamped_volume(double volume, double area, double greatest) const {
     return greatest > greatest_allowed_ ? std::min(volume, area * greatest_allowed_) : volume;
   }
+  void measure_alone(Sight& sight, const PreparedSurface& slave);
+  void compare_pair(Sight& f, Sight& g, const PreparedSurface& slave, const PreparedSurface& master);
   /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
   void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
   double area_leant_over(const Footprint& f) const;

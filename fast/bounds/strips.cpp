@@ -171,7 +171,7 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
     if (!sides[k] || std::abs(inward) > reach) continue;
     const double by_shift = std::abs(side_s) * t + std::abs(side_t) * s;
     if (&carrier == &face && !face.knows_sides) {
-      // Of the side's extent no more than the box's counts.
+      // Of the side's extent no more than the box's counts. About each of its ends 2 s times 2 t, and twice that.
       const double extent_s = std::min(std::abs(side_s), box.width_s() + 4 * s);
       const double extent_t = std::min(std::abs(side_t), box.width_t() + 4 * t);
       const double area = kBoundMargin * (extent_s * t + extent_t * s) + 16 * s * t;

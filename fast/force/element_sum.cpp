@@ -33,6 +33,10 @@ void ElementRecord::clear() {
   statistics = {};
 }
 
+void ElementRecord::take_back_list(Contact& contact) {
+  if (contact.elements.capacity() > elements.capacity()) elements.swap(contact.elements);
+}
+
 MasterForce mean(const MasterForce& on_E, const MasterForce& on_F) {
   return {0.5 * (on_E.force_Me + on_F.force_Me), 0.5 * (on_E.torque_Me + on_F.torque_Me)};
 }
