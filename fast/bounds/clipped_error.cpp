@@ -21,14 +21,15 @@ constexpr double kGreatestShift = 0x1p-6;
 /// make.
 constexpr double kFanRoundings = 6;
 
-/// A sum of areas of triangles, times 2 and the master's area: 4 of each triangle's product, one of the sum for each of
-/// a part's ten at most, 2 of the products. What sums over several parts round besides, Neglect::cut_area has: 40 u of
-/// each part's widths.
+/// An element's area is a sum over triangles, ten a part at most, times 2 and the master's area: 12 roundings, 4 to
+/// spare. What triangles' own areas round counts as a shift of their border (kFanRoundings, Neglect::add_part); so does
+/// what sums over several parts round besides, of which Neglect::cut_area has 40 u of each part's widths.
 constexpr double kAreaRoundings = 16;
 
-/// A foot's s is a quotient of two sums over triangles, none of whose terms exceed the triangle's area times the
-/// greatest depth: 14 roundings of a term of the one, 18 of the other, 10 of each sum for each part, 1 of the quotient.
-/// That is 33 + 20 a part; twice that pays for the quotient's second order.
+/// A foot's s is a quotient of two sums S / D over triangles, none of whose terms exceeds T, the triangle's area times
+/// the greatest depth: 10 roundings of a term of S, 8 of D's, 10 of either sum for each part, and 1 of the quotient. As
+/// s <= 1 that makes 39 u T / D, and 20 more for each part beyond the first. Only where 64 of these are less than 1 do
+/// they tell anything: then D is off by less than 18 / 64, and 39 / (1 - 18 / 64) < 64.
 constexpr double kFootRoundings = 64;
 
 /// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.

@@ -50,20 +50,13 @@ Moments moments_of_visible_part(PosedPair& posed, Side master, std::size_t index
   return moments_of(scratch.polygons, most);
 }
 
-/// A part that is not certain to be there: not what is left through the face, but slivers.
-VisiblePart uncertain_part(const ProjectedFace& f) {
-  return {f.face, 0, 0, {}, {}, 0.5 * std::abs(twice_area(f.seen))};
-}
-
-VisiblePart visible_part(PosedPair& posed, Side master, double face_area, std::size_t index, double most,
-                         ClippedFaceScratch& scratch, std::vector<Overlap>::const_iterator& overlap) {
-  VisiblePart part{scratch.view.faces[index].face, 0, 0, {}, {}, 0};
+void fill_visible_part(PosedPair& posed, Side master, double face_area, std::size_t index, double most,
+                       ClippedFaceScratch& scratch, std::vector<Overlap>::const_iterator& overlap, VisiblePart& part) {
   part.moments = moments_of_visible_part(posed, master, index, most, scratch, overlap, part.neglect);
   const Moments& moments = part.moments;
   part.area = moments.area * (2 * face_area);
   part.penetration = std::min({moments.depth / moments.area, moments.greatest, most});
   if (!part.is_element()) part.left_out = std::abs(moments.area) + part.neglect.area;
-  return part;
 }
 
 void find_parts(PosedPair& posed, Side master, double face_area, double most, ClippedFaceScratch& scratch) {
@@ -71,10 +64,13 @@ void find_parts(PosedPair& posed, Side master, double face_area, double most, Cl
   find_overlaps(faces, scratch.order, scratch.overlaps);
   auto overlap = scratch.overlaps.cbegin();
   for (std::size_t i = 0; i < faces.size() && !faces[i].own; ++i) {
+    if (!faces[i].leaves) continue;
+    VisiblePart& part = scratch.parts.emplace_back();
+    part.slave_face = faces[i].face;
     if (faces[i].carries) {
-      scratch.parts.push_back(visible_part(posed, master, face_area, i, most, scratch, overlap));
-    } else if (faces[i].leaves) {
-      scratch.parts.push_back(uncertain_part(faces[i]));
+      fill_visible_part(posed, master, face_area, i, most, scratch, overlap, part);
+    } else {
+      part.left_out = 0.5 * std::abs(twice_area(faces[i].seen));
     }
   }
 }
@@ -105,24 +101,6 @@ ClippedFace clip_face(PosedPair& posed, Side master, Index face, const ContactLa
   }
   find_parts(posed, master, seen.geometry.area, law.max_penetration, scratch);
   return seen;
-}
-
-Element ClippedFace::element(const VisiblePart& part) const {
-  Element element;
-  element.master = master;
-  element.master_face = face;
-  element.slave_face = part.slave_face;
-  element.area = part.area;
-  element.penetration = part.penetration;
-  element.normal_Me = -geometry.n_Me;
-  return element;
-}
-
-// x = p0 + s (p1 - p0) + t (p2 - p0).
-Eigen::Vector3d ClippedFace::foot_Me(const VisiblePart& part) const {
-  const double s = std::clamp(part.moments.s_depth / part.moments.depth, 0.0, 1.0);
-  const double t = std::clamp(part.moments.t_depth / part.moments.depth, 0.0, 1.0);
-  return prism->p0_Me() + (s * prism->edge_s_Me() + t * prism->edge_t_Me());
 }
 
 void record_beside_elements(const ClippedFace& face, const ContactLaw& law, ElementRecord& record) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -14,12 +15,12 @@ namespace pcm::fast {
 
 /// The part of a master face that sees one slave face first, and is left through it.
 struct VisiblePart {
-  Index slave_face;
-  double area;         ///< A_k, m^2; 0 where it is not certain that there is a part
-  double penetration;  ///< u_k, mean of the clamped depth, m
-  Moments moments;     ///< of min(depth, max_penetration); area and greatest depth are none of the clamp's
+  Index slave_face = 0;
+  double area = 0;         ///< A_k, m^2; 0 where it is not certain that there is a part
+  double penetration = 0;  ///< u_k, mean of the clamped depth, m
+  Moments moments;         ///< of min(depth, max_penetration); area and greatest depth are none of the clamp's
   Neglect neglect;
-  double left_out;  ///< what was computed of it and makes no element, in (s, t)
+  double left_out = 0;  ///< what was computed of it and makes no element, in (s, t)
 
   /// Otherwise it is too small, or not certain to exist.
   bool is_element() const { return area > 0 && penetration > 0; }
@@ -37,9 +38,23 @@ struct ClippedFace {
   const std::vector<VisiblePart>& parts;  ///< by slave face
   bool too_deep = false;                  ///< the line of the barycentre leaves the master first
 
-  /// The element that a part makes, but for its force; and its centre of pressure, within the face.
-  Element element(const VisiblePart& part) const;
-  Eigen::Vector3d foot_Me(const VisiblePart& part) const;
+  /// The element that a part makes, but for its force.
+  Element element(const VisiblePart& part) const {
+    Element element;
+    element.master = master;
+    element.master_face = face;
+    element.slave_face = part.slave_face;
+    element.area = part.area;
+    element.penetration = part.penetration;
+    element.normal_Me = -geometry.n_Me;
+    return element;
+  }
+  /// Its centre of pressure, p0 + s (p1 - p0) + t (p2 - p0), within the face.
+  Eigen::Vector3d foot_Me(const VisiblePart& part) const {
+    const double s = std::clamp(part.moments.s_depth / part.moments.depth, 0.0, 1.0);
+    const double t = std::clamp(part.moments.t_depth / part.moments.depth, 0.0, 1.0);
+    return prism->p0_Me() + (s * prism->edge_s_Me() + t * prism->edge_t_Me());
+  }
 };
 
 /// Scratch memory of clip_face.
