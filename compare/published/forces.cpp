@@ -11,8 +11,7 @@ void begin(const Surface& surface_E, const Surface& surface_F, const Pose& pose,
            const Wanted& wanted, Workspace& workspace) {
   fast::require_valid(pose, velocity);
   if (wanted.bound) throw BadInput("the published algorithms know no bounds on their rounding errors");
-  if (workspace.contact.elements.capacity() > workspace.record.elements.capacity())
-    workspace.contact.elements.swap(workspace.record.elements);
+  workspace.record.take_back_list(workspace.contact);
   workspace.contact.clear();
   workspace.record.clear();
   workspace.faces_E.place(surface_E, nullptr);

@@ -13,7 +13,9 @@
 #include "fast/prism/ray.h"
 #include "fast/search/line_search.h"
 #include "fast/search/line_walk.h"
+#include "fast/simd/element_sets.h"
 #include "fast/simd/face_lanes.h"
+#include "fast/simd/overlap_sets.h"
 #include "fast/surface/clearance.h"
 #include "fast/surface/thickness.h"
 

@@ -21,6 +21,17 @@ constexpr double kGreatestShift = 0x1p-6;
 /// make.
 constexpr double kFanRoundings = 6;
 
+/// An element's area is a sum over triangles, ten a part at most, times 2 and the master's area: 12 roundings, 4 to
+/// spare. What triangles' own areas round counts as a shift of their border (kFanRoundings, Neglect::add_part); so does
+/// what sums over several parts round besides, of which Neglect::cut_area has 40 u of each part's widths.
+constexpr double kAreaRoundings = 16;
+
+/// A foot's s is a quotient of two sums S / D over triangles, none of whose terms exceeds T, the triangle's area times
+/// the greatest depth: 10 roundings of a term of S, 8 of D's, 10 of either sum for each part, and 1 of the quotient. As
+/// s <= 1 that makes 39 u T / D, and 20 more for each part beyond the first. Only where 64 of these are less than 1 do
+/// they tell anything: then D is off by less than 18 / 64, and 39 / (1 - 18 / 64) < 64.
+constexpr double kFootRoundings = 64;
+
 /// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.
 double noise_of_crossing(const Footprint& f, const Footprint& g, const PrismError& error) {
   double farthest = 0, highest = 0;
@@ -61,7 +72,7 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
   }
   const double near = 4 * (f.shift.s + f.shift.t + f.cut_shift.s + f.cut_shift.t + f.third_side_shift);
   AreaAndVolume sum{strip_along_border(f.box, kFanRoundings * u * width_s, kFanRoundings * u * width_t) +
-                        48 * (f.cut_shift.s + f.third_side_shift) * (f.cut_shift.t + f.third_side_shift),
+                        area_about_corners(f.cut_shift.s + f.third_side_shift, f.cut_shift.t + f.third_side_shift),
                     0};
   sum.volume = sum.area * f.greatest;
   for (int i = 0; i < seen->count; ++i) {
@@ -96,37 +107,43 @@ AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
 ClampRoundings::ClampRoundings(const BoxST& box, int polygons) : cuts(2), sums(2), least(0x1p-1060) {
   const double width_s = box.width_s(), width_t = box.width_t();
   const double off_s = (6 + 21 * width_s) * u, off_t = (6 + 21 * width_t) * u;
-  area = polygons * (2 * (width_s * off_t + width_t * off_s) + 48 * off_s * off_t);
+  area = polygons * area_passed_by_border(width_s, width_t, off_s, off_t);
 }
 
 }  // namespace
 
-void SightError::see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
-                     const std::array<bool, 3>& shared, WorkCounters& work) {
-  if (surely_unseen(error_, own, corners)) return;
+void SightError::see(PosedSurface& surface, Index face, bool own, const SeenCorners& corners,
+                     const ProjectedFace* projected, WorkCounters& work) {
+  if (surely_unseen(error_, own, corners.points)) return;
   // Not a local variable: most of it stays unused where nothing is seen.
   scratch_->sights.emplace_back();
   Sight& sight = scratch_->sights.back();
   Footprint& f = sight.footprint;
-  const FaceInPrism seen{face,    own,    surface.surface().face(face),        surface.face_Me(face, work),
-                         corners, shared, surface.sharp_face_rounding_Me(face)};
+  const FaceInPrism seen{face,
+                         own,
+                         surface.surface().face(face),
+                         surface.face_Me(face, work),
+                         corners.points,
+                         corners.is_shared,
+                         surface.sharp_face_rounding_Me(face)};
   if (!find_footprint(error_, seen, f)) {
     scratch_->sights.pop_back();
     return;
   }
   known_ = known_ && f.shift.s < kGreatestShift && f.shift.t < kGreatestShift;
+  sight.projected = projected;
   sight.may_carry = !own && f.facing <= 0;
   if (sight.may_carry) greatest_depth_ = std::max(greatest_depth_, f.greatest);
 }
 
-const Footprint* SightError::find(bool own, Index face) const {
-  const std::vector<Sight>& sights = scratch_->sights;
+Sight* SightError::find(bool own, Index face) const {
+  std::vector<Sight>& sights = scratch_->sights;
   const auto found = std::lower_bound(sights.begin(), sights.end(), std::pair(own, face),
                                       [](const Sight& sight, const std::pair<bool, Index>& key) {
                                         return std::pair(sight.footprint.own, sight.footprint.face) < key;
                                       });
   const bool is_there = found != sights.end() && found->footprint.own == own && found->footprint.face == face;
-  return is_there ? &found->footprint : nullptr;
+  return is_there ? &*found : nullptr;
 }
 
 // Where the neighbour beyond a side is not seen at all, neither is the side.
@@ -138,9 +155,9 @@ void SightError::find_outline(Sight& sight, const PreparedSurface& surface) {
     const Index neighbour = surface.neighbours_of(f.face)[side];
     bool goes_on = neighbour != f.face;
     if (goes_on) {
-      if (const Footprint* const beyond = find(f.own, neighbour); beyond != nullptr) {
-        goes_on = f.facing != 0 && beyond->facing == f.facing;
-        if (goes_on) sight.sheet_error = std::max(sight.sheet_error, beyond->depth_error);
+      if (const Sight* const beyond = find(f.own, neighbour); beyond != nullptr) {
+        goes_on = f.facing != 0 && beyond->footprint.facing == f.facing;
+        if (goes_on) sight.sheet_error = std::max(sight.sheet_error, beyond->footprint.depth_error);
       }
     }
     if (goes_on) continue;
@@ -164,55 +181,65 @@ double SightError::area_leant_over(const Footprint& f) const {
   return std::min(area, f.box.area());
 }
 
-void SightError::is_projected(bool own, Index face, std::size_t place) {
-  std::vector<Sight>& sights = scratch_->sights;
-  if (!sights.empty() && sights.back().footprint.face == face && sights.back().footprint.own == own) {
-    sights.back().projected = static_cast<std::ptrdiff_t>(place);
+// What it would be off by if no other face were there.
+void SightError::measure_alone(Sight& sight, const PreparedSurface& slave) {
+  const Footprint& f = sight.footprint;
+  if (f.facing == 0) {
+    find_side_shifts(error_, sight.footprint);
+    sight.area_error = sliver(f, f, f.greatest, f.box).area;
+    sight.volume_error = sight.area_error * f.greatest;
+    return;
   }
+  find_outline(sight, slave);
+  SideStrips outline, smooth;
+  if (sight.outline[0] || sight.outline[1] || sight.outline[2]) {
+    find_side_shifts(error_, sight.footprint);
+    outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
+  }
+  // Where nothing jumps, errors are of second order, and what passes is of no account where forces are linear.
+  if (continuous_) {
+    smooth.area = strip_along_border(f.box, f.shift.s, f.shift.t);
+    smooth.volume = smooth.area * f.greatest;
+  } else {
+    smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box,
+                                {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
+  }
+  const ZeroStrip zero = zero_strip(f.depth, {f.line_error, f.depth_error}, f.box);
+  AreaAndVolume cuts = errors_of_cuts(f, sight.projected != nullptr ? &sight.projected->seen : nullptr);
+  const double leant_over = lean_ > 0 ? area_leant_over(f) : 0;
+  cuts.area += leant_over;
+  cuts.volume += leant_over * f.greatest;
+  sight.area_error = outline.area + cuts.area + zero.area;
+  sight.volume_error =
+      outline.volume + cuts.volume + zero.area * 2 * f.depth_error + smooth.area * 4 * sight.sheet_error;
+  sight.passed_area = smooth.area;
+  sight.passed_volume = smooth.volume;
 }
 
-void SightError::compare(const PreparedSurface& slave, const PreparedSurface& master,
-                         const ProjectionScratch& projected) {
+// What both may hide of each other.
+void SightError::compare_pair(Sight& f, Sight& g, const PreparedSurface& slave, const PreparedSurface& master) {
+  const BoxST box = f.footprint.box.common(g.footprint.box);
+  if (box.empty()) return;
+  double overlap = box.area();
+  if (f.footprint.facing != 0 && g.footprint.facing != 0) {
+    overlap = greatest_overlap(f.footprint, g.footprint, box);
+    if (overlap == 0) return;
+  }
+  for (Sight* const sight : {&f, &g}) {
+    if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
+    find_side_shifts(error_, sight->footprint);
+  }
+  if (f.may_carry) charge(f, g, box, overlap);
+  if (g.may_carry) charge(g, f, box, overlap);
+}
+
+void SightError::compare(const PreparedSurface& slave, const PreparedSurface& master) {
   std::vector<Sight>& sights = scratch_->sights;
   std::vector<std::size_t>& order = scratch_->order;
   order.clear();
   for (std::size_t i = 0; i < sights.size(); ++i) {
     order.push_back(i);
-    Sight& sight = sights[i];
-    const Footprint& f = sight.footprint;
-    if (!sight.may_carry) continue;
-    if (f.facing == 0) {
-      find_side_shifts(error_, sight.footprint);
-      sight.area_error = sliver(f, f, f.greatest, f.box).area;
-      sight.volume_error = sight.area_error * f.greatest;
-      continue;
-    }
-    find_outline(sight, slave);
-    SideStrips outline, smooth;
-    if (sight.outline[0] || sight.outline[1] || sight.outline[2]) {
-      find_side_shifts(error_, sight.footprint);
-      outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
-    }
-    // Where nothing jumps, errors are of second order, and what passes is of no account where forces are linear.
-    if (continuous_) {
-      smooth.area = strip_along_border(f.box, f.shift.s, f.shift.t);
-      smooth.volume = smooth.area * f.greatest;
-    } else {
-      smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box,
-                                  {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
-    }
-    const ZeroStrip zero = zero_strip(f.depth, {f.line_error, f.depth_error}, f.box);
-    const ConvexPolygon* const seen =
-        sight.projected >= 0 ? &projected.faces[static_cast<std::size_t>(sight.projected)].seen : nullptr;
-    AreaAndVolume cuts = errors_of_cuts(f, seen);
-    const double leant_over = lean_ > 0 ? area_leant_over(f) : 0;
-    cuts.area += leant_over;
-    cuts.volume += leant_over * f.greatest;
-    sight.area_error = outline.area + cuts.area + zero.area;
-    sight.volume_error =
-        outline.volume + cuts.volume + zero.area * 2 * f.depth_error + smooth.area * 4 * sight.sheet_error;
-    sight.passed_area = smooth.area;
-    sight.passed_volume = smooth.volume;
+    if (sights[i].may_carry) measure_alone(sights[i], slave);
   }
   std::sort(order.begin(), order.end(), [&sights](std::size_t a, std::size_t b) {
     return sights[a].footprint.box.low_s < sights[b].footprint.box.low_s;
@@ -222,20 +249,7 @@ void SightError::compare(const PreparedSurface& slave, const PreparedSurface& ma
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       Sight& g = sights[order[j]];
       if (g.footprint.box.low_s > f.footprint.box.high_s) break;
-      if (!(f.may_carry || g.may_carry)) continue;
-      const BoxST box = f.footprint.box.common(g.footprint.box);
-      if (box.empty()) continue;
-      double overlap = box.area();
-      if (f.footprint.facing != 0 && g.footprint.facing != 0) {
-        overlap = greatest_overlap(f.footprint, g.footprint, box);
-        if (overlap == 0) continue;
-      }
-      for (Sight* const sight : {&f, &g}) {
-        if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
-        find_side_shifts(error_, sight->footprint);
-      }
-      if (f.may_carry) charge(f, g, box, overlap);
-      if (g.may_carry) charge(g, f, box, overlap);
+      if (f.may_carry || g.may_carry) compare_pair(f, g, slave, master);
     }
   }
 }
@@ -290,7 +304,7 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
     }
     area = std::min(outline.area + one_depth.area + zero.area, overlap);
     volume = std::min(outline.volume + one_depth.volume + zero.volume, area * greatest);
-    if (g.own && hider.projected < 0) {
+    if (g.own && hider.projected == nullptr) {
       // The elements were made without it, the master being thick enough, or it lying after all they see: whatever it
       // may hide is missing.
       area = std::min(greatest_area(g), overlap);
@@ -303,18 +317,11 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
   sight.volume_error += volume;
 }
 
-Sight* SightError::find(Index slave_face) {
-  std::vector<Sight>& sights = scratch_->sights;
-  while (next_ < sights.size() && !sights[next_].footprint.own && sights[next_].footprint.face < slave_face) ++next_;
-  const bool found =
-      next_ < sights.size() && !sights[next_].footprint.own && sights[next_].footprint.face == slave_face;
-  return found ? &sights[next_] : nullptr;
-}
-
-ElementError SightError::of_element(Index slave_face, const Moments& moments, const Neglect& neglect,
-                                    const FaceError& face) {
+ElementError SightError::of_element(const VisiblePart& part, const FaceError& face) {
+  const Moments& moments = part.moments;
+  const Neglect& neglect = part.neglect;
   ElementError error;
-  Sight* const sight = find(slave_face);
+  Sight* const sight = find(false, part.slave_face);
   const double twice_area = 2 * prism_.face().area;
   error.normal = face.normal;
   error.foot_Me = error_.of_point_in_master();
@@ -332,7 +339,7 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   const double passed_area = sight->passed_area;
   const double passed_volume = clamped_volume(sight->passed_volume, passed_area, deepest);
   const double differing = std::min(sight->area_error, f.box.area() + moments.area);
-  const double area_error = differing + neglect.area + neglect.cut_area + 16 * u * moments.area;
+  const double area_error = differing + neglect.area + neglect.cut_area + kAreaRoundings * u * moments.area;
   ClampRoundings clamp;
   if (moments.greatest > greatest_allowed_) clamp = ClampRoundings(f.box, std::max(neglect.parts, 1));
   const double off_plane =
@@ -361,19 +368,19 @@ ElementError SightError::of_element(Index slave_face, const Moments& moments, co
   // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
   double share = 1;
   if (2 * volume_off < moments.depth) share = std::min(1.0, volume_off / (moments.depth - volume_off));
-  const double noise =
-      64 * u * clamp.sums * (1 + neglect.parts) * std::min(0x1p40, moments.area * greatest / moments.depth) +
-      clamp.least / moments.depth;
+  const double noise = kFootRoundings * u * clamp.sums * (1 + neglect.parts) *
+                           std::min(0x1p40, moments.area * greatest / moments.depth) +
+                       clamp.least / moments.depth;
   error.foot_Me += (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
                    (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
   return error;
 }
 
-void SightError::leave_out(Index slave_face, double area) {
-  Sight* const sight = find(slave_face);
+void SightError::leave_out(const VisiblePart& part) {
+  Sight* const sight = find(false, part.slave_face);
   if (sight == nullptr) return;
-  sight->area_error += area;
-  sight->volume_error += area * std::max(sight->footprint.greatest, 0.0);
+  sight->area_error += part.left_out;
+  sight->volume_error += part.left_out * std::max(sight->footprint.greatest, 0.0);
 }
 
 SightError::Beside SightError::beside() const {

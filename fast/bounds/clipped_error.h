@@ -6,7 +6,7 @@
 
 #include "fast/bounds/footprint.h"
 #include "fast/bounds/prism_error.h"
-#include "fast/clipped/visible_parts.h"
+#include "fast/clipped/clipped_face.h"
 #include "fast/posed/transform.h"
 #include "fast/surface/prepared_surface.h"
 
@@ -41,24 +41,22 @@ class SightError {
     scratch.sights.clear();
   }
 
-  /// Any face that the master's prism may meet, ascending, the slave's first. `shared`: corners that are the master's.
-  void see(PosedSurface& surface, Index face, bool own, const std::array<PrismPoint, 3>& corners,
-           const std::array<bool, 3>& shared, WorkCounters& work);
+  /// Any face that the master's prism may meet, ascending, the slave's first. `projected`: as the engine sees it, where
+  /// it does.
+  void see(PosedSurface& surface, Index face, bool own, const SeenCorners& corners, const ProjectedFace* projected,
+           WorkCounters& work);
   /// No part is seen deeper in either problem, before clamping; less than 0 where no face may carry anything, m.
   double greatest_depth() const { return greatest_depth_; }
   /// No face of the master itself need be entered, but its lines deviate from where it would be so by up to this times
   /// the depth: upright faces beside its prism may hide as much.
   void may_lean(double lean) { lean_ = lean; }
   /// To be called once all faces are entered.
-  /// `projected`: of all faces entered those that the engine sees.
-  void compare(const PreparedSurface& slave, const PreparedSurface& master, const ProjectionScratch& projected);
-  /// The face just entered is the engine's own projected one at this place.
-  void is_projected(bool own, Index face, std::size_t place);
+  void compare(const PreparedSurface& slave, const PreparedSurface& master);
 
-  /// Errors of the element made of the part that sees a slave face. Faces come in ascending order.
-  ElementError of_element(Index slave_face, const Moments& moments, const Neglect& neglect, const FaceError& face);
-  /// A part of this area that sees the slave face was computed and made no element.
-  void leave_out(Index slave_face, double area);
+  /// What was computed of this part makes no element.
+  void leave_out(const VisiblePart& part);
+  /// Errors of the element made of a part.
+  ElementError of_element(const VisiblePart& part, const FaceError& face);
 
   /// What the exact problem may have beside the computed elements.
   struct Beside {
@@ -79,12 +77,13 @@ class SightError {
   double clamped_volume(double volume, double area, double greatest) const {
     return greatest > greatest_allowed_ ? std::min(volume, area * greatest_allowed_) : volume;
   }
+  void measure_alone(Sight& sight, const PreparedSurface& slave);
+  void compare_pair(Sight& f, Sight& g, const PreparedSurface& slave, const PreparedSurface& master);
   /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
   void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
   double area_leant_over(const Footprint& f) const;
   void find_outline(Sight& sight, const PreparedSurface& surface);
-  const Footprint* find(bool own, Index face) const;
-  Sight* find(Index slave_face);
+  Sight* find(bool own, Index face) const;
 
   SightScratch* scratch_;
   const MasterPrism& prism_;
@@ -94,7 +93,6 @@ class SightError {
   bool continuous_;
   double greatest_allowed_;  ///< u_max, m
   double lean_ = 0;
-  std::size_t next_ = 0;
   double greatest_depth_ = -1;
   bool known_ = true;
   bool flush_ = false;

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "fast/bounds/prism_error.h"
-#include "fast/bounds/strips.h"
 #include "fast/posed/vertex_rounding.h"
 
 namespace pcm::fast {
@@ -32,6 +31,10 @@ double off_cut(double apart, double greatest) {
 constexpr double kLinearRoundings = 52;
 /// Its slopes: the rises, the edges, the products, their difference, the quotient and the area, twice for the latter.
 constexpr double kSlopeRoundings = 12;
+/// The height of a point x over the plane of a face with the edges a and b from f0, by which faces are cut where they
+/// meet: a sum of six products of three differences, of which each has 8 roundings, and which add up to no more than
+/// sqrt(2) |a| |b| |x - f0|. That makes 12, and 4 for the cut itself.
+constexpr double kCrossingRoundings = 16;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -139,6 +142,147 @@ int certain_side(const Footprint& f, const Footprint& g) {
   return above + shared == 3 ? 1 : below + shared == 3 ? -1 : 0;
 }
 
+/// What is needed of a face again and again while its footprint is found.
+struct SeenFace {
+  const FaceInPrism& face;
+  PrismNoise noise;        ///< of its vertices
+  PrismShift of_vertices;  ///< the first step of PrismError
+  double greatest_s, greatest_t;
+  double farthest_depth;  ///< of a corner from the master's plane, m
+  double deepest;         ///< depth of a corner, m
+  double distance;        ///< of a corner from p0, m
+
+  SeenFace(const PrismError& error, const FaceInPrism& seen)
+      : face(seen),
+        noise(error.noise(seen.points_Me, seen.corners, seen.shared)),
+        of_vertices(error.of_vertices(noise, seen.rounding_Me)),
+        greatest_s(greatest_of(seen.corners, kS)),
+        greatest_t(greatest_of(seen.corners, kT)),
+        farthest_depth(greatest_of(seen.corners, kDepth)),
+        deepest(std::max({seen.corners[0][kDepth], seen.corners[1][kDepth], seen.corners[2][kDepth]})),
+        distance(error.distance(greatest_s, greatest_t, farthest_depth)) {}
+};
+
+/// What a face that stands on corners of the master hangs from; false where it surely lies beside the master.
+bool find_hinge(const PrismError& error, const SeenFace& seen, Footprint& f) {
+  const std::array<bool, 3>& shared = seen.face.shared;
+  f.hinge_depth = 0;
+  if (!(shared[0] || shared[1] || shared[2])) return true;
+  const PrismShift frame = error.of_frame(seen.farthest_depth);
+  const double far = 1 + seen.greatest_s + seen.greatest_t;
+  f.hinge_shift = {seen.of_vertices.s + far * frame.s, seen.of_vertices.t + far * frame.t,
+                   seen.of_vertices.depth + far * frame.depth + far * seen.distance * frame.s};
+  if (surely_beside(seen.face.corners, shared, f.hinge_shift.s, f.hinge_shift.t, seen.noise.third)) return false;
+  f.hinge_depth = kInfinity;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, seen.face.corners[k][kDepth]);
+  }
+  f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_shift.depth, 0.0) : 0;
+  return true;
+}
+
+/// Where and how deep it may be seen; false where nowhere.
+bool find_box(const PrismError& error, const SeenFace& seen, Footprint& f) {
+  const std::array<PrismPoint, 3>& corners = seen.face.corners;
+  const double deepest = std::max(seen.deepest, 0.0);
+  const PrismShift widest = sum_of(seen.of_vertices, error.of_frame(deepest));
+  f.box = box_of(corners.data(), 3);
+  f.greatest = seen.deepest + widest.depth;
+  if (std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT), least_of(corners, kDepth)}) < 0) {
+    const ConvexPolygon part = part_over_master(corners, widest, error.of_third_weight(deepest, seen.noise));
+    if (part.count == 0) return false;
+    f.box = box_of(part.points.data(), part.count);
+    f.greatest = part[0][kDepth];
+    for (int i = 1; i < part.count; ++i) f.greatest = std::max(f.greatest, part[i][kDepth]);
+  }
+  // Both ways about what may be enlarged.
+  f.box.low_s = std::max(f.box.low_s - 2 * widest.s, 0.0);
+  f.box.low_t = std::max(f.box.low_t - 2 * widest.t, 0.0);
+  f.box.high_s = std::min(f.box.high_s + widest.s, 1.0);
+  f.box.high_t = std::min(f.box.high_t + widest.t, 1.0);
+  return !f.box.empty();
+}
+
+/// How many of the master's sides may cut a face, and whether its plane does.
+struct Cuts {
+  int by_sides = 0, by_plane = 0;
+
+  explicit Cuts(const std::array<PrismPoint, 3>& corners) {
+    for (int coordinate = 0; coordinate < kDepth; ++coordinate) by_sides += least_of(corners, coordinate) <= 0 ? 1 : 0;
+    by_plane = least_of(corners, kDepth) <= 0 ? 1 : 0;
+  }
+};
+
+/// How far its points and its border may be shifted.
+void find_shifts(const PrismError& error, const SeenFace& seen, const Cuts& cuts, Footprint& f) {
+  const std::array<PrismPoint, 3>& corners = seen.face.corners;
+  const PrismShift of_tilt = error.of_tilt(seen.farthest_depth);
+  f.vertex_shift = seen.of_vertices;
+  f.corner_shift = {seen.of_vertices.s + of_tilt.s, seen.of_vertices.t + of_tilt.t, 0};
+  f.shift = sum_of(seen.of_vertices, error.of_frame(f.greatest));
+  const int all = cuts.by_sides + cuts.by_plane;
+  f.cut_shift = {all * off_cut(greatest_difference(corners, kS), seen.greatest_s),
+                 all * off_cut(greatest_difference(corners, kT), seen.greatest_t), 0};
+  f.third_side_shift = error.of_third_weight(f.greatest, seen.noise);
+}
+
+/// The face itself, counterclockwise where its doubled area in (s, t) is this.
+void copy_face(const SeenFace& seen, double twice_area, Footprint& f) {
+  f.face = seen.face.face;
+  f.own = seen.face.own;
+  f.rounding_Me = seen.face.rounding_Me;
+  f.vertices = seen.face.vertices;
+  f.corners = seen.face.corners;
+  f.noise = seen.noise;
+  f.knows_sides = false;
+  f.fixed = seen.face.shared;
+  if (twice_area < 0) {
+    std::swap(f.vertices[1], f.vertices[2]);
+    std::swap(f.corners[1], f.corners[2]);
+    std::swap(f.fixed[1], f.fixed[2]);
+  }
+}
+
+/// Its plane is not known.
+void set_facing_unsure(double twice_area, Footprint& f) {
+  f.facing = 0;
+  f.sliver = 0.5 * std::abs(twice_area);
+  f.depth = {0, 0, 0};
+  f.field_error = f.line_error = f.depth_error = kInfinity;
+  f.relative_noise = f.crossing_noise = 0;
+}
+
+/// Its plane, where its facing is sure; a and b are its edges from corner 0.
+void find_plane(const PrismError& error, const SeenFace& seen, const Cuts& cuts, double twice_area, const PrismPoint& a,
+                const PrismPoint& b, Footprint& f) {
+  f.facing = twice_area < 0 ? -1 : 1;
+  f.sliver = 0;
+  const double inverse = 1 / std::abs(twice_area);
+  const double width_s = std::abs(a[kS]) + std::abs(b[kS]), width_t = std::abs(a[kT]) + std::abs(b[kT]);
+  f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
+             (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
+  f.relative_noise = kLinearRoundings * u * width_s * width_t * inverse;
+  const double cut_noise = off_line(greatest_difference(f.corners, kDepth), seen.farthest_depth) +
+                           std::abs(f.depth.per_s) * off_line(greatest_difference(f.corners, kS), seen.greatest_s) +
+                           std::abs(f.depth.per_t) * off_line(greatest_difference(f.corners, kT), seen.greatest_t);
+  // At depth 0 it is cut last: what is left then lies over the master, where depths differ by no more than the slopes.
+  const double slopes = std::abs(f.depth.per_s) + std::abs(f.depth.per_t);
+  const double last_cut = std::min(cut_noise, kBoundMargin * (off_line(slopes, 0) + slopes * off_line(1, 1)));
+  const double off_slope = kSlopeRoundings * u * inverse;
+  const double slopes_off = off_slope * ((std::abs(a[kDepth] * b[kT]) + std::abs(b[kDepth] * a[kT])) * f.shift.s +
+                                         (std::abs(b[kDepth] * a[kS]) + std::abs(a[kDepth] * b[kS])) * f.shift.t);
+  f.field_error = kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, seen.noise,
+                                                   seen.face.rounding_Me) +
+                  slopes_off + cuts.by_sides * cut_noise + cuts.by_plane * last_cut;
+  f.line_error = f.field_error + 2 * last_cut;
+  f.depth_error = f.line_error + f.relative_noise * seen.farthest_depth;
+  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
+  const auto length_of = [&error](const PrismPoint& edge) {
+    return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
+  };
+  f.crossing_noise = kCrossingRoundings * u * length_of(a) * length_of(b) * inverse / error.twice_area();
+}
+
 }  // namespace
 
 CertainOrder certain_order(const Footprint& g, const Footprint& f) {
@@ -146,11 +290,6 @@ CertainOrder certain_order(const Footprint& g, const Footprint& f) {
   const int f_over_g = g_over_f == 0 ? certain_side(g, f) : 0;
   if (g_over_f > 0 || f_over_g < 0) return CertainOrder::before;
   return g_over_f < 0 || f_over_g > 0 ? CertainOrder::after : CertainOrder::unsure;
-}
-
-BoxST BoxST::common(const BoxST& other) const {
-  return {std::max(low_s, other.low_s), std::min(high_s, other.high_s), std::max(low_t, other.low_t),
-          std::min(high_t, other.high_t)};
 }
 
 bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners) {
@@ -166,111 +305,23 @@ bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoin
 // shift.depth. A depth at a fixed (s, t) is off by what depth - per_s s - per_t t is, a side by its cross product with
 // the displacement. Windings: with both edges shifted by up to twice corner_shift the product changes by at most
 // 4 (s width_t + t width_s + 2 s t).
-bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint& f) {
-  const std::array<PrismPoint, 3>& corners = seen.corners;
-  const std::array<bool, 3>& shared = seen.shared;
-  const double greatest_s = greatest_of(corners, kS), greatest_t = greatest_of(corners, kT);
-  const double farthest_depth = greatest_of(corners, kDepth);
-  const double distance = error.distance(greatest_s, greatest_t, farthest_depth);
-  const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
-  const PrismShift widest_frame = error.of_frame(std::max(deepest, 0.0));
-  const PrismNoise noise = error.noise(seen.points_Me, corners, shared);
-  const PrismShift of_vertices = error.of_vertices(noise, seen.rounding_Me);
-  const PrismShift of_tilt = error.of_tilt(farthest_depth);
-  f.vertex_shift = of_vertices;
-  f.corner_shift = {of_vertices.s + of_tilt.s, of_vertices.t + of_tilt.t, 0};
-  f.hinge_depth = 0;
-  if (shared[0] || shared[1] || shared[2]) {
-    const PrismShift frame = error.of_frame(farthest_depth);
-    const double far = 1 + greatest_s + greatest_t;
-    f.hinge_shift = {of_vertices.s + far * frame.s, of_vertices.t + far * frame.t,
-                     of_vertices.depth + far * frame.depth + far * distance * frame.s};
-    if (surely_beside(corners, shared, f.hinge_shift.s, f.hinge_shift.t, noise.third)) return false;
-    f.hinge_depth = kInfinity;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, corners[k][kDepth]);
-    }
-    f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_shift.depth, 0.0) : 0;
-  }
-
-  const PrismShift widest = sum_of(of_vertices, widest_frame);
-  f.box = box_of(corners.data(), 3);
-  f.greatest = deepest + widest.depth;
-  if (std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT), least_of(corners, kDepth)}) < 0) {
-    const ConvexPolygon part = part_over_master(corners, widest, error.of_third_weight(std::max(deepest, 0.0), noise));
-    if (part.count == 0) return false;
-    f.box = box_of(part.points.data(), part.count);
-    f.greatest = part[0][kDepth];
-    for (int i = 1; i < part.count; ++i) f.greatest = std::max(f.greatest, part[i][kDepth]);
-  }
-  // Both ways about what may be enlarged.
-  f.box.low_s = std::max(f.box.low_s - 2 * widest.s, 0.0);
-  f.box.low_t = std::max(f.box.low_t - 2 * widest.t, 0.0);
-  f.box.high_s = std::min(f.box.high_s + widest.s, 1.0);
-  f.box.high_t = std::min(f.box.high_t + widest.t, 1.0);
-  if (f.box.empty()) return false;
-  const PrismShift frame = error.of_frame(f.greatest);
-  f.shift = sum_of(of_vertices, frame);
-  int side_cuts = 0;
-  for (int coordinate = 0; coordinate < kDepth; ++coordinate) side_cuts += least_of(corners, coordinate) <= 0 ? 1 : 0;
-  const int last_cuts = least_of(corners, kDepth) <= 0 ? 1 : 0;
-  const int cuts = side_cuts + last_cuts;
-  const double apart_s = greatest_difference(corners, kS), apart_t = greatest_difference(corners, kT);
-  f.cut_shift = {cuts * off_cut(apart_s, greatest_s), cuts * off_cut(apart_t, greatest_t), 0};
-  f.third_side_shift = error.of_third_weight(f.greatest, noise);
-
-  f.face = seen.face;
-  f.own = seen.own;
-  f.rounding_Me = seen.rounding_Me;
-  f.vertices = seen.vertices;
-  f.corners = corners;
-  f.noise = noise;
-  f.knows_sides = false;
-  f.fixed = shared;
-  const double twice_area = cross_st(corners[0], corners[1], corners[2]);
-  if (twice_area < 0) {
-    std::swap(f.vertices[1], f.vertices[2]);
-    std::swap(f.corners[1], f.corners[2]);
-    std::swap(f.fixed[1], f.fixed[2]);
-  }
+bool find_footprint(const PrismError& error, const FaceInPrism& face, Footprint& f) {
+  const SeenFace seen(error, face);
+  if (!find_hinge(error, seen, f) || !find_box(error, seen, f)) return false;
+  const Cuts cuts(face.corners);
+  find_shifts(error, seen, cuts, f);
+  f.greatest += f.shift.depth;
+  const double twice_area = cross_st(face.corners[0], face.corners[1], face.corners[2]);
+  copy_face(seen, twice_area, f);
   const PrismPoint a = f.corners[1] - f.corners[0], b = f.corners[2] - f.corners[0];
   const double width_s = std::abs(a[kS]) + std::abs(b[kS]), width_t = std::abs(a[kT]) + std::abs(b[kT]);
   const double turn =
       4 * (f.corner_shift.s * width_t + f.corner_shift.t * width_s + 2 * f.corner_shift.s * f.corner_shift.t);
-  f.greatest += f.shift.depth;
-  if (!(std::abs(twice_area) > 2 * turn)) {
-    f.facing = 0;
-    f.sliver = 0.5 * std::abs(twice_area);
-    f.depth = {0, 0, 0};
-    f.field_error = f.line_error = f.depth_error = kInfinity;
-    f.relative_noise = f.crossing_noise = 0;
-    return f.greatest >= 0;
+  if (std::abs(twice_area) > 2 * turn) {
+    find_plane(error, seen, cuts, twice_area, a, b, f);
+  } else {
+    set_facing_unsure(twice_area, f);
   }
-  f.facing = twice_area < 0 ? -1 : 1;
-  f.sliver = 0;
-  const double inverse = 1 / std::abs(twice_area);
-  f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
-             (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
-  f.relative_noise = kLinearRoundings * u * width_s * width_t * inverse;
-  const double cut_noise = off_line(greatest_difference(corners, kDepth), farthest_depth) +
-                           std::abs(f.depth.per_s) * off_line(apart_s, greatest_s) +
-                           std::abs(f.depth.per_t) * off_line(apart_t, greatest_t);
-  // At depth 0 it is cut last: what is left then lies over the master, where depths differ by no more than the slopes.
-  const double slopes = std::abs(f.depth.per_s) + std::abs(f.depth.per_t);
-  const double last_cut = std::min(cut_noise, kBoundMargin * (off_line(slopes, 0) + slopes * off_line(1, 1)));
-  const double off_slope = kSlopeRoundings * u * inverse;
-  const double slopes_off = off_slope * ((std::abs(a[kDepth] * b[kT]) + std::abs(b[kDepth] * a[kT])) * f.shift.s +
-                                         (std::abs(b[kDepth] * a[kS]) + std::abs(a[kDepth] * b[kS])) * f.shift.t);
-  f.field_error =
-      kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, noise, seen.rounding_Me) +
-      slopes_off + side_cuts * cut_noise + last_cuts * last_cut;
-  f.line_error = f.field_error + 2 * last_cut;
-  f.depth_error = f.line_error + f.relative_noise * farthest_depth;
-  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
-  const auto length_of = [&error](const PrismPoint& edge) {
-    return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
-  };
-  f.crossing_noise = 16 * u * length_of(a) * length_of(b) * inverse / error.twice_area();
   return f.greatest >= 0;
 }
 

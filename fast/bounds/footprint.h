@@ -8,24 +8,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "fast/bounds/box_st.h"
 #include "fast/prism/convex_polygon.h"
 #include "fast/prism/prism_shift.h"
+#include "fast/prism/projected_face.h"
 #include "pcm/triangle_mesh.h"
 
 namespace pcm::fast {
 
 class PrismError;
-
-/// A box in (s, t).
-struct BoxST {
-  double low_s, high_s, low_t, high_t;
-
-  bool empty() const { return !(low_s <= high_s && low_t <= high_t); }
-  double width_s() const { return high_s - low_s; }
-  double width_t() const { return high_t - low_t; }
-  double area() const { return width_s() * width_t(); }
-  BoxST common(const BoxST& other) const;
-};
 
 /// A linear function of (s, t): a depth, m.
 struct LinearDepth {
@@ -83,7 +74,7 @@ struct Footprint {
 /// A footprint together with what is found out about the element it may carry (fast/bounds/clipped_error.h).
 struct Sight {
   Footprint footprint;
-  std::ptrdiff_t projected = -1;  ///< its place among the engine's own projected faces, where it is one of them
+  const ProjectedFace* projected = nullptr;  ///< the face as the engine sees it, where it does
   bool may_carry = false;
   bool has_element = false;
   bool knows_outline = false;

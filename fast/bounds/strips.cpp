@@ -171,7 +171,7 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
     if (!sides[k] || std::abs(inward) > reach) continue;
     const double by_shift = std::abs(side_s) * t + std::abs(side_t) * s;
     if (&carrier == &face && !face.knows_sides) {
-      // Of the side's extent no more than the box's counts.
+      // Of the side's extent no more than the box's counts. About each of its ends 2 s times 2 t, and twice that.
       const double extent_s = std::min(std::abs(side_s), box.width_s() + 4 * s);
       const double extent_t = std::min(std::abs(side_t), box.width_t() + 4 * t);
       const double area = kBoundMargin * (extent_s * t + extent_t * s) + 16 * s * t;
@@ -261,10 +261,6 @@ double zero_strip_at_sides(const Footprint& face, const std::array<bool, 3>& sid
     area += 2 * (width_s * t + width_t * s) + 8 * s * t;
   }
   return std::min(area, box.area());
-}
-
-double strip_along_border(const BoxST& box, double s, double t) {
-  return std::min(box.area(), 2 * (box.width_s() * t + box.width_t() * s) + 48 * s * t);
 }
 
 // At each s, or t, the zeros of both functions are no farther apart than what they differ by over the slope of either;

@@ -52,9 +52,6 @@ LineStrip strip_along_line(const LinearDepth& function, const LineError& error, 
 /// has no such line.
 double roundings_of_depth(const Footprint& g, const BoxST& box);
 
-/// The area within the box that the border of a convex polygon, shifted by up to (s, t) either way, may pass over.
-double strip_along_border(const BoxST& box, double s, double t);
-
 /// The area within the box between the places where two linear functions are 0, both near the given one.
 struct ZeroStrip {
   double area = 0;

@@ -3,18 +3,14 @@
 #pragma once
 
 #include "fast/active/intersection.h"
-#include "fast/bounds/force_bound.h"
+#include "fast/clipped/clipped_face.h"
 #include "fast/force/element_sum.h"
-#include "fast/prism/projected_face.h"
-#include "fast/search/line_search.h"
 
 namespace pcm::fast {
 
 /// Scratch memory of sum_clipped_elements.
 struct ClippedScratch {
-  ProjectionScratch projection;
-  std::vector<Index> open;  ///< of the search for candidates
-  LineNodes line_open;      ///< of the search along a line
+  ClippedFaceScratch face;
   ElementLanes lanes;
 };
 
@@ -31,8 +27,8 @@ struct ClippedScratch {
 /// depths moved by a few ulps of the greatest coordinate S (fast/clipped/visible_parts.h), so relative to the sum of
 /// |F_k| a few ulps times S over the mean penetration, or over the width of what is seen where that is less; flush and
 /// nearly flush faces included. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets
-/// overlap. `bound`, where given, gathers what the errors may be.
+/// overlap.
 MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
-                                 ClippedScratch& scratch, ElementRecord& record, MasterBound* bound = nullptr);
+                                 ClippedScratch& scratch, ElementRecord& record);
 
 }  // namespace pcm::fast

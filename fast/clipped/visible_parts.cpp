@@ -190,7 +190,7 @@ void Neglect::add_part(const ConvexPolygon& part, const ConvexPolygon& whole) {
   const Extent s(part, kS), t(part, kT);
   const double off_s = (seen * (2 * Extent(whole, kS).width + 1) + 10 * s.width) * u;
   const double off_t = (seen * (2 * Extent(whole, kT).width + 1) + 10 * t.width) * u;
-  const double changed = 2 * (s.width * off_t + t.width * off_s) + 48 * off_s * off_t;
+  const double changed = area_passed_by_border(s.width, t.width, off_s, off_t);
   cut_area += changed;
   cut_volume += changed * Extent(part, kDepth).high;
 }

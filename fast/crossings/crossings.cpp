@@ -7,6 +7,7 @@
 #include <cassert>
 
 #include "fast/base/ascending.h"
+#include "fast/simd/overlap_sets.h"
 
 namespace pcm::fast {
 

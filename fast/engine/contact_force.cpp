@@ -15,11 +15,12 @@ MasterForce sum_elements(const Intersection& intersection, Scheme scheme, Side m
 
 PairingForce sum_bounded_elements(const Intersection& intersection, Scheme scheme, Side master,
                                   const ForceProblem& problem, ForceScratch& scratch, ElementRecord& record) {
-  MasterBound bound(intersection, master, problem, scratch.bound);
+  MasterBound bound(intersection, master, problem, scratch.undecided);
   const MasterForce total =
       scheme == Scheme::clipped
-          ? sum_clipped_elements(intersection, master, problem, scratch.clipped, record, &bound)
-          : sum_bounded_barycentric_elements(intersection, problem, scratch.barycentric.walks.open, bound, record);
+          ? sum_bounded_clipped_elements(intersection, problem, scratch.clipped.face, scratch.clipped_bound, bound,
+                                         record)
+          : sum_bounded_barycentric_elements(intersection, problem, scratch.barycentric_bound, bound, record);
   return {total, bound.result()};
 }
 

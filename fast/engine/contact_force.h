@@ -6,7 +6,8 @@
 
 #include "fast/active/intersection.h"
 #include "fast/barycentric/barycentric_elements.h"
-#include "fast/bounds/force_bound.h"
+#include "fast/bounds/barycentric_bound.h"
+#include "fast/bounds/clipped_bound.h"
 #include "fast/clipped/clipped_elements.h"
 
 namespace pcm::fast {
@@ -15,7 +16,9 @@ namespace pcm::fast {
 struct ForceScratch {
   BarycentricScratch barycentric;
   ClippedScratch clipped;
-  BoundScratch bound;
+  UndecidedFaces undecided;  ///< of the master at hand
+  BarycentricBoundScratch barycentric_bound;
+  ClippedBoundScratch clipped_bound;
 };
 
 /// Force and torque of a pairing (23), (24), with a bound where it is wanted.

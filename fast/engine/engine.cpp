@@ -116,24 +116,13 @@ Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode
   require_valid(law_);
 }
 
-Workspace::Workspace() : data_(std::make_unique<Data>()) {}
-Workspace::~Workspace() = default;
-Workspace::Workspace(Workspace&&) noexcept = default;
-Workspace& Workspace::operator=(Workspace&&) noexcept = default;
-
-Workspace::Data& Workspace::data() {
-  if (!data_) data_ = std::make_unique<Data>();
-  return *data_;
-}
-
 namespace {
 
 /// The steps, in their order.
 void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
                      const Savings& savings, Workspace::Data& data) {
   Contact& contact = data.contact;
-  // The list of elements that has grown is the record's while it is being made; the answer gets it when it is done.
-  if (contact.elements.capacity() > data.elements.elements.capacity()) data.elements.elements.swap(contact.elements);
+  data.elements.take_back_list(contact);
   contact.clear();
   const PreparedSurface& surface_E = pairing.surface_E().data();
   const PreparedSurface& surface_F = pairing.surface_F().data();

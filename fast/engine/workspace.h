@@ -11,7 +11,7 @@
 #include "fast/engine/separation.h"
 #include "fast/posed/posed_pair.h"
 #include "pcm/contact.h"
-#include "pcm/engine.h"
+#include "pcm/workspace.h"
 
 namespace pcm::fast {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "fast/simd/element_sets.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::fast {
@@ -30,6 +31,10 @@ void ElementRecord::clear() {
   max_penetration = 0;
   penetration_exceeded = false;
   statistics = {};
+}
+
+void ElementRecord::take_back_list(Contact& contact) {
+  if (contact.elements.capacity() > elements.capacity()) elements.swap(contact.elements);
 }
 
 MasterForce mean(const MasterForce& on_E, const MasterForce& on_F) {

@@ -32,6 +32,9 @@ struct ElementRecord {
   void note_depth(double greatest_penetration, const ContactLaw& law);
   /// Empties it and keeps its memory.
   void clear();
+  /// Takes back the list that an answer got from report_elements where it has grown more than its own: to be called
+  /// before the next elements are recorded.
+  void take_back_list(Contact& contact);
 };
 
 /// Of the elements of both masters.

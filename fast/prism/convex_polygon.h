@@ -53,6 +53,17 @@ struct ConvexPolygon {
   bool empty() const { return count < 3; }
 };
 
+/// About each corner of a convex polygon that may be off by up to (s, t): 2 s times 2 t.
+inline double area_about_corners(double s, double t) {
+  return 4.0 * ConvexPolygon::kCapacity * s * t;
+}
+
+/// What the border of a convex polygon passes over when its corners are shifted by up to (s, t): each side |side_s| t +
+/// |side_t| s, all of them together twice what the polygon is wide in s and in t; and what is about the corners.
+inline double area_passed_by_border(double width_s, double width_t, double s, double t) {
+  return 2 * (width_s * t + width_t * s) + area_about_corners(s, t);
+}
+
 /// A linear function's values at a polygon's vertices.
 using Heights = std::array<double, ConvexPolygon::kCapacity>;
 

@@ -6,12 +6,17 @@
 #include <utility>
 #include <vector>
 
-#include "fast/base/stamped_array.h"
 #include "fast/prism/convex_polygon.h"
 #include "fast/prism/master_prism.h"
 #include "pcm/triangle_mesh.h"
 
 namespace pcm::fast {
+
+/// The corners of a face as a master face sees them.
+struct SeenCorners {
+  std::array<PrismPoint, 3> points;
+  std::array<bool, 3> is_shared{};  ///< which of them are the master face's own, seen exactly
+};
 
 /// A face of the slave, or another one of the master, as the penetration lines of a master face meet it.
 struct ProjectedFace {
@@ -40,18 +45,5 @@ using Overlap = std::pair<std::size_t, std::size_t>;
 /// there.
 void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<std::size_t>& order,
                    std::vector<Overlap>& overlaps);
-
-/// Scratch memory of the clipped scheme.
-struct ProjectionScratch {
-  std::vector<Index> candidates;
-  StampedArray<PrismPoint> sights;  ///< of the slave's vertices, by the master face at hand
-  std::vector<Index> over;          ///< candidates of the slave that some line may meet
-  std::vector<Index> entered;       ///< faces of the slave that the lines certainly enter
-  std::vector<ProjectedFace> faces;
-  std::vector<std::size_t> order;
-  std::vector<Overlap> overlaps;
-  std::vector<ConvexPolygon> parts;
-  std::vector<ConvexPolygon> remaining;
-};
 
 }  // namespace pcm::fast

@@ -98,10 +98,4 @@ struct WideElements {
   LaneBits (*force)(ElementLanes& lanes, const ForceLimits& limits);
 };
 
-/// The fastest that this processor runs.
-const WideElements& fastest_wide_elements();
-
-/// Each set that this processor runs, for tests: the portable one first.
-std::array<const WideElements*, 2> all_wide_elements();
-
 }  // namespace pcm::fast

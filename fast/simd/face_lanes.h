@@ -6,7 +6,7 @@
 
 #include "fast/base/geometry.h"
 #include "fast/posed/posed_pair.h"
-#include "fast/simd/elements.h"
+#include "fast/simd/element_sets.h"
 
 namespace pcm::fast {
 

@@ -6,13 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fast/simd/overlap_kernels.h"
-
 namespace pcm::fast {
-
-#if defined(PCM_WITH_AVX2)
-extern const WideTests kWideTestsAvx2;
-#endif
 
 namespace {
 
@@ -76,22 +70,6 @@ WidePrism::WidePrism(const WideTree& tree, const TreePrism& prism, double deepes
     const double end = from_tree + deepest_depth / tree.unit();
     deepest = std::abs(end) < kFarAway ? static_cast<float>(end + slack(end)) : std::numeric_limits<float>::infinity();
   }
-}
-
-std::array<const WideTests*, 2> all_wide_tests() {
-  std::array<const WideTests*, 2> sets{&kTests, nullptr};
-#if defined(PCM_WITH_AVX2)
-  if (__builtin_cpu_supports("avx2")) sets[1] = &kWideTestsAvx2;
-#endif
-  return sets;
-}
-
-const WideTests& fastest_wide_tests() {
-  static const WideTests& fastest = []() -> const WideTests& {
-    const auto [portable, wide] = all_wide_tests();
-    return wide != nullptr ? *wide : *portable;
-  }();
-  return fastest;
 }
 
 }  // namespace pcm::fast

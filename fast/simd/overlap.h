@@ -135,10 +135,4 @@ struct WideTests {
   FacesMet (*faces_met)(const FaceGroup& faces, const WideRay& ray);
 };
 
-/// The fastest that this processor runs.
-const WideTests& fastest_wide_tests();
-
-/// Each set that this processor runs, for tests: the portable one first.
-std::array<const WideTests*, 2> all_wide_tests();
-
 }  // namespace pcm::fast

@@ -8,6 +8,7 @@
 #include "pcm/inputs.h"
 #include "pcm/savings.h"
 #include "pcm/triangle_mesh.h"
+#include "pcm/workspace.h"
 
 /// The engine: three tasks, three interfaces (PCM section 1). Define a Pairing of two Surfaces, `evaluate` it for as
 /// many poses as wanted, let it go. Floating point, but every discrete decision is exact on the rounded problem.
@@ -55,22 +56,6 @@ class Pairing {
   ContactLaw law_;
   Mode mode_;
   Scheme scheme_;
-};
-
-/// Scratch memory and the last answer; one per thread. It grows to what the poses need and then allocates no more.
-/// What it holds never changes an answer. One that was moved from starts anew.
-class Workspace {
- public:
-  Workspace();
-  ~Workspace();
-  Workspace(Workspace&&) noexcept;
-  Workspace& operator=(Workspace&&) noexcept;
-
-  struct Data;
-  Data& data();
-
- private:
-  std::unique_ptr<Data> data_;
 };
 
 /// Evaluates the pairing for one state; the answer lives in `workspace` until its next use.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fast/simd/elements.h"
+#include "fast/simd/element_sets.h"
 
 #include <gtest/gtest.h>
 

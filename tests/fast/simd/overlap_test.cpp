@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fast/simd/overlap.h"
+#include "fast/simd/overlap_sets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/simd/elements.h"
+#include "fast/simd/element_sets.h"
 
 #include "fast/simd/element_kernels.h"
 

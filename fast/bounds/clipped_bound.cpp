@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/bounds/clipped_bound.h"
+
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "fast/bounds/certain_line.h"
+#include "fast/bounds/passing_error.h"
+#include "fast/clipped/own_faces.h"
+#include "fast/posed/vertex_rounding.h"
+#include "fast/search/prism_search.h"
+
+namespace pcm::fast {
+
+namespace {
+
+/// Lists the faces of a side that a master face may see down to this depth in either problem, ascending; `room`: how
+/// far from the computed prism the exact problem's may be, m. Which those are is not left to single precision.
+void list_candidates(PosedPair& posed, Side side, const MasterPrism& prism, double room, double deepest,
+                     ClippedBoundScratch& scratch) {
+  const TreePrism tree_prism = prism_in_tree(posed, side, prism, room);
+  list_faces_in_prism(posed, side, tree_prism, deepest, scratch.open, scratch.candidates);
+  const TriangleMesh& mesh = posed.surface(side).mesh;
+  std::erase_if(scratch.candidates,
+                [&](Index face) { return !tree_prism.may_meet(box_of_faces(mesh, &face, 1), deepest); });
+}
+
+/// Finds those faces that lines were found to meet, in their order: the slave's, then the master's, ascending.
+class ProjectedWalk {
+ public:
+  explicit ProjectedWalk(const std::vector<ProjectedFace>& faces) : next_(faces.begin()), end_(faces.end()) {}
+
+  /// Null where no line was found to meet it.
+  const ProjectedFace* at(bool own, Index face) {
+    while (next_ != end_ && std::pair(next_->own, next_->face) < std::pair(own, face)) ++next_;
+    return next_ != end_ && next_->own == own && next_->face == face ? &*next_ : nullptr;
+  }
+
+ private:
+  std::vector<ProjectedFace>::const_iterator next_, end_;
+};
+
+/// What the errors of one master face's elements add to the bound.
+class FaceBound {
+ public:
+  FaceBound(PosedPair& posed, const ForceProblem& problem, const ClippedFace& seen, ClippedBoundScratch& scratch,
+            MasterBound& bound)
+      : posed_(posed),
+        problem_(problem),
+        seen_(seen),
+        bound_(bound),
+        own_rounding_Me_(posed[seen.master].sharp_face_rounding_Me(seen.face)),
+        error_(seen.geometry, own_rounding_Me_),
+        undecided_(bound.undecided().is_undecided.contains(seen.face)) {
+    if (seen.prism && error_.normal_known) find_sights(scratch);
+  }
+  FaceBound(const FaceBound&) = delete;
+  FaceBound& operator=(const FaceBound&) = delete;
+
+  /// An element as it was added to the sum, `total`; by slave face.
+  void add_element(const VisiblePart& part, const Element& element, const MasterForce& total);
+  /// What else the face may carry, once all its elements were added.
+  void add_rest();
+
+ private:
+  void find_sights(ClippedBoundScratch& scratch);
+  void see_slave(double room, ProjectedWalk& projected, ClippedBoundScratch& scratch);
+  void see_own(double room, ProjectedWalk& projected, ClippedBoundScratch& scratch);
+
+  PosedPair& posed_;
+  const ForceProblem& problem_;
+  const ClippedFace& seen_;
+  MasterBound& bound_;
+  Eigen::Vector3d own_rounding_Me_;  ///< of the face's vertices
+  FaceError error_;
+  bool undecided_;  ///< whether the face is active
+  std::optional<PrismError> prism_error_;
+  std::optional<SightError> sight_;  ///< none where nothing is known
+  PassingError passing_;             ///< between the elements
+};
+
+void FaceBound::find_sights(ClippedBoundScratch& scratch) {
+  const MasterPrism& prism = *seen_.prism;
+  prism_error_.emplace(prism, error_, seen_.master, own_rounding_Me_, bound_.rounding_Me());
+  sight_.emplace(scratch.sight, prism, *prism_error_, problem_.law);
+  const double room = tube_radius(posed_, error_, bound_.rounding_Me());
+  ProjectedWalk projected(seen_.view.faces);
+  see_slave(room, projected, scratch);
+  const bool knows_own = seen_.view.own_depth >= 0;
+  bool needs_own = knows_own;
+  if (sight_->greatest_depth() >= 0) {
+    const OwnFacesBefore before =
+        own_faces_before(posed_, seen_.master, seen_.geometry, seen_.face, sight_->greatest_depth());
+    needs_own = needs_own || before == OwnFacesBefore::some;
+    if (!knows_own && before == OwnFacesBefore::leaning) sight_->may_lean(posed_.placement.greatest_lean());
+  }
+  if (needs_own) see_own(room, projected, scratch);
+  sight_->compare(posed_.surface(opposite(seen_.master)), posed_.surface(seen_.master));
+  for (const VisiblePart& part : seen_.parts) {
+    if (!part.is_element()) sight_->leave_out(part);
+  }
+}
+
+void FaceBound::see_slave(double room, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
+  const Side slave = opposite(seen_.master);
+  const StampedArray<PrismPoint>& sights = seen_.view.slave_sights;
+  list_candidates(posed_, slave, *seen_.prism, room, std::numeric_limits<double>::infinity(), scratch);
+  for (const Index face : scratch.candidates) {
+    SeenCorners corners;
+    const Triangle& vertices = posed_.surface(slave).face(face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index v = vertices[k];
+      corners.points[k] = sights.contains(v) ? sights.at(v) : seen_.prism->see(posed_.vertex_Me(slave, v), posed_.work);
+    }
+    sight_->see(posed_[slave], face, false, corners, projected.at(false, face), posed_.work);
+  }
+}
+
+void FaceBound::see_own(double room, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
+  const double deepest = std::max(seen_.view.own_depth, sight_->greatest_depth());
+  list_candidates(posed_, seen_.master, *seen_.prism, room, deepest, scratch);
+  for (const Index face : scratch.candidates) {
+    if (face == seen_.face) continue;
+    const SeenCorners corners = see_own_corners(posed_, seen_.master, seen_.face, *seen_.prism, face);
+    sight_->see(posed_[seen_.master], face, true, corners, projected.at(true, face), posed_.work);
+  }
+}
+
+void FaceBound::add_element(const VisiblePart& part, const Element& element, const MasterForce& total) {
+  if (sight_) {
+    ElementError error = sight_->of_element(part, error_);
+    // The element surely exists.
+    if (!undecided_ && element.area > kBoundMargin * (error.area + error.passed_area))
+      bound_.note_depth(element.penetration - kBoundMargin * error.penetration, 0);
+    ElementForceError passed;
+    passing_.add(problem_, element, error, passed);
+    const ElementForceError whole = force_error(problem_, element, error);
+    bound_.add({passed.force_Me + PassingError::kGrowth * whole.force_Me,
+                passed.torque_Me + PassingError::kGrowth * whole.torque_Me});
+  }
+  if (!sight_ || undecided_) bound_.add_whole_force(element);
+  bound_.add_rounding_of(total);
+}
+
+void FaceBound::add_rest() {
+  const FaceGeometry& geometry = seen_.geometry;
+  const double twice_area = 2 * (geometry.area + error_.area);
+  const auto& p = geometry.points_Me;
+  const Eigen::Vector3d anywhere = (p[1] - p[0]).cwiseAbs() + (p[2] - p[0]).cwiseAbs();
+  if (!sight_ || !sight_->known()) {
+    bound_.add_possible_element(0.5 * twice_area, span(posed_), geometry, error_.barycentre_Me + anywhere);
+    return;
+  }
+  if (sight_->flush()) bound_.flip();
+  bound_.note_depth(0, kBoundMargin * sight_->greatest_depth());
+  const SightError::Beside beside = sight_->beside();
+  passing_.add_elsewhere(twice_area * beside.passed_area, twice_area * beside.passed_volume);
+  ElementForceError passed;
+  passing_.finish(passed);
+  bound_.add(passed);
+  if (!(beside.area > 0)) return;
+  // An element's force grows with its volume, and with its area where it is damped.
+  const Eigen::Vector3d foot_error = error_.barycentre_Me + anywhere + Eigen::Vector3d::Constant(beside.depth);
+  const GreatestForce greatest = greatest_force(problem_, twice_area * beside.area, beside.volume / beside.area,
+                                                geometry.barycentre_Me(), foot_error);
+  bound_.add({greatest.normal * geometry.n_Me.cwiseAbs() +
+                  Eigen::Vector3d::Constant(greatest.normal * error_.normal + greatest.friction),
+              Eigen::Vector3d::Constant(greatest.torque)});
+}
+
+}  // namespace
+
+MasterForce sum_bounded_clipped_elements(const Intersection& intersection, const ForceProblem& problem,
+                                         ClippedFaceScratch& forming, ClippedBoundScratch& scratch, MasterBound& bound,
+                                         ElementRecord& record) {
+  const Side master = bound.master();
+  PosedPair& posed = intersection.posed;
+  const auto add_elements = [&](const ClippedFace& seen, ElementSum& sum) {
+    FaceBound face_bound(posed, problem, seen, scratch, bound);
+    for (const VisiblePart& part : seen.parts) {
+      if (!part.is_element()) continue;
+      Element element = seen.element(part);
+      sum.add(part.moments.greatest, seen.foot_Me(part), element);
+      face_bound.add_element(part, element, sum.total());
+    }
+    face_bound.add_rest();
+  };
+  ElementSum sum(problem, record, posed.work);
+  for_each_active_face(intersection, master, [&](Index face) {
+    const ClippedFace seen = clip_face(posed, master, face, problem.law, forming);
+    record_beside_elements(seen, problem.law, record);
+    add_elements(seen, sum);
+  });
+  // Faces that are not active, but may be in the exact problem: what they would add.
+  ForceProblem unheard = problem;
+  unheard.keep_elements = unheard.with_statistics = false;
+  for (const Index face : bound.undecided().faces) {
+    if (intersection.is_active(master, face)) continue;
+    ElementRecord none;
+    WorkCounters no_work;
+    ElementSum nothing(unheard, none, no_work);
+    add_elements(clip_face(posed, master, face, problem.law, forming), nothing);
+  }
+  return sum.total();
+}
+
+}  // namespace pcm::fast

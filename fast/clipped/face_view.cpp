@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/clipped/face_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fast/clipped/own_faces.h"
+#include "fast/search/prism_search.h"
+
+namespace pcm::fast {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// How deep the slave is seen, m; -1 where it is not.
+struct Depths {
+  double deepest = -1;         ///< greatest depth at which the slave may be left, whatever lies before
+  double deepest_corner = -1;  ///< greatest depth of a corner of a candidate
+
+  double any() const { return std::max(deepest, deepest_corner); }
+};
+
+/// Whether the line of the barycentre may meet the face: decided with room to spare. Where it does, the weights of the
+/// place, the same mean of the corners', are 1/3 each; they are off by no more than the corners' are.
+bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& corners) {
+  for (int weight = 0; weight < 3; ++weight) {
+    const std::size_t side = static_cast<std::size_t>(weight + 1) % 3;
+    const double a = corners[0][weight], b = corners[1][weight], c = corners[2][weight];
+    const double least = std::min({a, b, c}), greatest = std::max({a, b, c});
+    if (least <= 1.0 / 3 && greatest >= 1.0 / 3) continue;
+    const double room = 0x1p-20 * (1 + std::abs(a) + std::abs(b) + std::abs(c)) +
+                        std::max({prism.weight_error(side, corners[0]), prism.weight_error(side, corners[1]),
+                                  prism.weight_error(side, corners[2])});
+    if (least > 1.0 / 3 + room || greatest < 1.0 / 3 - room) return false;
+  }
+  return true;
+}
+
+/// Looks at each of the candidates' vertices once.
+void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const std::vector<Index>& candidates,
+                  StampedArray<PrismPoint>& sights) {
+  const PreparedSurface& surface = posed.surface(slave);
+  sights.start(surface.mesh.vertices.size());
+  for (const Index face : candidates) {
+    for (const Index v : surface.face(face)) {
+      if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(slave, v), posed.work));
+    }
+  }
+}
+
+std::array<PrismPoint, 3> corners_of(const StampedArray<PrismPoint>& sights, const Triangle& vertices) {
+  return {sights.at(vertices[0]), sights.at(vertices[1]), sights.at(vertices[2])};
+}
+
+/// Adds a face to those that lines meet; false where none meets it. It carries nothing yet.
+bool add_projected(const MasterPrism& prism, double reach, Index face, bool own, const Triangle& vertices,
+                   const std::array<PrismPoint, 3>& corners, std::vector<ProjectedFace>& faces) {
+  ProjectedFace& projected = faces.emplace_back();
+  if (!project_face(vertices, corners, projected)) {
+    faces.pop_back();
+    return false;
+  }
+  projected.face = face;
+  projected.own = own;
+  projected.carries = false;
+  projected.uncertainty = prism.uncertainty(corners, reach);
+  return true;
+}
+
+/// Some steps are done for all candidates before the next, though one loop would do: what a processor guesses wrong of
+/// a face is then known soon, not only after all that was computed for it.
+Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, FaceViewScratch& scratch, FaceView& view) {
+  const PreparedSurface& surface = posed.surface(slave);
+  list_faces_in_prism(posed, slave, prism_in_tree(posed, slave, prism), kInfinity, scratch.open, scratch.candidates);
+  see_vertices(posed, slave, prism, scratch.candidates, view.slave_sights);
+  Depths depths;
+  scratch.over.resize(scratch.candidates.size());
+  std::size_t count = 0;
+  for (const Index face : scratch.candidates) {
+    const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, surface.face(face));
+    const PrismPoint greatest = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    depths.deepest_corner = std::max(depths.deepest_corner, greatest[kDepth]);
+    scratch.over[count] = face;
+    const auto is_over = static_cast<std::size_t>(greatest.head<3>().minCoeff() > 0);
+    const auto is_beneath = static_cast<std::size_t>(greatest[kDepth] >= 0);
+    count += is_over & is_beneath;
+  }
+  scratch.over.resize(count);
+  scratch.entered.clear();
+  for (const Index face : scratch.over) {
+    const Triangle& vertices = surface.face(face);
+    const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, vertices);
+    if (!add_projected(prism, posed.placement.reach, face, false, vertices, corners, view.faces)) continue;
+    ProjectedFace& projected = view.faces.back();
+    const bool is_certain = certain(projected.seen, projected.uncertainty);
+    if (is_certain && !projected.leaves) scratch.entered.push_back(face);
+    projected.carries = projected.leaves && is_certain;
+    if (!projected.carries) continue;
+    for (int i = 0; i < projected.seen.count; ++i) {
+      depths.deepest = std::max(depths.deepest, projected.seen[i][kDepth]);
+    }
+  }
+  return depths;
+}
+
+/// Where the line of the barycentre may leave the slave: also through a sliver whose side it sees is not certain.
+void look_along_barycentre(const PreparedSurface& surface, const MasterPrism& prism, const FaceViewScratch& scratch,
+                           FaceView& view, Depths& depths) {
+  auto entered = scratch.entered.begin();
+  for (const Index face : scratch.candidates) {
+    if (entered != scratch.entered.end() && *entered == face) {
+      ++entered;
+      continue;
+    }
+    const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, surface.face(face));
+    const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]});
+    if (deepest < 0 || !near_barycentre(prism, corners)) continue;
+    view.slave_at_barycentre = true;
+    depths.deepest = std::max(depths.deepest, deepest);
+  }
+}
+
+void project_own(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, FaceViewScratch& scratch,
+                 FaceView& view) {
+  list_faces_in_prism(posed, master, prism_in_tree(posed, master, prism), view.own_depth, scratch.open,
+                      scratch.candidates);
+  for (const Index face : scratch.candidates) {
+    if (face == master_face) continue;
+    const std::array<PrismPoint, 3> corners = see_own_corners(posed, master, master_face, prism, face).points;
+    view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
+    // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
+    if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > view.own_depth) continue;
+    add_projected(prism, posed.placement.reach, face, true, posed.surface(master).face(face), corners, view.faces);
+  }
+}
+
+}  // namespace
+
+void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, FaceViewScratch& scratch,
+                  FaceView& view) {
+  view.faces.clear();
+  view.own_depth = -1;
+  view.slave_at_barycentre = view.own_at_barycentre = false;
+  Depths depths = project_slave(posed, opposite(master), prism, scratch, view);
+  const auto surely_thick = [&](double deepest) {
+    const double farthest = deepest + farthest_off(prism, posed.placement);
+    return deepest < 0 || own_faces_before(posed, master, prism.face(), face, farthest) != OwnFacesBefore::some;
+  };
+  // Where nothing lies before any candidate it need not be known which of them the barycentre's line meets.
+  bool thick = surely_thick(depths.any());
+  // A face that touches the master's plane from above hides nothing, but the barycentre's line meets it.
+  const double thickness_at_barycentre = posed.surface(master).thickness[static_cast<std::size_t>(face)];
+  const bool thick_at_barycentre = thick && depths.any() < thickness_at_barycentre;
+  if (!thick_at_barycentre) look_along_barycentre(posed.surface(opposite(master)), prism, scratch, view, depths);
+  if (!thick) thick = surely_thick(depths.deepest);
+  if (thick) {
+    // Where the master's other faces were not looked at, what is known of its thickness tells.
+    view.own_at_barycentre = !(depths.deepest < thickness_at_barycentre);
+  } else {
+    // Faces all deeper than this surely lie after what is seen of the slave: depths are sure to kHeightError.
+    view.own_depth = (1 + 4 * kHeightError) * depths.deepest;
+    project_own(posed, master, face, prism, scratch, view);
+  }
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "fast/base/stamped_array.h"
+#include "fast/posed/posed_pair.h"
+#include "fast/prism/projected_face.h"
+
+namespace pcm::fast {
+
+/// What the penetration lines of one master face meet. Its memory is kept from face to face.
+struct FaceView {
+  StampedArray<PrismPoint> slave_sights;  ///< by vertex of the slave: of all faces near the prism
+  /// The slave's faces, then other ones of the master where these may lie before, ascending.
+  std::vector<ProjectedFace> faces;
+  /// The master's other faces were looked for down to this depth; -1 where it is known to be thick enough without, m.
+  double own_depth = -1;
+  /// The line of the barycentre may leave the slave, and it may meet another face of the master.
+  bool slave_at_barycentre = false;
+  bool own_at_barycentre = false;
+};
+
+/// Scratch memory of look_through.
+struct FaceViewScratch {
+  std::vector<Index> candidates;
+  std::vector<Index> open;     ///< of the search for them
+  std::vector<Index> over;     ///< candidates of the slave that some line may meet
+  std::vector<Index> entered;  ///< faces of the slave that the lines certainly enter
+};
+
+/// Looks through the prism of a master face.
+void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, FaceViewScratch& scratch,
+                  FaceView& view);
+
+}  // namespace pcm::fast
