@@ -16,6 +16,7 @@
 #include "compare/cli/mesh.h"
 #include "compare/cli/verify.h"
 #include "pcm/bad_input.h"
+#include "pcm/version.h"
 
 namespace pcm::compare {
 namespace {
