@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <string>
@@ -34,7 +33,7 @@ Exit run_pcm(int argc, char** argv) {
   for (const Command& command : kElsewhere)
     if (word == command.name) become("pcm-" + std::string(word), argv);
   return run_command_line(argc, argv, [argv](CLI::App& program, Run& run) {
-    for (const Command& command : kElsewhere) program.add_subcommand(std::string(command.name), command.description);
+    for (const Command& command : kElsewhere) list_command(program, std::string(command.name), command.description);
     add_verify_command(program, run, [argv](const VerifyOptions& options) {
       if (asks_for_more(options)) become("pcm-verify-more", argv);
       return verify(options);

@@ -96,4 +96,8 @@ Exit run_command_line(int argc, char** argv, const std::function<void(CLI::App&,
   return run();
 }
 
+void list_command(CLI::App& program, const std::string& name, const std::string& description) {
+  program.add_subcommand(name, description);
+}
+
 }  // namespace pcm::compare

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "compare/cli/command_line.h"
 
@@ -14,5 +15,8 @@ int exit_status_of(const std::function<Exit()>& work);
 
 /// Reads the command line with the subcommands that `add_commands` adds, and does what it says.
 Exit run_command_line(int argc, char** argv, const std::function<void(CLI::App&, Run&)>& add_commands);
+
+/// Adds a subcommand that is only listed: whoever starts it starts another program.
+void list_command(CLI::App& program, const std::string& name, const std::string& description);
 
 }  // namespace pcm::compare
