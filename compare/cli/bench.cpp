@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 
@@ -16,6 +18,7 @@
 #include "compare/bench/scaling.h"
 #include "compare/bench/skip.h"
 #include "compare/bench/work_precision.h"
+#include "compare/cli/programs.h"
 #include "compare/io/svg_plot.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -218,8 +221,7 @@ void add_work_precision(CLI::App& bench, Run& run) {
 }  // namespace
 
 void add_bench_command(CLI::App& program, Run& run) {
-  CLI::App* command =
-      program.add_subcommand("bench", "How fast the engine is, beside others, over sizes, and by what it skips");
+  CLI::App* command = program.add_subcommand("bench", kBenchDescription);
   command->require_subcommand(1);
   command->footer("Example:\n  pcm bench peers --bodies bubbles\n'pcm bench WHAT --help' describes one.");
   add_peers(*command, run);

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <string>
 
-/// What the subcommands of the program `pcm` share. Each lives in a file of its own, command_NAME.{h,cpp}, with one
-/// function `void add_NAME_command(CLI::App& program, Run& run)` that main.cpp calls: it adds the subcommand with its
-/// options, a footer with an example, and a callback that only sets `run`:
+namespace CLI {
+class App;  // seen whole only where options are defined: the library costs every file seconds
+}
+
+/// What the subcommands of the program `pcm` share. Each lives in files of its own, NAME.{h,cpp}, with one function
+/// `void add_NAME_command(CLI::App& program, Run& run)` that its program (programs.h) calls: it adds the subcommand
+/// with its options, a footer with an example, and a callback that only sets `run`:
 ///
 ///     void add_area_command(CLI::App& program, Run& run) {
 ///       auto options = std::make_shared<AreaOptions>();
@@ -20,7 +23,7 @@
 ///     }
 ///
 /// The work itself starts once the whole command line is understood. It writes to std::cout, throws BadInput (status 2)
-/// for whatever the user can mend, and otherwise returns its status. main.cpp turns errors into one line on standard
+/// for whatever the user can mend, and otherwise returns its status. program.h turns errors into one line on standard
 /// error; a failed write to std::cout is found at the end, or earlier by `flush_output`.
 namespace pcm::compare {
 

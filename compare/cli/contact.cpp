@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/contact.h"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "compare/cli/law_options.h"
+#include "compare/cli/programs.h"
 #include "compare/cli/surface_warnings.h"
 #include "compare/io/contact_json.h"
+#include "compare/io/names.h"
 #include "compare/io/poses_file.h"
 #include "compare/motion/advice.h"
 #include "compare/opponents/subject.h"
@@ -126,9 +130,7 @@ Exit contact(const ContactOptions& options) {
 
 void add_contact_command(CLI::App& program, Run& run) {
   auto options = std::make_shared<ContactOptions>();
-  CLI::App* command = program.add_subcommand(
-      "contact",
-      "Contact between two surfaces: polygons, areas, force and torque, one JSON object a line for each pose");
+  CLI::App* command = program.add_subcommand("contact", kContactDescription);
   command->footer(
       "Force and torque (about F's marker) act on E; all vectors are resolved in E's marker, in SI units.\n"
       "touching: the surfaces cross; nested: a component of one lies inside the other without crossing; E, F: "

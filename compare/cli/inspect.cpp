@@ -2,22 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/inspect.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "compare/cli/law_options.h"
+#include "compare/cli/programs.h"
 #include "compare/cli/surface_warnings.h"
 #include "compare/io/contact_picture.h"
+#include "compare/io/names.h"
 #include "compare/io/poses_file.h"
 #include "compare/motion/path_report.h"
 #include "meshes/files/text_file.h"
@@ -134,8 +138,7 @@ Exit inspect(const InspectOptions& options) {
 
 void add_inspect_command(CLI::App& program, Run& run) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = program.add_subcommand(
-      "inspect", "Jumps of the elastic force along a path of poses: where, how large and why; and the work done");
+  CLI::App* command = program.add_subcommand("inspect", kInspectDescription);
   command->footer(
       "The path leads through the poses of a file as for 'pcm contact'; velocities are ignored, so that damping and\n"
       "friction do nothing. From pose to pose r moves on a straight line while F turns by at most 180 degrees about a\n"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/law_options.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -94,15 +95,6 @@ void add_law_options(CLI::App& command, LawOptions& options) {
       "Sliding velocity below which friction is regularised, m/s (default 0)");
   add("--max-penetration", options.max_penetration, "u_max",
       "Penetration beyond which elements are clamped and the answer flagged, m (default: none)");
-}
-
-Mode mode_named(const std::string& name) {
-  if (name == "F") return Mode::F;
-  return name == "both" ? Mode::both : Mode::E;
-}
-
-Scheme scheme_named(const std::string& name) {
-  return name == "clipped" ? Scheme::clipped : Scheme::barycentric;
 }
 
 ContactLaw law_from(const LawOptions& options) {

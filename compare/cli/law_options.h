@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
+#include "compare/cli/command_line.h"
 #include "pcm/inputs.h"
 
 namespace pcm::compare {
@@ -24,12 +24,6 @@ struct LawOptions {
 
 /// Adds the law options of the program (--stiffness and so on) to a subcommand.
 void add_law_options(CLI::App& command, LawOptions& options);
-
-/// The mode that --mode names: E, F or both.
-Mode mode_named(const std::string& name);
-
-/// The scheme that --scheme names: barycentric or clipped.
-Scheme scheme_named(const std::string& name);
 
 /// The law that the options describe. Throws BadInput naming the option that is out of its range.
 ContactLaw law_from(const LawOptions& options);

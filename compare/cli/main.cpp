@@ -1,105 +1,49 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <exception>
-#include <iostream>
-#include <new>
+#include <algorithm>
+#include <array>
 #include <string>
-#include <system_error>
+#include <string_view>
 
-#include "compare/cli/bench.h"
-#include "compare/cli/command_line.h"
-#include "compare/cli/contact.h"
-#include "compare/cli/inspect.h"
-#include "compare/cli/mesh.h"
+#include "compare/cli/program.h"
+#include "compare/cli/programs.h"
 #include "compare/cli/verify.h"
-#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
 
-/// A closed standard stream would lend its number to the next file opened, and what is printed would end up there. So
-/// each such number is taken by something that can't be written to: printing then fails and is reported.
-void occupy_closed_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(stream, F_GETFD) != -1) continue;
-    if (open("/dev/null", O_RDONLY) == -1) return;
-  }
+struct Command {
+  std::string_view name;
+  const char* description;
+};
+
+/// The subcommands that are programs of their own.
+constexpr std::array kElsewhere = {Command{"bench", kBenchDescription}, Command{"contact", kContactDescription},
+                                   Command{"inspect", kInspectDescription}, Command{"mesh", kMeshDescription}};
+
+/// The first word that is no option: pcm's own options have no values.
+std::string_view command_word(int argc, char** argv) {
+  char** const word = std::find_if(argv + std::min(argc, 1), argv + argc,
+                                   [](std::string_view argument) { return !argument.starts_with('-'); });
+  return word == argv + argc ? "" : *word;
 }
 
-/// The subcommand that the command line has got to, for pointing at its help.
-const CLI::App& innermost(const CLI::App& app) {
-  const CLI::App* command = &app;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  return *command;
-}
-
-std::string full_name(const CLI::App& app) {
-  return app.get_parent() == nullptr ? app.get_name() : full_name(*app.get_parent()) + ' ' + app.get_name();
-}
-
-/// What is wrong with the command line, and where the right one is described.
-std::string describe(const CLI::ParseError& error, const CLI::App& program) {
-  const CLI::App& command = innermost(program);
-  const bool wants_subcommand = !command.get_subcommands([](const CLI::App*) { return true; }).empty();
-  const std::vector<std::string> unexpected = command.remaining();
-  std::string what = error.what();
-  if (!unexpected.empty() && unexpected.front().size() > 1 && unexpected.front().front() == '-') {
-    what = "unknown option '" + unexpected.front() + "'";
-  } else if (!unexpected.empty()) {
-    what = (wants_subcommand ? "unknown command '" : "unexpected argument '") + unexpected.front() + "'";
-  } else if (wants_subcommand) {
-    what = "a command is missing";
-  }
-  return what + "; see '" + full_name(command) + " --help'";
-}
-
-Exit run_program(int argc, char** argv) {
-  CLI::App program("Polygonal contact between triangulated surfaces: a fast engine held against an exact oracle.",
-                   "pcm");
-  program.set_version_flag("--version", "pcm " PCM_VERSION);
-  program.require_subcommand(1);
-  program.footer(
-      "Exit status: 0 if all is well, 1 for a negative verdict, 2 for bad input.\n"
-      "Example:\n  pcm contact E.obj F.obj\n'pcm COMMAND --help' describes a command.");
-  Run run;
-  add_bench_command(program, run);
-  add_contact_command(program, run);
-  add_inspect_command(program, run);
-  add_mesh_command(program, run);
-  add_verify_command(program, run);
-
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::Success& request) {  // --help or --version
-    program.exit(request);
-    return Exit::success;
-  } catch (const CLI::ParseError& error) {
-    complain(describe(error, program));
-    return Exit::bad_input;
-  }
-  return run();
+Exit run_pcm(int argc, char** argv) {
+  const std::string_view word = command_word(argc, argv);
+  for (const Command& command : kElsewhere)
+    if (word == command.name) become("pcm-" + std::string(word), argv);
+  return run_command_line(argc, argv, [argv](CLI::App& program, Run& run) {
+    for (const Command& command : kElsewhere) list_command(program, std::string(command.name), command.description);
+    add_verify_command(program, run, [argv](const VerifyOptions& options) {
+      if (asks_for_more(options)) become("pcm-verify-more", argv);
+      return verify(options);
+    });
+  });
 }
 
 }  // namespace
 }  // namespace pcm::compare
 
 int main(int argc, char** argv) {
-  using namespace pcm::compare;
-  occupy_closed_streams();
-  Exit status = Exit::bad_input;
-  try {
-    const Exit verdict = run_program(argc, argv);
-    flush_output();
-    status = verdict;
-  } catch (const pcm::BadInput& error) {
-    complain(error.what());
-  } catch (const std::system_error& error) {
-    complain(error.what());
-  } catch (const std::bad_alloc&) {
-    complain("out of memory");
-  }
-  return static_cast<int>(status);
+  return pcm::compare::exit_status_of([=] { return pcm::compare::run_pcm(argc, argv); });
 }

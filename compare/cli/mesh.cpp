@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/mesh.h"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include "compare/cli/mesh_check.h"
 #include "compare/cli/mesh_make.h"
+#include "compare/cli/programs.h"
 #include "pcm/bad_input.h"
 #include "pcm/read_mesh.h"
 #include "pcm/write_obj.h"
@@ -42,7 +44,7 @@ void add_convert_command(CLI::App& mesh, Run& run) {
 }  // namespace
 
 void add_mesh_command(CLI::App& program, Run& run) {
-  CLI::App* mesh = program.add_subcommand("mesh", "Surfaces: check, make, convert");
+  CLI::App* mesh = program.add_subcommand("mesh", kMeshDescription);
   mesh->require_subcommand(1);
   mesh->footer(
       "Example:\n"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compare/cli/command_line.h"
+#include "compare/cli/verify_options.h"
 
 namespace pcm::compare {
 
 /// `pcm verify`: engine against oracle over randomized poses, or over the one pose of a case file.
-void add_verify_command(CLI::App& program, Run& run);
+Exit verify(const VerifyOptions& options);
 
 }  // namespace pcm::compare

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/verify_audits.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "compare/motion/audits_report.h"

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/verify_engines.h"
 
+#include <fmt/core.h>
+
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "compare/opponents/contest_report.h"
@@ -17,7 +20,7 @@ Exit verify_engines(VerificationPlan plan, const std::vector<Engine>& engines, i
   const Table table = contest_table(result);
   std::string omissions;
   for (const std::string& omission : result.omissions) omissions += omission + "\n";
-  const std::string after = "\n" + contest_shallow(result) + omissions + contest_verdict(result) + "\n";
+  const std::string after = fmt::format("\n{}{}{}\n", contest_shallow(result), omissions, contest_verdict(result));
   if (folder) {
     write_text_file(*folder / "wrong_answers.md",
                     "# Wrong answers by stratum\n\n" + contest_legend() + "\n" + markdown(table) + after);

@@ -3,6 +3,7 @@
 #include "compare/io/contact_json.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace pcm::compare {

@@ -21,4 +21,14 @@ inline std::string_view name(Scheme scheme) {
   return scheme == Scheme::barycentric ? "barycentric" : "clipped";
 }
 
+/// The other way round, of words that an option allows.
+inline Mode mode_named(std::string_view word) {
+  if (word == "F") return Mode::F;
+  return word == "both" ? Mode::both : Mode::E;
+}
+
+inline Scheme scheme_named(std::string_view word) {
+  return word == "clipped" ? Scheme::clipped : Scheme::barycentric;
+}
+
 }  // namespace pcm::compare

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/known_answers/identity_constructions.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
+
+#include <nlohmann/json.hpp>
 
 #include "compare/bodies/known_answer_bodies.h"
 #include "compare/poses/pairs.h"

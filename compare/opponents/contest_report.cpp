@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/opponents/contest_report.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace pcm::compare {
 namespace {

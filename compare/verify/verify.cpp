@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/verify.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -11,6 +11,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
 #include "compare/io/names.h"
 #include "compare/io/program_hash.h"
@@ -33,7 +34,8 @@ constexpr std::int64_t kGeneralShare = 50;
 /// In a plan that has both schemes one pose in this many is answered in the clipped one.
 constexpr std::int64_t kClippedShare = 3;
 
-/// The stream of random numbers of a pair: 64 bits of the FNV-1a hash of its name.
+/// The stream of random numbers of a pair: 64 bits of the FNV-1a hash of its name. Written out, because another hash
+/// would draw other poses, and that of the standard library is another one from library to library.
 std::uint64_t stream_of(const std::string& pair_name) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : pair_name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;

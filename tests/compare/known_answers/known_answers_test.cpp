@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "compare/bodies/closed_forms.h"

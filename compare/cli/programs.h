@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+/// `pcm` is several programs in one folder, so that `pcm verify` needn't wait until the others are built: what its own
+/// file lacks, pcm hands over, command line and all, to the program pcm-NAME beside it.
+namespace pcm::compare {
+
+/// What `pcm --help` says of the subcommands that are programs of their own.
+inline constexpr const char* kBenchDescription =
+    "How fast the engine is, beside others, over sizes, and by what it skips";
+inline constexpr const char* kContactDescription =
+    "Contact between two surfaces: polygons, areas, force and torque, one JSON object a line for each pose";
+inline constexpr const char* kInspectDescription =
+    "Jumps of the elastic force along a path of poses: where, how large and why; and the work done";
+inline constexpr const char* kMeshDescription = "Surfaces: check, make, convert";
+
+/// Goes on as the program of that name beside this one, with the same arguments; throws BadInput where it can't.
+[[noreturn]] void become(const std::string& program, char** argv);
+
+}  // namespace pcm::compare

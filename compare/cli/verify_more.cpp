@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/verify_more.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include "compare/cli/verify_audits.h"
+#include "compare/cli/verify_engines.h"
+#include "compare/cli/verify_error_budget.h"
+#include "compare/cli/verify_known_answers.h"
+#include "compare/cli/verify_run.h"
+#include "pcm/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+Exit compare_engines(const VerifyOptions& options) {
+  if (options.scheme && *options.scheme != "barycentric")
+    throw BadInput("--engine: the published algorithms know the barycentric scheme only; leave out --scheme");
+  const int jobs = number_of_jobs(options);
+  std::vector<Engine> engines;
+  for (const Engine engine : kEngines)
+    if (std::find(options.engines.begin(), options.engines.end(), name(engine)) != options.engines.end())
+      engines.push_back(engine);
+  std::vector<std::string> notices;
+  VerificationPlan plan = plan_from(options, notices);
+  plan.schemes = {Scheme::barycentric};
+  std::optional<fs::path> folder;
+  if (options.out) folder = prepare_folder(*options.out);
+  for (const std::string& notice : notices) complain(notice);
+  const Interruptible work(plan.poses);
+  return verify_engines(
+      std::move(plan), engines, jobs, folder, [&] { return work.interrupted(); },
+      [&](std::int64_t done) { work.show(done); });
+}
+
+Exit known_answers(const VerifyOptions& options) {
+  const std::uint64_t seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  std::optional<fs::path> folder;
+  if (options.out) folder = prepare_folder(*options.out);
+  return verify_known_answers(options.quick ? Extent::quick : Extent::full, seed, number_of_jobs(options), folder);
+}
+
+Exit error_budget(const VerifyOptions& options) {
+  std::optional<fs::path> folder;
+  if (options.out) folder = prepare_folder(*options.out);
+  return verify_error_budget(options.quick ? Extent::quick : Extent::full, number_of_jobs(options), folder);
+}
+
+Exit audits(const VerifyOptions& options) {
+  std::optional<fs::path> folder;
+  if (options.out) folder = prepare_folder(*options.out);
+  return verify_audits(options.quick ? Extent::quick : Extent::full, number_of_jobs(options), folder);
+}
+
+}  // namespace
+
+Exit verify_more(const VerifyOptions& options) {
+  if (options.audits) return audits(options);
+  if (options.error_budget) return error_budget(options);
+  if (options.known_answers) return known_answers(options);
+  return compare_engines(options);
+}
+
+}  // namespace pcm::compare
