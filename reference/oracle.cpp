@@ -13,9 +13,9 @@
 #include "pcm/check.h"
 #include "reference/combinatorics/combinatorics.h"
 #include "reference/combinatorics/proximity.h"
+#include "reference/elements/barycentric_elements.h"
 #include "reference/elements/clipped_elements.h"
-#include "reference/elements/contact_elements.h"
-#include "reference/loads/contact_force.h"
+#include "reference/force/contact_force.h"
 #include "reference/pose/exact_pose.h"
 #include "reference/pose/surface.h"
 #include "reference/report.h"
@@ -155,7 +155,7 @@ Solution& Inquiry::Data::solve(Problem problem) {
   if (wanted.polygons) {
     const std::vector<Index> patches =
         group_into_patches(solution->pose, facts.crossings, facts.polygons, facts.E, facts.F);
-    report_polygons(solution->pose, CrossingPoints(facts.crossings.ids), facts.polygons, patches, answer);
+    report_polygons(solution->pose, CrossingPositions(facts.crossings.ids), facts.polygons, patches, answer);
   }
   if (wanted.areas)
     report_areas(solution->pose, facts.clip(solution->pose), oracle.E.closed && oracle.F.closed && !answer.ambiguous,

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "reference/numbers/correct_rounding.h"
 #include "reference/numbers/double_double.h"
 #include "reference/numbers/radical_sum.h"
-#include "reference/numbers/settle.h"
 
 namespace pcm::reference {
 namespace {
@@ -17,7 +17,8 @@ Eigen::Vector3d nearest_doubles(const Vec3<Rational>& v) {
 
 /// The four sums of shares times |N|.
 template <class T>
-void settle_areas(const std::vector<FaceArea<T>>& faces, const Field<T>& field, Settler& settle, ActiveArea& active) {
+void round_areas(const std::vector<FaceArea<T>>& faces, const Field<T>& field, CorrectRounder& round,
+                 ActiveArea& active) {
   T open = field(0.0), counted = open, closed = open, limit = open;
   for (const FaceArea<T>& face : faces) {
     const T length = sqrt(dot(face.normal, face.normal));
@@ -27,21 +28,22 @@ void settle_areas(const std::vector<FaceArea<T>>& faces, const Field<T>& field, 
     closed = closed + (face.overlapped ? face.shares.closed * length : area);
     limit = limit + (face.overlapped ? face.shares.limit * length : area);
   }
-  settle(counted, active.area);
-  settle(open, active.area_interval.open);
-  settle(closed, active.area_interval.closed);
-  settle(limit, active.limit_area);
+  round(counted, active.area);
+  round(open, active.area_interval.open);
+  round(closed, active.area_interval.closed);
+  round(limit, active.limit_area);
 }
 
 template <class T>
-void settle_vector_areas(const std::vector<FaceArea<T>>& faces, const LiftedPose<T>& pose, Settler& settle,
-                         ActiveArea& active) {
-  settle(vector_area(faces, pose), active.vector_area_Me);
+void round_vector_areas(const std::vector<FaceArea<T>>& faces, const ConvertedPose<T>& pose, CorrectRounder& round,
+                        ActiveArea& active) {
+  round(vector_area(faces, pose), active.vector_area_Me);
   active.limit_vector_area_Me = active.vector_area_Me;
-  if (any_overlapped(faces)) settle(vector_area(faces, pose, &Shares<T>::limit), active.limit_vector_area_Me);
+  if (any_overlapped(faces)) round(vector_area(faces, pose, &Shares<T>::limit), active.limit_vector_area_Me);
 }
 
-void report_areas(const std::vector<FaceArea<Rational>>& faces, const LiftedPose<Rational>& pose, ActiveArea& active) {
+void report_areas(const std::vector<FaceArea<Rational>>& faces, const ConvertedPose<Rational>& pose,
+                  ActiveArea& active) {
   RadicalSum open, counted, closed, limit;
   for (const FaceArea<Rational>& face : faces) {
     const Rational squared_length = dot(face.normal, face.normal);
@@ -58,29 +60,30 @@ void report_areas(const std::vector<FaceArea<Rational>>& faces, const LiftedPose
 }
 
 template <class T>
-Vec3<T> flux_origin(const std::vector<FaceArea<T>>& E, const std::vector<FaceArea<T>>& F, const LiftedPose<T>& pose) {
+Vec3<T> flux_origin(const std::vector<FaceArea<T>>& E, const std::vector<FaceArea<T>>& F,
+                    const ConvertedPose<T>& pose) {
   return !E.empty() ? E[0].point : !F.empty() ? F[0].point : pose.zero();
 }
 
 template <class T>
 bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, const Field<T>& field, Answer& answer) {
-  LiftedPose<T> pose(pose_doubles, field);
+  ConvertedPose<T> pose(pose_doubles, field);
   const auto E = face_areas(areas, Side::E, pose);
   const auto F = face_areas(areas, Side::F, pose);
-  Settler settle;
-  settle_areas(E, field, settle, answer.E);
-  settle_areas(F, field, settle, answer.F);
-  settle_vector_areas(E, pose, settle, answer.E);
-  settle_vector_areas(F, pose, settle, answer.F);
+  CorrectRounder round;
+  round_areas(E, field, round, answer.E);
+  round_areas(F, field, round, answer.F);
+  round_vector_areas(E, pose, round, answer.E);
+  round_vector_areas(F, pose, round, answer.F);
   if (answer.volume) {
     const Vec3<T> origin = flux_origin(E, F, pose);
-    settle(flux_third(E, origin, pose) + flux_third(F, origin, pose), *answer.volume);
+    round(flux_third(E, origin, pose) + flux_third(F, origin, pose), *answer.volume);
   }
-  return settle.all();
+  return round.all();
 }
 
 void report_rational(const ExactPose& pose_doubles, const ClippedAreas& areas, Answer& answer) {
-  LiftedPose<Rational> pose(pose_doubles);
+  ConvertedPose<Rational> pose(pose_doubles);
   const auto E = face_areas(areas, Side::E, pose);
   const auto F = face_areas(areas, Side::F, pose);
   if (answer.volume) {
@@ -93,15 +96,15 @@ void report_rational(const ExactPose& pose_doubles, const ClippedAreas& areas, A
 
 }  // namespace
 
-void report_polygons(const ExactPose& pose, const CrossingPoints& points, const std::vector<Chain>& chains,
+void report_polygons(const ExactPose& pose, const CrossingPositions& points, const std::vector<Chain>& chains,
                      const std::vector<Index>& patches, Answer& answer) {
-  LiftedPose<DoubleDouble> enclosures(pose);
-  LiftedPose<Rational> rationals(pose);
+  ConvertedPose<DoubleDouble> enclosures(pose);
+  ConvertedPose<Rational> rationals(pose);
   const auto rounded_position = [&](Index crossing) -> Eigen::Vector3d {
-    Settler settle;
+    CorrectRounder round;
     Eigen::Vector3d position;
-    settle(points.position(crossing, enclosures), position);
-    return settle.all() ? position : nearest_doubles(points.position(crossing, rationals));
+    round(points.position(crossing, enclosures), position);
+    return round.all() ? position : nearest_doubles(points.position(crossing, rationals));
   };
   for (std::size_t i = 0; i < chains.size(); ++i) {
     Polygon polygon;
@@ -120,7 +123,7 @@ void report_areas(const ExactPose& pose, const ClippedAreas& areas, bool has_vol
   answer.undefined_areas = areas.undefined;
   if (has_volume) answer.volume = 0;
   if (report_enclosed(pose, areas, Field<DoubleDouble>{}, answer)) return;
-  if (report_enclosed(pose, areas, Field<Ball>{kSettlingPrecision}, answer)) return;
+  if (report_enclosed(pose, areas, Field<Ball>{kRoundingPrecision}, answer)) return;
   report_rational(pose, areas, answer);
 }
 

@@ -6,7 +6,7 @@
 
 #include "reference/active/area_values.h"
 #include "reference/active/clipped_areas.h"
-#include "reference/crossings/crossing_points.h"
+#include "reference/crossings/crossing_positions.h"
 #include "reference/crossings/polygons.h"
 #include "reference/vocabulary/answer.h"
 
@@ -15,7 +15,7 @@
 namespace pcm::reference {
 
 /// Writes polygons with the positions of their points, and the number of patches.
-void report_polygons(const ExactPose& pose, const CrossingPoints& points, const std::vector<Chain>& chains,
+void report_polygons(const ExactPose& pose, const CrossingPositions& points, const std::vector<Chain>& chains,
                      const std::vector<Index>& patches, Answer& answer);
 
 /// Writes areas, their intervals, vector areas, and the volume where `has_volume`. Vector areas and volume are

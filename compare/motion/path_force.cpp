@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "fast/barycentric/penetration.h"
+#include "fast/barycentric/penetration_line.h"
 #include "fast/base/geometry.h"
 #include "fast/engine/workspace.h"
 #include "pcm/bad_input.h"

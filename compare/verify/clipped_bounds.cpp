@@ -20,7 +20,7 @@ double strips_along(double length, double strip) {
 /// allows. Elsewhere a right engine sees all but an area H of the convex polygon of area A that nothing but its border
 /// limits. The lengths of lines of one depth across it are concave in the depth, so no less than the share (h / d)^2 of
 /// it lies within h of its greatest depth, d the difference of its depths: within h = d sqrt(H / A) something is seen.
-double tip_at_least(const reference::Element& e, const Sight& seen, double area_error) {
+double tip_at_least(const reference::Element& e, const SlaveInView& seen, double area_error) {
   const double all = std::abs(seen.area);
   const double missing = std::max(0.0, all - e.area) + kHigherOrder * area_error;
   const double beside = missing < all ? std::sqrt(missing / all) : 1;
@@ -43,7 +43,7 @@ ClippedBounds::ClippedBounds(const Question& question, const reference::Answer& 
 }
 
 ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, const MasterView& view) const {
-  const Sight seen = view.sight(e.slave_face);
+  const SlaveInView seen = view.sight(e.slave_face);
   GeometryErrors errors;
   errors.normal = view.turn();
   // Where nothing hides any of it, both are one but for roundings.
@@ -87,7 +87,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
 // engine's are off by their own errors each; a foot has the roundings of one place on a face (above).
 ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   const MasterView view(faces_, e.master, e.master_face);
-  const Sight seen = view.sight(e.slave_face);
+  const SlaveInView seen = view.sight(e.slave_face);
   Sliver sliver;
   sliver.area = kHigherOrder * (strips_along(4 * seen.outline, seen.strip) + seen.neglected);
   sliver.depth = std::max(0.0, seen.deepest + std::max(seen.deepest - seen.at_tip, 0.0));

@@ -232,7 +232,7 @@ double MasterView::place_error(const SeenPoint& x) const {
 // faces that hide something, with parts on both. A single face leaves no more than five parts. Strips that a right
 // engine sees between faces that hide what lies behind both are as wide as their lines are off.
 void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders,
-                                     Sight& sight) const {
+                                     SlaveInView& sight) const {
   if (part.empty()) return;
   Eigen::Array2d low = weights(part[0]), high = low;
   for (const SeenPoint& x : part) {
@@ -251,7 +251,7 @@ void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double 
                                       : dropped + hiders.loose * sight.strip * sight.width;
 }
 
-Sight MasterView::sight(Index slave_face) const {
+SlaveInView MasterView::sight(Index slave_face) const {
   const SeenFace slave = seen(opposite(master_), slave_face);
   const Eigen::Vector3d& slave_normal = faces_.face(opposite(master_), slave_face).normal_Me;
   double distance = 0, depth = 0, greatest = 0, place = 0;
@@ -264,7 +264,7 @@ Sight MasterView::sight(Index slave_face) const {
   // A face that hides something of the slave's lies over the master somewhere, not deeper than that one.
   const double farthest = std::max(distance, 2 * face_.longest + depth + faces_.longest_side());
   const std::vector<SeenPoint> part = seen_part(slave);
-  Sight sight;
+  SlaveInView sight;
   const Hiders hiders = part.empty() ? Hiders{} : find_hiders(slave_face, part, strip(farthest, depth));
   sight.hiders = hiders.count;
   sight.strip = strip(std::max(distance, face_.longest + hiders.distance), depth);
@@ -295,7 +295,7 @@ Sight MasterView::sight(Index slave_face) const {
 // Two points of bodies that touch are no farther apart than 6 times the reach, a part of the face has no greater area
 // than the face, and a convex one no longer border than its triangle's. A face whose normal the doubles here can't tell
 // gives no better numbers, or none.
-void MasterView::limit(Sight& sight) const {
+void MasterView::limit(SlaveInView& sight) const {
   const double anywhere = 6 * faces_.placed_reach(), whole = greatest_area();
   sight.uncertain = no_more(sight.uncertain, whole);
   sight.neglected = no_more(sight.neglected, sight.hiders == 0 ? 0 : whole);

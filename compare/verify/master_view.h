@@ -12,7 +12,7 @@
 namespace pcm::compare {
 
 /// What a master face sees of a slave face, in double precision, and how far off a right engine may see it.
-struct Sight {
+struct SlaveInView {
   int hiders = 0;          ///< no more other faces may hide any of it
   double strip = 0;        ///< an edge may be off by as much, m
   double uncertain = 0;    ///< a part of no more area may be dropped, m^2
@@ -42,7 +42,7 @@ class MasterView {
   /// No more than this has the face, whatever is seen of it, m^2.
   double greatest_area() const { return face_.area + face_.area_error; }
   /// O(n) in the faces that the master's lines meet.
-  Sight sight(Index slave_face) const;
+  SlaveInView sight(Index slave_face) const;
 
  private:
   /// A point of the master's plane in lengths along two directions at right angles, m, and a depth, m.
@@ -85,11 +85,12 @@ class MasterView {
   int side_of_plane(Side side_a, Index a, Side side_b, Index b) const;
   Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
   /// s and t of a point.
-  void limit(Sight& sight) const;
+  void limit(SlaveInView& sight) const;
   Eigen::Array2d weights(const SeenPoint& point) const;
   /// How far off a point may be seen by MasterPrism::uncertainty, m.
   double place_error(const SeenPoint& point) const;
-  void add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders, Sight& sight) const;
+  void add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders,
+                           SlaveInView& sight) const;
   double strip(double distance, double depth) const;
 
   const RoundedFaces& faces_;

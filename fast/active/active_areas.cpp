@@ -14,7 +14,7 @@ namespace {
 
 /// What ActiveFaces::face_winding says of an intersected face: before and after its corners' winding numbers are known.
 constexpr Index kWaiting = std::numeric_limits<Index>::min();
-constexpr Index kSettled = kWaiting + 1;
+constexpr Index kDecided = kWaiting + 1;
 /// And of an uncrossed face that is not known to be inner or a pocket.
 constexpr Index kUnknown = kWaiting + 2;
 
@@ -45,7 +45,7 @@ class ActiveAreaInClosed {
  private:
   void flood(Index seed, Index winding);
   void locate_corner(Index face);
-  void settle_corners(Index face);
+  void decide_corners(Index face);
   void spread(Index seed);
 
   PosedPair& posed_;
@@ -92,7 +92,7 @@ void ActiveAreaInClosed::locate_corner(Index face) {
 }
 
 /// Carries the winding number from a known corner of an intersected face to the others.
-void ActiveAreaInClosed::settle_corners(Index face) {
+void ActiveAreaInClosed::decide_corners(Index face) {
   const Triangle& corners = surface_.face(face);
   std::size_t k = found_.winding.contains(corners[0]) ? 0 : found_.winding.contains(corners[1]) ? 1 : 2;
   for (int step = 0; step < 2; ++step) {
@@ -110,16 +110,16 @@ void ActiveAreaInClosed::settle_corners(Index face) {
 void ActiveAreaInClosed::spread(Index seed) {
   std::vector<Index>& stack = scratch_.stack;
   stack.assign(1, seed);
-  found_.face_winding.set(seed, kSettled);
+  found_.face_winding.set(seed, kDecided);
   while (!stack.empty()) {
     const Index face = stack.back();
     stack.pop_back();
-    settle_corners(face);
+    decide_corners(face);
     for (std::size_t k = 0; k < 3; ++k) {
       const Index neighbour = surface_.neighbours_of(face)[k];
       const Index known = found_.face_winding.get(neighbour, kUnknown);
       if (known == kWaiting) {
-        found_.face_winding.set(neighbour, kSettled);
+        found_.face_winding.set(neighbour, kDecided);
         stack.push_back(neighbour);
       } else if (known == kUnknown) {
         // The edge is uncrossed as the neighbour is.

@@ -4,9 +4,9 @@
 
 #include "fast/barycentric/barycentric_elements.h"
 #include "fast/base/depth.h"
-#include "fast/bounds/certain_line.h"
 #include "fast/bounds/element_error.h"
 #include "fast/bounds/force_error.h"
+#include "fast/bounds/verified_line.h"
 #include "fast/posed/vertex_rounding.h"
 
 namespace pcm::fast {
@@ -45,9 +45,9 @@ class FaceBound {
     const Eigen::Vector3d rounding_Me = rounding_of(posed_, problem_.pose, bound_.master(), face_) +
                                         rounding_of(posed_, problem_.pose, slave, element.slave_face);
     error.penetration = depth_error(geometry_, error_, posed_.face_Me(slave, element.slave_face), rounding_Me);
-    const CertainLine line = follow(element.slave_face);
+    const VerifiedLine line = follow(element.slave_face);
     const double depth = DepthBelow(geometry_, posed_.face_Me(slave, element.slave_face)).value();
-    const bool decided = line.finding == CertainLine::Finding::element &&
+    const bool decided = line.finding == VerifiedLine::Finding::element &&
                          !bound_.undecided().is_undecided.contains(face_) &&
                          element.penetration > 2 * error.penetration;
     if (decided) {
@@ -62,13 +62,13 @@ class FaceBound {
 
   /// Or that it has none; `first_met` as find_penetration has it.
   void add_no_element(Index first_met) {
-    const CertainLine line = follow(first_met);
-    if (line.finding == CertainLine::Finding::no_element) return;
+    const VerifiedLine line = follow(first_met);
+    if (line.finding == VerifiedLine::Finding::no_element) return;
     bound_.add_possible_element(geometry_.area + error_.area, line.greatest_depth, geometry_, error_.barycentre_Me);
   }
 
  private:
-  CertainLine follow(Index first_met) {
+  VerifiedLine follow(Index first_met) {
     return follow_certainly(posed_, bound_.master(), face_, geometry_, error_, first_met, scratch_.line_trace,
                             bound_.rounding_Me(), scratch_.open);
   }

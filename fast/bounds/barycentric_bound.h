@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fast/barycentric/penetration.h"
+#include "fast/barycentric/penetration_line.h"
 #include "fast/bounds/force_bound.h"
 
 namespace pcm::fast {

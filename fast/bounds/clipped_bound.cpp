@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "fast/bounds/certain_line.h"
-#include "fast/bounds/passing_error.h"
+#include "fast/bounds/repartition_error.h"
+#include "fast/bounds/verified_line.h"
 #include "fast/clipped/own_faces.h"
 #include "fast/posed/vertex_rounding.h"
 #include "fast/search/prism_search.h"
@@ -77,8 +77,8 @@ class FaceBound {
   FaceError error_;
   bool undecided_;  ///< whether the face is active
   std::optional<PrismError> prism_error_;
-  std::optional<SightError> sight_;  ///< none where nothing is known
-  PassingError passing_;             ///< between the elements
+  std::optional<ViewError> sight_;  ///< none where nothing is known
+  RepartitionError passing_;        ///< between the elements
 };
 
 void FaceBound::find_sights(ClippedBoundScratch& scratch) {
@@ -137,8 +137,8 @@ void FaceBound::add_element(const VisiblePart& part, const Element& element, con
     ElementForceError passed;
     passing_.add(problem_, element, error, passed);
     const ElementForceError whole = force_error(problem_, element, error);
-    bound_.add({passed.force_Me + PassingError::kGrowth * whole.force_Me,
-                passed.torque_Me + PassingError::kGrowth * whole.torque_Me});
+    bound_.add({passed.force_Me + RepartitionError::kGrowth * whole.force_Me,
+                passed.torque_Me + RepartitionError::kGrowth * whole.torque_Me});
   }
   if (!sight_ || undecided_) bound_.add_whole_force(element);
   bound_.add_rounding_of(total);
@@ -155,7 +155,7 @@ void FaceBound::add_rest() {
   }
   if (sight_->flush()) bound_.flip();
   bound_.note_depth(0, kBoundMargin * sight_->greatest_depth());
-  const SightError::Beside beside = sight_->beside();
+  const ViewError::Beside beside = sight_->beside();
   passing_.add_elsewhere(twice_area * beside.passed_area, twice_area * beside.passed_volume);
   ElementForceError passed;
   passing_.finish(passed);

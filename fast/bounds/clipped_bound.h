@@ -14,7 +14,7 @@ namespace pcm::fast {
 struct ClippedBoundScratch {
   std::vector<Index> candidates;
   std::vector<Index> open;  ///< of the search for them
-  SightScratch sight;
+  ViewScratch sight;
 };
 
 /// Forms the contact elements of the bound's master in the clipped scheme, as sum_clipped_elements does and to the same

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fast/bounds/strips.h"
+#include "fast/bounds/uncertain_strips.h"
 #include "fast/posed/vertex_rounding.h"
 
 namespace pcm::fast {
@@ -33,7 +33,7 @@ constexpr double kAreaRoundings = 16;
 constexpr double kFootRoundings = 64;
 
 /// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.
-double noise_of_crossing(const Footprint& f, const Footprint& g, const PrismError& error) {
+double noise_of_crossing(const FaceEnclosure& f, const FaceEnclosure& g, const PrismError& error) {
   double farthest = 0, highest = 0;
   for (const PrismPoint& c : f.corners) {
     const PrismPoint from_g = c - g.corners[0];
@@ -63,7 +63,7 @@ struct ClampRoundings {
 /// What roundings make of the cuts along the master's sides, where the depth ends with a jump, and of the integrals
 /// over the part `seen`. Such a side of it, and no other but for slivers, lies within f's shift and a cut's roundings
 /// of the master's; what is between both is known. Where nothing was cut: what such cuts may have made nothing of.
-AreaAndVolume errors_of_cuts(const Footprint& f, const ConvexPolygon* seen) {
+AreaAndVolume errors_of_cuts(const FaceEnclosure& f, const ConvexPolygon* seen) {
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
   if (seen == nullptr) {
     const double third = f.third_side_shift * (std::min(width_s, width_t) + 2 * f.third_side_shift);
@@ -112,13 +112,13 @@ ClampRoundings::ClampRoundings(const BoxST& box, int polygons) : cuts(2), sums(2
 
 }  // namespace
 
-void SightError::see(PosedSurface& surface, Index face, bool own, const SeenCorners& corners,
-                     const ProjectedFace* projected, WorkCounters& work) {
+void ViewError::see(PosedSurface& surface, Index face, bool own, const SeenCorners& corners,
+                    const ProjectedFace* projected, WorkCounters& work) {
   if (surely_unseen(error_, own, corners.points)) return;
   // Not a local variable: most of it stays unused where nothing is seen.
   scratch_->sights.emplace_back();
-  Sight& sight = scratch_->sights.back();
-  Footprint& f = sight.footprint;
+  FaceInView& sight = scratch_->sights.back();
+  FaceEnclosure& f = sight.enclosure;
   const FaceInPrism seen{face,
                          own,
                          surface.surface().face(face),
@@ -126,7 +126,7 @@ void SightError::see(PosedSurface& surface, Index face, bool own, const SeenCorn
                          corners.points,
                          corners.is_shared,
                          surface.sharp_face_rounding_Me(face)};
-  if (!find_footprint(error_, seen, f)) {
+  if (!find_face_enclosure(error_, seen, f)) {
     scratch_->sights.pop_back();
     return;
   }
@@ -136,28 +136,28 @@ void SightError::see(PosedSurface& surface, Index face, bool own, const SeenCorn
   if (sight.may_carry) greatest_depth_ = std::max(greatest_depth_, f.greatest);
 }
 
-Sight* SightError::find(bool own, Index face) const {
-  std::vector<Sight>& sights = scratch_->sights;
+FaceInView* ViewError::find(bool own, Index face) const {
+  std::vector<FaceInView>& sights = scratch_->sights;
   const auto found = std::lower_bound(sights.begin(), sights.end(), std::pair(own, face),
-                                      [](const Sight& sight, const std::pair<bool, Index>& key) {
-                                        return std::pair(sight.footprint.own, sight.footprint.face) < key;
+                                      [](const FaceInView& sight, const std::pair<bool, Index>& key) {
+                                        return std::pair(sight.enclosure.own, sight.enclosure.face) < key;
                                       });
-  const bool is_there = found != sights.end() && found->footprint.own == own && found->footprint.face == face;
+  const bool is_there = found != sights.end() && found->enclosure.own == own && found->enclosure.face == face;
   return is_there ? &*found : nullptr;
 }
 
 // Where the neighbour beyond a side is not seen at all, neither is the side.
-void SightError::find_outline(Sight& sight, const PreparedSurface& surface) {
-  const Footprint& f = sight.footprint;
+void ViewError::find_outline(FaceInView& sight, const PreparedSurface& surface) {
+  const FaceEnclosure& f = sight.enclosure;
   sight.knows_outline = true;
   sight.sheet_error = f.depth_error;
   for (std::size_t side = 0; side < 3; ++side) {
     const Index neighbour = surface.neighbours_of(f.face)[side];
     bool goes_on = neighbour != f.face;
     if (goes_on) {
-      if (const Sight* const beyond = find(f.own, neighbour); beyond != nullptr) {
-        goes_on = f.facing != 0 && beyond->footprint.facing == f.facing;
-        if (goes_on) sight.sheet_error = std::max(sight.sheet_error, beyond->footprint.depth_error);
+      if (const FaceInView* const beyond = find(f.own, neighbour); beyond != nullptr) {
+        goes_on = f.facing != 0 && beyond->enclosure.facing == f.facing;
+        if (goes_on) sight.sheet_error = std::max(sight.sheet_error, beyond->enclosure.depth_error);
       }
     }
     if (goes_on) continue;
@@ -170,7 +170,7 @@ void SightError::find_outline(Sight& sight, const PreparedSurface& surface) {
 }
 
 // Within that distance of the master's sides.
-double SightError::area_leant_over(const Footprint& f) const {
+double ViewError::area_leant_over(const FaceEnclosure& f) const {
   const double distance = kBoundMargin * lean_ * std::max(f.greatest, 0.0);
   const double s = distance * prism_.inward_Me(2).norm(), t = distance * prism_.inward_Me(0).norm();
   const double third = distance * prism_.inward_Me(1).norm();
@@ -182,10 +182,10 @@ double SightError::area_leant_over(const Footprint& f) const {
 }
 
 // What it would be off by if no other face were there.
-void SightError::measure_alone(Sight& sight, const PreparedSurface& slave) {
-  const Footprint& f = sight.footprint;
+void ViewError::measure_alone(FaceInView& sight, const PreparedSurface& slave) {
+  const FaceEnclosure& f = sight.enclosure;
   if (f.facing == 0) {
-    find_side_shifts(error_, sight.footprint);
+    find_side_shifts(error_, sight.enclosure);
     sight.area_error = sliver(f, f, f.greatest, f.box).area;
     sight.volume_error = sight.area_error * f.greatest;
     return;
@@ -193,7 +193,7 @@ void SightError::measure_alone(Sight& sight, const PreparedSurface& slave) {
   find_outline(sight, slave);
   SideStrips outline, smooth;
   if (sight.outline[0] || sight.outline[1] || sight.outline[2]) {
-    find_side_shifts(error_, sight.footprint);
+    find_side_shifts(error_, sight.enclosure);
     outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
   }
   // Where nothing jumps, errors are of second order, and what passes is of no account where forces are linear.
@@ -217,24 +217,25 @@ void SightError::measure_alone(Sight& sight, const PreparedSurface& slave) {
 }
 
 // What both may hide of each other.
-void SightError::compare_pair(Sight& f, Sight& g, const PreparedSurface& slave, const PreparedSurface& master) {
-  const BoxST box = f.footprint.box.common(g.footprint.box);
+void ViewError::compare_pair(FaceInView& f, FaceInView& g, const PreparedSurface& slave,
+                             const PreparedSurface& master) {
+  const BoxST box = f.enclosure.box.common(g.enclosure.box);
   if (box.empty()) return;
   double overlap = box.area();
-  if (f.footprint.facing != 0 && g.footprint.facing != 0) {
-    overlap = greatest_overlap(f.footprint, g.footprint, box);
+  if (f.enclosure.facing != 0 && g.enclosure.facing != 0) {
+    overlap = greatest_overlap(f.enclosure, g.enclosure, box);
     if (overlap == 0) return;
   }
-  for (Sight* const sight : {&f, &g}) {
-    if (!sight->knows_outline) find_outline(*sight, sight->footprint.own ? master : slave);
-    find_side_shifts(error_, sight->footprint);
+  for (FaceInView* const sight : {&f, &g}) {
+    if (!sight->knows_outline) find_outline(*sight, sight->enclosure.own ? master : slave);
+    find_side_shifts(error_, sight->enclosure);
   }
   if (f.may_carry) charge(f, g, box, overlap);
   if (g.may_carry) charge(g, f, box, overlap);
 }
 
-void SightError::compare(const PreparedSurface& slave, const PreparedSurface& master) {
-  std::vector<Sight>& sights = scratch_->sights;
+void ViewError::compare(const PreparedSurface& slave, const PreparedSurface& master) {
+  std::vector<FaceInView>& sights = scratch_->sights;
   std::vector<std::size_t>& order = scratch_->order;
   order.clear();
   for (std::size_t i = 0; i < sights.size(); ++i) {
@@ -242,13 +243,13 @@ void SightError::compare(const PreparedSurface& slave, const PreparedSurface& ma
     if (sights[i].may_carry) measure_alone(sights[i], slave);
   }
   std::sort(order.begin(), order.end(), [&sights](std::size_t a, std::size_t b) {
-    return sights[a].footprint.box.low_s < sights[b].footprint.box.low_s;
+    return sights[a].enclosure.box.low_s < sights[b].enclosure.box.low_s;
   });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    Sight& f = sights[order[i]];
+    FaceInView& f = sights[order[i]];
     for (std::size_t j = i + 1; j < order.size(); ++j) {
-      Sight& g = sights[order[j]];
-      if (g.footprint.box.low_s > f.footprint.box.high_s) break;
+      FaceInView& g = sights[order[j]];
+      if (g.enclosure.box.low_s > f.enclosure.box.high_s) break;
       if (f.may_carry || g.may_carry) compare_pair(f, g, slave, master);
     }
   }
@@ -256,9 +257,9 @@ void SightError::compare(const PreparedSurface& slave, const PreparedSurface& ma
 
 // Between faces of one sheet what they hide together goes on, so that only the sheet's outline counts; near a side they
 // have in common the depths of both differ by twice their errors at most.
-void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, double overlap) {
-  const Footprint& f = sight.footprint;
-  const Footprint& g = hider.footprint;
+void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& box, double overlap) {
+  const FaceEnclosure& f = sight.enclosure;
+  const FaceEnclosure& g = hider.enclosure;
   if (f.facing == 0) return;  // Counted in full.
   const double greatest =
       std::clamp(f.depth.middle(box) + f.depth.reach(box) + f.depth_error, 0.0, std::max(f.greatest, 0.0));
@@ -317,11 +318,11 @@ void SightError::charge(Sight& sight, const Sight& hider, const BoxST& box, doub
   sight.volume_error += volume;
 }
 
-ElementError SightError::of_element(const VisiblePart& part, const FaceError& face) {
+ElementError ViewError::of_element(const VisiblePart& part, const FaceError& face) {
   const Moments& moments = part.moments;
   const Neglect& neglect = part.neglect;
   ElementError error;
-  Sight* const sight = find(false, part.slave_face);
+  FaceInView* const sight = find(false, part.slave_face);
   const double twice_area = 2 * prism_.face().area;
   error.normal = face.normal;
   error.foot_Me = error_.of_point_in_master();
@@ -333,7 +334,7 @@ ElementError SightError::of_element(const VisiblePart& part, const FaceError& fa
     return error;
   }
   sight->has_element = true;
-  const Footprint& f = sight->footprint;
+  const FaceEnclosure& f = sight->enclosure;
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
   const double deepest = std::max(f.greatest, moments.greatest), greatest = clamped(deepest);
   const double passed_area = sight->passed_area;
@@ -376,18 +377,18 @@ ElementError SightError::of_element(const VisiblePart& part, const FaceError& fa
   return error;
 }
 
-void SightError::leave_out(const VisiblePart& part) {
-  Sight* const sight = find(false, part.slave_face);
+void ViewError::leave_out(const VisiblePart& part) {
+  FaceInView* const sight = find(false, part.slave_face);
   if (sight == nullptr) return;
   sight->area_error += part.left_out;
-  sight->volume_error += part.left_out * std::max(sight->footprint.greatest, 0.0);
+  sight->volume_error += part.left_out * std::max(sight->enclosure.greatest, 0.0);
 }
 
-SightError::Beside SightError::beside() const {
+ViewError::Beside ViewError::beside() const {
   Beside sum;
-  for (const Sight& sight : scratch_->sights) {
+  for (const FaceInView& sight : scratch_->sights) {
     if (!sight.may_carry || sight.has_element) continue;
-    const Footprint& f = sight.footprint;
+    const FaceEnclosure& f = sight.enclosure;
     const double greatest = clamped(f.greatest);
     const double depth_error = f.facing == 0 ? greatest : std::min(f.field_error, greatest);
     const double area = sight.area_error + sight.passed_area;

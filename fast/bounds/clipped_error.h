@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fast/bounds/footprint.h"
+#include "fast/bounds/face_enclosure.h"
 #include "fast/bounds/prism_error.h"
 #include "fast/clipped/clipped_face.h"
 #include "fast/posed/transform.h"
@@ -25,14 +25,15 @@ namespace pcm::fast {
 /// A strip costs its area times the greatest depth of f, except where f's own depth is near 0; and elsewhere f's depth
 /// is off by no more than its error. Where nothing is sure over all that f and g have in common, g lies nearly flush
 /// with f or with the master: all of it counts. Roundings of cuts and integrals count as shifts
-/// (fast/bounds/footprint.cpp, fast/bounds/strips.cpp). What the engine knowingly leaves out is added (Neglect).
+/// (fast/bounds/face_enclosure.cpp, fast/bounds/uncertain_strips.cpp). What the engine knowingly leaves out is added
+/// (Neglect).
 ///
 /// Where the law clamps the depth u to u_max, point by point, |min(u, u_max) - min(u', u_max)| <= |u - u'|: all of this
 /// holds of the integrals of the clamped depth as well, and no area costs more than itself times u_max. Where a part is
 /// cut at u_max, that cut has roundings of its own (fast/bounds/clipped_error.cpp).
-class SightError {
+class ViewError {
  public:
-  SightError(SightScratch& scratch, const MasterPrism& prism, const PrismError& error, const ContactLaw& law)
+  ViewError(ViewScratch& scratch, const MasterPrism& prism, const PrismError& error, const ContactLaw& law)
       : scratch_(&scratch),
         prism_(prism),
         error_(error),
@@ -77,15 +78,15 @@ class SightError {
   double clamped_volume(double volume, double area, double greatest) const {
     return greatest > greatest_allowed_ ? std::min(volume, area * greatest_allowed_) : volume;
   }
-  void measure_alone(Sight& sight, const PreparedSurface& slave);
-  void compare_pair(Sight& f, Sight& g, const PreparedSurface& slave, const PreparedSurface& master);
+  void measure_alone(FaceInView& sight, const PreparedSurface& slave);
+  void compare_pair(FaceInView& f, FaceInView& g, const PreparedSurface& slave, const PreparedSurface& master);
   /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
-  void charge(Sight& f, const Sight& g, const BoxST& box, double overlap);
-  double area_leant_over(const Footprint& f) const;
-  void find_outline(Sight& sight, const PreparedSurface& surface);
-  Sight* find(bool own, Index face) const;
+  void charge(FaceInView& f, const FaceInView& g, const BoxST& box, double overlap);
+  double area_leant_over(const FaceEnclosure& f) const;
+  void find_outline(FaceInView& sight, const PreparedSurface& surface);
+  FaceInView* find(bool own, Index face) const;
 
-  SightScratch* scratch_;
+  ViewScratch* scratch_;
   const MasterPrism& prism_;
   const PrismError& error_;
   /// Forces are sums of integrals of the depth, whatever elements these are parted into: only lines where the depth

@@ -19,7 +19,7 @@ struct ElementError {
   double mean = 0;         ///< u_k itself, where areas may pass, m
   /// Of A_k u_k, m^3, where that is known better than A_k and u_k say.
   double volume = std::numeric_limits<double>::infinity();
-  /// What may pass between it and other elements of its master face (fast/bounds/passing_error.h), m^2 and m^3: not
+  /// What may pass between it and other elements of its master face (fast/bounds/repartition_error.h), m^2 and m^3: not
   /// part of the errors of area and volume, but of those of penetration and foot.
   double passed_area = 0;
   double passed_volume = 0;

@@ -4,8 +4,8 @@
 
 #include "fast/active/intersection.h"
 #include "fast/base/geometry.h"
-#include "fast/bounds/certain_activity.h"
 #include "fast/bounds/force_error.h"
+#include "fast/bounds/undecided_faces.h"
 #include "fast/force/element_sum.h"
 
 namespace pcm::fast {

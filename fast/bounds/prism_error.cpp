@@ -111,11 +111,11 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   third_weight_tilt_ = kSecondOrder * sum.dot(n);
 }
 
-PrismNoise PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me, const std::array<PrismPoint, 3>& corners,
-                             const std::array<bool, 3>& shared) const {
+PrismRounding PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me,
+                                const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared) const {
   const FaceGeometry& face = prism_.face();
   const auto& p = face.points_Me;
-  PrismNoise greatest;
+  PrismRounding greatest;
   for (std::size_t k = 0; k < 3; ++k) {
     if (shared[k]) {
       greatest.s = std::max(greatest.s, frame_noise_.s);
@@ -155,7 +155,7 @@ PrismShift PrismError::displacement(const Eigen::Vector3d& rounding_Me) const {
           kSecondOrder * n_Me_.cwiseAbs().dot(rounding_Me)};
 }
 
-PrismShift PrismError::of_vertices(const PrismNoise& noise, const Eigen::Vector3d& rounding_Me) const {
+PrismShift PrismError::of_vertices(const PrismRounding& noise, const Eigen::Vector3d& rounding_Me) const {
   const PrismShift moved = displacement(rounding_Me);
   return {moved.s + noise.s, moved.t + noise.t, moved.depth + noise.depth};
 }
@@ -183,7 +183,7 @@ double PrismError::tilt_of(const PrismFunction& f) const {
   return kSecondOrder * height_ * (std::abs(G_s) + std::abs(G_t) + std::abs(G_s + G_t) + 16 * u * (size_s + size_t));
 }
 
-double PrismError::of_function(const PrismFunction& f, double depth, const PrismNoise& noise,
+double PrismError::of_function(const PrismFunction& f, double depth, const PrismRounding& noise,
                                const Eigen::Vector3d& rounding_Me) const {
   // Vertices are moved in space, so the function changes by its gradient's product with that; likewise the frame.
   const Eigen::Vector3d gradient_Me = f.per_s * g_s_Me_ + f.per_t * g_t_Me_ - f.per_depth * n_Me_;
@@ -194,7 +194,7 @@ double PrismError::of_function(const PrismFunction& f, double depth, const Prism
          std::abs(f.per_depth) * (noise.depth + frame_noise_.depth + tilt_noise_.depth * depth);
 }
 
-double PrismError::of_third_weight(double depth, const PrismNoise& noise) const {
+double PrismError::of_third_weight(double depth, const PrismRounding& noise) const {
   return noise.s + noise.t + noise.third + third_weight_ + third_weight_tilt_ * depth;
 }
 

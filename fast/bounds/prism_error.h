@@ -47,25 +47,25 @@ class PrismError {
   double distance(double s, double t, double depth) const { return length_s_ * s + length_t_ * t + depth; }
   /// Roundings of what the prism makes of vertices at `points_Me`, which it sees at these corners. Those that are
   /// `shared` are the master's own, seen exactly: they are off only by what M is off there.
-  PrismNoise noise(const std::array<Eigen::Vector3d, 3>& points_Me, const std::array<PrismPoint, 3>& corners,
-                   const std::array<bool, 3>& shared) const;
+  PrismRounding noise(const std::array<Eigen::Vector3d, 3>& points_Me, const std::array<PrismPoint, 3>& corners,
+                      const std::array<bool, 3>& shared) const;
   /// And of what it makes of any as near to p0 as that.
   PrismShift greatest_noise(double distance) const;
   /// The first step, for vertices with these roundings, that are themselves off by up to `rounding_Me`.
-  PrismShift of_vertices(const PrismNoise& noise, const Eigen::Vector3d& rounding_Me) const;
+  PrismShift of_vertices(const PrismRounding& noise, const Eigen::Vector3d& rounding_Me) const;
   /// The same for any vertices of the slave, or of the master.
   PrismShift of_any_vertices(const PrismShift& noise, bool own) const;
   /// The second, for points over the master face no deeper than `depth`.
   PrismShift of_frame(double depth) const;
   /// Both steps for a function of points over the master face no deeper than `depth`, on a face whose vertices are seen
   /// with these roundings and are off by up to `rounding_Me`.
-  double of_function(const PrismFunction& f, double depth, const PrismNoise& noise,
+  double of_function(const PrismFunction& f, double depth, const PrismRounding& noise,
                      const Eigen::Vector3d& rounding_Me) const;
   /// The second step's part that turns depth into s and t, for points as far as `depth` from the master's plane,
   /// wherever they are: the rest maps lines in (s, t) to lines, and says nothing new of sides and windings.
   PrismShift of_tilt(double depth) const { return {tilt_.s * depth, tilt_.t * depth, 0}; }
   /// How far 1 - s - t may be from the weight of p0 as it is computed, over the master face no deeper than `depth`.
-  double of_third_weight(double depth, const PrismNoise& noise) const;
+  double of_third_weight(double depth, const PrismRounding& noise) const;
 
  private:
   double tilt_of(const PrismFunction& f) const;

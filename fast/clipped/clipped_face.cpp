@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "fast/barycentric/penetration.h"
+#include "fast/barycentric/penetration_line.h"
 
 namespace pcm::fast {
 

@@ -12,7 +12,7 @@ struct PrismShift {
 };
 
 /// Roundings of what a MasterPrism makes of a face's vertices: the greatest of the three in each coordinate.
-struct PrismNoise {
+struct PrismRounding {
   double s = 0, t = 0;
   double third = 0;  ///< of the weight of p0
   double depth = 0;  ///< m

@@ -151,7 +151,7 @@ LaneBits find_geometry(ElementLanes& lanes) {
   return lanes_of(twice_area.known);
 }
 
-SettledLanes settle(ElementLanes& lanes, const SettleLimits& limits) {
+DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   const std::array<Vector4, 3> p{load(lanes.p_Me[0]), load(lanes.p_Me[1]), load(lanes.p_Me[2])};
   const std::array<Vector4, 3> f{load(lanes.slave_corners[0]), load(lanes.slave_corners[1]),
                                  load(lanes.slave_corners[2])};
@@ -183,11 +183,11 @@ SettledLanes settle(ElementLanes& lanes, const SettleLimits& limits) {
   const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_reach);
   const Long4 thick = (farthest < thickness) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
                                                 four(limits.thick_area) * load(lanes.area));
-  SettledLanes settled;
-  settled.nothing = lanes_of(fair & (distance < four(-limits.error)) & (by_cone(above) > four(0)));
-  settled.left = lanes_of(left);
-  settled.element = lanes_of(left & clear & thick);
-  if (settled.element == 0) return settled;
+  DecidedLanes decided;
+  decided.nothing = lanes_of(fair & (distance < four(-limits.error)) & (by_cone(above) > four(0)));
+  decided.left = lanes_of(left);
+  decided.element = lanes_of(left & clear & thick);
+  if (decided.element == 0) return decided;
 
   // (11) from the nearest corner, as DepthBelow takes it.
   std::array<Vector4, 3> offset;
@@ -204,8 +204,8 @@ SettledLanes settle(ElementLanes& lanes, const SettleLimits& limits) {
   const Double4 depth = dot(from_C, N_f) / slope;
   const Long4 finite = absolute(depth) <= four(0x1.fffffffffffffp1023);
   store(finite ? greatest(depth, four(0)) : four(0), lanes.depth);
-  settled.nearest_known = lanes_of(first | second | third);
-  return settled;
+  decided.nearest_known = lanes_of(first | second | third);
+  return decided;
 }
 
 LaneBits find_force(ElementLanes& lanes, const ForceLimits& limits) {
@@ -250,7 +250,7 @@ LaneBits find_force(ElementLanes& lanes, const ForceLimits& limits) {
   return known;
 }
 
-constexpr WideElements kElements{find_geometry, settle, find_force};
+constexpr WideElements kElements{find_geometry, decide, find_force};
 
 }  // namespace
 

@@ -49,19 +49,19 @@ struct ElementLanes {
   VectorLanes n_Me, barycentre_Me;
   DoubleLanes area;
   std::array<DoubleLanes, 2> side;  ///< 1-norms of p1 - p0 and p2 - p0, m
-  // For `settle`.
+  // For `decide`.
   CornerLanes slave_corners{};
   std::array<const double*, kElementLanes> thickness{};     ///< PreparedSurface::thickness of the master faces, m
   std::array<const Clearance*, kElementLanes> clearance{};  ///< of the slave faces
-  // What `settle` fills, and `force` reads.
+  // What `decide` fills, and `force` reads.
   DoubleLanes depth;
   // What `force` fills: see Element; the torque is about Mf.
   DoubleLanes normal_velocity, tangential_velocity, normal_force, tangential_force;
   VectorLanes position_Me, force_Me, torque_Me;
 };
 
-/// What `settle` compares with.
-struct SettleLimits {
+/// What `decide` compares with.
+struct DecisionLimits {
   double least_share = 0;  ///< of two sides' product, that a slave face's area exceeds
   double slave_reach = 0;  ///< unit of Clearance::beneath, m
   double error = 0;        ///< of distances, m
@@ -70,8 +70,8 @@ struct SettleLimits {
   std::array<double, 2> cone_cosine_square{};
 };
 
-/// What the line of each face finds; all lanes in none of them are not settled.
-struct SettledLanes {
+/// What the line of each face finds; all lanes in none of them are not decided.
+struct DecidedLanes {
   LaneBits nothing = 0;        ///< meets no face
   LaneBits left = 0;           ///< surely leaves the slave's body through its face f, at a distance greater than 0
   LaneBits element = 0;        ///< and meets nothing before: an element
@@ -94,7 +94,7 @@ struct ForceLimits {
 /// numbers in others are too large or too small for them.
 struct WideElements {
   LaneBits (*geometry)(ElementLanes& lanes);
-  SettledLanes (*settle)(ElementLanes& lanes, const SettleLimits& limits);
+  DecidedLanes (*decide)(ElementLanes& lanes, const DecisionLimits& limits);
   LaneBits (*force)(ElementLanes& lanes, const ForceLimits& limits);
 };
 

@@ -32,7 +32,7 @@ static_assert(kConeCosine[1] * kConeCosine[1] * (1 + (kTangent[1] - 0x1p-5) * (k
 constexpr double kFar = 0.25;
 
 /// A point as K sees it.
-struct Sight {
+struct RegionPoint {
   double depth;                  ///< beneath the face
   double depth_room;             ///< how far that may be off
   std::array<double, 6> inside;  ///< of each of K's planes; negative outside
@@ -58,9 +58,9 @@ class Region {
     for (std::size_t k = 0; k < axis_.size(); ++k) axis_absolute_[k] = axis_[k].cwiseAbs();
   }
 
-  Sight see(const Eigen::Vector3d& x) const {
+  RegionPoint see(const Eigen::Vector3d& x) const {
     const Eigen::Vector3d from_p0 = x - p0_;
-    Sight sight;
+    RegionPoint sight;
     sight.depth = down_.dot(from_p0);
     sight.depth_room = moved_ + turn_ * from_p0.lpNorm<1>();
     sight.inside_room = sight.depth_room + std::abs(sight.depth) / 32;
@@ -95,7 +95,7 @@ class Region {
 
 /// Whether all of a face's corners but those that it shares lie outside of one plane through these, or above the face
 /// of K, so that the face meets K in no more than what it shares. `planes` are those to be tried.
-bool is_parted(const std::array<Sight, 3>& corners, const std::array<bool, 3>& is_shared,
+bool is_parted(const std::array<RegionPoint, 3>& corners, const std::array<bool, 3>& is_shared,
                std::initializer_list<std::size_t> planes) {
   const auto all_others = [&](const auto& test) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -103,16 +103,16 @@ bool is_parted(const std::array<Sight, 3>& corners, const std::array<bool, 3>& i
     }
     return true;
   };
-  if (all_others([](const Sight& x) { return x.depth < -x.depth_room; })) return true;
+  if (all_others([](const RegionPoint& x) { return x.depth < -x.depth_room; })) return true;
   return std::any_of(planes.begin(), planes.end(), [&](std::size_t plane) {
-    return all_others([plane](const Sight& x) { return x.inside[plane] < -x.inside_room; });
+    return all_others([plane](const RegionPoint& x) { return x.inside[plane] < -x.inside_room; });
   });
 }
 
 /// A lower bound of the depth at which another face reaches into K; infinite where it does not.
 double least_depth(const Region& region, const PreparedSurface& surface, const Triangle& triangle,
                    const Triangle& other) {
-  std::array<Sight, 3> corners;
+  std::array<RegionPoint, 3> corners;
   std::array<bool, 3> is_shared{};
   std::array<std::size_t, 3> shared{};
   std::size_t number = 0;
@@ -125,7 +125,7 @@ double least_depth(const Region& region, const PreparedSurface& surface, const T
   if (number == 0) {
     if (is_parted(corners, is_shared, {0, 1, 2, 3, 4, 5})) return kInfinity;
     double least = kInfinity;
-    for (const Sight& corner : corners) least = std::min(least, corner.depth - corner.depth_room);
+    for (const RegionPoint& corner : corners) least = std::min(least, corner.depth - corner.depth_room);
     return std::max(least, 0.0);
   }
   bool parted = false;

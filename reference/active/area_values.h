@@ -29,7 +29,7 @@ T limited_to(const T& low, const T& x, const T& high) {
 
 /// The integral of the winding number over the face, divided by |N|.
 template <class T>
-T inside_share(const FaceClip& clip, Side side, LiftedPose<T>& pose) {
+T inside_share(const FaceClip& clip, Side side, ConvertedPose<T>& pose) {
   T sum = pose.number(0.0);
   if (!clip.has_area) return sum;
   if (clip.planes.empty()) {
@@ -47,7 +47,7 @@ T inside_share(const FaceClip& clip, Side side, LiftedPose<T>& pose) {
 
 template <class T>
 Shares<T> shares_of(const ClippedAreas& areas, Side side, const FaceClip& clip, const T& from_inside,
-                    const LiftedPose<T>& pose) {
+                    const ConvertedPose<T>& pose) {
   if (clip.overlaps.empty()) return {from_inside, from_inside, from_inside, from_inside};
   if (clip.limited) return {pose.number(0.0), from_inside, pose.number(clip.has_area ? 0.5 : 0.0), from_inside};
   Rational equal = 0, opposite = 0, inside = 0;
@@ -70,7 +70,7 @@ struct FaceArea {
 };
 
 template <class T>
-std::vector<FaceArea<T>> face_areas(const ClippedAreas& areas, Side side, LiftedPose<T>& pose) {
+std::vector<FaceArea<T>> face_areas(const ClippedAreas& areas, Side side, ConvertedPose<T>& pose) {
   std::vector<FaceArea<T>> faces;
   for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) {
     const auto corners = pose.corners(side, clip.face);
@@ -87,7 +87,7 @@ bool any_overlapped(const std::vector<FaceArea<T>>& faces) {
 }
 
 template <class T>
-Vec3<T> vector_area(const std::vector<FaceArea<T>>& faces, const LiftedPose<T>& pose,
+Vec3<T> vector_area(const std::vector<FaceArea<T>>& faces, const ConvertedPose<T>& pose,
                     T Shares<T>::*share = &Shares<T>::counted) {
   Vec3<T> sum = pose.zero();
   for (const FaceArea<T>& face : faces) sum = sum + face.shares.*share * face.normal;
@@ -96,7 +96,7 @@ Vec3<T> vector_area(const std::vector<FaceArea<T>>& faces, const LiftedPose<T>& 
 
 /// One third of the flux of x - origin through the clipped faces. Over both surfaces: the volume of the intersection.
 template <class T>
-T flux_third(const std::vector<FaceArea<T>>& faces, const Vec3<T>& origin, const LiftedPose<T>& pose,
+T flux_third(const std::vector<FaceArea<T>>& faces, const Vec3<T>& origin, const ConvertedPose<T>& pose,
              T Shares<T>::*share = &Shares<T>::counted) {
   T sum = pose.number(0.0);
   for (const FaceArea<T>& face : faces) sum = sum + dot(face.point - origin, face.normal) * face.shares.*share;

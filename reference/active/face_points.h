@@ -9,7 +9,7 @@
 
 #include "reference/active/clipped_areas.h"
 #include "reference/lines/face_lines.h"
-#include "reference/pose/lifted_pose.h"
+#include "reference/pose/converted_pose.h"
 
 /// The cells of a clipped face in numbers of any kind with division.
 namespace pcm::reference {
@@ -31,7 +31,7 @@ template <class T>
 class FacePoints {
  public:
   /// Pose and clip must outlive this.
-  FacePoints(LiftedPose<T>& pose, Side side, const FaceClip& clip)
+  FacePoints(ConvertedPose<T>& pose, Side side, const FaceClip& clip)
       : pose_(pose),
         side_(side),
         clip_(clip),
@@ -89,7 +89,7 @@ class FacePoints {
     return *known;
   }
 
-  LiftedPose<T>& pose_;
+  ConvertedPose<T>& pose_;
   Side side_;
   const FaceClip& clip_;
   std::array<Vec3<T>, 3> p_;
@@ -100,7 +100,7 @@ class FacePoints {
 
 /// Calls triangle(winding, a, b, c) for triangles that make up the cells of a face, counterclockwise.
 template <class T, class Visit>
-void for_each_triangle(LiftedPose<T>& pose, Side side, const FaceClip& clip, const Visit& triangle) {
+void for_each_triangle(ConvertedPose<T>& pose, Side side, const FaceClip& clip, const Visit& triangle) {
   FacePoints<T> points(pose, side, clip);
   for (const ClippedCell& cell : clip.cells) {
     const std::vector<FacePoint<T>> x = points.corners(cell);

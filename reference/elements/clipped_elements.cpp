@@ -33,7 +33,7 @@ std::vector<Index> faces_in(const Column& column, const Vec3<Interval>& N, const
   return faces;
 }
 
-Vec3<Interval> box_of(SightPoints& points, Face face) {
+Vec3<Interval> box_of(VisibilityPoints& points, Face face) {
   return interval_point(points.enclosed.pose().face_box(face.side, face.index));
 }
 
@@ -42,7 +42,7 @@ bool is_bounded(const Interval& x) {
 }
 
 /// The column from the piece down to f's greatest depth there; below the whole face where enclosures do not tell.
-Column column_below(SightPlane& plane, const ConvexPiece& piece, Face f, const Vec3<Interval>& master_box) {
+Column column_below(MasterPlane& plane, const ConvexPiece& piece, Face f, const Vec3<Interval>& master_box) {
   const MasterFrame<Interval>& e = plane.frame();
   const Depth<Interval> d = plane.depth(f);
   Column column{master_box, 0};
@@ -60,7 +60,7 @@ Column column_below(SightPlane& plane, const ConvexPiece& piece, Face f, const V
 /// All of one master face's sight.
 class Envelope {
  public:
-  Envelope(SightPoints& points, Face master, const Proximity& near)
+  Envelope(VisibilityPoints& points, Face master, const Proximity& near)
       : plane_(points, master), slave_(other(master.side)), near_(near), master_box_(box_of(points, master)) {}
 
   /// Appends the master face's elements.
@@ -113,7 +113,7 @@ class Envelope {
     part = subtract(plane_, part, bounds);
   }
 
-  SightPlane plane_;
+  MasterPlane plane_;
   Side slave_;
   const Proximity& near_;
   Vec3<Interval> master_box_;
@@ -135,7 +135,7 @@ ClippedFindings find_clipped_elements(const ExactPose& pose, Side master, const 
                                       const ClippedFindings& other) {
   const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
   ClippedFindings found;
-  SightPoints points(pose);
+  VisibilityPoints points(pose);
   for (const Index face : (master == Side::E ? combinatorics.E : combinatorics.F).active()) {
     points.robust = true;
     if (std::binary_search(other.robust.begin(), other.robust.end(), face)) {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "reference/combinatorics/combinatorics.h"
-#include "reference/elements/contact_elements.h"
+#include "reference/elements/barycentric_elements.h"
 #include "reference/elements/element_source.h"
-#include "reference/lines/sight_lines.h"
+#include "reference/lines/visibility_lines.h"
 
 /// Elements of the clipped scheme (PCM section 6): the lower envelope of the slave's sheets, and of the master's own
 /// other faces, below each active master face e. Every depth d_g is linear in (s, t), so the part of e that belongs to
@@ -23,7 +23,7 @@
 namespace pcm::reference {
 
 /// A convex polygon by the lines that bound it, counterclockwise in (s, t).
-using PieceOutline = std::vector<SightLine>;
+using PieceOutline = std::vector<VisibilityLine>;
 
 /// An element {e, f}: P_ef has area and f does not lie in e's plane, so the mean penetration is positive.
 struct ClippedElement {
@@ -55,15 +55,15 @@ class ClippedElements final : public ElementSource {
       : elements_(elements), max_penetration_(max_penetration) {}
   std::size_t size() const override { return elements_.size(); }
   ElementPair pair(std::size_t i) const override { return elements_[i].faces; }
-  ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
-  ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
-  ElementGeometry<Quadratic> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
-  DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
-  Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const override;
-  RadicalSum perimeter(std::size_t i, LiftedPose<Rational>& pose) const override;
-  DoubleDouble folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
-  Ball folds(std::size_t i, LiftedPose<Ball>& pose) const override;
-  RadicalSum folds(std::size_t i, LiftedPose<Rational>& pose) const override;
+  ElementGeometry<DoubleDouble> geometry(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
+  ElementGeometry<Ball> geometry(std::size_t i, ConvertedPose<Ball>& pose) const override;
+  ElementGeometry<Quadratic> geometry(std::size_t i, ConvertedPose<Rational>& pose) const override;
+  DoubleDouble perimeter(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
+  Ball perimeter(std::size_t i, ConvertedPose<Ball>& pose) const override;
+  RadicalSum perimeter(std::size_t i, ConvertedPose<Rational>& pose) const override;
+  DoubleDouble folds(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
+  Ball folds(std::size_t i, ConvertedPose<Ball>& pose) const override;
+  RadicalSum folds(std::size_t i, ConvertedPose<Rational>& pose) const override;
 
  private:
   const std::vector<ClippedElement>& elements_;

@@ -18,11 +18,11 @@ struct PlanePoint {
 
 /// Corner i is where side i ends and side i + 1 begins.
 template <class T>
-std::vector<PlanePoint<T>> corners_of(LiftedPose<T>& pose, const MasterFrame<T>& e, Face master,
+std::vector<PlanePoint<T>> corners_of(ConvertedPose<T>& pose, const MasterFrame<T>& e, Face master,
                                       const PieceOutline& outline) {
   std::vector<Vec3<T>> lines;
   lines.reserve(outline.size());
-  for (const SightLine& line : outline) lines.push_back(coefficients(pose, e, master, line));
+  for (const VisibilityLine& line : outline) lines.push_back(coefficients(pose, e, master, line));
   std::vector<PlanePoint<T>> corners;
   corners.reserve(outline.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -117,7 +117,7 @@ struct SeenPart {
 };
 
 template <class T>
-SeenPart<T> part_of(LiftedPose<T>& pose, const ClippedElement& element) {
+SeenPart<T> part_of(ConvertedPose<T>& pose, const ClippedElement& element) {
   const Face master{element.faces.master, element.faces.master_face};
   const Face slave{other(master.side), element.faces.slave_face};
   SeenPart<T> part{make_frame(pose, master), pose.zero(), {}};
@@ -130,10 +130,12 @@ SeenPart<T> part_of(LiftedPose<T>& pose, const ClippedElement& element) {
   return part;
 }
 
-SeenPart<Quadratic> lifted(const SeenPart<Rational>& part) {
+SeenPart<Quadratic> converted(const SeenPart<Rational>& part) {
   const auto& [p0, v1, v2, N, N_x_v1, N_x_v2] = part.e;
   SeenPart<Quadratic> result{
-      {lifted(p0), lifted(v1), lifted(v2), lifted(N), lifted(N_x_v1), lifted(N_x_v2)}, lifted(part.slave_N), {}};
+      {converted(p0), converted(v1), converted(v2), converted(N), converted(N_x_v1), converted(N_x_v2)},
+      converted(part.slave_N),
+      {}};
   for (const std::vector<Sample<Rational>>& piece : part.pieces) {
     std::vector<Sample<Quadratic>>& samples = result.pieces.emplace_back();
     for (const auto& [s, t, d] : piece) samples.push_back({Quadratic(s), Quadratic(t), Quadratic(d)});
@@ -175,7 +177,7 @@ ElementGeometry<T> clamped_geometry_of(const SeenPart<T>& part, ElementGeometry<
 }
 
 template <class T>
-ElementGeometry<T> enclosed_geometry(LiftedPose<T>& pose, const ClippedElement& element, double max_penetration) {
+ElementGeometry<T> enclosed_geometry(ConvertedPose<T>& pose, const ClippedElement& element, double max_penetration) {
   const SeenPart<T> part = part_of(pose, element);
   const ElementGeometry<T> g = geometry_of(part, pose.field());
   if (std::isinf(max_penetration)) return g;
@@ -187,13 +189,13 @@ ElementGeometry<T> enclosed_geometry(LiftedPose<T>& pose, const ClippedElement& 
 /// A side of a convex piece.
 template <class T>
 struct PieceSide {
-  SightLine line;
+  VisibilityLine line;
   std::size_t piece;
   PlanePoint<T> from, to;
 };
 
 template <class T>
-std::vector<PieceSide<T>> sides_of(LiftedPose<T>& pose, const MasterFrame<T>& e, const ClippedElement& element) {
+std::vector<PieceSide<T>> sides_of(ConvertedPose<T>& pose, const MasterFrame<T>& e, const ClippedElement& element) {
   const Face master{element.faces.master, element.faces.master_face};
   std::vector<PieceSide<T>> sides;
   for (std::size_t piece = 0; piece < element.pieces.size(); ++piece) {
@@ -233,7 +235,7 @@ bool surely_no_length(const PieceSide<T>& side) {
 
 /// Which part of side a is also of side b, on the same line in the opposite direction; 0 for one in the same.
 template <class T>
-T common_fraction(LiftedPose<T>& pose, const PieceSide<T>& a, const PieceSide<T>& b) {
+T common_fraction(ConvertedPose<T>& pose, const PieceSide<T>& a, const PieceSide<T>& b) {
   using std::max, std::min;
   const T s = a.to.s - a.from.s, t = a.to.t - a.from.t, square = s * s + t * t;
   const auto along = [&](const PlanePoint<T>& x) -> T {
@@ -246,7 +248,7 @@ T common_fraction(LiftedPose<T>& pose, const PieceSide<T>& a, const PieceSide<T>
 /// Where the part was cut, the pieces on either side have sides on the line of the cut. No two pieces have common area,
 /// so what two sides on one line have in common lies within the part, and a third has no more than an end there.
 template <class T>
-std::vector<RootTerm<T>> perimeter_of(LiftedPose<T>& pose, const ClippedElement& element) {
+std::vector<RootTerm<T>> perimeter_of(ConvertedPose<T>& pose, const ClippedElement& element) {
   const MasterFrame<T> e = make_frame(pose, {element.faces.master, element.faces.master_face});
   const std::vector<PieceSide<T>> sides = sides_of(pose, e, element);
   std::vector<RootTerm<T>> terms;
@@ -262,7 +264,7 @@ std::vector<RootTerm<T>> perimeter_of(LiftedPose<T>& pose, const ClippedElement&
 }
 
 template <class T>
-T longest_side_squared(LiftedPose<T>& pose, Face face) {
+T longest_side_squared(ConvertedPose<T>& pose, Face face) {
   using std::max;
   const auto p = pose.corners(face.side, face.index);
   const auto square = [](const Vec3<T>& v) -> T { return dot(v, v); };
@@ -274,7 +276,7 @@ T longest_side_squared(LiftedPose<T>& pose, Face face) {
 /// over a thin one is off by more, as much as its longest side is longer than it is wide.
 /// Depth 0 is that of the master's own plane: the slave face carries nothing there, but what hides it begins there.
 template <class T>
-std::vector<RootTerm<T>> folds_of(LiftedPose<T>& pose, const ClippedElement& element) {
+std::vector<RootTerm<T>> folds_of(ConvertedPose<T>& pose, const ClippedElement& element) {
   using std::max;
   const Face master{element.faces.master, element.faces.master_face};
   const Face slave{other(master.side), element.faces.slave_face};
@@ -282,7 +284,7 @@ std::vector<RootTerm<T>> folds_of(LiftedPose<T>& pose, const ClippedElement& ele
   const T NN = dot(e.N, e.N);
   std::vector<RootTerm<T>> terms;
   for (const PieceSide<T>& side : sides_of(pose, e, element)) {
-    if (side.line.kind != SightLine::Kind::fold) continue;
+    if (side.line.kind != VisibilityLine::Kind::fold) continue;
     T slope_s = pose.number(0.0), slope_t = slope_s, weight_squared = pose.number(1.0);
     bool hides = true;
     for (const auto& [face, sign] :
@@ -309,46 +311,46 @@ std::vector<RootTerm<T>> folds_of(LiftedPose<T>& pose, const ClippedElement& ele
 
 }  // namespace
 
-DoubleDouble ClippedElements::folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
+DoubleDouble ClippedElements::folds(std::size_t i, ConvertedPose<DoubleDouble>& pose) const {
   return enclosed_sum(folds_of(pose, elements_[i]), pose.field());
 }
 
-Ball ClippedElements::folds(std::size_t i, LiftedPose<Ball>& pose) const {
+Ball ClippedElements::folds(std::size_t i, ConvertedPose<Ball>& pose) const {
   return enclosed_sum(folds_of(pose, elements_[i]), pose.field());
 }
 
-RadicalSum ClippedElements::folds(std::size_t i, LiftedPose<Rational>& pose) const {
+RadicalSum ClippedElements::folds(std::size_t i, ConvertedPose<Rational>& pose) const {
   return radical_sum(folds_of(pose, elements_[i]));
 }
 
-DoubleDouble ClippedElements::perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
+DoubleDouble ClippedElements::perimeter(std::size_t i, ConvertedPose<DoubleDouble>& pose) const {
   return enclosed_sum(perimeter_of(pose, elements_[i]), pose.field());
 }
 
-Ball ClippedElements::perimeter(std::size_t i, LiftedPose<Ball>& pose) const {
+Ball ClippedElements::perimeter(std::size_t i, ConvertedPose<Ball>& pose) const {
   return enclosed_sum(perimeter_of(pose, elements_[i]), pose.field());
 }
 
-RadicalSum ClippedElements::perimeter(std::size_t i, LiftedPose<Rational>& pose) const {
+RadicalSum ClippedElements::perimeter(std::size_t i, ConvertedPose<Rational>& pose) const {
   return radical_sum(perimeter_of(pose, elements_[i]));
 }
 
-ElementGeometry<DoubleDouble> ClippedElements::geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
+ElementGeometry<DoubleDouble> ClippedElements::geometry(std::size_t i, ConvertedPose<DoubleDouble>& pose) const {
   return enclosed_geometry(pose, elements_[i], max_penetration_);
 }
 
-ElementGeometry<Ball> ClippedElements::geometry(std::size_t i, LiftedPose<Ball>& pose) const {
+ElementGeometry<Ball> ClippedElements::geometry(std::size_t i, ConvertedPose<Ball>& pose) const {
   return enclosed_geometry(pose, elements_[i], max_penetration_);
 }
 
-ElementGeometry<Quadratic> ClippedElements::geometry(std::size_t i, LiftedPose<Rational>& pose) const {
+ElementGeometry<Quadratic> ClippedElements::geometry(std::size_t i, ConvertedPose<Rational>& pose) const {
   const SeenPart<Rational> part = part_of(pose, elements_[i]);
   const ElementGeometry<Rational> g = geometry_of(part, pose.field());
-  if (std::isinf(max_penetration_)) return lifted(g);
+  if (std::isinf(max_penetration_)) return converted(g);
   const Rational bound = pose.number(max_penetration_), square = dot(g.N, g.N);
-  if (g.q_greatest * g.q_greatest * square <= bound * bound) return lifted(g);
+  if (g.q_greatest * g.q_greatest * square <= bound * bound) return converted(g);
   const Quadratic q_max = Quadratic(bound) / sqrt(Quadratic(square));
-  return clamped_geometry_of(lifted(part), lifted(g), q_max, Field<Quadratic>{});
+  return clamped_geometry_of(converted(part), converted(g), q_max, Field<Quadratic>{});
 }
 
 }  // namespace pcm::reference

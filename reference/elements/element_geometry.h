@@ -20,12 +20,13 @@ struct ElementGeometry {
   Vec3<T> foot;     ///< the point C_k is measured from along n_k (13): C_e (8), or the centre of (clamped) pressure
 };
 
-inline Vec3<Quadratic> lifted(const Vec3<Rational>& v) {
+inline Vec3<Quadratic> converted(const Vec3<Rational>& v) {
   return {Quadratic(v.x), Quadratic(v.y), Quadratic(v.z)};
 }
 
-inline ElementGeometry<Quadratic> lifted(const ElementGeometry<Rational>& g) {
-  return {lifted(g.N), lifted(g.slave_N), Quadratic(g.alpha), Quadratic(g.q), Quadratic(g.q_greatest), lifted(g.foot)};
+inline ElementGeometry<Quadratic> converted(const ElementGeometry<Rational>& g) {
+  return {converted(g.N), converted(g.slave_N),    Quadratic(g.alpha),
+          Quadratic(g.q), Quadratic(g.q_greatest), converted(g.foot)};
 }
 
 }  // namespace pcm::reference

@@ -6,7 +6,7 @@ namespace pcm::reference {
 namespace {
 
 template <class T>
-ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ElementPair& element) {
+ElementGeometry<T> geometry_of(ConvertedPose<T>& pose, const ElementPair& element) {
   const auto p = pose.corners(element.master, element.master_face);
   const auto f = pose.corners(other(element.master), element.slave_face);
   const Vec3<T> N = doubled_normal(p[0], p[1], p[2]), slave_N = doubled_normal(f[0], f[1], f[2]);
@@ -17,16 +17,16 @@ ElementGeometry<T> geometry_of(LiftedPose<T>& pose, const ElementPair& element) 
 
 }  // namespace
 
-ElementGeometry<DoubleDouble> BarycentricElements::geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const {
+ElementGeometry<DoubleDouble> BarycentricElements::geometry(std::size_t i, ConvertedPose<DoubleDouble>& pose) const {
   return geometry_of(pose, pairs_[i]);
 }
 
-ElementGeometry<Ball> BarycentricElements::geometry(std::size_t i, LiftedPose<Ball>& pose) const {
+ElementGeometry<Ball> BarycentricElements::geometry(std::size_t i, ConvertedPose<Ball>& pose) const {
   return geometry_of(pose, pairs_[i]);
 }
 
-ElementGeometry<Quadratic> BarycentricElements::geometry(std::size_t i, LiftedPose<Rational>& pose) const {
-  return lifted(geometry_of(pose, pairs_[i]));
+ElementGeometry<Quadratic> BarycentricElements::geometry(std::size_t i, ConvertedPose<Rational>& pose) const {
+  return converted(geometry_of(pose, pairs_[i]));
 }
 
 }  // namespace pcm::reference

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/elements/contact_elements.h"
+#include "reference/elements/barycentric_elements.h"
 #include "reference/elements/element_geometry.h"
 #include "reference/numbers/ball.h"
 #include "reference/numbers/double_double.h"
 #include "reference/numbers/radical_sum.h"
-#include "reference/pose/lifted_pose.h"
+#include "reference/pose/converted_pose.h"
 
 namespace pcm::reference {
 
@@ -21,20 +21,20 @@ class ElementSource {
   virtual ~ElementSource() = default;
   virtual std::size_t size() const = 0;
   virtual ElementPair pair(std::size_t i) const = 0;
-  virtual ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
-  virtual ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const = 0;
-  virtual ElementGeometry<Quadratic> geometry(std::size_t i, LiftedPose<Rational>& pose) const = 0;
+  virtual ElementGeometry<DoubleDouble> geometry(std::size_t i, ConvertedPose<DoubleDouble>& pose) const = 0;
+  virtual ElementGeometry<Ball> geometry(std::size_t i, ConvertedPose<Ball>& pose) const = 0;
+  virtual ElementGeometry<Quadratic> geometry(std::size_t i, ConvertedPose<Rational>& pose) const = 0;
   /// The length of the border of the part of the master face that is the element, m; 0 for the barycentre's.
-  virtual DoubleDouble perimeter(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
-  virtual Ball perimeter(std::size_t i, LiftedPose<Ball>& pose) const = 0;
-  virtual RadicalSum perimeter(std::size_t i, LiftedPose<Rational>& pose) const = 0;
+  virtual DoubleDouble perimeter(std::size_t i, ConvertedPose<DoubleDouble>& pose) const = 0;
+  virtual Ball perimeter(std::size_t i, ConvertedPose<Ball>& pose) const = 0;
+  virtual RadicalSum perimeter(std::size_t i, ConvertedPose<Rational>& pose) const = 0;
   /// The sides of that border where what hides the slave face lies at the same depth, or begins at depth 0: the sum of
   /// their lengths, each over the slope of the difference of both depths and the faces' cosines to the master face,
   /// times the faces' thinness (longest side squared over |N|). By so much the area changes for each metre that heights
   /// over fair faces are off, m.
-  virtual DoubleDouble folds(std::size_t i, LiftedPose<DoubleDouble>& pose) const = 0;
-  virtual Ball folds(std::size_t i, LiftedPose<Ball>& pose) const = 0;
-  virtual RadicalSum folds(std::size_t i, LiftedPose<Rational>& pose) const = 0;
+  virtual DoubleDouble folds(std::size_t i, ConvertedPose<DoubleDouble>& pose) const = 0;
+  virtual Ball folds(std::size_t i, ConvertedPose<Ball>& pose) const = 0;
+  virtual RadicalSum folds(std::size_t i, ConvertedPose<Rational>& pose) const = 0;
 };
 
 /// Elements of the barycentric scheme: whole master faces, seen from their barycentres (8), (11). The pairs must
@@ -44,15 +44,15 @@ class BarycentricElements final : public ElementSource {
   explicit BarycentricElements(const std::vector<ElementPair>& pairs) : pairs_(pairs) {}
   std::size_t size() const override { return pairs_.size(); }
   ElementPair pair(std::size_t i) const override { return pairs_[i]; }
-  ElementGeometry<DoubleDouble> geometry(std::size_t i, LiftedPose<DoubleDouble>& pose) const override;
-  ElementGeometry<Ball> geometry(std::size_t i, LiftedPose<Ball>& pose) const override;
-  ElementGeometry<Quadratic> geometry(std::size_t i, LiftedPose<Rational>& pose) const override;
-  DoubleDouble perimeter(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
-  Ball perimeter(std::size_t, LiftedPose<Ball>& pose) const override { return pose.number(0.0); }
-  RadicalSum perimeter(std::size_t, LiftedPose<Rational>&) const override { return {}; }
-  DoubleDouble folds(std::size_t, LiftedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
-  Ball folds(std::size_t, LiftedPose<Ball>& pose) const override { return pose.number(0.0); }
-  RadicalSum folds(std::size_t, LiftedPose<Rational>&) const override { return {}; }
+  ElementGeometry<DoubleDouble> geometry(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
+  ElementGeometry<Ball> geometry(std::size_t i, ConvertedPose<Ball>& pose) const override;
+  ElementGeometry<Quadratic> geometry(std::size_t i, ConvertedPose<Rational>& pose) const override;
+  DoubleDouble perimeter(std::size_t, ConvertedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
+  Ball perimeter(std::size_t, ConvertedPose<Ball>& pose) const override { return pose.number(0.0); }
+  RadicalSum perimeter(std::size_t, ConvertedPose<Rational>&) const override { return {}; }
+  DoubleDouble folds(std::size_t, ConvertedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
+  Ball folds(std::size_t, ConvertedPose<Ball>& pose) const override { return pose.number(0.0); }
+  RadicalSum folds(std::size_t, ConvertedPose<Rational>&) const override { return {}; }
 
  private:
   const std::vector<ElementPair>& pairs_;

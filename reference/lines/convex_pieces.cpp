@@ -10,7 +10,8 @@ namespace pcm::reference {
 namespace {
 
 /// The part of a piece within h, which runs through its interior; `sides[i]`: where corner i lies, 1 within.
-ConvexPiece part_within(const SightPlane& plane, const ConvexPiece& piece, HalfPlane h, const std::vector<int>& sides) {
+ConvexPiece part_within(const MasterPlane& plane, const ConvexPiece& piece, HalfPlane h,
+                        const std::vector<int>& sides) {
   ConvexPiece part;
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const std::size_t end = piece.next(i);  // side `end` runs from corner i to corner `end`
@@ -25,7 +26,7 @@ ConvexPiece part_within(const SightPlane& plane, const ConvexPiece& piece, HalfP
 
 }  // namespace
 
-ConvexPiece whole_face(const SightPlane& plane, const SeenFace& face) {
+ConvexPiece whole_face(const MasterPlane& plane, const SeenFace& face) {
   const auto [a, b, c] = face.sides;
   // Seen along N, a face that looks the other way is listed clockwise.
   ConvexPiece piece{face.facing > 0 ? std::vector{a, b, c} : std::vector{c, b, a}, {}};
@@ -33,7 +34,7 @@ ConvexPiece whole_face(const SightPlane& plane, const SeenFace& face) {
   return piece;
 }
 
-Halves cut(SightPlane& plane, const ConvexPiece& piece, HalfPlane h) {
+Halves cut(MasterPlane& plane, const ConvexPiece& piece, HalfPlane h) {
   std::vector<int> sides;
   for (std::size_t i = 0; i < piece.size(); ++i)
     sides.push_back(plane.side(h, piece.sides[i], piece.sides[piece.next(i)], piece.corners[i]));
@@ -45,7 +46,7 @@ Halves cut(SightPlane& plane, const ConvexPiece& piece, HalfPlane h) {
   return {std::move(within), part_within(plane, piece, opposite(h), sides)};
 }
 
-ConvexPiece clip(SightPlane& plane, ConvexPiece piece, const std::vector<HalfPlane>& bounds) {
+ConvexPiece clip(MasterPlane& plane, ConvexPiece piece, const std::vector<HalfPlane>& bounds) {
   if (plainly_apart(plane, piece, bounds)) return {};
   for (const HalfPlane h : bounds) {
     piece = cut(plane, piece, h).within;
@@ -54,7 +55,7 @@ ConvexPiece clip(SightPlane& plane, ConvexPiece piece, const std::vector<HalfPla
   return piece;
 }
 
-bool plainly_apart(const SightPlane& plane, const ConvexPiece& piece, const std::vector<HalfPlane>& bounds) {
+bool plainly_apart(const MasterPlane& plane, const ConvexPiece& piece, const std::vector<HalfPlane>& bounds) {
   return std::any_of(bounds.begin(), bounds.end(), [&](HalfPlane h) {
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const auto side = plane.quick_side(h, piece.sides[i], piece.sides[piece.next(i)], piece.corners[i]);
@@ -64,7 +65,7 @@ bool plainly_apart(const SightPlane& plane, const ConvexPiece& piece, const std:
   });
 }
 
-std::vector<ConvexPiece> subtract(SightPlane& plane, const std::vector<ConvexPiece>& pieces,
+std::vector<ConvexPiece> subtract(MasterPlane& plane, const std::vector<ConvexPiece>& pieces,
                                   const std::vector<HalfPlane>& bounds) {
   std::vector<ConvexPiece> remaining;
   for (const ConvexPiece& piece : pieces) {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "reference/lines/sight_plane.h"
+#include "reference/lines/master_plane.h"
 
 /// Convex polygons in the plane of a master face, exactly: cut in two by a line, taken out of one another.
 namespace pcm::reference {
@@ -20,23 +20,23 @@ struct ConvexPiece {
 };
 
 /// The projection of a face that is not seen edge-on.
-ConvexPiece whole_face(const SightPlane& plane, const SeenFace& face);
+ConvexPiece whole_face(const MasterPlane& plane, const SeenFace& face);
 
 /// The parts of a piece on either side of a line.
 struct Halves {
   ConvexPiece within, without;
 };
-Halves cut(SightPlane& plane, const ConvexPiece& piece, HalfPlane h);
+Halves cut(MasterPlane& plane, const ConvexPiece& piece, HalfPlane h);
 
 /// What of the piece lies in all the half-planes.
-ConvexPiece clip(SightPlane& plane, ConvexPiece piece, const std::vector<HalfPlane>& bounds);
+ConvexPiece clip(MasterPlane& plane, ConvexPiece piece, const std::vector<HalfPlane>& bounds);
 
 /// Whether the piece and the common part of all half-planes surely share no area. Cheap; false where that is not plain.
-bool plainly_apart(const SightPlane& plane, const ConvexPiece& piece, const std::vector<HalfPlane>& bounds);
+bool plainly_apart(const MasterPlane& plane, const ConvexPiece& piece, const std::vector<HalfPlane>& bounds);
 
 /// What of the pieces lies outside the common part of all half-planes: of each the part beyond the first line, then of
 /// the rest the part beyond the second, and so on.
-std::vector<ConvexPiece> subtract(SightPlane& plane, const std::vector<ConvexPiece>& pieces,
+std::vector<ConvexPiece> subtract(MasterPlane& plane, const std::vector<ConvexPiece>& pieces,
                                   const std::vector<HalfPlane>& bounds);
 
 }  // namespace pcm::reference

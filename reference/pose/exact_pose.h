@@ -44,11 +44,11 @@ class ExactPose {
   /// The vertex in Me. T must hold it without loss (Exact, Rational) or enclose it (DoubleDouble, Ball, Interval).
   template <class T>
   Vec3<T> point(Vertex v, const Field<T>& field = {}) const {
-    const auto lift = [&field](const Eigen::Vector3d& p) { return Vec3<T>{field(p[0]), field(p[1]), field(p[2])}; };
-    if (v.side == Side::E) return lift(surface_E_.mesh.vertices[v.index]);
-    if (problem_ == Problem::rounded) return lift(rounded_F_[v.index]);
-    const Vec3<T> x_F = lift(surface_F_.mesh.vertices[v.index]);
-    const auto row = [&](int i) -> T { return dot(lift(pose_.A.row(i).transpose()), x_F) + field(pose_.r[i]); };
+    const auto convert = [&field](const Eigen::Vector3d& p) { return Vec3<T>{field(p[0]), field(p[1]), field(p[2])}; };
+    if (v.side == Side::E) return convert(surface_E_.mesh.vertices[v.index]);
+    if (problem_ == Problem::rounded) return convert(rounded_F_[v.index]);
+    const Vec3<T> x_F = convert(surface_F_.mesh.vertices[v.index]);
+    const auto row = [&](int i) -> T { return dot(convert(pose_.A.row(i).transpose()), x_F) + field(pose_.r[i]); };
     return {row(0), row(1), row(2)};
   }
 

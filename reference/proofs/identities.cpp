@@ -20,7 +20,7 @@ Vec3<Rational> triangle_moment(const Vec3<Rational>& o, const Vec3<Rational>& p,
 }
 
 /// Adds the fluxes of x n_x, y n_y, z n_z through a face's clipped part: component by component, N times its moment.
-void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip, LiftedPose<Rational>& pose,
+void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip, ConvertedPose<Rational>& pose,
                 Vec3<Rational>& fluxes) {
   if (!clip.has_area) return;
   const std::array<Vec3<Rational>, 3> p = pose.corners(side, clip.face);
@@ -57,7 +57,7 @@ Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh
 
   const ExactPose exact_pose(problem, E, F, pose_doubles);
   const ClippedAreas areas = find_combinatorics(exact_pose).clip(exact_pose);
-  LiftedPose<Rational> pose(exact_pose);
+  ConvertedPose<Rational> pose(exact_pose);
   Vec3<Rational> sum{0, 0, 0}, limit_sum{0, 0, 0}, fluxes{0, 0, 0};
   Rational limit_volume = 0;
   for (const Side side : {Side::E, Side::F}) {

@@ -39,7 +39,7 @@ inline const std::vector<Part>& parts() {
         {"scene.h", "engine"}}},
       // The oracle's own facade lies beside its rooms; the proofs ask it.
       {"reference",
-       {"vocabulary", "numbers", "pose", "crossings", "lines", "active", "combinatorics", "elements", "loads", "",
+       {"vocabulary", "numbers", "pose", "crossings", "lines", "active", "combinatorics", "elements", "force", "",
         "proofs"},
        {}},
       {"compare",

@@ -69,7 +69,8 @@ TEST(ProgramHelp, EveryCommandShowsAnExample) {
 
 TEST(ProgramHelp, OfVerifySaysWhatTheMeasureLeavesOutAndHowManyCasesAreKept) {
   const std::string help = run_pcm({"verify", "--help"}).out;
-  for (const std::string words : {"one answer at least", "greatest penetrations at the 99th", "pairs made", "unfinished"})
+  for (const std::string words :
+       {"one answer at least", "greatest penetrations at the 99th", "pairs made", "unfinished"})
     EXPECT_NE(help.find(words), std::string::npos) << words;
   EXPECT_NE(help.find("first " + std::to_string(kMostFindings) + " answers"), std::string::npos) << help;
 }

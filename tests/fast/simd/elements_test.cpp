@@ -49,8 +49,8 @@ class WideElementsAt : public testing::TestWithParam<double> {
       lanes.clearance[lane] = &clearance[lane];
     }
   }
-  SettleLimits limits() const {
-    SettleLimits limits;
+  DecisionLimits limits() const {
+    DecisionLimits limits;
     limits.least_share = 0x1p-10;
     limits.slave_reach = GetParam();
     limits.error = 0x1p-30 * GetParam();
@@ -97,19 +97,19 @@ TEST_P(WideElementsAt, DepthIsThatOfEachPair) {
     draw(lanes);
     portable->geometry(lanes);
     ElementLanes wide_lanes = lanes;
-    const SettledLanes settled = portable->settle(lanes, limits());
+    const DecidedLanes decided = portable->decide(lanes, limits());
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
-      if (!has_lane(settled.element & settled.nearest_known, lane)) continue;
+      if (!has_lane(decided.element & decided.nearest_known, lane)) continue;
       ++depths;
       const DepthBelow depth(FaceGeometry(master_points[lane]), slave_points[lane]);
       EXPECT_EQ(bits(lanes.depth.value[lane]), bits(depth.value()));
     }
     if (wide == nullptr) continue;
-    const SettledLanes again = wide->settle(wide_lanes, limits());
-    EXPECT_EQ(settled.nothing, again.nothing);
-    EXPECT_EQ(settled.left, again.left);
-    EXPECT_EQ(settled.element, again.element);
-    EXPECT_EQ(settled.nearest_known, again.nearest_known);
+    const DecidedLanes again = wide->decide(wide_lanes, limits());
+    EXPECT_EQ(decided.nothing, again.nothing);
+    EXPECT_EQ(decided.left, again.left);
+    EXPECT_EQ(decided.element, again.element);
+    EXPECT_EQ(decided.nearest_known, again.nearest_known);
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
       EXPECT_EQ(bits(lanes.depth.value[lane]), bits(wide_lanes.depth.value[lane]));
     }

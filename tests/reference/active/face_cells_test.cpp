@@ -34,7 +34,7 @@ Rational area_of(const std::vector<FaceCell>& cells, const FaceLines& lines, Sid
   clip.planes = lines.faces();
   clip.crossings = lines.crossings();
   for (const FaceCell& cell : cells) clip.cells.push_back({1, cell.corners});
-  LiftedPose<Rational> pose(exact_pose);
+  ConvertedPose<Rational> pose(exact_pose);
   Rational sum = 0;
   using Point = FacePoint<Rational>;
   for_each_triangle(pose, side, clip, [&](int, const Point& a, const Point& b, const Point& c) {

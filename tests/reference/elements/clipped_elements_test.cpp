@@ -116,7 +116,7 @@ Immersed immersed(const ExactPose& pose) {
 /// Integral of the penetration over the master's area with its first moments, from the elements; N must be vertical.
 Immersed pressed(const ExactPose& pose) {
   const std::vector<ClippedElement> elements = find_clipped_elements(pose, Side::E, find_combinatorics(pose)).elements;
-  LiftedPose<Rational> points(pose);
+  ConvertedPose<Rational> points(pose);
   Immersed sum;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const ElementGeometry<Quadratic> g = ClippedElements(elements).geometry(i, points);
@@ -443,8 +443,8 @@ TEST(ClippedElements, EnclosuresThatDoNotTellTheSideOfTheClampHoldTheTruth) {
           find_clipped_elements(pose, Side::E, find_combinatorics(pose)).elements;
       ASSERT_GE(elements.size(), 2u);
       for (const double u_max : {0.125, 0.25, 0.5}) {
-        LiftedPose<DoubleDouble> shortly(pose);
-        LiftedPose<Rational> exactly(pose);
+        ConvertedPose<DoubleDouble> shortly(pose);
+        ConvertedPose<Rational> exactly(pose);
         for (std::size_t i = 0; i < elements.size(); ++i) {
           const ElementGeometry<DoubleDouble> g = ClippedElements(elements, u_max).geometry(i, shortly);
           const ElementGeometry<Quadratic> truth = ClippedElements(elements, u_max).geometry(i, exactly);

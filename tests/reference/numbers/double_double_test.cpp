@@ -36,7 +36,7 @@ class DoubleDoubleOfRandomExpressions : public testing::Test {
     const int exponent = static_cast<int>(below(2 * static_cast<std::size_t>(range) + 1)) - range;
     return std::ldexp(mantissa, std::min(exponent, 1000) - digits);
   }
-  Known lift(double x) { return {DoubleDouble(x), Rational(x)}; }
+  Known convert(double x) { return {DoubleDouble(x), Rational(x)}; }
   /// Of two numbers; a quotient only where it is one.
   Known combine(const Known& a, const Known& b) {
     switch (below(7)) {
@@ -69,7 +69,7 @@ TEST_F(DoubleDoubleOfRandomExpressions, EncloseTheRationalResultAndRoundCorrectl
   for (const int range : {2, 40, 330, 1070}) {
     for (int trial = 0; trial < 3000; ++trial) {
       std::vector<Known> known;
-      for (int i = 0; i < 4; ++i) known.push_back(lift(draw(range)));
+      for (int i = 0; i < 4; ++i) known.push_back(convert(draw(range)));
       for (int i = 0; i < 6; ++i) {
         // Old ones too, so that terms cancel.
         const Known next = combine(known[below(known.size())], known[below(known.size())]);
@@ -93,7 +93,7 @@ TEST_F(DoubleDoubleOfRandomExpressions, EncloseTheRationalResultAndRoundCorrectl
 TEST_F(DoubleDoubleOfRandomExpressions, RootsEncloseTheRootOfASquare) {
   for (const int range : {2, 40, 330, 1070}) {
     for (int trial = 0; trial < 2000; ++trial) {
-      const Known a = lift(draw(range)), b = lift(draw(range)), c = combine(a, b);
+      const Known a = convert(draw(range)), b = convert(draw(range)), c = combine(a, b);
       const DoubleDouble root = sqrt(c.enclosure * c.enclosure);
       ASSERT_TRUE(root.holds(sign_of(c.number) < 0 ? Rational(-c.number) : c.number))
           << "range " << range << ", trial " << trial;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fast/bounds/strips.h"
+#include "fast/bounds/uncertain_strips.h"
 
 #include <gtest/gtest.h>
 
@@ -41,8 +41,8 @@ double at(const LinearDepth& plane, double s, double t) {
 }
 
 /// A face within the master, counterclockwise.
-Footprint draw_face(Draw& draw, double shift, Index first_vertex) {
-  Footprint f;
+FaceEnclosure draw_face(Draw& draw, double shift, Index first_vertex) {
+  FaceEnclosure f;
   do {
     for (PrismPoint& corner : f.corners)
       corner = point(0.24 + 0.24 * draw.unit(), 0.24 + 0.24 * draw.unit(), 1 + draw.unit());
@@ -74,7 +74,7 @@ Footprint draw_face(Draw& draw, double shift, Index first_vertex) {
 }
 
 /// Has all its vertices shifted, the same ones alike.
-std::array<PrismPoint, 3> shifted(const Footprint& f, double shift, Draw& draw) {
+std::array<PrismPoint, 3> shifted(const FaceEnclosure& f, double shift, Draw& draw) {
   std::array<PrismPoint, 3> corners = f.corners;
   for (PrismPoint& c : corners) c += point(shift * draw.end(), shift * draw.end(), shift * draw.end()) - point(0, 0, 0);
   return corners;
@@ -101,11 +101,11 @@ double common_area(const std::array<PrismPoint, 3>& f, const std::array<PrismPoi
 
 constexpr double kShift = 1e-3;
 
-TEST(Footprint, SidesPassOverNoMoreThanTheirStrips) {
+TEST(FaceEnclosure, SidesPassOverNoMoreThanTheirStrips) {
   Draw draw(1);
   double greatest = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    const Footprint f = draw_face(draw, kShift, 0);
+    const FaceEnclosure f = draw_face(draw, kShift, 0);
     const std::array<PrismPoint, 3> moved = shifted(f, kShift, draw);
     const double passed = triangle_area(f.corners) + triangle_area(moved) - 2 * common_area(f.corners, moved);
     const double bound = strips_along_sides(f, kShift, kShift, f, f.box).area;
@@ -116,11 +116,11 @@ TEST(Footprint, SidesPassOverNoMoreThanTheirStrips) {
   EXPECT_GE(greatest, 0.5);
 }
 
-TEST(Footprint, SidesOfFacesNotMuchLargerThanTheirShiftPassOverNoMoreThanTheirStrips) {
+TEST(FaceEnclosure, SidesOfFacesNotMuchLargerThanTheirShiftPassOverNoMoreThanTheirStrips) {
   Draw draw(10);
   double greatest = 0;
   for (int trial = 0; trial < 40000; ++trial) {
-    Footprint f = draw_face(draw, kShift, 0);
+    FaceEnclosure f = draw_face(draw, kShift, 0);
     // Short both ways, or narrow.
     const PrismPoint centre = (f.corners[0] + f.corners[1] + f.corners[2]) / 3;
     const double s = std::exp2(-4 + 4 * draw.unit()), t = trial % 2 == 0 ? s : 1;
@@ -144,7 +144,7 @@ TEST(Footprint, SidesOfFacesNotMuchLargerThanTheirShiftPassOverNoMoreThanTheirSt
   EXPECT_GE(greatest, 0.5);
 }
 
-TEST(Footprint, ZeroStripHoldsWhatAnErrorOfTheFunctionDecides) {
+TEST(FaceEnclosure, ZeroStripHoldsWhatAnErrorOfTheFunctionDecides) {
   Draw draw(2);
   double greatest = 0;
   const BoxST box{0, 1, 0, 1};
@@ -226,7 +226,7 @@ struct TwoFunctions {
   }
 };
 
-TEST(Footprint, ZeroStripHoldsWhatLiesBetweenTheZerosOfTwoFunctionsNearTheGivenOne) {
+TEST(FaceEnclosure, ZeroStripHoldsWhatLiesBetweenTheZerosOfTwoFunctionsNearTheGivenOne) {
   Draw draw(6);
   double greatest = 0;
   int strips = 0;
@@ -246,12 +246,12 @@ TEST(Footprint, ZeroStripHoldsWhatLiesBetweenTheZerosOfTwoFunctionsNearTheGivenO
   EXPECT_GE(strips, 5000);
 }
 
-TEST(Footprint, StripAlongLineHoldsWhatOfItLiesInBothFaces) {
+TEST(FaceEnclosure, StripAlongLineHoldsWhatOfItLiesInBothFaces) {
   Draw draw(7);
   double greatest = 0;
   int strips = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    const Footprint f = draw_face(draw, kShift, 0), g = draw_face(draw, kShift, 3);
+    const FaceEnclosure f = draw_face(draw, kShift, 0), g = draw_face(draw, kShift, 3);
     const BoxST box = f.box.common(g.box);
     if (box.empty()) continue;
     const TwoFunctions functions(draw, box);
@@ -289,11 +289,11 @@ TEST(Footprint, StripAlongLineHoldsWhatOfItLiesInBothFaces) {
   EXPECT_GE(strips, 3000);
 }
 
-TEST(Footprint, GreatestAreaHoldsWhatAFaceMayCoverOfTheMaster) {
+TEST(FaceEnclosure, GreatestAreaHoldsWhatAFaceMayCoverOfTheMaster) {
   Draw draw(8);
   double greatest = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    Footprint f = draw_face(draw, kShift, 0);
+    FaceEnclosure f = draw_face(draw, kShift, 0);
     // Slivers, and faces that reach beyond the master or above it.
     const double squeeze = trial % 2 == 0 ? kShift : 1, size = trial % 3 == 0 ? 4 : 1;
     for (PrismPoint& c : f.corners) {
@@ -319,12 +319,12 @@ TEST(Footprint, GreatestAreaHoldsWhatAFaceMayCoverOfTheMaster) {
   EXPECT_GE(greatest, 0.9);
 }
 
-TEST(Footprint, FacesThatAreCertainlyApartStayApart) {
+TEST(FaceEnclosure, FacesThatAreCertainlyApartStayApart) {
   Draw draw(3);
   int apart = 0, near = 0;
   for (int trial = 0; trial < 40000; ++trial) {
-    const Footprint f = draw_face(draw, kShift, 0);
-    Footprint g = draw_face(draw, kShift, 3);
+    const FaceEnclosure f = draw_face(draw, kShift, 0);
+    FaceEnclosure g = draw_face(draw, kShift, 3);
     // Just beside one side of f, a vertex at a time; or anywhere.
     if (trial % 2 == 0) {
       const PrismPoint& a = f.corners[0];
@@ -347,11 +347,11 @@ TEST(Footprint, FacesThatAreCertainlyApartStayApart) {
   EXPECT_GE(near, 100);
 }
 
-TEST(Footprint, FacesAtOneSideStayApartHoweverItMoves) {
+TEST(FaceEnclosure, FacesAtOneSideStayApartHoweverItMoves) {
   Draw draw(4);
   for (int trial = 0; trial < 10000; ++trial) {
-    const Footprint f = draw_face(draw, kShift, 0);
-    Footprint g = f;
+    const FaceEnclosure f = draw_face(draw, kShift, 0);
+    FaceEnclosure g = f;
     // Vertices 0 and 1 of f, the third beyond their side.
     const PrismPoint& a = f.corners[0];
     const PrismPoint& b = f.corners[1];
@@ -362,12 +362,12 @@ TEST(Footprint, FacesAtOneSideStayApartHoweverItMoves) {
   }
 }
 
-TEST(Footprint, CertainOrderIsKeptWherePlanesMove) {
+TEST(FaceEnclosure, CertainOrderIsKeptWherePlanesMove) {
   Draw draw(5);
   int before = 0, after = 0, unsure = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    const Footprint f = draw_face(draw, kShift, 0);
-    Footprint g = draw_face(draw, kShift, 3);
+    const FaceEnclosure f = draw_face(draw, kShift, 0);
+    FaceEnclosure g = draw_face(draw, kShift, 3);
     const double gap = 0.3 * draw.unit();
     for (PrismPoint& c : g.corners) c[kDepth] = at(f.depth, c[kS], c[kT]) - gap + 0.01 * draw.unit();
     g.depth = plane_of(g.corners);
@@ -393,15 +393,15 @@ TEST(Footprint, CertainOrderIsKeptWherePlanesMove) {
   EXPECT_GE(unsure, 1000);
 }
 
-TEST(Footprint, CertainOrderIsKeptWhereOneFaceIsMuchSmallerOrKnownMuchBetter) {
+TEST(FaceEnclosure, CertainOrderIsKeptWhereOneFaceIsMuchSmallerOrKnownMuchBetter) {
   // The plane of a small face turns far when its corners move; what is certain lies just beyond that.
   Draw draw(9);
   int sure = 0, unsure = 0;
   double least = HUGE_VAL;
   for (int trial = 0; trial < 20000; ++trial) {
     const double shift_f = trial % 4 < 2 ? kShift : kShift / 16, shift_g = trial % 4 < 2 ? kShift / 16 : kShift;
-    Footprint f = draw_face(draw, shift_f, 0), g = draw_face(draw, shift_g, 3);
-    Footprint& small = trial % 2 == 0 ? f : g;
+    FaceEnclosure f = draw_face(draw, shift_f, 0), g = draw_face(draw, shift_g, 3);
+    FaceEnclosure& small = trial % 2 == 0 ? f : g;
     const PrismPoint centre = (small.corners[0] + small.corners[1] + small.corners[2]) / 3;
     for (PrismPoint& c : small.corners) c = centre + 0.3 * (c - centre);
     const double gap = 0.05 * draw.unit();

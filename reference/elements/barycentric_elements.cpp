@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/elements/contact_elements.h"
+#include "reference/elements/barycentric_elements.h"
 
 #include <algorithm>
 #include <limits>

@@ -16,7 +16,7 @@ namespace pcm::fast {
 /// up to nothing, so the force is off by no more than the sum of |c_k - c| |dV| + |b_k - b| |dA|, c and b those of any
 /// one element: as much as the velocities differ from element to element. An element whose force may not be linear
 /// counts in full, and what it may pass to the others as well.
-class PassingError {
+class RepartitionError {
  public:
   /// An element and its errors, of which those that pass are not part yet. If its force may not be linear, they become
   /// so.

@@ -12,7 +12,7 @@
 namespace pcm::reference {
 
 template <class T>
-Vec3<T> lifted(const Eigen::Vector3d& v, const Field<T>& field) {
+Vec3<T> converted(const Eigen::Vector3d& v, const Field<T>& field) {
   return {field(v[0]), field(v[1]), field(v[2])};
 }
 
@@ -84,8 +84,8 @@ ElementLoad<T> load_of(const ElementGeometry<T>& g, Side master, const ContactLa
   const T u_k = q * length;                                      // (11)
   const Vec3<T> n_k = T(minus_one / length) * g.N;               // (7)
   const Vec3<T> C_k = g.foot - T(layers.slave_share * q) * g.N;  // (13), u_k n_k = -q N
-  const Vec3<T> arm = C_k - lifted(pose.r, field);
-  Vec3<T> v_k = lifted(velocity.v, field) + cross(lifted(velocity.w, field), arm);  // (17)
+  const Vec3<T> arm = C_k - converted(pose.r, field);
+  Vec3<T> v_k = converted(velocity.v, field) + cross(converted(velocity.w, field), arm);  // (17)
   if (master == Side::F) v_k = minus_one * v_k;
   const T v_n = dot(n_k, v_k);  // (16)
 

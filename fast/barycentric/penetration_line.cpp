@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/barycentric/penetration.h"
+#include "fast/barycentric/penetration_line.h"
 
 #include <algorithm>
 #include <bit>
@@ -209,17 +209,17 @@ Index walk_from_neighbour(PosedPair& posed, Side master, const ElementLanes& lan
   return walk_to_face_left(posed[opposite(master)], line, start, posed.work);
 }
 
-/// What `settle` needs to know of a lane's master face and of the slave's face that a walk came to.
+/// What `decide` needs to know of a lane's master face and of the slave's face that a walk came to.
 void enter_match(PosedPair& posed, Side master, Index face, Index met, ElementLanes& lanes, std::size_t lane) {
   enter_corners(posed, opposite(master), met, lanes.slave_corners, lane);
   lanes.thickness[lane] = &posed.surface(master).thickness[static_cast<std::size_t>(face)];
   lanes.clearance[lane] = &posed.surface(opposite(master)).clearance[static_cast<std::size_t>(met)];
 }
 
-SettleLimits settle_limits(const PosedPair& posed, Side master) {
+DecisionLimits decision_limits(const PosedPair& posed, Side master) {
   const double moved = posed.placement.moved(master);
   const double reach = posed.surface(master).reach.maxCoeff();
-  SettleLimits limits;
+  DecisionLimits limits;
   limits.least_share = kLeastShare;
   limits.slave_reach = posed.surface(opposite(master)).reach.maxCoeff();
   limits.error = kDistanceError * posed.placement.reach;
@@ -278,7 +278,7 @@ void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, st
     walks.slave_nearby[faces[lane]] = walks.last = met[lane];
     walked |= 1U << lane;
   }
-  SettledLanes settled;
+  DecidedLanes decided;
   if (walked != 0) {
     // Lanes that found no face take what another one found, and are not looked at.
     const auto some = static_cast<std::size_t>(std::countr_zero(walked));
@@ -286,14 +286,14 @@ void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, st
       const std::size_t from = has_lane(walked, lane) ? lane : some;
       enter_match(posed, master, faces[from], met[from], lanes, lane);
     }
-    settled = fastest_wide_elements().settle(lanes, settle_limits(posed, master));
+    decided = fastest_wide_elements().decide(lanes, decision_limits(posed, master));
   }
   for (std::size_t lane = 0; lane < count; ++lane) {
     Penetration& penetration = penetrations[lane];
     penetration = {};
-    if (has_lane(walked & settled.nothing, lane)) continue;
-    const bool element = has_lane(walked & settled.element, lane);
-    if (element && has_lane(settled.nearest_known, lane)) {
+    if (has_lane(walked & decided.nothing, lane)) continue;
+    const bool element = has_lane(walked & decided.element, lane);
+    if (element && has_lane(decided.nearest_known, lane)) {
       penetration = {Penetration::Outcome::element, met[lane], lanes.depth.value[lane], -1};
       continue;
     }
@@ -302,7 +302,7 @@ void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, st
       const FacePoints f = posed.face_Me(slave, met[lane]);
       penetration = {Penetration::Outcome::element, met[lane], DepthBelow(geometry, f).value(), -1};
     } else {
-      const Index left = has_lane(walked & settled.left, lane) ? met[lane] : -1;
+      const Index left = has_lane(walked & decided.left, lane) ? met[lane] : -1;
       penetration = search_penetration(posed, master, faces[lane], geometry, left, walks.open, nullptr);
       const Index found = penetration.slave_face;
       if (found >= 0) walks.slave_nearby[faces[lane]] = walks.last = found;

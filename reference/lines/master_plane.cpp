@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/lines/sight_plane.h"
+#include "reference/lines/master_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ std::array<Vertex, 2> common_vertices(const ExactPose& pose, Face f, Face g) {
 }
 
 /// -1, 0 or 1: on which side of the face's plane the vertex lies, 1 where the normal points to.
-int side_of_plane(SightPoints& points, Face g, Index vertex) {
+int side_of_plane(VisibilityPoints& points, Face g, Index vertex) {
   const ExactPose& pose = points.enclosed.pose();
   const Triangle& t = pose.face(g.side, g.index);
   const auto box = [&](Index v) { return pose.rounding_box({g.side, v}); };
@@ -44,25 +44,25 @@ int side_of_plane(SightPoints& points, Face g, Index vertex) {
 
 }  // namespace
 
-SightPlane::SightPlane(SightPoints& points, Face master)
+MasterPlane::MasterPlane(VisibilityPoints& points, Face master)
     : points_(points), master_(master), enclosed_(make_frame(points.enclosed, master)) {}
 
-Depth<Interval> SightPlane::depth(Face g) {
+Depth<Interval> MasterPlane::depth(Face g) {
   return depth_of(points_.enclosed, enclosed_, g);
 }
 
-Index SightPlane::find_line(const SightLine& name, const std::array<Vertex, 2>& through) {
+Index MasterPlane::find_line(const VisibilityLine& name, const std::array<Vertex, 2>& through) {
   const auto [found, added] = known_lines_.try_emplace(name, static_cast<Index>(lines_.size()));
   if (added) lines_.push_back({name, through, scaled(coefficients(points_.enclosed, enclosed_, master_, name)), {}});
   return found->second;
 }
 
-bool SightPlane::of_E_only(Index line) const {
-  const SightLine& name = lines_[line].name;
+bool MasterPlane::of_E_only(Index line) const {
+  const VisibilityLine& name = lines_[line].name;
   return master_.side == Side::E && name.side_a == Side::E && name.side_b == Side::E;
 }
 
-const Vec3<Exact>& SightPlane::exact_line(Index line) {
+const Vec3<Exact>& MasterPlane::exact_line(Index line) {
   points_.robust = points_.robust && of_E_only(line);
   if (!exact_) exact_ = make_frame(points_.exact, master_);
   Line& l = lines_[line];
@@ -70,7 +70,7 @@ const Vec3<Exact>& SightPlane::exact_line(Index line) {
   return *l.exact;
 }
 
-bool SightPlane::vanishes(Index line) {
+bool MasterPlane::vanishes(Index line) {
   const Vec3<Interval>& enclosed = lines_[line].enclosed;
   for (int i = 0; i < 3; ++i)
     if (certain_sign(enclosed[i]) != 0) return false;
@@ -78,15 +78,16 @@ bool SightPlane::vanishes(Index line) {
   return sign_of(exact.x) == 0 && sign_of(exact.y) == 0 && sign_of(exact.z) == 0;
 }
 
-HalfPlane SightPlane::side_of(Face g, int facing, int corner) {
+HalfPlane MasterPlane::side_of(Face g, int facing, int corner) {
   const Triangle& t = points_.enclosed.pose().face(g.side, g.index);
   const Index from = t[corner], to = t[(corner + 1) % 3];
   const auto [a, b] = std::minmax(from, to);
-  const Index line = find_line({SightLine::Kind::edge, g.side, a, g.side, b}, {Vertex{g.side, a}, Vertex{g.side, b}});
+  const Index line =
+      find_line({VisibilityLine::Kind::edge, g.side, a, g.side, b}, {Vertex{g.side, a}, Vertex{g.side, b}});
   return {line, from < to ? facing : -facing};
 }
 
-const SeenFace& SightPlane::see(Face g) {
+const SeenFace& MasterPlane::see(Face g) {
   const auto [found, added] = seen_.try_emplace(g);
   SeenFace& seen = found->second;
   if (!added) return seen;
@@ -102,7 +103,7 @@ const SeenFace& SightPlane::see(Face g) {
   return seen;
 }
 
-std::optional<HalfPlane> SightPlane::deeper(Face f, Face g) {
+std::optional<HalfPlane> MasterPlane::deeper(Face f, Face g) {
   const ExactPose& pose = points_.enclosed.pose();
   const int facing_f = see(f).facing, facing_g = see(g).facing;
   const std::array<Vertex, 2> common = common_vertices(pose, f, g);
@@ -119,22 +120,22 @@ std::optional<HalfPlane> SightPlane::deeper(Face f, Face g) {
   // The plane of e comes last in the name, otherwise the smaller face first.
   const bool in_order = g == master_ || (f != master_ && f < g);
   const Face a = in_order ? f : g, b = in_order ? g : f;
-  const Index line = find_line({SightLine::Kind::fold, a.side, a.index, b.side, b.index}, common);
+  const Index line = find_line({VisibilityLine::Kind::fold, a.side, a.index, b.side, b.index}, common);
   if (vanishes(line)) return {};
   return HalfPlane{line, (in_order ? 1 : -1) * facing_f * facing_g};
 }
 
-Vec3<Interval> SightPlane::enclosed_line(HalfPlane h) const {
+Vec3<Interval> MasterPlane::enclosed_line(HalfPlane h) const {
   const Vec3<Interval>& line = lines_[h.line].enclosed;
   return h.sign > 0 ? line : Vec3<Interval>{-line.x, -line.y, -line.z};
 }
 
-Vec3<Interval> SightPlane::corner(HalfPlane first, HalfPlane second) const {
+Vec3<Interval> MasterPlane::corner(HalfPlane first, HalfPlane second) const {
   return cross(enclosed_line(first), enclosed_line(second));
 }
 
-std::optional<int> SightPlane::quick_side(HalfPlane h, HalfPlane first, HalfPlane second,
-                                          const Vec3<Interval>& at) const {
+std::optional<int> MasterPlane::quick_side(HalfPlane h, HalfPlane first, HalfPlane second,
+                                           const Vec3<Interval>& at) const {
   if (h.line == first.line || h.line == second.line) return 0;
   const auto passes = [this](Index line, Vertex v) {
     const std::array<Vertex, 2>& through = lines_[line].through;
@@ -146,7 +147,7 @@ std::optional<int> SightPlane::quick_side(HalfPlane h, HalfPlane first, HalfPlan
   return sign == 0 ? std::nullopt : std::optional(h.sign * sign);
 }
 
-int SightPlane::side(HalfPlane h, HalfPlane first, HalfPlane second, const Vec3<Interval>& at) {
+int MasterPlane::side(HalfPlane h, HalfPlane first, HalfPlane second, const Vec3<Interval>& at) {
   if (const std::optional<int> quick = quick_side(h, first, second, at)) return *quick;
   const int sign = sign_of(determinant(exact_line(h.line), exact_line(first.line), exact_line(second.line)));
   return h.sign * first.sign * second.sign * sign;

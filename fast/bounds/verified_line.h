@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast/barycentric/penetration.h"
+#include "fast/barycentric/penetration_line.h"
 #include "fast/bounds/element_error.h"
 
 namespace pcm::fast {
 
 /// What the penetration line of a master face finds in the exact problem (PCM section 1).
-struct CertainLine {
+struct VerifiedLine {
   enum class Finding : std::uint8_t {
     no_element,  ///< surely none
     element,     ///< surely one, with the slave face that the engine found
@@ -32,8 +32,8 @@ double tube_radius(const PosedPair& posed, const FaceError& error, const Eigen::
 /// `first_met` is the slave face that the engine met first, -1 where it met none. `rounding_Me` bounds the rounding of
 /// F's vertices. What the engine's search came upon, traced with the tube's radius, mostly saves the search; an empty
 /// trace will do. At most O(log n). `open` is scratch.
-CertainLine follow_certainly(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry,
-                             const FaceError& error, Index first_met, const LineTrace& trace,
-                             const Eigen::Vector3d& rounding_Me, std::vector<Index>& open);
+VerifiedLine follow_certainly(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry,
+                              const FaceError& error, Index first_met, const LineTrace& trace,
+                              const Eigen::Vector3d& rounding_Me, std::vector<Index>& open);
 
 }  // namespace pcm::fast

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/crossings/crossings.h"
-#include "reference/pose/lifted_pose.h"
+#include "reference/pose/converted_pose.h"
 
 namespace pcm::reference {
 
@@ -20,15 +20,15 @@ namespace pcm::reference {
 /// All terms of E have one sign. As some w_i >= 1/3, their sum is at least |n_j| eps^(2^(3 i - j)) / 4 for the last
 /// vertex i of E, and what any vertex of F moves by is of smaller order. So x - y is not 0. (And so PCM section 4's
 /// midpoint is for no crossing.)
-class CrossingPoints {
+class CrossingPositions {
  public:
-  explicit CrossingPoints(std::vector<CrossingId> ids) : ids_(std::move(ids)) {}
+  explicit CrossingPositions(std::vector<CrossingId> ids) : ids_(std::move(ids)) {}
 
   const std::vector<CrossingId>& ids() const { return ids_; }
 
   /// Number kinds with division: Rational, Ball, DoubleDouble.
   template <class T>
-  Vec3<T> position(Index crossing, LiftedPose<T>& pose) const {
+  Vec3<T> position(Index crossing, ConvertedPose<T>& pose) const {
     const CrossingId& id = ids_[crossing];
     const Vec3<T>& a = pose.point({id.edge_side, id.edge[0]});
     const Vec3<T>& b = pose.point({id.edge_side, id.edge[1]});

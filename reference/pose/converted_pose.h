@@ -11,18 +11,18 @@
 
 namespace pcm::reference {
 
-/// A pose's points as numbers of kind T, each lifted once. Belongs to one evaluation, so to one thread.
+/// A pose's points as numbers of kind T, each converted once. Belongs to one evaluation, so to one thread.
 template <class T>
-class LiftedPose {
+class ConvertedPose {
  public:
   /// The pose must outlive this.
-  explicit LiftedPose(const ExactPose& pose, Field<T> field = {}) : pose_(pose), field_(field) {}
+  explicit ConvertedPose(const ExactPose& pose, Field<T> field = {}) : pose_(pose), field_(field) {}
 
   /// Points that enclose the vertices as both problems have them: what they decide holds in either.
-  static LiftedPose of_both_problems(const ExactPose& pose) requires std::same_as<T, Interval> {
-    LiftedPose lifted(pose);
-    lifted.both_problems_ = true;
-    return lifted;
+  static ConvertedPose of_both_problems(const ExactPose& pose) requires std::same_as<T, Interval> {
+    ConvertedPose converted(pose);
+    converted.both_problems_ = true;
+    return converted;
   }
 
   const ExactPose& pose() const { return pose_; }
@@ -38,7 +38,7 @@ class LiftedPose {
   const Vec3<T>& point(Vertex v) {
     auto& known = points_[v.side == Side::E ? 0 : 1];
     auto found = known.find(v.index);
-    if (found == known.end()) found = known.emplace(v.index, lift(v)).first;
+    if (found == known.end()) found = known.emplace(v.index, convert(v)).first;
     return found->second;
   }
 
@@ -48,7 +48,7 @@ class LiftedPose {
   }
 
  private:
-  Vec3<T> lift(Vertex v) const {
+  Vec3<T> convert(Vertex v) const {
     if constexpr (std::same_as<T, Interval>)
       if (both_problems_) return interval_point(pose_.rounding_box(v));
     return pose_.point<T>(v, field_);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/bounds/certain_activity.h"
+#include "fast/bounds/undecided_faces.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/loads/contact_force.h"
+#include "reference/force/contact_force.h"
 
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "reference/loads/exact_loads.h"
+#include "reference/force/exact_sums.h"
+#include "reference/numbers/correct_rounding.h"
 #include "reference/numbers/double_double.h"
-#include "reference/numbers/settle.h"
 
 namespace pcm::reference {
 namespace {
@@ -57,21 +57,21 @@ class EnclosedLoads {
 
   ForceQuestion question_;
   Field<T> field_;
-  LiftedPose<T> pose_;
+  ConvertedPose<T> pose_;
   std::vector<std::optional<EnclosedLoad<T>>> known_;
 };
 
-/// Settles values by their enclosures, and what these leave by exact numbers where such are given.
+/// Rounds values by their enclosures, and what these leave by exact numbers where such are given.
 template <class ExactNumbers>
-class BackedSettler {
+class BackedRounder {
  public:
-  explicit BackedSettler(ExactNumbers* exact) : exact_(exact) {}
+  explicit BackedRounder(ExactNumbers* exact) : exact_(exact) {}
 
   template <class T, class Exactly>
   void operator()(const T& value, double& target, const Exactly& exactly) {
-    Settler settle;
-    settle(value, target);
-    if (!settle.all()) fall_back(target, exactly);
+    CorrectRounder round;
+    round(value, target);
+    if (!round.all()) fall_back(target, exactly);
   }
   template <class T, class Exactly>
   void operator()(const Vec3<T>& value, Eigen::Vector3d& target, const Exactly& exactly) {
@@ -102,34 +102,33 @@ class BackedSettler {
   bool all_ = true;
 };
 
-/// False where not all is settled.
+/// False where not all is rounded.
 template <class T>
-bool settle_element(EnclosedLoads<T>& loads, std::size_t i, BackedSettler<ExactLoads> settle, Element& target) {
+bool round_element(EnclosedLoads<T>& loads, std::size_t i, BackedRounder<ExactSums> round, Element& target) {
   const EnclosedLoad<T>& element = loads.at(i);
   const ElementLoad<T>& load = element.load;
-  settle(load.area, target.area, [i](ExactLoads& exact) { return exact.area(i); });
-  settle(load.penetration, target.penetration, [i](ExactLoads& exact) { return exact.penetration(i); });
-  settle(load.greatest_penetration, target.greatest_penetration,
-         [i](ExactLoads& exact) { return exact.greatest_penetration(i); });
-  settle(loads.perimeter(i), target.perimeter, [i](ExactLoads& exact) { return exact.perimeter(i); });
-  settle(loads.folds(i), target.folds, [i](ExactLoads& exact) { return exact.folds(i); });
-  settle(element.cosine, target.cosine, [i](ExactLoads& exact) { return exact.cosine(i); });
-  settle(load.normal_velocity, target.normal_velocity, [i](ExactLoads& exact) { return exact.normal_velocity(i); });
-  settle(element.tangential_velocity, target.tangential_velocity,
-         [i](ExactLoads& exact) { return exact.tangential_velocity(i); });
-  settle(load.normal_force, target.normal_force, [i](ExactLoads& exact) { return exact.normal_force(i); });
-  settle(element.tangential_force, target.tangential_force,
-         [i](ExactLoads& exact) { return exact.tangential_force(i); });
-  settle(load.normal, target.normal_Me, [i](ExactLoads& exact, int axis) { return exact.normal(i, axis); });
-  settle(load.position, target.position_Me, [i](ExactLoads& exact, int axis) { return exact.position(i, axis); });
-  settle(element.force_on_E, target.force_Me, [i](ExactLoads& exact, int axis) { return exact.force(i, axis); });
-  return settle.all();
+  round(load.area, target.area, [i](ExactSums& exact) { return exact.area(i); });
+  round(load.penetration, target.penetration, [i](ExactSums& exact) { return exact.penetration(i); });
+  round(load.greatest_penetration, target.greatest_penetration,
+        [i](ExactSums& exact) { return exact.greatest_penetration(i); });
+  round(loads.perimeter(i), target.perimeter, [i](ExactSums& exact) { return exact.perimeter(i); });
+  round(loads.folds(i), target.folds, [i](ExactSums& exact) { return exact.folds(i); });
+  round(element.cosine, target.cosine, [i](ExactSums& exact) { return exact.cosine(i); });
+  round(load.normal_velocity, target.normal_velocity, [i](ExactSums& exact) { return exact.normal_velocity(i); });
+  round(element.tangential_velocity, target.tangential_velocity,
+        [i](ExactSums& exact) { return exact.tangential_velocity(i); });
+  round(load.normal_force, target.normal_force, [i](ExactSums& exact) { return exact.normal_force(i); });
+  round(element.tangential_force, target.tangential_force, [i](ExactSums& exact) { return exact.tangential_force(i); });
+  round(load.normal, target.normal_Me, [i](ExactSums& exact, int axis) { return exact.normal(i, axis); });
+  round(load.position, target.position_Me, [i](ExactSums& exact, int axis) { return exact.position(i, axis); });
+  round(element.force_on_E, target.force_Me, [i](ExactSums& exact, int axis) { return exact.force(i, axis); });
+  return round.all();
 }
 
 /// The same for the totals over masters.
 template <class T>
-bool settle_totals(const std::vector<EnclosedLoads<T>*>& masters, double share, double greatest_allowed,
-                   BackedSettler<ExactTotals> settle, Answer& answer) {
+bool round_totals(const std::vector<EnclosedLoads<T>*>& masters, double share, double greatest_allowed,
+                  BackedRounder<ExactTotals> round, Answer& answer) {
   const Field<T>& field = masters.front()->field();
   const T zero = field(0.0);
   Vec3<T> force{zero, zero, zero}, torque = force;
@@ -145,15 +144,15 @@ bool settle_totals(const std::vector<EnclosedLoads<T>*>& masters, double share, 
       greatest = max(greatest, element.load.greatest_penetration);
     }
   const T of_sum = field(share);
-  settle(of_sum * force, answer.force_Me, [](ExactTotals& exact, int axis) { return exact.force(axis); });
-  settle(of_sum * torque, answer.torque_Me, [](ExactTotals& exact, int axis) { return exact.torque(axis); });
-  settle(T(of_sum * force_scale), answer.force_scale, [](ExactTotals& exact) { return exact.force_scale(); });
-  settle(T(of_sum * torque_scale), answer.torque_scale, [](ExactTotals& exact) { return exact.torque_scale(); });
-  settle(greatest, answer.max_penetration, [](ExactTotals& exact) { return exact.greatest_penetration(); });
+  round(of_sum * force, answer.force_Me, [](ExactTotals& exact, int axis) { return exact.force(axis); });
+  round(of_sum * torque, answer.torque_Me, [](ExactTotals& exact, int axis) { return exact.torque(axis); });
+  round(T(of_sum * force_scale), answer.force_scale, [](ExactTotals& exact) { return exact.force_scale(); });
+  round(T(of_sum * torque_scale), answer.torque_scale, [](ExactTotals& exact) { return exact.torque_scale(); });
+  round(greatest, answer.max_penetration, [](ExactTotals& exact) { return exact.greatest_penetration(); });
   if (!std::isinf(greatest_allowed))
-    settle.exceeds(greatest, T(field(greatest_allowed)), answer.penetration_exceeded,
-                   [=](ExactTotals& exact) { return exact.greatest_exceeds(greatest_allowed); });
-  return settle.all();
+    round.exceeds(greatest, T(field(greatest_allowed)), answer.penetration_exceeded,
+                  [=](ExactTotals& exact) { return exact.greatest_exceeds(greatest_allowed); });
+  return round.all();
 }
 
 }  // namespace
@@ -162,13 +161,13 @@ struct MasterLoads::Data {
   explicit Data(const ForceQuestion& asked)
       : question(asked),
         shortly(asked, Field<DoubleDouble>{}),
-        finely(asked, Field<Ball>{kSettlingPrecision}),
+        finely(asked, Field<Ball>{kRoundingPrecision}),
         exact(asked) {}
 
   ForceQuestion question;
   EnclosedLoads<DoubleDouble> shortly;
   EnclosedLoads<Ball> finely;
-  ExactLoads exact;
+  ExactSums exact;
   std::optional<std::vector<Element>> elements;
 };
 
@@ -178,16 +177,16 @@ MasterLoads::~MasterLoads() = default;
 
 std::vector<Element> MasterLoads::elements() {
   if (data_->elements) return *data_->elements;
-  std::vector<Element> settled(data_->question.elements.size());
-  for (std::size_t i = 0; i < settled.size(); ++i) {
+  std::vector<Element> rounded(data_->question.elements.size());
+  for (std::size_t i = 0; i < rounded.size(); ++i) {
     const ElementPair pair = data_->question.elements.pair(i);
-    settled[i].master = pair.master;
-    settled[i].master_face = pair.master_face;
-    settled[i].slave_face = pair.slave_face;
-    if (!settle_element(data_->shortly, i, BackedSettler<ExactLoads>(nullptr), settled[i]))
-      settle_element(data_->finely, i, BackedSettler<ExactLoads>(&data_->exact), settled[i]);
+    rounded[i].master = pair.master;
+    rounded[i].master_face = pair.master_face;
+    rounded[i].slave_face = pair.slave_face;
+    if (!round_element(data_->shortly, i, BackedRounder<ExactSums>(nullptr), rounded[i]))
+      round_element(data_->finely, i, BackedRounder<ExactSums>(&data_->exact), rounded[i]);
   }
-  data_->elements = std::move(settled);
+  data_->elements = std::move(rounded);
   return *data_->elements;
 }
 
@@ -196,15 +195,15 @@ void report_force(const std::vector<MasterLoads*>& masters, const Wanted& wanted
   const double greatest_allowed = masters.front()->data_->question.law.max_penetration;
   std::vector<EnclosedLoads<DoubleDouble>*> shortly;
   std::vector<EnclosedLoads<Ball>*> finely;
-  std::vector<ExactLoads*> exact_loads;
+  std::vector<ExactSums*> exact_loads;
   for (MasterLoads* master : masters) {
     shortly.push_back(&master->data_->shortly);
     finely.push_back(&master->data_->finely);
     exact_loads.push_back(&master->data_->exact);
   }
-  if (!settle_totals(shortly, share, greatest_allowed, BackedSettler<ExactTotals>(nullptr), answer)) {
+  if (!round_totals(shortly, share, greatest_allowed, BackedRounder<ExactTotals>(nullptr), answer)) {
     ExactTotals exactly(std::move(exact_loads), share);
-    settle_totals(finely, share, greatest_allowed, BackedSettler<ExactTotals>(&exactly), answer);
+    round_totals(finely, share, greatest_allowed, BackedRounder<ExactTotals>(&exactly), answer);
   }
   if (!wanted.elements) return;
   for (MasterLoads* master : masters)

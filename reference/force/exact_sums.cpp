@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/loads/exact_loads.h"
+#include "reference/force/exact_sums.h"
 
 namespace pcm::reference {
 namespace {
@@ -41,7 +41,7 @@ double scale(const Enclosures& enclosures) {
 
 }  // namespace
 
-const ExactLoads::Known& ExactLoads::at(std::size_t i) {
+const ExactSums::Known& ExactSums::at(std::size_t i) {
   std::optional<Known>& known = known_[i];
   if (!known) {
     const ElementGeometry<Quadratic> g = question_.elements.geometry(i, pose_);
@@ -51,27 +51,27 @@ const ExactLoads::Known& ExactLoads::at(std::size_t i) {
   return *known;
 }
 
-double ExactLoads::area(std::size_t i) {
+double ExactSums::area(std::size_t i) {
   return rounded(at(i).load.area);
 }
 
-double ExactLoads::penetration(std::size_t i) {
+double ExactSums::penetration(std::size_t i) {
   return rounded(at(i).load.penetration);
 }
 
-double ExactLoads::greatest_penetration(std::size_t i) {
+double ExactSums::greatest_penetration(std::size_t i) {
   return rounded(at(i).load.greatest_penetration);
 }
 
-double ExactLoads::perimeter(std::size_t i) {
+double ExactSums::perimeter(std::size_t i) {
   return question_.elements.perimeter(i, pose_).rounded();
 }
 
-double ExactLoads::folds(std::size_t i) {
+double ExactSums::folds(std::size_t i) {
   return question_.elements.folds(i, pose_).rounded();
 }
 
-double ExactLoads::cosine(std::size_t i) {
+double ExactSums::cosine(std::size_t i) {
   const ElementGeometry<Quadratic>& g = at(i).geometry;
   const Rational squares = (dot(g.N, g.N) * dot(g.slave_N, g.slave_N)).a();
   RadicalSum quotient;
@@ -79,21 +79,21 @@ double ExactLoads::cosine(std::size_t i) {
   return quotient.rounded();
 }
 
-double ExactLoads::normal_velocity(std::size_t i) {
+double ExactSums::normal_velocity(std::size_t i) {
   return rounded(at(i).load.normal_velocity);
 }
 
-double ExactLoads::tangential_velocity(std::size_t i) {
+double ExactSums::tangential_velocity(std::size_t i) {
   RadicalSum root;
   root.add(Quadratic(Rational(1)), at(i).load.speed_squared);
   return root.rounded();
 }
 
-double ExactLoads::normal_force(std::size_t i) {
+double ExactSums::normal_force(std::size_t i) {
   return rounded(at(i).load.normal_force);
 }
 
-double ExactLoads::tangential_force(std::size_t i) {
+double ExactSums::tangential_force(std::size_t i) {
   const ElementLoad<Quadratic>& load = at(i).load;
   RadicalSum sum;
   sum.add(load.friction.constant, load.speed_squared);
@@ -101,15 +101,15 @@ double ExactLoads::tangential_force(std::size_t i) {
   return sum.rounded();
 }
 
-double ExactLoads::normal(std::size_t i, int axis) {
+double ExactSums::normal(std::size_t i, int axis) {
   return rounded(at(i).load.normal[axis]);
 }
 
-double ExactLoads::position(std::size_t i, int axis) {
+double ExactSums::position(std::size_t i, int axis) {
   return rounded(at(i).load.position[axis]);
 }
 
-double ExactLoads::force(std::size_t i, int axis) {
+double ExactSums::force(std::size_t i, int axis) {
   const ElementLoad<Quadratic>& load = at(i).load;
   RadicalSum sum;
   sum.add(load.force[axis]);
@@ -120,7 +120,7 @@ double ExactLoads::force(std::size_t i, int axis) {
 double ExactTotals::force(int axis) {
   const Quadratic share{Rational(share_)};
   RadicalSum sum;
-  for (ExactLoads* master : masters_)
+  for (ExactSums* master : masters_)
     for (std::size_t i = 0; i < master->size(); ++i) {
       const ElementLoad<Quadratic>& load = master->load(i);
       sum.add(share * load.force[axis]);  // (23)
@@ -132,7 +132,7 @@ double ExactTotals::force(int axis) {
 double ExactTotals::torque(int axis) {
   const Quadratic share{Rational(share_)};
   RadicalSum sum;
-  for (ExactLoads* master : masters_)
+  for (ExactSums* master : masters_)
     for (std::size_t i = 0; i < master->size(); ++i) {
       const ElementLoad<Quadratic>& load = master->load(i);
       sum.add(share * cross(load.arm, load.force)[axis]);  // (22), (24)
@@ -144,7 +144,7 @@ double ExactTotals::torque(int axis) {
 std::optional<Quadratic> ExactTotals::greatest() {
   std::optional<Quadratic> greatest;
   Rational greatest_squared;
-  for (ExactLoads* master : masters_)
+  for (ExactSums* master : masters_)
     for (std::size_t i = 0; i < master->size(); ++i) {
       const ElementGeometry<Quadratic>& g = master->geometry(i);
       const Rational squared = (g.q_greatest * g.q_greatest * dot(g.N, g.N)).a();
@@ -168,7 +168,7 @@ bool ExactTotals::greatest_exceeds(double bound) {
 double ExactTotals::force_scale() {
   return scale([this](mpfr_prec_t precision) {
     Ball sum(0.0, precision);
-    for (ExactLoads* master : masters_)
+    for (ExactSums* master : masters_)
       for (std::size_t i = 0; i < master->size(); ++i) sum = sum + force_size(master->load(i), precision);
     return Ball(share_, precision) * sum;
   });
@@ -177,7 +177,7 @@ double ExactTotals::force_scale() {
 double ExactTotals::torque_scale() {
   return scale([this](mpfr_prec_t precision) {
     Ball sum(0.0, precision);
-    for (ExactLoads* master : masters_)
+    for (ExactSums* master : masters_)
       for (std::size_t i = 0; i < master->size(); ++i) {
         const ElementLoad<Quadratic>& load = master->load(i);
         sum = sum + arm_length(load, precision) * force_size(load, precision);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/bounds/passing_error.h"
+#include "fast/bounds/repartition_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +56,8 @@ std::optional<NormalRates> surely_linear(const ForceProblem& problem, const Elem
 
 }  // namespace
 
-void PassingError::add(const ForceProblem& problem, const Element& element, ElementError& error,
-                       ElementForceError& sum) {
+void RepartitionError::add(const ForceProblem& problem, const Element& element, ElementError& error,
+                           ElementForceError& sum) {
   if (!(error.passed_area > 0)) return;
   const std::optional<NormalRates> normal = surely_linear(problem, element, error);
   if (!normal) {
@@ -95,17 +95,17 @@ void PassingError::add(const ForceProblem& problem, const Element& element, Elem
   cost(rates.per_area_Me, first_.per_area_Me, kBoundMargin * error.passed_area);
 }
 
-void PassingError::add_elsewhere(double area, double volume) {
+void RepartitionError::add_elsewhere(double area, double volume) {
   elsewhere_area_ += area;
   elsewhere_volume_ += volume;
 }
 
-void PassingError::finish(ElementForceError& sum) const {
+void RepartitionError::finish(ElementForceError& sum) const {
   if (!has_first_) return;
-  const Eigen::Vector3d force_Me = PassingError::kGrowth * (elsewhere_volume_ * first_.per_volume_Me.cwiseAbs() +
-                                                            elsewhere_area_ * first_.per_area_Me.cwiseAbs());
+  const Eigen::Vector3d force_Me = RepartitionError::kGrowth * (elsewhere_volume_ * first_.per_volume_Me.cwiseAbs() +
+                                                                elsewhere_area_ * first_.per_area_Me.cwiseAbs());
   sum.force_Me += force_Me;
-  sum.torque_Me += Eigen::Vector3d::Constant(PassingError::kGrowth * first_.lever_Me.lpNorm<1>() * force_Me.sum());
+  sum.torque_Me += Eigen::Vector3d::Constant(RepartitionError::kGrowth * first_.lever_Me.lpNorm<1>() * force_Me.sum());
 }
 
 }  // namespace pcm::fast

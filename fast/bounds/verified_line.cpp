@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/bounds/certain_line.h"
+#include "fast/bounds/verified_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,10 +138,10 @@ double tube_radius(const PosedPair& posed, const FaceError& error, const Eigen::
   return kBoundMargin * (error.barycentre_Me.sum() + rounding_Me.sum() + span(posed) * error.normal);
 }
 
-CertainLine follow_certainly(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry,
-                             const FaceError& error, Index first_met, const LineTrace& trace,
-                             const Eigen::Vector3d& rounding_Me, std::vector<Index>& open) {
-  using Finding = CertainLine::Finding;
+VerifiedLine follow_certainly(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry,
+                              const FaceError& error, Index first_met, const LineTrace& trace,
+                              const Eigen::Vector3d& rounding_Me, std::vector<Index>& open) {
+  using Finding = VerifiedLine::Finding;
   if (!error.normal_known) return {Finding::unknown, span(posed)};
   const Side slave = opposite(master);
   const Tube tube(geometry, error, rounding_Me, tube_radius(posed, error, rounding_Me));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/bounds/footprint.h"
+#include "fast/bounds/face_enclosure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +109,7 @@ BoxST box_of(const PrismPoint* points, int count) {
 /// On which side of the plane of f the vertices of g certainly lie: 1 all above, -1 all below, 0 unsure. With lambda
 /// the barycentric coordinates of a vertex c of g in f, both as shifted, the plane of f passes there within sum
 /// |lambda| (depth + gradient x shift of f's vertices) of the unshifted one.
-int certain_side(const Footprint& f, const Footprint& g) {
+int certain_side(const FaceEnclosure& f, const FaceEnclosure& g) {
   const auto steepness = [&f](const PrismShift& shift) {
     return shift.depth + std::abs(f.depth.per_s) * shift.s + std::abs(f.depth.per_t) * shift.t;
   };
@@ -129,7 +129,7 @@ int certain_side(const Footprint& f, const Footprint& g) {
       widths += (f.corner_shift.s + g.corner_shift.s) * (std::abs(c[kT] - a[kT]) + g.corner_shift.t) +
                 (f.corner_shift.t + g.corner_shift.t) * std::abs(c[kS] - a[kS]);
     }
-    // Shifting leaves the face at least half its area (find_footprint).
+    // Shifting leaves the face at least half its area (find_face_enclosure).
     lambda = 2 * (lambda + 8 * widths) / twice_area;
     const double plane =
         f.depth.value + (f.depth.per_s * (c[kS] - f.depth.s_0) + f.depth.per_t * (c[kT] - f.depth.t_0));
@@ -142,10 +142,10 @@ int certain_side(const Footprint& f, const Footprint& g) {
   return above + shared == 3 ? 1 : below + shared == 3 ? -1 : 0;
 }
 
-/// What is needed of a face again and again while its footprint is found.
+/// What is needed of a face again and again while its enclosure is found.
 struct SeenFace {
   const FaceInPrism& face;
-  PrismNoise noise;        ///< of its vertices
+  PrismRounding noise;     ///< of its vertices
   PrismShift of_vertices;  ///< the first step of PrismError
   double greatest_s, greatest_t;
   double farthest_depth;  ///< of a corner from the master's plane, m
@@ -164,7 +164,7 @@ struct SeenFace {
 };
 
 /// What a face that stands on corners of the master hangs from; false where it surely lies beside the master.
-bool find_hinge(const PrismError& error, const SeenFace& seen, Footprint& f) {
+bool find_hinge(const PrismError& error, const SeenFace& seen, FaceEnclosure& f) {
   const std::array<bool, 3>& shared = seen.face.shared;
   f.hinge_depth = 0;
   if (!(shared[0] || shared[1] || shared[2])) return true;
@@ -182,7 +182,7 @@ bool find_hinge(const PrismError& error, const SeenFace& seen, Footprint& f) {
 }
 
 /// Where and how deep it may be seen; false where nowhere.
-bool find_box(const PrismError& error, const SeenFace& seen, Footprint& f) {
+bool find_box(const PrismError& error, const SeenFace& seen, FaceEnclosure& f) {
   const std::array<PrismPoint, 3>& corners = seen.face.corners;
   const double deepest = std::max(seen.deepest, 0.0);
   const PrismShift widest = sum_of(seen.of_vertices, error.of_frame(deepest));
@@ -214,7 +214,7 @@ struct Cuts {
 };
 
 /// How far its points and its border may be shifted.
-void find_shifts(const PrismError& error, const SeenFace& seen, const Cuts& cuts, Footprint& f) {
+void find_shifts(const PrismError& error, const SeenFace& seen, const Cuts& cuts, FaceEnclosure& f) {
   const std::array<PrismPoint, 3>& corners = seen.face.corners;
   const PrismShift of_tilt = error.of_tilt(seen.farthest_depth);
   f.vertex_shift = seen.of_vertices;
@@ -227,7 +227,7 @@ void find_shifts(const PrismError& error, const SeenFace& seen, const Cuts& cuts
 }
 
 /// The face itself, counterclockwise where its doubled area in (s, t) is this.
-void copy_face(const SeenFace& seen, double twice_area, Footprint& f) {
+void copy_face(const SeenFace& seen, double twice_area, FaceEnclosure& f) {
   f.face = seen.face.face;
   f.own = seen.face.own;
   f.rounding_Me = seen.face.rounding_Me;
@@ -244,7 +244,7 @@ void copy_face(const SeenFace& seen, double twice_area, Footprint& f) {
 }
 
 /// Its plane is not known.
-void set_facing_unsure(double twice_area, Footprint& f) {
+void set_facing_unsure(double twice_area, FaceEnclosure& f) {
   f.facing = 0;
   f.sliver = 0.5 * std::abs(twice_area);
   f.depth = {0, 0, 0};
@@ -254,7 +254,7 @@ void set_facing_unsure(double twice_area, Footprint& f) {
 
 /// Its plane, where its facing is sure; a and b are its edges from corner 0.
 void find_plane(const PrismError& error, const SeenFace& seen, const Cuts& cuts, double twice_area, const PrismPoint& a,
-                const PrismPoint& b, Footprint& f) {
+                const PrismPoint& b, FaceEnclosure& f) {
   f.facing = twice_area < 0 ? -1 : 1;
   f.sliver = 0;
   const double inverse = 1 / std::abs(twice_area);
@@ -285,7 +285,7 @@ void find_plane(const PrismError& error, const SeenFace& seen, const Cuts& cuts,
 
 }  // namespace
 
-CertainOrder certain_order(const Footprint& g, const Footprint& f) {
+CertainOrder certain_order(const FaceEnclosure& g, const FaceEnclosure& f) {
   const int g_over_f = certain_side(f, g);
   const int f_over_g = g_over_f == 0 ? certain_side(g, f) : 0;
   if (g_over_f > 0 || f_over_g < 0) return CertainOrder::before;
@@ -305,7 +305,7 @@ bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoin
 // shift.depth. A depth at a fixed (s, t) is off by what depth - per_s s - per_t t is, a side by its cross product with
 // the displacement. Windings: with both edges shifted by up to twice corner_shift the product changes by at most
 // 4 (s width_t + t width_s + 2 s t).
-bool find_footprint(const PrismError& error, const FaceInPrism& face, Footprint& f) {
+bool find_face_enclosure(const PrismError& error, const FaceInPrism& face, FaceEnclosure& f) {
   const SeenFace seen(error, face);
   if (!find_hinge(error, seen, f) || !find_box(error, seen, f)) return false;
   const Cuts cuts(face.corners);
@@ -325,7 +325,7 @@ bool find_footprint(const PrismError& error, const FaceInPrism& face, Footprint&
   return f.greatest >= 0;
 }
 
-void find_side_shifts(const PrismError& error, Footprint& f) {
+void find_side_shifts(const PrismError& error, FaceEnclosure& f) {
   if (f.knows_sides) return;
   f.knows_sides = true;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -346,7 +346,7 @@ void find_side_shifts(const PrismError& error, Footprint& f) {
 }
 
 // That of all that shifts may bring over the master, and what its border may pass over then.
-double greatest_area(const Footprint& face) {
+double greatest_area(const FaceEnclosure& face) {
   const ConvexPolygon part = part_over_master(face.corners, face.shift, face.third_side_shift);
   return std::min(face.box.area(),
                   (1 + 0x1p-40) * (0.5 * std::abs(twice_area(part))) +

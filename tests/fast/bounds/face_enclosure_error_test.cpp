@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fast/bounds/prism_error.h"
-#include "fast/bounds/strips.h"
+#include "fast/bounds/uncertain_strips.h"
 #include "fast/prism/projected_face.h"
 #include "tests/fast/exact_numbers.h"
 
@@ -232,8 +232,8 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
     const PrismError error(prism, FaceError(geometry, own_rounding), regime.master, own_rounding,
                            Eigen::Vector3d::Constant(regime.stir));
     const bool unseen = surely_unseen(error, regime.own, corners);
-    Footprint f;
-    const bool found = find_footprint(error, {0, regime.own, {0, 1, 2}, x, corners, shared, rounding}, f);
+    FaceEnclosure f;
+    const bool found = find_face_enclosure(error, {0, regime.own, {0, 1, 2}, x, corners, shared, rounding}, f);
 
     const ExactPrism exact(true_p);
     const mpf_class length_N = exact.length_N();
@@ -261,7 +261,7 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
     find_side_shifts(error, f);
     if (f.facing == 0) {
       ++greatest.edgewise;
-      Footprint carrier = f;
+      FaceEnclosure carrier = f;
       for (const double share : {1.0, 0.5, 0.2, 0.01}) {
         const double depth = share * std::max(f.greatest, 0.0);
         const mpq_class down_to =
@@ -274,7 +274,7 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
     }
     const int facing = sgn(cross_of(true_seen[0], true_seen[1], true_seen[2]));
     ASSERT_EQ(facing, f.facing) << trial;
-    // Counterclockwise, as the footprint has it.
+    // Counterclockwise, as the enclosure has it.
     if (facing < 0) std::swap(true_seen[1], true_seen[2]);
     const std::array<Seen, 3> computed{as_exact(f.corners[0]), as_exact(f.corners[1]), as_exact(f.corners[2])};
     for (const Seen& c : part) {

@@ -6,7 +6,7 @@
 #include <compare>
 #include <cstdint>
 
-#include "reference/pose/lifted_pose.h"
+#include "reference/pose/converted_pose.h"
 
 /// The lines that bound what a master face e = (p0, p1, p2) sees along its normal (PCM section 6, clipped scheme), by
 /// name and in numbers of any kind. A point of its plane is x = p0 + s (p1 - p0) + t (p2 - p0), a line a s + b t + c =
@@ -21,7 +21,7 @@ struct Face {
 };
 
 /// A line by what it is the trace of. The same name always has the same coefficients, sign included.
-struct SightLine {
+struct VisibilityLine {
   enum class Kind : std::uint8_t {
     edge,  ///< the projection of the edge from vertex a to vertex b, a < b
     fold,  ///< where the faces a and b have the same depth; b may be e itself, whose depth is 0
@@ -31,7 +31,7 @@ struct SightLine {
   Index a = 0;
   Side side_b = Side::E;
   Index b = 0;
-  auto operator<=>(const SightLine&) const = default;
+  auto operator<=>(const VisibilityLine&) const = default;
 };
 
 /// The master face e and its doubled normal N, in numbers of kind T.
@@ -42,7 +42,7 @@ struct MasterFrame {
 };
 
 template <class T>
-MasterFrame<T> make_frame(LiftedPose<T>& pose, Face master) {
+MasterFrame<T> make_frame(ConvertedPose<T>& pose, Face master) {
   const auto p = pose.corners(master.side, master.index);
   MasterFrame<T> e{p[0], p[1] - p[0], p[2] - p[0], pose.zero(), pose.zero(), pose.zero()};
   e.N = cross(e.v1, e.v2);
@@ -68,7 +68,7 @@ struct Depth {
 };
 
 template <class T>
-Depth<T> depth_of(LiftedPose<T>& pose, const MasterFrame<T>& e, Face g) {
+Depth<T> depth_of(ConvertedPose<T>& pose, const MasterFrame<T>& e, Face g) {
   const auto p = pose.corners(g.side, g.index);
   const Vec3<T> N_g = doubled_normal(p[0], p[1], p[2]);
   return {{dot(e.v1, N_g), dot(e.v2, N_g), dot(e.p0 - p[0], N_g)}, dot(e.N, N_g), N_g};
@@ -76,7 +76,7 @@ Depth<T> depth_of(LiftedPose<T>& pose, const MasterFrame<T>& e, Face g) {
 
 /// d_a - d_b times the product of their denominators; for b = e, the numerator of d_a.
 template <class T>
-Vec3<T> fold(LiftedPose<T>& pose, const MasterFrame<T>& e, Face master, Face a, Face b) {
+Vec3<T> fold(ConvertedPose<T>& pose, const MasterFrame<T>& e, Face master, Face a, Face b) {
   const Depth<T> d_a = depth_of(pose, e, a);
   if (b == master) return d_a.numerator;
   const Depth<T> d_b = depth_of(pose, e, b);
@@ -85,8 +85,8 @@ Vec3<T> fold(LiftedPose<T>& pose, const MasterFrame<T>& e, Face master, Face a, 
 
 /// The coefficients (a, b, c).
 template <class T>
-Vec3<T> coefficients(LiftedPose<T>& pose, const MasterFrame<T>& e, Face master, const SightLine& line) {
-  if (line.kind == SightLine::Kind::edge)
+Vec3<T> coefficients(ConvertedPose<T>& pose, const MasterFrame<T>& e, Face master, const VisibilityLine& line) {
+  if (line.kind == VisibilityLine::Kind::edge)
     return projected_edge(e, pose.point({line.side_a, line.a}), pose.point({line.side_b, line.b}));
   return fold(pose, e, master, {line.side_a, line.a}, {line.side_b, line.b});
 }

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "fast/bounds/footprint.h"
+#include "fast/bounds/face_enclosure.h"
 
 namespace pcm::fast {
 
@@ -14,7 +14,7 @@ namespace pcm::fast {
 /// The area within the box that two faces may have in common in either problem: 0 where a side of one certainly has the
 /// other on its far side, where vertices that both share lie on their sides; a strip along that side where it nearly
 /// has.
-double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box);
+double greatest_overlap(const FaceEnclosure& a, const FaceEnclosure& b, const BoxST& box);
 
 /// What the sides of a face may pass over within the box: its area, and the integral there of the depth of the face
 /// `carrier`; and whether one of them certainly has all of the box on its far side. Side k may be off by
@@ -25,12 +25,12 @@ struct SideStrips {
   double volume = 0;  ///< m
   bool apart = false;
 };
-SideStrips strips_along_sides(const Footprint& face, double s, double t, const Footprint& carrier, const BoxST& box,
-                              const std::array<bool, 3>& sides = {true, true, true});
+SideStrips strips_along_sides(const FaceEnclosure& face, double s, double t, const FaceEnclosure& carrier,
+                              const BoxST& box, const std::array<bool, 3>& sides = {true, true, true});
 
 /// The area within the box that a face whose facing is not sure has in either problem, down to the greatest depth of
 /// the carrier there, and the integral of that.
-SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth, const BoxST& box);
+SideStrips sliver(const FaceEnclosure& face, const FaceEnclosure& carrier, double depth, const BoxST& box);
 
 /// How far two linear functions, of which the areas between their zeros are asked, are from each other, and how far
 /// either is from the one they are given by, which is rounded itself.
@@ -45,12 +45,12 @@ struct LineStrip {
   double volume = 0;        ///< of the depth of f, m
   bool everywhere = false;  ///< nowhere in the box is the sign sure
 };
-LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const Footprint& f, const Footprint& g,
-                           const BoxST& box);
+LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const FaceEnclosure& f,
+                           const FaceEnclosure& g, const BoxST& box);
 
 /// How far off the depth of g is, m, where another face of the given box is cut along g's line of depth 0; 0 where g
 /// has no such line.
-double roundings_of_depth(const Footprint& g, const BoxST& box);
+double roundings_of_depth(const FaceEnclosure& g, const BoxST& box);
 
 /// The area within the box between the places where two linear functions are 0, both near the given one.
 struct ZeroStrip {
@@ -59,7 +59,7 @@ struct ZeroStrip {
 };
 ZeroStrip zero_strip(const LinearDepth& function, const LineError& error, const BoxST& box);
 /// The area where a function lies within `error` of 0 beside those sides of a face, as near as they may be shifted.
-double zero_strip_at_sides(const Footprint& face, const std::array<bool, 3>& sides, const LinearDepth& function,
+double zero_strip_at_sides(const FaceEnclosure& face, const std::array<bool, 3>& sides, const LinearDepth& function,
                            double error, const BoxST& box);
 
 }  // namespace pcm::fast

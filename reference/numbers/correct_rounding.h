@@ -10,11 +10,11 @@
 
 namespace pcm::reference {
 
-/// Of the Balls for what DoubleDouble does not settle: enough for nearly all that are no ties.
-inline constexpr mpfr_prec_t kSettlingPrecision = 240;
+/// Of the Balls for what DoubleDouble does not round: enough for nearly all that are no ties.
+inline constexpr mpfr_prec_t kRoundingPrecision = 240;
 
 /// Turns enclosures (DoubleDouble, Ball) into correctly rounded doubles and remembers whether it could each time.
-class Settler {
+class CorrectRounder {
  public:
   template <class T>
   void operator()(const T& value, double& target) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fast/bounds/passing_error.h"
+#include "fast/bounds/repartition_error.h"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ TEST_P(PassingErrorOf, HoldsForWhatElementsPassToEachOther) {
 
     RealVector force = RealVector::Zero(), torque = RealVector::Zero();  // How far off.
     ElementForceError bound;
-    PassingError passing;
+    RepartitionError passing;
     for (const Part& part : parts) {
       const Real true_area = Real(part.area) + Real(part.passed_area);
       const Real true_volume = Real(part.area) * Real(part.depth) + Real(part.passed_volume);
@@ -123,8 +123,8 @@ TEST_P(PassingErrorOf, HoldsForWhatElementsPassToEachOther) {
       error.passed_volume = passed_volume;
       passing.add(problem, element, error, bound);
       const ElementForceError own = force_error(problem, element, error);
-      bound.force_Me += PassingError::kGrowth * own.force_Me;
-      bound.torque_Me += PassingError::kGrowth * own.torque_Me;
+      bound.force_Me += RepartitionError::kGrowth * own.force_Me;
+      bound.torque_Me += RepartitionError::kGrowth * own.torque_Me;
     }
     passing.finish(bound);
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/bounds/strips.h"
+#include "fast/bounds/uncertain_strips.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ struct Stretch {
     keep((1 + margin_s + margin_t) - s - t, -way_s - way_t);
   }
   /// Keeps what is within (s, t) of a face however its sides are shifted.
-  void keep_in(const Footprint& face, double margin_s, double margin_t) {
+  void keep_in(const FaceEnclosure& face, double margin_s, double margin_t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const PrismPoint& a = face.corners[k];
       const PrismPoint& b = face.corners[(k + 1) % 3];
@@ -67,7 +67,7 @@ struct Stretch {
     }
   }
   /// No depth of a face is greater within (s, t) of it.
-  double greatest_depth(const Footprint& face, double margin_s, double margin_t) const {
+  double greatest_depth(const FaceEnclosure& face, double margin_s, double margin_t) const {
     if (face.facing == 0) return std::max(face.greatest, 0.0);
     const double depth = std::max(face.depth.at(s_at(low), t_at(low)), face.depth.at(s_at(high), t_at(high)));
     const double margin =
@@ -83,7 +83,7 @@ struct Separation {
   double margin = 0;  ///< how far the shifts may move it
 };
 
-void separate(const Footprint& a, const Footprint& b, double shift_s, double shift_t, Separation& best) {
+void separate(const FaceEnclosure& a, const FaceEnclosure& b, double shift_s, double shift_t, Separation& best) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     const PrismPoint& from = a.corners[k];
@@ -110,7 +110,7 @@ void separate(const Footprint& a, const Footprint& b, double shift_s, double shi
 }
 
 /// Two faces that look the same way, both surely, lie on either side of the side they share.
-bool share_a_side(const Footprint& a, const Footprint& b) {
+bool share_a_side(const FaceEnclosure& a, const FaceEnclosure& b) {
   if (a.own != b.own || a.facing == 0 || a.facing != b.facing) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -122,7 +122,7 @@ bool share_a_side(const Footprint& a, const Footprint& b) {
 
 }  // namespace
 
-double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box) {
+double greatest_overlap(const FaceEnclosure& a, const FaceEnclosure& b, const BoxST& box) {
   if (share_a_side(a, b)) return 0;
   const double s = std::max(a.corner_shift.s, b.corner_shift.s), t = std::max(a.corner_shift.t, b.corner_shift.t);
   Separation separation;
@@ -135,7 +135,7 @@ double greatest_overlap(const Footprint& a, const Footprint& b, const BoxST& box
 }
 
 // Its computed area, and what its sides may pass over.
-SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth, const BoxST& box) {
+SideStrips sliver(const FaceEnclosure& face, const FaceEnclosure& carrier, double depth, const BoxST& box) {
   PrismShift shift = face.shift;
   double area = face.sliver;
   if (depth < 0.5 * face.hinge_depth) {
@@ -152,8 +152,8 @@ SideStrips sliver(const Footprint& face, const Footprint& carrier, double depth,
 // What a side passes over lies between where it is and where it was, and within (s, t) of it: in the coordinates lambda
 // along the side and (side) x (x - a) across it, whose determinant is 1, that is no more than side_shift and roundings
 // by the stretch of the side that is within (s, t) of the box. Twice these margins pay for roundings of this itself.
-SideStrips strips_along_sides(const Footprint& face, double s, double t, const Footprint& carrier, const BoxST& box,
-                              const std::array<bool, 3>& sides) {
+SideStrips strips_along_sides(const FaceEnclosure& face, double s, double t, const FaceEnclosure& carrier,
+                              const BoxST& box, const std::array<bool, 3>& sides) {
   const double middle_s = 0.5 * (box.low_s + box.high_s), middle_t = 0.5 * (box.low_t + box.high_t);
   SideStrips strips;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -200,8 +200,8 @@ SideStrips strips_along_sides(const Footprint& face, double s, double t, const F
 }
 
 // Points between the zeros of both functions are no farther from the line where the given one is 0 than either.
-LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const Footprint& f, const Footprint& g,
-                           const BoxST& box) {
+LineStrip strip_along_line(const LinearDepth& function, const LineError& error, const FaceEnclosure& f,
+                           const FaceEnclosure& g, const BoxST& box) {
   const double greatest = std::max(f.greatest, 0.0);
   const ZeroStrip strip = zero_strip(function, error, box);
   if (!(strip.area > 0) || strip.everywhere) return {strip.area, strip.area * greatest, strip.everywhere};
@@ -234,7 +234,7 @@ LineStrip strip_along_line(const LinearDepth& function, const LineError& error, 
 
 // With v_0 the depth at the corner from which it is reckoned: the slopes have four roundings and what is made of them
 // four more, the product of v_0 and the area five, and a sum. Twice, for the area may be off by a quarter.
-double roundings_of_depth(const Footprint& g, const BoxST& box) {
+double roundings_of_depth(const FaceEnclosure& g, const BoxST& box) {
   const auto& c = g.corners;
   if (std::min({c[0][kDepth], c[1][kDepth], c[2][kDepth]}) >= 0) return 0;
   const PrismPoint a = (c[1] - c[0]).cwiseAbs(), b = (c[2] - c[0]).cwiseAbs();
@@ -247,7 +247,7 @@ double roundings_of_depth(const Footprint& g, const BoxST& box) {
 }
 
 // Of a side's extent only that share counts along which the function changes by twice the error.
-double zero_strip_at_sides(const Footprint& face, const std::array<bool, 3>& sides, const LinearDepth& function,
+double zero_strip_at_sides(const FaceEnclosure& face, const std::array<bool, 3>& sides, const LinearDepth& function,
                            double error, const BoxST& box) {
   const double s = face.shift.s, t = face.shift.t;
   double area = 0;

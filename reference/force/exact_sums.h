@@ -6,18 +6,18 @@
 #include <utility>
 #include <vector>
 
-#include "reference/loads/contact_force.h"
-#include "reference/loads/element_load.h"
+#include "reference/force/contact_force.h"
+#include "reference/force/law.h"
 #include "reference/numbers/radical_sum.h"
 
 namespace pcm::reference {
 
 /// Loads of one master's elements with every decision of the law exact. An element is computed when something of it is
 /// asked for; its values are correctly rounded (radical_sum.h).
-class ExactLoads {
+class ExactSums {
  public:
   /// All that the question refers to must outlive this.
-  explicit ExactLoads(const ForceQuestion& question)
+  explicit ExactSums(const ForceQuestion& question)
       : question_(question), pose_(question.pose), known_(question.elements.size()) {}
 
   std::size_t size() const { return known_.size(); }
@@ -46,7 +46,7 @@ class ExactLoads {
   const Known& at(std::size_t i);
 
   ForceQuestion question_;
-  LiftedPose<Rational> pose_;
+  ConvertedPose<Rational> pose_;
   std::vector<std::optional<Known>> known_;
 };
 
@@ -55,7 +55,7 @@ class ExactLoads {
 class ExactTotals {
  public:
   /// The masters must outlive this. Force, torque and scales are multiplied by `share`.
-  ExactTotals(std::vector<ExactLoads*> masters, double share) : masters_(std::move(masters)), share_(share) {}
+  ExactTotals(std::vector<ExactSums*> masters, double share) : masters_(std::move(masters)), share_(share) {}
 
   double force(int axis);
   double torque(int axis);
@@ -69,7 +69,7 @@ class ExactTotals {
   /// The greatest penetration before clamping; none without elements.
   std::optional<Quadratic> greatest();
 
-  std::vector<ExactLoads*> masters_;
+  std::vector<ExactSums*> masters_;
   double share_;
 };
 

@@ -37,7 +37,7 @@ struct LinearDepth {
 /// far its border and its depth there may be off. A point (s, t) of the master that does not lie within `shift` of the
 /// projected border is covered by the face in both problems or in neither; where it is, both depths are within
 /// `depth_error` of `depth`.
-struct Footprint {
+struct FaceEnclosure {
   Index face;
   bool own;                     ///< of the master
   Eigen::Vector3d rounding_Me;  ///< how far its vertices may be from the exact problem's, m
@@ -47,7 +47,7 @@ struct Footprint {
   BoxST box;                         ///< holds all of it that is over the master face at a depth >= 0, in both problems
   PrismShift shift;                  ///< of its points over the master face
   PrismShift cut_shift;              ///< of its border, by roundings of the cuts that shape it alone
-  PrismNoise noise;                  ///< roundings of its vertices as they are seen
+  PrismRounding noise;               ///< roundings of its vertices as they are seen
   std::array<bool, 3> fixed;         ///< corners that are the master's own
   bool knows_sides;                  ///< find_side_shifts was called
   std::array<double, 3> side_shift;  ///< of side k over the master: (side k) x (displacement) in (s, t)
@@ -68,12 +68,12 @@ struct Footprint {
   double relative_noise;  ///< of a linear function that is given by its values at the corners
   double crossing_noise;  ///< how far off the line may be, m over m, where this plane meets a face that far away
 
-  Footprint() {}
+  FaceEnclosure() {}
 };
 
-/// A footprint together with what is found out about the element it may carry (fast/bounds/clipped_error.h).
-struct Sight {
-  Footprint footprint;
+/// A enclosure together with what is found out about the element it may carry (fast/bounds/clipped_error.h).
+struct FaceInView {
+  FaceEnclosure enclosure;
   const ProjectedFace* projected = nullptr;  ///< the face as the engine sees it, where it does
   bool may_carry = false;
   bool has_element = false;
@@ -87,8 +87,8 @@ struct Sight {
 };
 
 /// Scratch memory.
-struct SightScratch {
-  std::vector<Sight> sights;
+struct ViewScratch {
+  std::vector<FaceInView> sights;
   std::vector<std::size_t> order;
 };
 
@@ -107,18 +107,18 @@ struct FaceInPrism {
 };
 
 /// False where the face is certainly not seen, in neither problem.
-bool find_footprint(const PrismError& error, const FaceInPrism& seen, Footprint& footprint);
+bool find_face_enclosure(const PrismError& error, const FaceInPrism& seen, FaceEnclosure& enclosure);
 
 /// Fills side_shift and side_cuts, unless they are.
-void find_side_shifts(const PrismError& error, Footprint& footprint);
+void find_side_shifts(const PrismError& error, FaceEnclosure& enclosure);
 
 /// No more than this area of the master is covered by the face, in either problem.
-double greatest_area(const Footprint& face);
+double greatest_area(const FaceEnclosure& face);
 
 /// What is certain, in both problems, of the order in which the lines meet two faces wherever they meet both.
 enum class CertainOrder : std::uint8_t { before, after, unsure };
 /// Of g against f. Decided as the engine decides it, by the sides of a face's plane that the other's vertices lie on;
 /// those that both share lie on both planes.
-CertainOrder certain_order(const Footprint& g, const Footprint& f);
+CertainOrder certain_order(const FaceEnclosure& g, const FaceEnclosure& f);
 
 }  // namespace pcm::fast

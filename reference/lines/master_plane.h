@@ -8,15 +8,15 @@
 #include <optional>
 #include <vector>
 
-#include "reference/lines/sight_lines.h"
-#include "reference/pose/lifted_pose.h"
+#include "reference/lines/visibility_lines.h"
+#include "reference/pose/converted_pose.h"
 
 /// What a master face sees along its penetration lines (PCM section 6, clipped scheme): lines in its plane, exactly.
 namespace pcm::reference {
 
 /// The side of a line in the master's plane on which sign * (a s + b t + c) >= 0.
 struct HalfPlane {
-  Index line = 0;  ///< in the SightPlane
+  Index line = 0;  ///< in the MasterPlane
   int sign = 1;
 };
 
@@ -31,11 +31,12 @@ struct SeenFace {
   std::optional<HalfPlane> ahead;  ///< where its depth d_g >= 0; none where d_g = 0 throughout
 };
 
-/// The pose's points as enclosures, for both problems at once, and exactly; lifted once for all master faces.
-struct SightPoints {
-  explicit SightPoints(const ExactPose& pose) : enclosed(LiftedPose<Interval>::of_both_problems(pose)), exact(pose) {}
-  LiftedPose<Interval> enclosed;
-  LiftedPose<Exact> exact;
+/// The pose's points as enclosures, for both problems at once, and exactly; converted once for all master faces.
+struct VisibilityPoints {
+  explicit VisibilityPoints(const ExactPose& pose)
+      : enclosed(ConvertedPose<Interval>::of_both_problems(pose)), exact(pose) {}
+  ConvertedPose<Interval> enclosed;
+  ConvertedPose<Exact> exact;
   /// Enclosures and connectivity decided all that was asked, or numbers of E alone: so it holds in both problems.
   bool robust = true;
 };
@@ -47,10 +48,10 @@ struct SightPoints {
 /// with a common edge meet in it, and three lines through the projection of one vertex meet there.
 ///
 /// To be used while the rounding mode is upward (CGAL::Protect_FPU_rounding); exact numbers do not mind.
-class SightPlane {
+class MasterPlane {
  public:
   /// Pose and points must outlive this.
-  SightPlane(SightPoints& points, Face master);
+  MasterPlane(VisibilityPoints& points, Face master);
 
   Face master() const { return master_; }
   const MasterFrame<Interval>& frame() const { return enclosed_; }
@@ -73,29 +74,29 @@ class SightPlane {
   /// The same by enclosures and connectivity only: nothing where they do not tell.
   std::optional<int> quick_side(HalfPlane h, HalfPlane first, HalfPlane second, const Vec3<Interval>& at) const;
 
-  const SightLine& name(HalfPlane h) const { return lines_[h.line].name; }
+  const VisibilityLine& name(HalfPlane h) const { return lines_[h.line].name; }
 
  private:
   struct Line {
-    SightLine name;
+    VisibilityLine name;
     std::array<Vertex, 2> through;  ///< vertices whose projections lie on it; index kNone where there is none
     Vec3<Interval> enclosed;        ///< scaled by a power of two to about 1
     std::optional<Vec3<Exact>> exact;
   };
 
-  Index find_line(const SightLine& name, const std::array<Vertex, 2>& through);
+  Index find_line(const VisibilityLine& name, const std::array<Vertex, 2>& through);
   HalfPlane side_of(Face g, int facing, int corner);
   const Vec3<Exact>& exact_line(Index line);
   bool vanishes(Index line);
   bool of_E_only(Index line) const;
   Vec3<Interval> enclosed_line(HalfPlane h) const;
 
-  SightPoints& points_;
+  VisibilityPoints& points_;
   Face master_;
   MasterFrame<Interval> enclosed_;
   std::optional<MasterFrame<Exact>> exact_;
   std::vector<Line> lines_;
-  std::map<SightLine, Index> known_lines_;
+  std::map<VisibilityLine, Index> known_lines_;
   std::map<Face, SeenFace> seen_;
 };
 
