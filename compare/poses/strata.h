@@ -15,6 +15,7 @@
 /// pair, pose number) and of the two meshes.
 namespace pcm::compare {
 
+/// A new one is added at the end: its number is part of what random numbers are drawn from.
 enum class Stratum : std::uint8_t {
   generic,          ///< uniform rotation, penetration log-uniform between 1e-6 and 0.5 of the smaller body's size
   grazing,          ///< the same, penetration between 1e-15 and 1e-6
