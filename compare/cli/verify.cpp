@@ -68,8 +68,7 @@ Exit verify_poses(const VerifyOptions& options) {
   const int jobs = number_of_jobs(options);
   std::vector<std::string> notices;
   VerificationPlan plan = plan_from(options, notices);
-  std::optional<fs::path> folder;
-  if (options.out) folder = prepare_folder(*options.out);
+  const std::optional<fs::path> folder = prepared_folder(options);
   std::optional<Interruptible> work(std::in_place, plan.poses);
   Verification run(std::move(plan));
   for (const std::string& notice : notices) complain(notice);

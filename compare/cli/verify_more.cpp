@@ -19,6 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Extent extent_of(const VerifyOptions& options) {
+  return options.quick ? Extent::quick : Extent::full;
+}
+
 Exit compare_engines(const VerifyOptions& options) {
   if (options.scheme && *options.scheme != "barycentric")
     throw BadInput("--engine: the published algorithms know the barycentric scheme only; leave out --scheme");
@@ -30,8 +34,7 @@ Exit compare_engines(const VerifyOptions& options) {
   std::vector<std::string> notices;
   VerificationPlan plan = plan_from(options, notices);
   plan.schemes = {Scheme::barycentric};
-  std::optional<fs::path> folder;
-  if (options.out) folder = prepare_folder(*options.out);
+  const std::optional<fs::path> folder = prepared_folder(options);
   for (const std::string& notice : notices) complain(notice);
   const Interruptible work(plan.poses);
   return verify_engines(
@@ -41,21 +44,18 @@ Exit compare_engines(const VerifyOptions& options) {
 
 Exit known_answers(const VerifyOptions& options) {
   const std::uint64_t seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
-  std::optional<fs::path> folder;
-  if (options.out) folder = prepare_folder(*options.out);
-  return verify_known_answers(options.quick ? Extent::quick : Extent::full, seed, number_of_jobs(options), folder);
+  const std::optional<fs::path> folder = prepared_folder(options);
+  return verify_known_answers(extent_of(options), seed, number_of_jobs(options), folder);
 }
 
 Exit error_budget(const VerifyOptions& options) {
-  std::optional<fs::path> folder;
-  if (options.out) folder = prepare_folder(*options.out);
-  return verify_error_budget(options.quick ? Extent::quick : Extent::full, number_of_jobs(options), folder);
+  const std::optional<fs::path> folder = prepared_folder(options);
+  return verify_error_budget(extent_of(options), number_of_jobs(options), folder);
 }
 
 Exit audits(const VerifyOptions& options) {
-  std::optional<fs::path> folder;
-  if (options.out) folder = prepare_folder(*options.out);
-  return verify_audits(options.quick ? Extent::quick : Extent::full, number_of_jobs(options), folder);
+  const std::optional<fs::path> folder = prepared_folder(options);
+  return verify_audits(extent_of(options), number_of_jobs(options), folder);
 }
 
 }  // namespace

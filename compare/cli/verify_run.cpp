@@ -105,11 +105,13 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   return plan;
 }
 
-fs::path prepare_folder(const std::string& out) {
-  const fs::path folder = out;
+std::optional<fs::path> prepared_folder(const VerifyOptions& options) {
+  if (!options.out) return std::nullopt;
+  const fs::path folder = *options.out;
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder, error)) throw BadInput("--out " + out + ": no such folder, and it cannot be made");
+  if (!fs::is_directory(folder, error))
+    throw BadInput("--out " + *options.out + ": no such folder, and it cannot be made");
   write_text_file(folder / "state.probe", "");
   fs::remove(folder / "state.probe", error);
   return folder;

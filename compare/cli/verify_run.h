@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ int number_of_jobs(const VerifyOptions& options);
 /// What the options ask for. `notices` gets lines on what is left out or odd.
 VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices);
 
-/// The folder of a run, made if need be. Throws BadInput where nothing can be written there.
-std::filesystem::path prepare_folder(const std::string& out);
+/// The folder that --out names, made if need be; none where it is not given. Throws BadInput where nothing can be
+/// written there.
+std::optional<std::filesystem::path> prepared_folder(const VerifyOptions& options);
 
 }  // namespace pcm::compare

@@ -11,21 +11,17 @@
 #include <limits>
 #include <vector>
 
-#include "compare/io/svg_plot.h"
+#include "compare/io/svg.h"
 
 namespace pcm::compare {
 namespace {
 
 // Lengths in pixels.
-constexpr double kPanelWidth = 440, kGreatestHeight = 480, kGap = 28, kMargin = 24;
-constexpr double kTitleSize = 19, kHeadingSize = 14, kTextSize = 12.5;
-constexpr double kLine = 17;        ///< from one line of text to the next
-constexpr double kCharacter = 6.7;  ///< mean width in a wide sans-serif, for text of kTextSize
-constexpr double kArrow = 7;        ///< half the length of an arrow head
+constexpr double kPanelWidth = 440, kGreatestHeight = 480, kGap = 28;
+constexpr double kArrow = 7;  ///< half the length of an arrow head
 constexpr double kArrowSpacing = 70;
 constexpr double kSurroundings = 0.15;  ///< shown on each side of the contact, relative to its size
 
-constexpr const char* kBlack = "#222222";
 constexpr const char* kPolygon = "#0060a0";
 constexpr const char* kEdge = "#cccccc";
 constexpr const char* kActiveEdge = "#777777";
@@ -354,20 +350,11 @@ std::string svg(const ContactPicture& picture) {
   double y = top + height + 18;
   drawn += legend(y, greatest);
   y += 42;
-  const auto characters = static_cast<std::size_t>((width - 2 * kMargin) / kCharacter);
-  for (const std::string& line : wrapped(picture.caption, characters)) {
+  for (const std::string& line : wrapped(picture.caption, characters_in(width - 2 * kMargin))) {
     drawn += text(kMargin, y, kTextSize, line);
     y += kLine;
   }
-  return fmt::format(R"(<?xml version="1.0" encoding="UTF-8"?>)"
-                     "\n"
-                     R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
-                     R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="Helvetica, Arial, 'DejaVu Sans', sans-serif" )"
-                     R"(fill="{2}" role="img">)"
-                     "\n<title>{3}</title>\n<desc>{4}</desc>\n"
-                     R"(<rect width="100%" height="100%" fill="#ffffff"/>)"
-                     "\n{5}</svg>\n",
-                     width, y, kBlack, escaped(picture.title), escaped(picture.caption), drawn);
+  return svg_document(width, y, picture.title, picture.caption, drawn);
 }
 
 }  // namespace pcm::compare

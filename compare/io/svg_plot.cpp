@@ -8,20 +8,18 @@
 #include <cassert>
 #include <cmath>
 
+#include "compare/io/svg.h"
+
 namespace pcm::compare {
 namespace {
 
 // Lengths in pixels.
 constexpr double kPlotWidth = 390, kPlotHeight = 360;
 constexpr double kLeft = 92, kGap = 108, kRight = 30;
-constexpr double kMargin = 24;
-constexpr double kTitleSize = 19, kHeadingSize = 14, kTextSize = 12.5, kExponentSize = 10;
-constexpr double kLine = 17;        ///< from one line of text to the next
-constexpr double kCharacter = 6.7;  ///< mean width in a wide sans-serif, for text of kTextSize
+constexpr double kExponentSize = 10;
 constexpr double kLegendEntry = 310;
 constexpr double kMarker = 4.5;  ///< half its width
 
-constexpr const char* kBlack = "#222222";
 constexpr const char* kGrey = "#666666";
 
 std::string text(double x, double y, double size, std::string_view anchor, std::string_view words,
@@ -172,46 +170,10 @@ std::vector<PlotCurve> legend_of(const std::vector<LogPlot>& plots) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-std::vector<std::string> wrapped(std::string_view words, std::size_t most) {
-  // The bytes of a UTF-8 character but its first are 10xxxxxx.
-  const auto characters = [](std::string_view s) {
-    return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-  };
-  std::vector<std::string> paragraph;
-  while (!words.empty()) {
-    const std::string_view word = words.substr(0, words.find(' '));
-    words.remove_prefix(std::min(words.size(), word.size() + 1));
-    if (word.empty()) continue;
-    if (paragraph.empty() || characters(paragraph.back()) + 1 + characters(word) > most)
-      paragraph.emplace_back(word);
-    else
-      paragraph.back() += ' ' + std::string(word);
-  }
-  return paragraph;
-}
-
 std::string svg(const Figure& figure) {
   assert(!figure.plots.empty());
   const auto number = static_cast<double>(figure.plots.size());
   const double width = kLeft + number * kPlotWidth + (number - 1) * kGap + kRight;
-  const auto characters = [](double room) { return static_cast<std::size_t>(room / kCharacter); };
 
   std::string picture = text(kMargin, 34, kTitleSize, "start", figure.title, R"( font-weight="bold")");
   double y = 62;
@@ -229,32 +191,24 @@ std::string svg(const Figure& figure) {
   y += 36;
   std::size_t note_lines = 0;
   for (const LogPlot& plot : figure.plots)
-    note_lines = std::max(note_lines, wrapped(plot.note, characters(kPlotWidth + kLeft / 2)).size());
+    note_lines = std::max(note_lines, wrapped(plot.note, characters_in(kPlotWidth + kLeft / 2)).size());
   const double top = y + kLine * static_cast<double>(note_lines) + 20;
   for (std::size_t p = 0; p < figure.plots.size(); ++p) {
     const LogPlot& plot = figure.plots[p];
     const double left = kLeft + (kPlotWidth + kGap) * static_cast<double>(p), words = left - kLeft / 2;
     picture += text(words, y, kHeadingSize, "start", plot.title, R"( font-weight="bold")");
-    picture += lines(wrapped(plot.note, characters(kPlotWidth + kLeft / 2)), words, y + kLine + 1, kGrey);
+    picture += lines(wrapped(plot.note, characters_in(kPlotWidth + kLeft / 2)), words, y + kLine + 1, kGrey);
     const LogAxis x_axis(plot.curves, 0, left, left + kPlotWidth);
     const LogAxis y_axis(plot.curves, 1, top + kPlotHeight, top);
     picture += axes(plot, x_axis, y_axis, left, top);
     for (const PlotCurve& curve : plot.curves) picture += curve_on(x_axis, y_axis, curve);
   }
 
-  const std::vector<std::string> caption = wrapped(figure.caption, characters(width - 2 * kMargin));
+  const std::vector<std::string> caption = wrapped(figure.caption, characters_in(width - 2 * kMargin));
   y = top + kPlotHeight + 44 + 30;
   picture += lines(caption, kMargin, y, kBlack);
   const double height = y + kLine * static_cast<double>(caption.size()) + kMargin / 2;
-  return fmt::format(R"(<?xml version="1.0" encoding="UTF-8"?>)"
-                     "\n"
-                     R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
-                     R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="Helvetica, Arial, 'DejaVu Sans', sans-serif" )"
-                     R"(fill="{2}" role="img">)"
-                     "\n<title>{3}</title>\n<desc>{4}</desc>\n"
-                     R"(<rect width="100%" height="100%" fill="#ffffff"/>)"
-                     "\n{5}</svg>\n",
-                     width, height, kBlack, escaped(figure.title), escaped(figure.caption), picture);
+  return svg_document(width, height, figure.title, figure.caption, picture);
 }
 
 }  // namespace pcm::compare

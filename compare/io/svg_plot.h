@@ -45,10 +45,4 @@ struct Figure {
 /// plots, that every plot has points and that all of them are positive.
 std::string svg(const Figure& figure);
 
-/// Words broken at blanks into lines of at most so many characters (a longer word stands alone); UTF-8.
-std::vector<std::string> wrapped(std::string_view words, std::size_t most);
-
-/// Text as XML takes it.
-std::string escaped(std::string_view text);
-
 }  // namespace pcm::compare

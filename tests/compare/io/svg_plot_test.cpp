@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/io/svg_plot.h"
+#include "compare/io/svg.h"
 
 #include <gtest/gtest.h>
 
