@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Simbody.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "pcm/contact.h"
+#include "pcm/engine.h"
+#include "pcm/inputs.h"
+
+/// Contact between triangle meshes as a force element of Simbody (3.7): surfaces on mobilized bodies, pairings among
+/// them.
+///
+///     pcm::simbody::ContactForces contact(forces, matter);
+///     const auto plate = contact.add_surface(matter.Ground(), SimTK::Transform(), plate_surface);
+///     const auto ball = contact.add_surface(ball_body, SimTK::Transform(), ball_surface);
+///     contact.add_pairing(plate, ball, law);
+///
+/// Frames: G is Ground, B a mobilized body, S a surface's own frame, in which its vertices are given.
+namespace pcm::simbody {
+
+/// What one pairing does at a state.
+struct PairingAnswer {
+  bool touching = false;
+  bool nested = false;     ///< one body within the other without crossing: there is no force (PCM section 5)
+  bool ambiguous = false;  ///< an open surface labels faces both ways
+  /// The depth exceeds max_penetration of the law: depths are clamped, and the elastic energy is too small.
+  bool penetration_exceeded = false;
+  Index too_deep = 0;                          ///< faces without a force: the body is thinner there than the depth
+  Index elements = 0;                          ///< contact elements
+  double max_penetration = 0;                  ///< m
+  SimTK::Vec3 force_G = SimTK::Vec3(0);        ///< on the body of E, N
+  SimTK::Vec3 torque_G = SimTK::Vec3(0);       ///< on the body of E about the origin of F's surface, N m
+  SimTK::Vec3 origin_of_F_G = SimTK::Vec3(0);  ///< that origin, m
+};
+
+/// How pairings were answered so far, over all states.
+struct ContactCounters {
+  std::int64_t states = 0;     ///< at which forces were computed
+  std::int64_t evaluated = 0;  ///< pairings asked of the engine (which may find their boxes apart)
+  std::int64_t recalled = 0;   ///< pairings whose answer was that of the remembered state, see `remember`
+};
+
+/// Contact forces among any number of surfaces. Like every Simbody force it belongs to the subsystem that it is added
+/// to; this object is a handle, and copies mean the same forces.
+///
+/// Forces are a function of the State alone, bit for bit: the order in which states are asked does not matter. Several
+/// threads may ask about different States; they wait for one another.
+class ContactForces : public SimTK::Force::Custom {
+ public:
+  ContactForces(SimTK::GeneralForceSubsystem& forces, const SimTK::SimbodyMatterSubsystem& matter);
+
+  /// A surface fixed on a body; both are numbered from 0 in the order they are added. A surface may be on many bodies.
+  Index add_surface(const SimTK::MobilizedBody& body, const SimTK::Transform& X_BS, const fast::Surface& surface);
+  /// Throws BadInput where there is no such surface, both are the same, or a parameter of the law is out of its range.
+  Index add_pairing(Index surface_E, Index surface_F, const ContactLaw& law = {}, Mode mode = Mode::E,
+                    Scheme scheme = Scheme::barycentric);
+
+  Index surfaces() const;
+  Index pairings() const;
+  const fast::Pairing& pairing(Index pairing) const;
+
+  /// Of every pairing, in their order. `state` must be realized to Stage::Velocity, as everywhere below. Computed once
+  /// for each state. Throws BadInput, as fast::Scene::move and fast::evaluate do, where the state is out of all bounds.
+  const std::vector<PairingAnswer>& answers(const SimTK::State& state) const;
+
+  /// Where F's surface is, seen from E's, and how it moves: what the engine is asked about.
+  Pose relative_pose(const SimTK::State& state, Index pairing) const;
+  Velocity relative_velocity(const SimTK::State& state, Index pairing) const;
+  /// All that the engine knows of one pairing there, elements and polygons if wanted.
+  fast::Contact contact(const SimTK::State& state, Index pairing, const Wanted& wanted = {}) const;
+
+  /// Energy of the elastic foundations, J: the sum over elements of the integral of c_l u^2 / 2, halved in mode `both`.
+  /// Depths that are clamped count as clamped, so that it is a lower bound then. Simbody counts the sum over pairings
+  /// as potential energy. It is no potential of the force in the strict sense: docs/energy.md. Stage::Position.
+  double elastic_energy(const SimTK::State& state, Index pairing) const;
+
+  /// Keeps the answers at this state until the next call. Pairings whose relative pose and velocity are the same bits
+  /// at another state are answered from memory: with difference quotients for a Jacobian, those whose bodies did not
+  /// move. No bit of any answer changes.
+  void remember(const SimTK::State& state) const;
+
+  ContactCounters counters() const;
+
+ private:
+  class Implementation;
+  const Implementation& implementation() const;
+  Implementation& implementation();
+};
+
+}  // namespace pcm::simbody

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "pcm/bad_input.h"
+#include "pcm/scene.h"
+#include "pcm/simbody.h"
+
+namespace pcm::simbody {
+namespace {
+
+using SimTK::SpatialVec;
+using SimTK::Transform;
+using SimTK::Vec3;
+
+Eigen::Vector3d to_eigen(const Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
+
+ContactLaw rough() {
+  ContactLaw law;
+  law.stiffness = 5.9e5;
+  law.damping = 1000;
+  law.transition_depth = 1e-3;
+  law.friction = 0.25;
+  law.slip_velocity = 1e-2;
+  return law;
+}
+
+/// Two bubbles and a plate, each surface off its body's origin and turned, so that no frame is another one.
+struct TwoBubblesOnPlate {
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::GeneralForceSubsystem forces{system};
+  ContactForces contact{forces, matter};
+  SimTK::MobilizedBody::Free lower, upper;
+  const Transform X_GP{SimTK::Rotation(0.1, SimTK::XAxis), Vec3(0.02, 0.01, -0.05)};
+  const Transform X_BS{SimTK::Rotation(0.4, SimTK::UnitVec3(1, 2, 3)), Vec3(0.1, -0.05, 0.2)};
+  SimTK::State state;
+
+  TwoBubblesOnPlate() {
+    const SimTK::Body::Rigid body(SimTK::MassProperties(2, Vec3(0), SimTK::Inertia(0.02)));
+    lower = SimTK::MobilizedBody::Free(matter.Ground(), Transform(Vec3(0.3, 0.2, 0.1)), body, Transform());
+    upper = SimTK::MobilizedBody::Free(matter.Ground(), body);
+    const fast::Surface bubble(generate::bubble());
+    const Index on_ground = contact.add_surface(matter.Ground(), X_GP, fast::Surface(generate::plate(2, 2, 0.5, 8, 8)));
+    const Index on_lower = contact.add_surface(lower, X_BS, bubble);
+    const Index on_upper = contact.add_surface(upper, Transform(), bubble);
+    contact.add_pairing(on_ground, on_lower, rough(), Mode::F);
+    contact.add_pairing(on_lower, on_upper, rough(), Mode::both);
+    contact.add_pairing(on_upper, on_ground, rough(), Mode::E, Scheme::clipped);
+    state = system.realizeTopology();
+    const Transform X_GL(SimTK::Rotation(0.7, SimTK::UnitVec3(1, -1, 0.5)), Vec3(0.05, 0.1, -0.1));
+    lower.setQToFitTransform(state, lower.getInboardFrame(state).invert() * X_GL);
+    upper.setQToFitTransform(state, Transform(SimTK::Rotation(-0.4, SimTK::UnitVec3(0, 1, 1)), Vec3(0.2, 0.05, -0.08)));
+    lower.setUToFitVelocity(state, SpatialVec(Vec3(1, -2, 0.5), Vec3(0.3, 0.2, -0.4)));
+    upper.setUToFitVelocity(state, SpatialVec(Vec3(-0.5, 0.25, 1), Vec3(0, -0.1, -0.6)));
+    system.realize(state, SimTK::Stage::Velocity);
+  }
+
+  /// By body, about its origin, in Ground.
+  SimTK::Vector_<SpatialVec> body_forces(const SimTK::State& at) const {
+    SimTK::Vector_<SpatialVec> bodies;
+    SimTK::Vector_<Vec3> particles;
+    SimTK::Vector mobilities;
+    contact.calcForceContribution(at, bodies, particles, mobilities);
+    return bodies;
+  }
+};
+
+/// The engine's own scene, placed by hand: x_G = R_GB (R_BS x + p_BS) + p_GB and its derivative.
+fast::Scene by_hand(const TwoBubblesOnPlate& model) {
+  fast::Scene scene;
+  const fast::Surface bubble(generate::bubble());
+  scene.add_body(fast::Surface(generate::plate(2, 2, 0.5, 8, 8)));
+  scene.add_body(bubble);
+  scene.add_body(bubble);
+  scene.add_pairing(0, 1, rough(), Mode::F);
+  scene.add_pairing(1, 2, rough(), Mode::both);
+  scene.add_pairing(2, 0, rough(), Mode::E, Scheme::clipped);
+  const auto placed = [&](const SimTK::MobilizedBody& body, const Transform& X_BS) {
+    const Transform X = body.getBodyTransform(model.state) * X_BS;
+    fast::BodyState state;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) state.pose.A(i, j) = X.R().asMat33()(i, j);
+    state.pose.r = to_eigen(X.p());
+    const SpatialVec V = body.getBodyVelocity(model.state);
+    state.velocity.w = to_eigen(V[0]);
+    state.velocity.v = to_eigen(V[1] + V[0] % (X.p() - body.getBodyOriginLocation(model.state)));
+    return state;
+  };
+  scene.move(
+      {placed(model.matter.getGround(), model.X_GP), placed(model.lower, model.X_BS), placed(model.upper, Transform())});
+  return scene;
+}
+
+TEST(ContactForces, EveryBodyFeelsTheEnginesLoadAboutItsOwnOrigin) {
+  const TwoBubblesOnPlate model;
+  fast::Scene scene = by_hand(model);
+  scene.evaluate_all();
+  const std::vector<fast::BodyLoad> loads = scene.body_loads();
+  const SimTK::Vector_<SpatialVec> forces = model.body_forces(model.state);
+  const auto expect_load = [&](const SimTK::MobilizedBody& body, const fast::BodyLoad& load, const Vec3& origin_S) {
+    const SpatialVec& F = forces[body.getMobilizedBodyIndex()];
+    const double size = load.force_W.norm();
+    ASSERT_GT(size, 1);
+    EXPECT_LT((to_eigen(F[1]) - load.force_W).norm(), 1e-12 * size);
+    const Eigen::Vector3d arm = to_eigen(origin_S - body.getBodyOriginLocation(model.state));
+    EXPECT_LT((to_eigen(F[0]) - load.torque_W - arm.cross(load.force_W)).norm(), 1e-12 * size);
+  };
+  expect_load(model.lower, loads[1], (model.lower.getBodyTransform(model.state) * model.X_BS).p());
+  expect_load(model.upper, loads[2], model.upper.getBodyOriginLocation(model.state));
+  expect_load(model.matter.getGround(), loads[0], model.X_GP.p());
+}
+
+TEST(ContactForces, AreInternalForces) {
+  const TwoBubblesOnPlate model;
+  const SimTK::Vector_<SpatialVec> forces = model.body_forces(model.state);
+  Vec3 force(0), torque(0);
+  double size = 0;
+  for (SimTK::MobilizedBodyIndex b(0); b < model.matter.getNumBodies(); ++b) {
+    force += forces[b][1];
+    torque += forces[b][0] + model.matter.getMobilizedBody(b).getBodyOriginLocation(model.state) % forces[b][1];
+    size += forces[b][1].norm();
+  }
+  EXPECT_LT(force.norm(), 1e-14 * size);
+  EXPECT_LT(torque.norm(), 1e-14 * size);
+}
+
+TEST(ContactForces, AnswersAreTheEnginesContacts) {
+  const TwoBubblesOnPlate model;
+  for (Index p = 0; p < model.contact.pairings(); ++p) {
+    const PairingAnswer& answer = model.contact.answers(model.state)[static_cast<std::size_t>(p)];
+    const fast::Contact contact = model.contact.contact(model.state, p);
+    ASSERT_TRUE(contact.touching) << p;
+    EXPECT_TRUE(answer.touching);
+    EXPECT_EQ(answer.nested, contact.nested);
+    EXPECT_EQ(answer.elements, static_cast<Index>(contact.elements.size()));
+    EXPECT_EQ(answer.too_deep, contact.too_deep);
+    EXPECT_EQ(answer.max_penetration, contact.max_penetration);
+    EXPECT_NEAR(answer.force_G.norm(), contact.force_Me.norm(), 1e-13 * contact.force_Me.norm());
+  }
+}
+
+bool same_bits(const SimTK::Vector_<SpatialVec>& a, const SimTK::Vector_<SpatialVec>& b) {
+  for (int i = 0; i < a.size(); ++i)
+    for (int k = 0; k < 2; ++k)
+      for (int j = 0; j < 3; ++j)
+        if (!(a[i][k][j] == b[i][k][j])) return false;
+  return a.size() == b.size();
+}
+
+TEST(ContactForces, AreAFunctionOfTheStateAlone) {
+  const TwoBubblesOnPlate model;
+  const SimTK::Vector_<SpatialVec> first = model.body_forces(model.state);
+  SimTK::State elsewhere = model.state;
+  for (double away : {0.01, 0.4, 3.0}) {
+    elsewhere.updQ()[6] += away;
+    model.system.realize(elsewhere, SimTK::Stage::Velocity);
+    EXPECT_FALSE(same_bits(model.body_forces(elsewhere), first)) << away;
+    SimTK::State back = elsewhere;
+    back.updQ() = model.state.getQ();
+    model.system.realize(back, SimTK::Stage::Velocity);
+    EXPECT_TRUE(same_bits(model.body_forces(back), first)) << away;
+  }
+}
+
+TEST(ContactForces, AskTheEngineOnceForEachState) {
+  const TwoBubblesOnPlate model;
+  model.body_forces(model.state);
+  model.body_forces(model.state);
+  model.contact.answers(model.state);
+  EXPECT_EQ(model.contact.counters().states, 1);
+  EXPECT_EQ(model.contact.counters().evaluated, 3);
+}
+
+// Differences for a Jacobian: the columns of the upper bubble leave the lower one on the plate alone.
+TEST(ContactForces, RememberedAnswersHaveTheSameBits) {
+  const TwoBubblesOnPlate model, forgetful;
+  model.contact.remember(model.state);
+  const std::int64_t before = model.contact.counters().evaluated;
+  for (const bool velocities : {false, true}) {
+    for (int i = 0; i < (velocities ? model.state.getNU() : model.state.getNQ()); ++i) {
+      SimTK::State moved = model.state;
+      double& coordinate = velocities ? moved.updU()[i] : moved.updQ()[i];
+      coordinate += 1e-6;
+      model.system.realize(moved, SimTK::Stage::Velocity);
+      SimTK::State other = forgetful.state;
+      other.updQ() = moved.getQ();
+      other.updU() = moved.getU();
+      forgetful.system.realize(other, SimTK::Stage::Velocity);
+      EXPECT_TRUE(same_bits(model.body_forces(moved), forgetful.body_forces(other))) << velocities << i;
+    }
+  }
+  // 7 coordinates and 6 speeds of each body; each moves two of three pairings.
+  EXPECT_EQ(model.contact.counters().recalled, 26);
+  EXPECT_EQ(model.contact.counters().evaluated - before, 52);
+}
+
+TEST(ContactForces, RefuseWhatIsNotThere) {
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter(system);
+  SimTK::GeneralForceSubsystem forces(system);
+  ContactForces contact(forces, matter);
+  const Index plate = contact.add_surface(matter.Ground(), Transform(), fast::Surface(generate::plate(1, 1, 0.1)));
+  EXPECT_THROW(contact.add_pairing(plate, plate), BadInput);
+  EXPECT_THROW(contact.add_pairing(plate, 7), BadInput);
+  const Index other = contact.add_surface(matter.Ground(), Transform(), fast::Surface(generate::plate(1, 1, 0.1)));
+  ContactLaw law;
+  law.stiffness = -1;
+  EXPECT_THROW(contact.add_pairing(plate, other, law), BadInput);
+  EXPECT_THROW(contact.pairing(0), BadInput);
+}
+
+}  // namespace
+}  // namespace pcm::simbody
