@@ -19,7 +19,8 @@ struct Command {
 
 /// The subcommands that are programs of their own.
 constexpr std::array kElsewhere = {Command{"bench", kBenchDescription}, Command{"contact", kContactDescription},
-                                   Command{"inspect", kInspectDescription}, Command{"mesh", kMeshDescription}};
+                                   Command{"inspect", kInspectDescription}, Command{"mesh", kMeshDescription},
+                                   Command{"simulate", kSimulateDescription}};
 
 /// The first word that is no option: pcm's own options have no values.
 std::string_view command_word(int argc, char** argv) {

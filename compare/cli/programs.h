@@ -16,6 +16,8 @@ inline constexpr const char* kContactDescription =
 inline constexpr const char* kInspectDescription =
     "Jumps of the elastic force along a path of poses: where, how large and why; and the work done";
 inline constexpr const char* kMeshDescription = "Surfaces: check, make, convert";
+inline constexpr const char* kSimulateDescription =
+    "Bodies in motion: the paper's scenes or one of yours, integrated, recorded, with its energies";
 
 /// Goes on as the program of that name beside this one, with the same arguments; throws BadInput where it can't.
 [[noreturn]] void become(const std::string& program, char** argv);

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/cli/simulate.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "compare/cli/programs.h"
+#include "pcm/bad_input.h"
+#include "simulate/record/run_tables.h"
+#include "simulate/record/simulate.h"
+#include "simulate/scenes/read_scene.h"
+
+namespace pcm::simulate {
+namespace {
+
+using compare::Exit;
+
+struct SimulateOptions {
+  std::string scene, out, method, duration, relative, absolute, greatest_step;
+  bool schema = false, print = false;
+};
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw BadInput(file.string() + ": can't be read; built in are: bubbles");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// The text of a built-in scene or of a file.
+std::string scene_text(const std::string& name) {
+  for (const BuiltInScene& scene : built_in_scenes())
+    if (scene.name == name) return std::string(scene.text);
+  return read_text(name);
+}
+
+Method method_named(const std::string& word) {
+  std::string known;
+  for (const Method method : {Method::adams, Method::bdf, Method::ida, Method::dormand_prince, Method::esdirk}) {
+    if (name(method) == word) return method;
+    known += (known.empty() ? "" : ", ") + std::string(name(method));
+  }
+  throw BadInput("--integrator: there is no '" + word + "'; known: " + known);
+}
+
+/// What the command line says goes before what the scene says.
+void apply(const SimulateOptions& options, Scene& scene) {
+  const auto number = [](const std::string& option, const std::string& text, double& value) {
+    if (!text.empty()) value = compare::positive_number(option, text);
+  };
+  if (!options.method.empty()) scene.integrator.method = method_named(options.method);
+  number("--duration", options.duration, scene.duration);
+  number("--relative-tolerance", options.relative, scene.integrator.relative_tolerance);
+  number("--absolute-tolerance", options.absolute, scene.integrator.absolute_tolerance);
+  number("--greatest-step", options.greatest_step, scene.integrator.greatest_step);
+}
+
+/// A run is known by its scene and by what the command line changes in it.
+std::string identity(const std::string& text, const SimulateOptions& options) {
+  return text + fmt::format("\n// {} {} {} {} {}\n", options.method, options.duration, options.relative,
+                            options.absolute, options.greatest_step);
+}
+
+volatile std::sig_atomic_t interrupted = 0;
+
+class ProgressLine {
+ public:
+  void show(const Progress& progress) {
+    if (!terminal_) return;
+    const int now = static_cast<int>(1000 * progress.t / progress.duration);
+    if (now == shown_) return;
+    shown_ = now;
+    fmt::print(stderr, "\rt = {:.3f} of {:g} s, step {:.2e} s, {:.2f} times real time ", progress.t, progress.duration,
+               progress.step, progress.real_time_factor);
+  }
+  ~ProgressLine() {
+    if (shown_ >= 0) fmt::print(stderr, "\n");
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) == 1;
+  int shown_ = -1;
+};
+
+Exit simulate(const SimulateOptions& options) {
+  if (options.schema) {
+    std::cout << scene_schema();
+    return Exit::success;
+  }
+  if (options.scene.empty()) throw BadInput("SCENE is missing; see pcm simulate --help");
+  const std::string text = scene_text(options.scene);
+  if (options.print) {
+    std::cout << text;
+    return Exit::success;
+  }
+  Scene scene = parse_scene(text, options.scene);
+  apply(options, scene);
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;
+  std::string notice;
+  RecordedRun run(scene, identity(text, options), folder, notice);
+  if (!notice.empty()) compare::complain(notice);
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  bool finished = false;
+  {
+    ProgressLine line;
+    finished = run.run([] { return interrupted != 0; }, [&line](const Progress& progress) { line.show(progress); });
+  }
+  const std::string tables =
+      cost_table(options.scene, scene, run.kept()) + "\n" + energy_table(run.kept(), run.observe().energies);
+  std::ofstream(folder / "tables.md") << "# " << scene.title << "\n\n" << tables;
+  std::cout << tables;
+  if (!finished)
+    compare::complain(
+        fmt::format("interrupted at t = {:g} s; the same command goes on from there", run.kept().checkpoint.t));
+  return finished ? Exit::success : Exit::negative;
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& program, compare::Run& run) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command = program.add_subcommand("simulate", compare::kSimulateDescription);
+  command->footer(
+      "Everything is kept in a folder, from which the same command goes on where it was interrupted: tables of steps,\n"
+      "energies and loads, states, and the poses of all pairings (docs/simulate.md).\n\n"
+      "Examples:\n"
+      "  pcm simulate bubbles\n"
+      "  pcm simulate bubbles --print > mine.json\n"
+      "  pcm simulate mine.json --out mine --integrator bdf");
+  command->add_option("SCENE", options->scene, "bubbles, or a scene file");
+  command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
+  command->add_option("--integrator", options->method,
+                      "adams, bdf, ida, dormand_prince or esdirk, in place of the scene's");
+  command->add_option("--duration", options->duration, "In s, in place of the scene's");
+  command->add_option("--relative-tolerance", options->relative, "In place of the scene's");
+  command->add_option("--absolute-tolerance", options->absolute, "In m, rad, m/s and rad/s, in place of the scene's");
+  command->add_option("--greatest-step", options->greatest_step, "In s, in place of the scene's");
+  command->add_flag("--print", options->print, "Print the scene and run nothing");
+  command->add_flag("--schema", options->schema, "Print the JSON schema of scene files");
+  command->callback([options, &run] { run = [options] { return simulate(*options); }; });
+}
+
+}  // namespace pcm::simulate

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/model/model.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "pcm/bad_input.h"
+#include "pcm/simbody.h"
+
+namespace pcm::simulate {
+namespace {
+
+SimTK::Vec3 to_simtk(const Eigen::Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
+
+Eigen::Vector3d to_eigen(const SimTK::Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
+
+SimTK::Transform to_simtk(const Placement& placement) {
+  SimTK::Mat33 R;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) R(i, j) = placement.R(i, j);
+  return {SimTK::Rotation(R), to_simtk(placement.p)};
+}
+
+Pose to_pose(const SimTK::Transform& X) {
+  Pose pose;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) pose.A(i, j) = X.R().asMat33()(i, j);
+  pose.r = to_eigen(X.p());
+  return pose;
+}
+
+/// Simbody counts inertia about the body's origin: Steiner's theorem.
+SimTK::MassProperties to_simtk(const MassProperties& mass) {
+  const Eigen::Vector3d& c = mass.centre_B;
+  const Eigen::Matrix3d I =
+      mass.inertia_B + mass.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+  return {mass.mass, to_simtk(c), SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))};
+}
+
+SimTK::MobilizedBody mobilized(SimTK::MobilizedBody& parent, const Joint& joint, const SimTK::Body& body) {
+  const SimTK::Transform in_parent = to_simtk(joint.in_parent), in_body = to_simtk(joint.in_body);
+  switch (joint.type) {
+    case JointType::weld:
+      return SimTK::MobilizedBody::Weld(parent, in_parent, body, in_body);
+    case JointType::pin:
+      return SimTK::MobilizedBody::Pin(parent, in_parent, body, in_body);
+    case JointType::slider:
+      return SimTK::MobilizedBody::Slider(parent, in_parent, body, in_body);
+    case JointType::universal:
+      return SimTK::MobilizedBody::Universal(parent, in_parent, body, in_body);
+    case JointType::gimbal:
+      return SimTK::MobilizedBody::Gimbal(parent, in_parent, body, in_body);
+    case JointType::ball:
+      return SimTK::MobilizedBody::Ball(parent, in_parent, body, in_body);
+    case JointType::free:
+      return SimTK::MobilizedBody::Free(parent, in_parent, body, in_body);
+  }
+  throw BadInput("joint: no such type");
+}
+
+bool has_quaternion(JointType type) {
+  return type == JointType::ball || type == JointType::free;
+}
+
+/// c_l (12).
+double series_stiffness(const ContactLaw& law) {
+  if (!law.layers) return law.stiffness;
+  const auto [c_E, c_F] = *law.layers;
+  return std::isinf(c_E) ? c_F : std::isinf(c_F) ? c_E : c_E * (c_F / (c_E + c_F));
+}
+
+constexpr Wanted kElements{false, false, true, true, false, false};
+
+}  // namespace
+
+struct Model::Data {
+  explicit Data(const Scene& from);
+
+  SimTK::MobilizedBody& carrier_of(Index body) {
+    if (body < 0) return matter.updGround();
+    return bodies[static_cast<std::size_t>(body)];
+  }
+  void add_body(const Body& body);
+  void add_joint_forces(const Joint& joint, const SimTK::MobilizedBody& body);
+  /// y into `state`, realized to `stage`.
+  void realize(double t, const Eigen::VectorXd& y, SimTK::Stage stage);
+  Eigen::VectorXd y() const;
+  PairingObservation observe_pairing(std::size_t p, Powers& powers) const;
+  double joint_power() const;
+  SimTK::Transform surface_transform(Index surface) const;
+
+  Scene scene;
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::GeneralForceSubsystem forces{system};
+  SimTK::Force::Gravity gravity;
+  pcm::simbody::ContactForces contact{forces, matter};
+  std::vector<SimTK::MobilizedBody> bodies;
+  struct Damper {
+    SimTK::MobilizedBodyIndex body;
+    SimTK::MobilizerUIndex speed;
+    double damping;
+  };
+  std::vector<Damper> dampers;
+  struct Bumper {
+    SimTK::MobilizedBodyIndex body;
+    Limit limit;
+    SimTK::Force::MobilityLinearStop force;
+  };
+  std::vector<Bumper> bumpers;
+  SimTK::State state;
+  ModelCounters counters;
+};
+
+Model::Data::Data(const Scene& from) : scene(from) {
+  gravity = SimTK::Force::Gravity(forces, matter, to_simtk(scene.gravity_G));
+  for (const Body& body : scene.bodies) add_body(body);
+  for (const SceneSurface& surface : scene.surfaces) {
+    const SimTK::MobilizedBody& carrier = carrier_of(surface.body);
+    contact.add_surface(carrier, to_simtk(surface.at_B), fast::Surface(surface.mesh));
+  }
+  for (const ScenePairing& p : scene.pairings) contact.add_pairing(p.E, p.F, p.law, p.mode, p.scheme);
+  state = system.realizeTopology();
+  matter.setUseEulerAngles(state, false);
+  system.realizeModel(state);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Joint& joint = scene.bodies[b].joint;
+    for (std::size_t i = 0; i < joint.coordinates.size(); ++i)
+      bodies[b].setOneQ(state, static_cast<int>(i), joint.coordinates[i]);
+    for (std::size_t i = 0; i < joint.speeds.size(); ++i)
+      bodies[b].setOneU(state, static_cast<int>(i), joint.speeds[i]);
+    if (joint.prescribed_speed) bodies[b].setOneU(state, 0, *joint.prescribed_speed);
+    if (joint.type != JointType::free) continue;
+    // Simbody places frame K in frame J; ours is B in G.
+    system.realize(state, SimTK::Stage::Position);
+    const Body& body = scene.bodies[b];
+    const SimTK::MobilizedBody& parent = bodies[b].getParentMobilizedBody();
+    const SimTK::Transform X_PB = ~parent.getBodyTransform(state) * to_simtk(body.at_G);
+    bodies[b].setQToFitTransform(state, ~bodies[b].getInboardFrame(state) * X_PB * bodies[b].getOutboardFrame(state));
+    system.realize(state, SimTK::Stage::Velocity);
+    bodies[b].setUToFitVelocity(state, {SimTK::Vec3(0), SimTK::Vec3(0)});
+    system.realize(state, SimTK::Stage::Velocity);
+    // Velocity of K in J, with the parent's own motion taken off, is what the speeds of a free joint are.
+    const SimTK::Rotation R_JG = ~(parent.getBodyRotation(state) * bodies[b].getInboardFrame(state).R());
+    const SimTK::Vec3 arm_G = bodies[b].getBodyRotation(state) * bodies[b].getOutboardFrame(state).p();
+    const SimTK::Vec3 w = to_simtk(body.angular_velocity_G) - parent.getBodyAngularVelocity(state);
+    const SimTK::Vec3 point_P =
+        bodies[b].findStationLocationInAnotherBody(state, bodies[b].getOutboardFrame(state).p(), parent);
+    const SimTK::Vec3 v = to_simtk(body.velocity_G) + to_simtk(body.angular_velocity_G) % arm_G -
+                          parent.findStationVelocityInGround(state, point_P);
+    bodies[b].setUToFitVelocity(state, {R_JG * w, R_JG * v});
+  }
+  system.realize(state, SimTK::Stage::Velocity);
+}
+
+void Model::Data::add_body(const Body& body) {
+  SimTK::MobilizedBody& parent = carrier_of(body.joint.parent);
+  SimTK::MobilizedBody added = mobilized(parent, body.joint, SimTK::Body::Rigid(to_simtk(body.mass)));
+  if (body.joint.prescribed_speed) SimTK::Motion::Steady(added, *body.joint.prescribed_speed);
+  add_joint_forces(body.joint, added);
+  bodies.push_back(added);
+}
+
+void Model::Data::add_joint_forces(const Joint& joint, const SimTK::MobilizedBody& body) {
+  if (joint.damping > 0) {
+    const int speeds = joint.type == JointType::free   ? 6
+                       : joint.type == JointType::ball ? 3
+                                                       : coordinate_count(joint.type);
+    for (int i = 0; i < speeds; ++i) {
+      const SimTK::MobilizerUIndex speed(i);
+      SimTK::Force::MobilityLinearDamper(forces, body, speed, joint.damping);
+      dampers.push_back({body.getMobilizedBodyIndex(), speed, joint.damping});
+    }
+  }
+  for (const Limit& limit : joint.limits) {
+    const SimTK::Force::MobilityLinearStop stop(forces, body, SimTK::MobilizerQIndex(limit.coordinate), limit.stiffness,
+                                                limit.dissipation, limit.from, limit.to);
+    bumpers.push_back({body.getMobilizedBodyIndex(), limit, stop});
+  }
+}
+
+void Model::Data::realize(double t, const Eigen::VectorXd& y, SimTK::Stage stage) {
+  state.setTime(t);
+  SimTK::Vector& q = state.updQ();
+  for (int i = 0; i < q.size(); ++i) q[i] = y[i];
+  SimTK::Vector& u = state.updU();
+  for (int i = 0; i < u.size(); ++i) u[i] = y[q.size() + i];
+  system.realize(state, SimTK::Stage::Time);
+  system.prescribe(state);
+  system.realize(state, stage);
+}
+
+Eigen::VectorXd Model::Data::y() const {
+  const SimTK::Vector &q = state.getQ(), &u = state.getU();
+  Eigen::VectorXd y(q.size() + u.size());
+  for (int i = 0; i < q.size(); ++i) y[i] = q[i];
+  for (int i = 0; i < u.size(); ++i) y[q.size() + i] = u[i];
+  return y;
+}
+
+PairingObservation Model::Data::observe_pairing(std::size_t p, Powers& powers) const {
+  const auto index = static_cast<Index>(p);
+  const pcm::simbody::PairingAnswer& answer = contact.answers(state)[p];
+  PairingObservation result;
+  result.touching = answer.touching;
+  result.nested = answer.nested;
+  result.too_deep = answer.too_deep;
+  result.elements = answer.elements;
+  result.max_penetration = answer.max_penetration;
+  result.force_G = to_eigen(answer.force_G);
+  result.pose = contact.relative_pose(state, index);
+  result.velocity = contact.relative_velocity(state, index);
+  if (answer.elements == 0) return result;
+  const ScenePairing& pairing = scene.pairings[p];
+  const fast::Contact elements = contact.contact(state, index, kElements);
+  const double share = pairing.mode == Mode::both ? 0.5 : 1;
+  const double stiffness = series_stiffness(pairing.law);
+  for (const fast::Element& e : elements.elements) {
+    result.normal_force += share * e.normal_force;
+    result.tangential_force += share * e.tangential_force;
+    powers.damping += share * (e.normal_force - stiffness * e.area * e.penetration) * e.normal_velocity;
+    powers.friction += share * e.tangential_force * e.tangential_velocity;
+  }
+  result.patch_area = share * elements.statistics.patch_area;
+  const Pose E = to_pose(surface_transform(pairing.E));
+  result.centre_of_pressure_G = E.A * elements.statistics.centre_of_pressure_Me + E.r;
+  return result;
+}
+
+SimTK::Transform Model::Data::surface_transform(Index index) const {
+  const SceneSurface& surface = scene.surfaces[static_cast<std::size_t>(index)];
+  const SimTK::Transform X_BS = to_simtk(surface.at_B);
+  return surface.body < 0 ? X_BS : bodies[static_cast<std::size_t>(surface.body)].getBodyTransform(state) * X_BS;
+}
+
+// A bumper's force is k x (1 + d dx/dt), never pulling; what exceeds its spring's k x is damping.
+double Model::Data::joint_power() const {
+  double power = 0;
+  for (const Damper& d : dampers) {
+    const double u = matter.getMobilizedBody(d.body).getOneU(state, d.speed);
+    power += d.damping * u * u;
+  }
+  for (const Bumper& b : bumpers) {
+    const SimTK::MobilizedBody& body = matter.getMobilizedBody(b.body);
+    const double q = body.getOneQ(state, b.limit.coordinate), speed = body.getOneQDot(state, b.limit.coordinate);
+    const bool above = q > b.limit.to;
+    if (!above && q >= b.limit.from) continue;
+    const double x = above ? q - b.limit.to : b.limit.from - q;
+    const double rate = above ? speed : -speed;
+    const double spring = b.limit.stiffness * x;
+    const double force = std::max(0.0, spring * (1 + b.limit.dissipation * rate));
+    power += (force - spring) * rate;
+  }
+  return power;
+}
+
+Model::Model(const Scene& scene) {
+  try {
+    data_ = std::make_unique<Data>(scene);
+  } catch (const SimTK::Exception::Base& error) {
+    throw BadInput(std::string("the scene can't be set up: ") + error.what());
+  }
+}
+Model::~Model() = default;
+Model::Model(Model&&) noexcept = default;
+Model& Model::operator=(Model&&) noexcept = default;
+
+Eigen::Index Model::size() const {
+  return data_->state.getNQ() + data_->state.getNU();
+}
+
+Eigen::Index Model::degrees_of_freedom() const {
+  Eigen::Index prescribed = 0;
+  for (const Body& body : data_->scene.bodies) prescribed += body.joint.prescribed_speed.has_value();
+  return data_->state.getNU() - prescribed;
+}
+
+Eigen::VectorXd Model::start() const {
+  return data_->y();
+}
+
+Eigen::VectorXd Model::normalised(const Eigen::VectorXd& y) const {
+  Eigen::VectorXd result = y;
+  for (std::size_t b = 0; b < data_->bodies.size(); ++b) {
+    if (!has_quaternion(data_->scene.bodies[b].joint.type)) continue;
+    result.segment<4>(static_cast<int>(data_->bodies[b].getFirstQIndex(data_->state))).normalize();
+  }
+  return result;
+}
+
+Evaluation Model::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {
+  Data& data = *data_;
+  data.realize(t, y, SimTK::Stage::Velocity);
+  const std::vector<pcm::simbody::PairingAnswer>& answers = data.contact.answers(data.state);
+  data.counters.pairings_evaluated = data.contact.counters().evaluated;
+  data.counters.pairings_recalled = data.contact.counters().recalled;
+  for (const pcm::simbody::PairingAnswer& answer : answers) {
+    data.counters.nested += answer.nested;
+    data.counters.penetration_exceeded += answer.penetration_exceeded;
+    if (answer.nested || answer.penetration_exceeded) return Evaluation::not_here;
+  }
+  data.system.realize(data.state, SimTK::Stage::Acceleration);
+  const SimTK::Vector &qdot = data.state.getQDot(), &udot = data.state.getUDot();
+  for (int i = 0; i < qdot.size(); ++i) dydt[i] = qdot[i];
+  for (int i = 0; i < udot.size(); ++i) dydt[qdot.size() + i] = udot[i];
+  return Evaluation::available;
+}
+
+void Model::remember(double t, const Eigen::VectorXd& y) {
+  data_->realize(t, y, SimTK::Stage::Velocity);
+  data_->contact.remember(data_->state);
+}
+
+Observation Model::observe(double t, const Eigen::VectorXd& y) {
+  Data& data = *data_;
+  data.realize(t, y, SimTK::Stage::Acceleration);
+  Observation result;
+  for (Index s = 0; s < static_cast<Index>(data.scene.surfaces.size()); ++s)
+    result.surfaces_G.push_back(to_pose(data.surface_transform(s)));
+  for (std::size_t p = 0; p < data.scene.pairings.size(); ++p)
+    result.pairings.push_back(data.observe_pairing(p, result.powers));
+  result.energies.kinetic = data.matter.calcKineticEnergy(data.state);
+  result.energies.gravity = data.gravity.calcPotentialEnergyContribution(data.state);
+  result.energies.elastic = data.contact.calcPotentialEnergyContribution(data.state);
+  for (const Data::Bumper& bumper : data.bumpers)
+    result.energies.bumpers += bumper.force.calcPotentialEnergyContribution(data.state);
+  result.powers.joints = data.joint_power();
+  result.powers.motions = data.matter.calcMotionPower(data.state);
+  return result;
+}
+
+std::vector<ObservedElement> Model::elements(double t, const Eigen::VectorXd& y) {
+  Data& data = *data_;
+  data.realize(t, y, SimTK::Stage::Velocity);
+  std::vector<ObservedElement> result;
+  for (Index p = 0; p < data.contact.pairings(); ++p) {
+    if (data.contact.answers(data.state)[static_cast<std::size_t>(p)].elements == 0) continue;
+    for (const fast::Element& e : data.contact.contact(data.state, p, kElements).elements)
+      result.push_back({p, e.master, e.master_face, e.slave_face, e.normal_force / e.area});
+  }
+  return result;
+}
+
+const ModelCounters& Model::counters() const {
+  return data_->counters;
+}
+
+}  // namespace pcm::simulate

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/record/run_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "compare/io/program_hash.h"
+#include "compare/io/sha256.h"
+#include "meshes/files/parse_number.h"
+#include "pcm/bad_input.h"
+#include "pcm/write_obj.h"
+
+namespace pcm::simulate {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Reads back to the same bits.
+std::string bits(double value) {
+  return fmt::format("{:a}", value);
+}
+
+double number_from(const std::string& text) {
+  const std::optional<double> number = parse_number(text);
+  if (!number) throw BadInput("'" + text + "' is no number");
+  return *number;
+}
+
+double from_bits(const Json& json) {
+  return number_from(json.get<std::string>());
+}
+
+Json to_json(const Eigen::VectorXd& y) {
+  Json json = Json::array();
+  for (const double value : y) json.push_back(bits(value));
+  return json;
+}
+
+Json to_json(const EnergyFlow& flow) {
+  return {{"damping", bits(flow.damping)},
+          {"friction", bits(flow.friction)},
+          {"joints", bits(flow.joints)},
+          {"motions", bits(flow.motions)}};
+}
+
+Json to_json(const RunCost& cost) {
+  const Failures& failures = cost.work.failures;
+  return {{"steps", cost.work.steps},
+          {"derivatives", cost.work.derivatives},
+          {"derivatives_for_jacobians", cost.work.derivatives_for_jacobians},
+          {"jacobians", cost.work.jacobians},
+          {"nonlinear_iterations", cost.work.nonlinear_iterations},
+          {"error_test", failures.error_test},
+          {"nonlinear", failures.nonlinear},
+          {"not_here", failures.not_here},
+          {"not_finite", failures.not_finite},
+          {"elements_changed", cost.elements_changed},
+          {"too_deep", cost.too_deep},
+          {"integration_seconds", cost.integration_seconds},
+          {"seconds", cost.seconds}};
+}
+
+EnergyFlow flow_from(const Json& json) {
+  return {from_bits(json.at("damping")), from_bits(json.at("friction")), from_bits(json.at("joints")),
+          from_bits(json.at("motions"))};
+}
+
+RunCost cost_from(const Json& json) {
+  RunCost cost;
+  cost.work.steps = json.at("steps");
+  cost.work.derivatives = json.at("derivatives");
+  cost.work.derivatives_for_jacobians = json.at("derivatives_for_jacobians");
+  cost.work.jacobians = json.at("jacobians");
+  cost.work.nonlinear_iterations = json.at("nonlinear_iterations");
+  cost.work.failures.error_test = json.at("error_test");
+  cost.work.failures.nonlinear = json.at("nonlinear");
+  cost.work.failures.not_here = json.at("not_here");
+  cost.work.failures.not_finite = json.at("not_finite");
+  cost.elements_changed = json.at("elements_changed");
+  cost.too_deep = json.at("too_deep");
+  cost.integration_seconds = json.at("integration_seconds");
+  cost.seconds = json.at("seconds");
+  return cost;
+}
+
+void write_file(const std::filesystem::path& file, const std::string& text) {
+  // Beside it first: a reader finds the old one or the new one, whole.
+  const std::filesystem::path unfinished = file.string() + ".new";
+  std::ofstream out(unfinished, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw BadInput(unfinished.string() + ": can't be written");
+  std::filesystem::rename(unfinished, file);
+}
+
+std::string series_header(const Scene& scene) {
+  std::string header =
+      "t,kinetic,gravity,elastic,bumpers,lost_to_damping,lost_to_friction,lost_to_joints,brought_by_motions";
+  for (std::size_t p = 0; p < scene.pairings.size(); ++p)
+    header += fmt::format(",elements_{0},depth_{0},area_{0},normal_force_{0},tangential_force_{0}", p);
+  return header + "\n";
+}
+
+std::string states_header(Eigen::Index size) {
+  std::string header = "t";
+  for (Eigen::Index i = 0; i < size; ++i) header += fmt::format(",y{}", i);
+  return header + "\n";
+}
+
+std::string pose_line(const PairingObservation& pairing) {
+  std::string line;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) line += bits(pairing.pose.A(i, j)) + " ";
+  for (const Eigen::Vector3d& v : {pairing.pose.r, pairing.velocity.v, pairing.velocity.w})
+    for (int i = 0; i < 3; ++i) line += bits(v[i]) + (i < 2 ? " " : "  ");
+  line += "\n";
+  return line;
+}
+
+const char* word(DampingMode mode) {
+  switch (mode) {
+    case DampingMode::no_tension:
+      return "no_tension";
+    case DampingMode::full:
+      return "full";
+    case DampingMode::compression:
+      return "compression";
+  }
+  return "";
+}
+
+const char* word(Mode mode) {
+  return mode == Mode::E ? "E" : mode == Mode::F ? "F" : "both";
+}
+
+Json to_json(const ContactLaw& law) {
+  Json json;
+  if (law.layers) {
+    json["layers"] = {bits(law.layers->c_E), bits(law.layers->c_F)};
+  } else {
+    json["stiffness"] = bits(law.stiffness);
+  }
+  json["damping"] = bits(law.damping);
+  json["transition_depth"] = bits(law.transition_depth);
+  json["friction"] = bits(law.friction);
+  json["slip_velocity"] = bits(law.slip_velocity);
+  if (std::isfinite(law.max_penetration)) json["max_penetration"] = bits(law.max_penetration);
+  json["damping_mode"] = word(law.damping_mode);
+  return json;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const Scene& scene)
+    : folder_(std::move(folder)), scene_text_(std::move(scene_text)), scene_(scene), poses_(scene.pairings.size()) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_ / "trajectory", error);
+  if (error) throw BadInput(folder_.string() + ": can't be created: " + error.message());
+}
+
+std::vector<std::filesystem::path> RunFolder::tables() const {
+  std::vector<std::filesystem::path> files{"steps.csv", "series.csv", "states.csv"};
+  for (std::size_t p = 0; p < poses_.size(); ++p) files.push_back(fmt::format("trajectory/{}.poses", p));
+  return files;
+}
+
+void RunFolder::open_tables(bool append) {
+  const std::vector<std::filesystem::path> files = tables();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::ofstream& out = i == 0 ? steps_ : i == 1 ? series_ : i == 2 ? states_ : poses_[i - 3];
+    out = std::ofstream(folder_ / files[i], std::ios::binary | (append ? std::ios::app : std::ios::trunc));
+    if (!out) throw BadInput((folder_ / files[i]).string() + ": can't be written");
+  }
+}
+
+std::optional<KeptRun> RunFolder::open(std::string& notice) {
+  const std::filesystem::path file = folder_ / "checkpoint.json";
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  KeptRun run;
+  try {
+    std::ifstream in(file);
+    const Json json = Json::parse(in);
+    if (json.at("scene") != compare::sha256(scene_text_))
+      throw BadInput(folder_.string() + ": holds the run of another scene; choose another folder, or remove it");
+    if (json.at("program") != compare::program_hash()) {
+      notice = folder_.string() + ": holds a run of another build of this program; it is begun anew";
+      return std::nullopt;
+    }
+    run.checkpoint.t = from_bits(json.at("t"));
+    run.checkpoint.y.resize(static_cast<Eigen::Index>(json.at("y").size()));
+    for (Eigen::Index i = 0; i < run.checkpoint.y.size(); ++i)
+      run.checkpoint.y[i] = from_bits(json.at("y")[static_cast<std::size_t>(i)]);
+    run.checkpoint.flow = flow_from(json.at("energy_flow"));
+    run.checkpoint.energy_at_start = from_bits(json.at("energy_at_start"));
+    run.cost = cost_from(json.at("cost"));
+    run.finished = json.at("finished");
+    for (const std::filesystem::path& table : tables()) {
+      const std::uintmax_t length = json.at("lengths").at(table.string());
+      if (std::filesystem::file_size(folder_ / table) < length)
+        throw BadInput((folder_ / table).string() + ": is shorter than it was; remove the folder to begin anew");
+      std::filesystem::resize_file(folder_ / table, length);
+    }
+  } catch (const Json::exception& error) {
+    throw BadInput(file.string() + ": is damaged; remove the folder to begin anew");
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw BadInput(folder_.string() + ": " + error.code().message() + ": " + error.path1().string());
+  }
+  open_tables(true);
+  return run;
+}
+
+void RunFolder::begin(Eigen::Index size) {
+  std::error_code ignored;
+  std::filesystem::remove(folder_ / "checkpoint.json", ignored);
+  open_tables(false);
+  write_file(folder_ / "scene.json", scene_text_);
+  write_trajectory_index();
+  steps_ << "t,size,order,error_test_failures,nonlinear_failures,not_here,not_finite,elements,entered,left,too_deep\n";
+  series_ << series_header(scene_);
+  states_ << states_header(size);
+}
+
+void RunFolder::write_trajectory_index() const {
+  Json json;
+  json["pcm_trajectory"] = 1;
+  Json& surfaces = json["surfaces"] = Json::array();
+  for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
+    const std::string file = fmt::format("{}.obj", s);
+    write_obj(scene_.surfaces[s].mesh, folder_ / "trajectory" / ("surface_" + file));
+    surfaces.push_back({{"name", scene_.surfaces[s].name}, {"file", "surface_" + file}});
+  }
+  Json& pairings = json["pairings"] = Json::array();
+  for (std::size_t p = 0; p < scene_.pairings.size(); ++p) {
+    const ScenePairing& pairing = scene_.pairings[p];
+    pairings.push_back({{"E", pairing.E},
+                        {"F", pairing.F},
+                        {"law", to_json(pairing.law)},
+                        {"mode", word(pairing.mode)},
+                        {"scheme", pairing.scheme == Scheme::clipped ? "clipped" : "barycentric"},
+                        {"poses", fmt::format("{}.poses", p)}});
+  }
+  write_file(folder_ / "trajectory" / "trajectory.json", json.dump(1) + "\n");
+}
+
+void RunFolder::add_step(const SimulatedStep& step) {
+  const Failures& failures = step.step.failures;
+  steps_ << fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", step.step.t, step.step.size, step.step.order,
+                        failures.error_test, failures.nonlinear, failures.not_here, failures.not_finite, step.elements,
+                        step.entered, step.left, step.too_deep);
+  const Energies& e = step.observation.energies;
+  series_ << fmt::format("{},{},{},{},{},{},{},{},{}", step.step.t, e.kinetic, e.gravity, e.elastic, e.bumpers,
+                         step.flow.damping, step.flow.friction, step.flow.joints, step.flow.motions);
+  for (std::size_t p = 0; p < poses_.size(); ++p) {
+    const PairingObservation& pairing = step.observation.pairings[p];
+    series_ << fmt::format(",{},{},{},{},{}", pairing.elements, pairing.max_penetration, pairing.patch_area,
+                           pairing.normal_force, pairing.tangential_force);
+    if (pairing.touching) poses_[p] << pose_line(pairing);
+  }
+  series_ << '\n';
+}
+
+void RunFolder::add_state(double t, const Eigen::VectorXd& y) {
+  states_ << fmt::format("{}", t);
+  for (const double value : y) states_ << fmt::format(",{}", value);
+  states_ << '\n';
+}
+
+void RunFolder::keep(const KeptRun& run) {
+  Json json;
+  json["scene"] = compare::sha256(scene_text_);
+  json["program"] = compare::program_hash();
+  json["t"] = bits(run.checkpoint.t);
+  json["y"] = to_json(run.checkpoint.y);
+  json["energy_flow"] = to_json(run.checkpoint.flow);
+  json["energy_at_start"] = bits(run.checkpoint.energy_at_start);
+  json["cost"] = to_json(run.cost);
+  json["finished"] = run.finished;
+  for (std::ofstream* out : {&steps_, &series_, &states_}) out->flush();
+  for (std::ofstream& out : poses_) out.flush();
+  const bool all_written =
+      steps_ && series_ && states_ &&
+      std::all_of(poses_.begin(), poses_.end(), [](const std::ofstream& out) { return bool(out); });
+  if (!all_written) throw BadInput(folder_.string() + ": can't be written to; is the disk full?");
+  for (const std::filesystem::path& table : tables())
+    json["lengths"][table.string()] = std::filesystem::file_size(folder_ / table);
+  write_file(folder_ / "checkpoint.json", json.dump(1) + "\n");
+}
+
+std::vector<double> NumberTable::column(const std::string& name) const {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end()) throw BadInput("the table has no column '" + name + "'");
+  const auto index = static_cast<std::size_t>(found - columns.begin());
+  std::vector<double> values;
+  for (const std::vector<double>& row : rows) values.push_back(row[index]);
+  return values;
+}
+
+NumberTable read_number_table(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw BadInput(file.string() + ": can't be read");
+  NumberTable table;
+  std::string line, word;
+  std::getline(in, line);
+  for (std::istringstream words(line); std::getline(words, word, ',');) table.columns.push_back(word);
+  for (int number = 2; std::getline(in, line); ++number) {
+    std::vector<double> row;
+    for (std::istringstream words(line); std::getline(words, word, ',');) row.push_back(number_from(word));
+    if (row.size() != table.columns.size())
+      throw BadInput(fmt::format("{}:{}: {} numbers, where the table has {} columns", file.string(), number, row.size(),
+                                 table.columns.size()));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace pcm::simulate

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulate/run/simulation.h"
+#include "simulate/scenes/scene.h"
+
+namespace pcm::simulate {
+
+/// What a run has cost so far. Seconds differ from run to run; all else is the same bits.
+struct RunCost {
+  Work work;
+  std::int64_t elements_changed = 0;  ///< steps in which an element came or went
+  std::int64_t too_deep = 0;          ///< steps that end with faces without a force
+  double integration_seconds = 0;     ///< processor time of the steps
+  double seconds = 0;                 ///< of all, recording included
+};
+
+/// Where a run stands that was kept.
+struct KeptRun {
+  Simulation::Checkpoint checkpoint;
+  RunCost cost;
+  bool finished = false;
+};
+
+/// The folder of a run:
+///
+///   scene.json              the scene as it was given
+///   steps.csv               a line an accepted step
+///   series.csv              a line an accepted step: energies, loads and statistics of the pairings
+///   states.csv              coordinates and speeds at the output's interval
+///   trajectory/             surfaces and poses of the pairings, for `pcm verify --trajectory`
+///   checkpoint.json         where the run goes on from
+///
+/// Tables grow line by line. A checkpoint holds their lengths: what was written after it is cut off when a run goes on,
+/// so that a run that was killed ends with the same bytes as one that was not. Numbers in tables are the shortest that
+/// read back to the same bits.
+class RunFolder {
+ public:
+  /// Creates the folder where it is missing. `scene_text` and the program are what a kept run is known by. Throws
+  /// BadInput where the folder can't be written to.
+  RunFolder(std::filesystem::path folder, std::string scene_text, const Scene& scene);
+
+  /// The run that is kept there, ready to go on; none where there is none, or that of another build of the program
+  /// (`notice` then says so). Throws BadInput where it is of another scene, or damaged: that may be worth keeping.
+  std::optional<KeptRun> open(std::string& notice);
+  /// Begins anew, with states of this size; whatever run was there is gone.
+  void begin(Eigen::Index size);
+
+  void add_step(const SimulatedStep& step);
+  /// A state at the output's interval.
+  void add_state(double t, const Eigen::VectorXd& y);
+  /// All that was added is on disk, and the run goes on from here.
+  void keep(const KeptRun& run);
+
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  void open_tables(bool append);
+  std::vector<std::filesystem::path> tables() const;
+  void write_trajectory_index() const;
+
+  std::filesystem::path folder_;
+  std::string scene_text_;
+  const Scene& scene_;
+  std::ofstream steps_, series_, states_;
+  std::vector<std::ofstream> poses_;  ///< by pairing
+};
+
+/// Reads a table back: names of its columns, and its lines.
+struct NumberTable {
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;
+  /// Throws BadInput where there is no such column.
+  std::vector<double> column(const std::string& name) const;
+};
+NumberTable read_number_table(const std::filesystem::path& file);
+
+}  // namespace pcm::simulate

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/run/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <iterator>
+#include <string>
+#include <tuple>
+
+#include "pcm/bad_input.h"
+#include "simulate/integrators/difference_quotients.h"
+
+namespace pcm::simulate {
+namespace {
+
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+StepControl control_for(const Scene& scene, Eigen::Index size) {
+  StepControl control;
+  control.relative = scene.integrator.relative_tolerance;
+  control.absolute = Eigen::VectorXd::Constant(size, scene.integrator.absolute_tolerance);
+  control.greatest_step = scene.integrator.greatest_step;
+  return control;
+}
+
+auto key(const ObservedElement& e) {
+  return std::tuple(e.pairing, e.master, e.face, e.slave_face);
+}
+
+bool before(const ObservedElement& a, const ObservedElement& b) {
+  return key(a) < key(b);
+}
+
+/// How many of `elements` are not among `others`; both ascending.
+Index missing_from(const std::vector<ObservedElement>& others, const std::vector<ObservedElement>& elements) {
+  std::vector<ObservedElement> missing;
+  std::set_difference(elements.begin(), elements.end(), others.begin(), others.end(), std::back_inserter(missing),
+                      before);
+  return static_cast<Index>(missing.size());
+}
+
+/// Simpson's rule: exact for powers that are cubic over the step.
+void add_step(EnergyFlow& flow, double h, const Powers& begin, const Powers& middle, const Powers& end) {
+  const auto integral = [&](double Powers::*power) { return h / 6 * (begin.*power + 4 * middle.*power + end.*power); };
+  flow.damping += integral(&Powers::damping);
+  flow.friction += integral(&Powers::friction);
+  flow.joints += integral(&Powers::joints);
+  flow.motions += integral(&Powers::motions);
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
+  DifferentialEquation equation;
+  equation.size = model_.size();
+  equation.derivative = [this](double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {
+    return model_.derivative(t, y, dydt);
+  };
+  equation.before_differences = [this](double t, const Eigen::VectorXd& y) { model_.remember(t, y); };
+  integrator_ = make_integrator(scene_.integrator.method, equation, control_for(scene_, model_.size()));
+}
+
+void Simulation::start() {
+  const Eigen::VectorXd y = model_.start();
+  Eigen::VectorXd dydt(model_.size());
+  if (model_.derivative(0, y, dydt) == Evaluation::not_here) {
+    const Observation now = model_.observe(0, y);
+    for (std::size_t p = 0; p < now.pairings.size(); ++p) {
+      const ScenePairing& pairing = scene_.pairings[p];
+      if (!now.pairings[p].nested && !(now.pairings[p].max_penetration > pairing.law.max_penetration)) continue;
+      const auto name = [this](Index s) { return scene_.surfaces[static_cast<std::size_t>(s)].name; };
+      throw BadInput("at the start, '" + name(pairing.E) + "' and '" + name(pairing.F) + "' are " +
+                     (now.pairings[p].nested ? "nested: one lies within the other"
+                                             : "deeper within one another than max_penetration") +
+                     "; place them apart, or leave out their pairing");
+    }
+  }
+  Checkpoint checkpoint;
+  checkpoint.y = y;
+  checkpoint.energy_at_start = model_.observe(0, y).energies.total();
+  start(checkpoint);
+}
+
+void Simulation::start(const Checkpoint& checkpoint) {
+  flow_ = checkpoint.flow;
+  energy_at_start_ = checkpoint.energy_at_start;
+  segment_ = std::llround(checkpoint.t / scene_.output.checkpoint_interval);
+  begin_segment(checkpoint.t, checkpoint.y);
+}
+
+void Simulation::begin_segment(double t, const Eigen::VectorXd& y) {
+  const Eigen::VectorXd unit = model_.normalised(y);
+  integrator_->start(t, unit);
+  powers_ = model_.observe(t, unit).powers;
+  elements_ = model_.elements(t, unit);
+  std::sort(elements_.begin(), elements_.end(), before);
+}
+
+double Simulation::next_checkpoint() const {
+  return std::min(scene_.duration, static_cast<double>(segment_ + 1) * scene_.output.checkpoint_interval);
+}
+
+double Simulation::t() const {
+  return integrator_->t();
+}
+
+bool Simulation::at_checkpoint() const {
+  return t() >= next_checkpoint();
+}
+
+Simulation::Checkpoint Simulation::checkpoint() const {
+  return {t(), integrator_->y(), flow_, energy_at_start_};
+}
+
+Eigen::VectorXd Simulation::state_at(double t) const {
+  return integrator_->state_at(t);
+}
+
+const Work& Simulation::work() const {
+  return integrator_->work();
+}
+
+SimulatedStep Simulation::step() {
+  if (at_checkpoint()) {
+    ++segment_;
+    begin_segment(t(), integrator_->y());
+  }
+  SimulatedStep result;
+  const double begin = t(), seconds = processor_seconds();
+  result.step = integrator_->step(next_checkpoint());
+  integration_seconds_ += processor_seconds() - seconds;
+
+  const double end = t(), middle = begin + (end - begin) / 2;
+  const Powers in_the_middle = model_.observe(middle, state_at(middle)).powers;
+  result.observation = model_.observe(end, integrator_->y());
+  add_step(flow_, end - begin, powers_, in_the_middle, result.observation.powers);
+  powers_ = result.observation.powers;
+  result.flow = flow_;
+
+  std::vector<ObservedElement> now = model_.elements(end, integrator_->y());
+  std::sort(now.begin(), now.end(), before);
+  result.elements = static_cast<Index>(now.size());
+  result.entered = missing_from(elements_, now);
+  result.left = missing_from(now, elements_);
+  elements_ = std::move(now);
+  for (const PairingObservation& pairing : result.observation.pairings) result.too_deep += pairing.too_deep;
+  return result;
+}
+
+}  // namespace pcm::simulate

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "simulate/integrators/integrator.h"
+#include "simulate/model/model.h"
+#include "simulate/scenes/scene.h"
+
+namespace pcm::simulate {
+
+/// Energy that went since t = 0, J.
+struct EnergyFlow {
+  double damping = 0;
+  double friction = 0;
+  double joints = 0;
+  double motions = 0;  ///< brought by prescribed motions
+
+  double lost() const { return damping + friction + joints - motions; }
+};
+
+/// One accepted step and the state at its end.
+struct SimulatedStep {
+  Step step;
+  Index elements = 0;  ///< over all pairings
+  Index entered = 0;   ///< elements that the step's beginning had not
+  Index left = 0;      ///< elements that its end has no more
+  Index too_deep = 0;  ///< faces without a force, over all pairings
+  Observation observation;
+  EnergyFlow flow;
+};
+
+/// A scene in motion. Between checkpoints one integrator is alive; at each it starts anew, interrupted or not, so that
+/// what follows depends on the checkpoint alone, bit for bit.
+class Simulation {
+ public:
+  /// All that the continuation depends on.
+  struct Checkpoint {
+    double t = 0;
+    Eigen::VectorXd y;
+    EnergyFlow flow;
+    double energy_at_start = 0;  ///< at t = 0, J
+  };
+
+  /// Throws BadInput where bodies of a pairing are nested at the start, or deeper within one another than the law
+  /// allows.
+  explicit Simulation(const Scene& scene);
+
+  /// As it starts at t = 0, or goes on.
+  void start();
+  void start(const Checkpoint& checkpoint);
+
+  /// One accepted step, ending at the next checkpoint at the latest. Throws IntegrationFailure.
+  SimulatedStep step();
+  double t() const;
+  bool finished() const { return t() >= scene_.duration; }
+  /// Where a checkpoint was reached, which `step` then begins from.
+  bool at_checkpoint() const;
+  Checkpoint checkpoint() const;
+
+  /// Within the last step.
+  Eigen::VectorXd state_at(double t) const;
+
+  Model& model() { return model_; }
+  const Scene& scene() const { return scene_; }
+  const Work& work() const;
+  /// Processor time of the integrator's steps so far, what is looked at beside them left out, s.
+  double integration_seconds() const { return integration_seconds_; }
+
+ private:
+  double next_checkpoint() const;
+  void begin_segment(double t, const Eigen::VectorXd& y);
+
+  Scene scene_;
+  Model model_;
+  std::unique_ptr<Integrator> integrator_;
+  EnergyFlow flow_;
+  double energy_at_start_ = 0;
+  Powers powers_;                          ///< at t()
+  std::vector<ObservedElement> elements_;  ///< at t()
+  std::int64_t segment_ = 0;               ///< checkpoints passed
+  double integration_seconds_ = 0;
+};
+
+}  // namespace pcm::simulate

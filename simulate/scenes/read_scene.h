@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simulate/scenes/scene.h"
+
+namespace pcm::simulate {
+
+/// Reads a scene file (scene.schema.json), its surfaces with it: files are sought beside it. Throws BadInput, naming
+/// file, line and key, for whatever the schema or the sense forbids: unknown or missing keys, a body without mass, a
+/// parent that is not named before, a joint with the wrong number of coordinates, a surface that is unfit, a law out of
+/// range, a pairing of a surface with one of the same body.
+Scene read_scene(const std::filesystem::path& file);
+
+/// The same of text that came from `file`, which need not exist.
+Scene parse_scene(const std::string& text, const std::filesystem::path& file);
+
+/// The schema itself.
+std::string_view scene_schema();
+
+/// Scenes that the program brings along.
+struct BuiltInScene {
+  std::string_view name, text;
+};
+const std::vector<BuiltInScene>& built_in_scenes();
+
+}  // namespace pcm::simulate
