@@ -6,7 +6,6 @@
 
 #include "pcm/scene.h"
 #include "pcm/simbody.h"
-#include "simbody/elastic_energy.h"
 
 namespace pcm::simbody {
 namespace {
@@ -51,11 +50,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   }
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
                  SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
-  SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override {
-    double sum = 0;
-    for (Index p = 0; p < scene_.pairings(); ++p) sum += elastic_energy(state, p);
-    return sum;
-  }
+  SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override { return elastic_energy(state); }
 
   Index add_surface(const SimTK::MobilizedBody& body, const SimTK::Transform& X_BS, const fast::Surface& surface);
   Index add_pairing(Index surface_E, Index surface_F, const ContactLaw& law, Mode mode, Scheme scheme);
@@ -65,7 +60,8 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   Pose relative_pose(const SimTK::State& state, Index pairing) const;
   Velocity relative_velocity(const SimTK::State& state, Index pairing) const;
   fast::Contact contact(const SimTK::State& state, Index pairing, const Wanted& wanted) const;
-  double elastic_energy(const SimTK::State& state, Index pairing) const;
+  void visit_elements(const SimTK::State& state, const Visit& visit) const;
+  double elastic_energy(const SimTK::State& state) const;
   void remember(const SimTK::State& state) const;
   ContactCounters counters() const;
 
@@ -85,7 +81,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
     return body(surface).getBodyTransform(state) * carrier(surface).X_BS;
   }
   fast::BodyState body_state(const SimTK::State& state, Index surface, bool moving) const;
-  void move_scene(const SimTK::State& state, bool moving) const;
+  void move_scene(fast::Scene& scene, const SimTK::State& state, bool moving) const;
   PairingAnswer answer(const SimTK::State& state, Index pairing) const;
   bool is_remembered(Index pairing) const;
   Answers compute(const SimTK::State& state) const;
@@ -98,7 +94,8 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
 
   // Scratch memory: no answer depends on what was asked before.
   mutable std::mutex asking_;
-  mutable fast::Scene scene_;
+  mutable fast::Scene scene_;           ///< loads alone
+  mutable fast::Scene elements_scene_;  ///< the same bodies and pairings, elements too
   mutable fast::Workspace workspace_;
   mutable std::vector<fast::BodyState> states_;
   mutable std::vector<fast::BodyState> remembered_states_;
@@ -109,6 +106,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
 Index ContactForces::Implementation::add_surface(const SimTK::MobilizedBody& body, const SimTK::Transform& X_BS,
                                                  const fast::Surface& surface) {
   const Index index = scene_.add_body(surface);
+  elements_scene_.add_body(surface);
   carriers_.push_back({body.getMobilizedBodyIndex(), X_BS, surface});
   return index;
 }
@@ -116,6 +114,7 @@ Index ContactForces::Implementation::add_surface(const SimTK::MobilizedBody& bod
 Index ContactForces::Implementation::add_pairing(Index surface_E, Index surface_F, const ContactLaw& law, Mode mode,
                                                  Scheme scheme) {
   const Index index = scene_.add_pairing(surface_E, surface_F, law, mode, scheme, kLoad);
+  elements_scene_.add_pairing(surface_E, surface_F, law, mode, scheme, kElements);
   ends_.push_back({surface_E, surface_F});
   return index;
 }
@@ -134,10 +133,10 @@ fast::BodyState ContactForces::Implementation::body_state(const SimTK::State& st
   return result;
 }
 
-void ContactForces::Implementation::move_scene(const SimTK::State& state, bool moving) const {
+void ContactForces::Implementation::move_scene(fast::Scene& scene, const SimTK::State& state, bool moving) const {
   states_.clear();
   for (Index surface = 0; surface < scene_.bodies(); ++surface) states_.push_back(body_state(state, surface, moving));
-  scene_.move(states_);
+  scene.move(states_);
 }
 
 PairingAnswer ContactForces::Implementation::answer(const SimTK::State& state, Index pairing) const {
@@ -170,7 +169,7 @@ bool ContactForces::Implementation::is_remembered(Index pairing) const {
 }
 
 Answers ContactForces::Implementation::compute(const SimTK::State& state) const {
-  move_scene(state, true);
+  move_scene(scene_, state, true);
   ++counters_.states;
   Answers result;
   for (Index p = 0; p < scene_.pairings(); ++p) {
@@ -209,37 +208,49 @@ void ContactForces::Implementation::calcForce(const SimTK::State& state, SimTK::
 
 Pose ContactForces::Implementation::relative_pose(const SimTK::State& state, Index pairing) const {
   const std::lock_guard<std::mutex> lock(asking_);
-  move_scene(state, false);
+  move_scene(scene_, state, false);
   return scene_.relative_pose(pairing);
 }
 
 Velocity ContactForces::Implementation::relative_velocity(const SimTK::State& state, Index pairing) const {
   const std::lock_guard<std::mutex> lock(asking_);
-  move_scene(state, true);
+  move_scene(scene_, state, true);
   return scene_.relative_velocity(pairing);
 }
 
 fast::Contact ContactForces::Implementation::contact(const SimTK::State& state, Index pairing,
                                                      const Wanted& wanted) const {
   const std::lock_guard<std::mutex> lock(asking_);
-  move_scene(state, true);
+  move_scene(scene_, state, true);
   return fast::evaluate(scene_.pairing(pairing), scene_.relative_pose(pairing), scene_.relative_velocity(pairing),
                         wanted, workspace_);
 }
 
-double ContactForces::Implementation::elastic_energy(const SimTK::State& state, Index pairing) const {
+void ContactForces::Implementation::visit_elements(const SimTK::State& state, const Visit& visit) const {
   const std::lock_guard<std::mutex> lock(asking_);
-  move_scene(state, false);
-  const fast::Pairing& asked = scene_.pairing(pairing);
-  const Pose pose = scene_.relative_pose(pairing);
-  return simbody::elastic_energy(asked, pose, fast::evaluate(asked, pose, Velocity(), kElements, workspace_));
+  move_scene(elements_scene_, state, true);
+  for (Index p = 0; p < elements_scene_.pairings(); ++p) {
+    const fast::Contact& contact = elements_scene_.evaluate(p, workspace_);
+    if (!contact.touching && !contact.nested) continue;
+    visit(p, elements_scene_.relative_pose(p), elements_scene_.relative_velocity(p), contact);
+  }
+}
+
+double ContactForces::Implementation::elastic_energy(const SimTK::State& state) const {
+  const std::lock_guard<std::mutex> lock(asking_);
+  move_scene(elements_scene_, state, false);
+  double sum = 0;
+  for (Index p = 0; p < elements_scene_.pairings(); ++p)
+    sum += simbody::elastic_energy(elements_scene_.pairing(p), elements_scene_.relative_pose(p),
+                                   elements_scene_.evaluate(p, workspace_));
+  return sum;
 }
 
 void ContactForces::Implementation::remember(const SimTK::State& state) const {
   const Answers& now = answers(state);
   const std::lock_guard<std::mutex> lock(asking_);
   remembered_answers_ = now;
-  move_scene(state, true);
+  move_scene(scene_, state, true);
   remembered_states_ = states_;
 }
 
@@ -296,8 +307,12 @@ fast::Contact ContactForces::contact(const SimTK::State& state, Index pairing, c
   return implementation().contact(state, pairing, wanted);
 }
 
-double ContactForces::elastic_energy(const SimTK::State& state, Index pairing) const {
-  return implementation().elastic_energy(state, pairing);
+void ContactForces::visit_elements(const SimTK::State& state, const Visit& visit) const {
+  implementation().visit_elements(state, visit);
+}
+
+double ContactForces::elastic_energy(const SimTK::State& state) const {
+  return implementation().elastic_energy(state);
 }
 
 void ContactForces::remember(const SimTK::State& state) const {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simbody/elastic_energy.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "pcm/simbody.h"
 
 namespace pcm::simbody {
 namespace {

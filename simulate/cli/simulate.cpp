@@ -46,15 +46,6 @@ std::string scene_text(const std::string& name) {
   return read_text(name);
 }
 
-Method method_named(const std::string& word) {
-  std::string known;
-  for (const Method method : {Method::adams, Method::bdf, Method::ida, Method::dormand_prince, Method::esdirk}) {
-    if (name(method) == word) return method;
-    known += (known.empty() ? "" : ", ") + std::string(name(method));
-  }
-  throw BadInput("--integrator: there is no '" + word + "'; known: " + known);
-}
-
 /// What the command line says goes before what the scene says.
 void apply(const SimulateOptions& options, Scene& scene) {
   const auto number = [](const std::string& option, const std::string& text, double& value) {

@@ -76,8 +76,6 @@ double series_stiffness(const ContactLaw& law) {
   return std::isinf(c_E) ? c_F : std::isinf(c_F) ? c_E : c_E * (c_F / (c_E + c_F));
 }
 
-constexpr Wanted kElements{false, false, true, true, false, false};
-
 }  // namespace
 
 struct Model::Data {
@@ -92,7 +90,7 @@ struct Model::Data {
   /// y into `state`, realized to `stage`.
   void realize(double t, const Eigen::VectorXd& y, SimTK::Stage stage);
   Eigen::VectorXd y() const;
-  PairingObservation observe_pairing(std::size_t p, Powers& powers) const;
+  void observe_contact(Index pairing, const fast::Contact& contact, Observation& observation) const;
   double joint_power() const;
   SimTK::Transform surface_transform(Index surface) const;
 
@@ -101,7 +99,7 @@ struct Model::Data {
   SimTK::SimbodyMatterSubsystem matter{system};
   SimTK::GeneralForceSubsystem forces{system};
   SimTK::Force::Gravity gravity;
-  pcm::simbody::ContactForces contact{forces, matter};
+  pcm::simbody::ContactForces contacts{forces, matter};
   std::vector<SimTK::MobilizedBody> bodies;
   struct Damper {
     SimTK::MobilizedBodyIndex body;
@@ -115,6 +113,7 @@ struct Model::Data {
     SimTK::Force::MobilityLinearStop force;
   };
   std::vector<Bumper> bumpers;
+  bool moves_by_prescription = false;
   SimTK::State state;
   ModelCounters counters;
 };
@@ -124,9 +123,9 @@ Model::Data::Data(const Scene& from) : scene(from) {
   for (const Body& body : scene.bodies) add_body(body);
   for (const SceneSurface& surface : scene.surfaces) {
     const SimTK::MobilizedBody& carrier = carrier_of(surface.body);
-    contact.add_surface(carrier, to_simtk(surface.at_B), fast::Surface(surface.mesh));
+    contacts.add_surface(carrier, to_simtk(surface.at_B), fast::Surface(surface.mesh));
   }
-  for (const ScenePairing& p : scene.pairings) contact.add_pairing(p.E, p.F, p.law, p.mode, p.scheme);
+  for (const ScenePairing& p : scene.pairings) contacts.add_pairing(p.E, p.F, p.law, p.mode, p.scheme);
   state = system.realizeTopology();
   matter.setUseEulerAngles(state, false);
   system.realizeModel(state);
@@ -163,7 +162,10 @@ Model::Data::Data(const Scene& from) : scene(from) {
 void Model::Data::add_body(const Body& body) {
   SimTK::MobilizedBody& parent = carrier_of(body.joint.parent);
   SimTK::MobilizedBody added = mobilized(parent, body.joint, SimTK::Body::Rigid(to_simtk(body.mass)));
-  if (body.joint.prescribed_speed) SimTK::Motion::Steady(added, *body.joint.prescribed_speed);
+  if (body.joint.prescribed_speed) {
+    SimTK::Motion::Steady(added, *body.joint.prescribed_speed);
+    moves_by_prescription = true;
+  }
   add_joint_forces(body.joint, added);
   bodies.push_back(added);
 }
@@ -205,33 +207,27 @@ Eigen::VectorXd Model::Data::y() const {
   return y;
 }
 
-PairingObservation Model::Data::observe_pairing(std::size_t p, Powers& powers) const {
-  const auto index = static_cast<Index>(p);
-  const pcm::simbody::PairingAnswer& answer = contact.answers(state)[p];
-  PairingObservation result;
-  result.touching = answer.touching;
-  result.nested = answer.nested;
-  result.too_deep = answer.too_deep;
-  result.elements = answer.elements;
-  result.max_penetration = answer.max_penetration;
-  result.force_G = to_eigen(answer.force_G);
-  result.pose = contact.relative_pose(state, index);
-  result.velocity = contact.relative_velocity(state, index);
-  if (answer.elements == 0) return result;
-  const ScenePairing& pairing = scene.pairings[p];
-  const fast::Contact elements = contact.contact(state, index, kElements);
+void Model::Data::observe_contact(Index p, const fast::Contact& contact, Observation& observation) const {
+  const ScenePairing& pairing = scene.pairings[static_cast<std::size_t>(p)];
+  PairingObservation& result = observation.pairings[static_cast<std::size_t>(p)];
+  result.touching = contact.touching;
+  result.nested = contact.nested;
+  result.too_deep = contact.too_deep;
+  result.elements = contact.element_count;
+  result.max_penetration = contact.max_penetration;
+  const Pose E = to_pose(surface_transform(pairing.E));
+  result.force_G = E.A * contact.force_Me;
   const double share = pairing.mode == Mode::both ? 0.5 : 1;
   const double stiffness = series_stiffness(pairing.law);
-  for (const fast::Element& e : elements.elements) {
+  for (const fast::Element& e : contact.elements) {
     result.normal_force += share * e.normal_force;
     result.tangential_force += share * e.tangential_force;
-    powers.damping += share * (e.normal_force - stiffness * e.area * e.penetration) * e.normal_velocity;
-    powers.friction += share * e.tangential_force * e.tangential_velocity;
+    observation.powers.damping += share * (e.normal_force - stiffness * e.area * e.penetration) * e.normal_velocity;
+    observation.powers.friction += share * e.tangential_force * e.tangential_velocity;
+    observation.elements.push_back({p, e.master, e.master_face, e.slave_face, e.normal_force / e.area});
   }
-  result.patch_area = share * elements.statistics.patch_area;
-  const Pose E = to_pose(surface_transform(pairing.E));
-  result.centre_of_pressure_G = E.A * elements.statistics.centre_of_pressure_Me + E.r;
-  return result;
+  result.patch_area = share * contact.statistics.patch_area;
+  if (contact.element_count > 0) result.centre_of_pressure_G = E.A * contact.statistics.centre_of_pressure_Me + E.r;
 }
 
 SimTK::Transform Model::Data::surface_transform(Index index) const {
@@ -298,9 +294,9 @@ Eigen::VectorXd Model::normalised(const Eigen::VectorXd& y) const {
 Evaluation Model::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {
   Data& data = *data_;
   data.realize(t, y, SimTK::Stage::Velocity);
-  const std::vector<pcm::simbody::PairingAnswer>& answers = data.contact.answers(data.state);
-  data.counters.pairings_evaluated = data.contact.counters().evaluated;
-  data.counters.pairings_recalled = data.contact.counters().recalled;
+  const std::vector<pcm::simbody::PairingAnswer>& answers = data.contacts.answers(data.state);
+  data.counters.pairings_evaluated = data.contacts.counters().evaluated;
+  data.counters.pairings_recalled = data.contacts.counters().recalled;
   for (const pcm::simbody::PairingAnswer& answer : answers) {
     data.counters.nested += answer.nested;
     data.counters.penetration_exceeded += answer.penetration_exceeded;
@@ -315,36 +311,29 @@ Evaluation Model::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd
 
 void Model::remember(double t, const Eigen::VectorXd& y) {
   data_->realize(t, y, SimTK::Stage::Velocity);
-  data_->contact.remember(data_->state);
+  data_->contacts.remember(data_->state);
 }
 
 Observation Model::observe(double t, const Eigen::VectorXd& y) {
   Data& data = *data_;
-  data.realize(t, y, SimTK::Stage::Acceleration);
+  data.realize(t, y, data.moves_by_prescription ? SimTK::Stage::Acceleration : SimTK::Stage::Velocity);
   Observation result;
   for (Index s = 0; s < static_cast<Index>(data.scene.surfaces.size()); ++s)
     result.surfaces_G.push_back(to_pose(data.surface_transform(s)));
-  for (std::size_t p = 0; p < data.scene.pairings.size(); ++p)
-    result.pairings.push_back(data.observe_pairing(p, result.powers));
+  result.pairings.resize(data.scene.pairings.size());
+  data.contacts.visit_elements(
+      data.state, [&](Index p, const Pose& pose, const Velocity& velocity, const fast::Contact& contact) {
+        data.observe_contact(p, contact, result);
+        result.pairings[static_cast<std::size_t>(p)].pose = pose;
+        result.pairings[static_cast<std::size_t>(p)].velocity = velocity;
+        result.energies.elastic += pcm::simbody::elastic_energy(data.contacts.pairing(p), pose, contact);
+      });
   result.energies.kinetic = data.matter.calcKineticEnergy(data.state);
   result.energies.gravity = data.gravity.calcPotentialEnergyContribution(data.state);
-  result.energies.elastic = data.contact.calcPotentialEnergyContribution(data.state);
   for (const Data::Bumper& bumper : data.bumpers)
     result.energies.bumpers += bumper.force.calcPotentialEnergyContribution(data.state);
   result.powers.joints = data.joint_power();
-  result.powers.motions = data.matter.calcMotionPower(data.state);
-  return result;
-}
-
-std::vector<ObservedElement> Model::elements(double t, const Eigen::VectorXd& y) {
-  Data& data = *data_;
-  data.realize(t, y, SimTK::Stage::Velocity);
-  std::vector<ObservedElement> result;
-  for (Index p = 0; p < data.contact.pairings(); ++p) {
-    if (data.contact.answers(data.state)[static_cast<std::size_t>(p)].elements == 0) continue;
-    for (const fast::Element& e : data.contact.contact(data.state, p, kElements).elements)
-      result.push_back({p, e.master, e.master_face, e.slave_face, e.normal_force / e.area});
-  }
+  if (data.moves_by_prescription) result.powers.motions = data.matter.calcMotionPower(data.state);
   return result;
 }
 

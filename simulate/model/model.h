@@ -47,14 +47,6 @@ struct Powers {
   double motions = 0;   ///< brought by prescribed motions
 };
 
-/// Everything worth knowing of one state.
-struct Observation {
-  std::vector<Pose> surfaces_G;  ///< in their order: x_G = A x_S + r
-  std::vector<PairingObservation> pairings;
-  Energies energies;
-  Powers powers;
-};
-
 /// A contact element.
 struct ObservedElement {
   Index pairing = 0;
@@ -62,6 +54,15 @@ struct ObservedElement {
   Index face = 0;  ///< of the master
   Index slave_face = 0;
   double pressure = 0;  ///< F_n / A, Pa
+};
+
+/// Everything worth knowing of one state.
+struct Observation {
+  std::vector<Pose> surfaces_G;  ///< in their order: x_G = A x_S + r
+  std::vector<PairingObservation> pairings;
+  std::vector<ObservedElement> elements;  ///< by pairing, then as the engine has them
+  Energies energies;
+  Powers powers;
 };
 
 /// How derivatives were answered.
@@ -94,7 +95,6 @@ class Model {
   void remember(double t, const Eigen::VectorXd& y);
 
   Observation observe(double t, const Eigen::VectorXd& y);
-  std::vector<ObservedElement> elements(double t, const Eigen::VectorXd& y);
 
   const ModelCounters& counters() const;
 

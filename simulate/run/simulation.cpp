@@ -97,8 +97,9 @@ void Simulation::start(const Checkpoint& checkpoint) {
 void Simulation::begin_segment(double t, const Eigen::VectorXd& y) {
   const Eigen::VectorXd unit = model_.normalised(y);
   integrator_->start(t, unit);
-  powers_ = model_.observe(t, unit).powers;
-  elements_ = model_.elements(t, unit);
+  Observation now = model_.observe(t, unit);
+  powers_ = now.powers;
+  elements_ = std::move(now.elements);
   std::sort(elements_.begin(), elements_.end(), before);
 }
 
@@ -143,7 +144,7 @@ SimulatedStep Simulation::step() {
   powers_ = result.observation.powers;
   result.flow = flow_;
 
-  std::vector<ObservedElement> now = model_.elements(end, integrator_->y());
+  std::vector<ObservedElement> now = result.observation.elements;
   std::sort(now.begin(), now.end(), before);
   result.elements = static_cast<Index>(now.size());
   result.entered = missing_from(elements_, now);

@@ -310,6 +310,15 @@ void SceneReader::read_output(const Json& json) {
 
 }  // namespace
 
+Method method_named(const std::string& word) {
+  std::string known;
+  for (const auto& [name, method] : kMethods) {
+    if (word == name) return method;
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  throw BadInput("there is no integrator '" + word + "'; known: " + known);
+}
+
 Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
   const LocatedJson json(file.string(), text);
   check_schema(json, scene_schema());

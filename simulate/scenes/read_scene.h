@@ -20,6 +20,9 @@ Scene read_scene(const std::filesystem::path& file);
 /// The same of text that came from `file`, which need not exist.
 Scene parse_scene(const std::string& text, const std::filesystem::path& file);
 
+/// The method that a scene file calls by this word. Throws BadInput, listing the known ones.
+Method method_named(const std::string& word);
+
 /// The schema itself.
 std::string_view scene_schema();
 

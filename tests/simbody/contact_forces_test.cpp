@@ -94,8 +94,8 @@ fast::Scene by_hand(const TwoBubblesOnPlate& model) {
     state.velocity.v = to_eigen(V[1] + V[0] % (X.p() - body.getBodyOriginLocation(model.state)));
     return state;
   };
-  scene.move(
-      {placed(model.matter.getGround(), model.X_GP), placed(model.lower, model.X_BS), placed(model.upper, Transform())});
+  scene.move({placed(model.matter.getGround(), model.X_GP), placed(model.lower, model.X_BS),
+              placed(model.upper, Transform())});
   return scene;
 }
 
@@ -144,6 +144,26 @@ TEST(ContactForces, AnswersAreTheEnginesContacts) {
     EXPECT_EQ(answer.too_deep, contact.too_deep);
     EXPECT_EQ(answer.max_penetration, contact.max_penetration);
     EXPECT_NEAR(answer.force_G.norm(), contact.force_Me.norm(), 1e-13 * contact.force_Me.norm());
+  }
+}
+
+TEST(ContactForces, VisitedElementsAreThoseOfEachContact) {
+  const TwoBubblesOnPlate model;
+  Index visited = 0;
+  std::vector<Pose> poses;
+  std::vector<Velocity> velocities;
+  model.contact.visit_elements(model.state,
+                               [&](Index p, const Pose& pose, const Velocity& velocity, const fast::Contact& contact) {
+                                 EXPECT_EQ(p, visited++);
+                                 poses.push_back(pose);
+                                 velocities.push_back(velocity);
+                                 EXPECT_EQ(static_cast<Index>(contact.elements.size()), contact.element_count);
+                                 EXPECT_GT(contact.element_count, 0);
+                               });
+  ASSERT_EQ(visited, 3);
+  for (Index p = 0; p < visited; ++p) {
+    EXPECT_EQ(poses[static_cast<std::size_t>(p)].r, model.contact.relative_pose(model.state, p).r);
+    EXPECT_EQ(velocities[static_cast<std::size_t>(p)].w, model.contact.relative_velocity(model.state, p).w);
   }
 }
 

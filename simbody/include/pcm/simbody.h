@@ -5,6 +5,7 @@
 #include <Simbody.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "pcm/contact.h"
@@ -36,6 +37,17 @@ struct PairingAnswer {
   SimTK::Vec3 torque_G = SimTK::Vec3(0);       ///< on the body of E about the origin of F's surface, N m
   SimTK::Vec3 origin_of_F_G = SimTK::Vec3(0);  ///< that origin, m
 };
+
+/// The sum over the contact's elements of the integral of c_l u^2 / 2 over the element, J; in mode `both` half of it.
+///
+/// Barycentric scheme: u is u_k all over the face. Clipped scheme: u is linear over an element, and the element's
+/// position gives the centroid x of u, so that the integral of u^2 is that of u, A_k u_k, times u(x): for linear u =
+/// a + g . x, it is a (integral of u) + g . (integral of u x) = (a + g . x_u) (integral of u). Where depths are clamped
+/// u is not linear: A_k u_k^2 stands there, which is no more (Cauchy-Schwarz) than the integral of the clamped depth's
+/// square.
+///
+/// `contact` is the pairing's at `pose`, with its elements.
+double elastic_energy(const fast::Pairing& pairing, const Pose& pose, const fast::Contact& contact);
 
 /// How pairings were answered so far, over all states.
 struct ContactCounters {
@@ -72,11 +84,14 @@ class ContactForces : public SimTK::Force::Custom {
   Velocity relative_velocity(const SimTK::State& state, Index pairing) const;
   /// All that the engine knows of one pairing there, elements and polygons if wanted.
   fast::Contact contact(const SimTK::State& state, Index pairing, const Wanted& wanted = {}) const;
+  /// Called with the pairings that touch or are nested, in their order, and their elements. Neither may be kept.
+  using Visit =
+      std::function<void(Index pairing, const Pose& pose, const Velocity& velocity, const fast::Contact& contact)>;
+  void visit_elements(const SimTK::State& state, const Visit& visit) const;
 
-  /// Energy of the elastic foundations, J: the sum over elements of the integral of c_l u^2 / 2, halved in mode `both`.
-  /// Depths that are clamped count as clamped, so that it is a lower bound then. Simbody counts the sum over pairings
-  /// as potential energy. It is no potential of the force in the strict sense: docs/energy.md. Stage::Position.
-  double elastic_energy(const SimTK::State& state, Index pairing) const;
+  /// Of all pairings, J; Stage::Position is enough. Simbody counts it as potential energy. In the strict sense it is no
+  /// potential of the force: docs/energy.md.
+  double elastic_energy(const SimTK::State& state) const;
 
   /// Keeps the answers at this state until the next call. Pairings whose relative pose and velocity are the same bits
   /// at another state are answered from memory: with difference quotients for a Jacobian, those whose bodies did not
