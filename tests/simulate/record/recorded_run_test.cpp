@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "simulate/record/simulate.h"
+#include "simulate/scenes/read_scene.h"
+#include "tests/meshes/expect_bad_input.h"
+
+namespace pcm::simulate {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The bubbles for a second, with checkpoints often enough to be hit between two of them.
+Scene short_bubbles() {
+  Scene scene = parse_scene(std::string(built_in_scenes().front().text), "bubbles");
+  scene.duration = 0.8;
+  scene.output.checkpoint_interval = 0.05;
+  return scene;
+}
+
+fs::path empty_folder(const std::string& name) {
+  const fs::path folder = fs::path(testing::TempDir()) / (name + std::to_string(getpid()));
+  fs::remove_all(folder);
+  return folder;
+}
+
+std::string bytes(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> tables(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().filename() != "checkpoint.json")
+      files.push_back(fs::relative(entry.path(), folder));
+  return files;
+}
+
+bool run_in(const fs::path& folder, const std::function<bool()>& stop = {}) {
+  std::string notice;
+  return RecordedRun(short_bubbles(), "bubbles", folder, notice).run(stop, {});
+}
+
+void expect_same_tables(const fs::path& a, const fs::path& b) {
+  ASSERT_EQ(tables(a).size(), tables(b).size());
+  for (const fs::path& file : tables(a)) EXPECT_EQ(bytes(a / file), bytes(b / file)) << file;
+}
+
+TEST(RecordedRun, KilledTenTimesEndsWithTheBytesOfAnUninterruptedOne) {
+  const fs::path whole = empty_folder("whole"), killed = empty_folder("killed");
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_TRUE(run_in(whole));
+  const auto duration = std::chrono::steady_clock::now() - begin;
+  EXPECT_GT(bytes(whole / "steps.csv").size(), 10000U);
+
+  const unsigned seed = 20261123;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  int killed_while_running = 0;
+  for (int i = 0; i < 10; ++i) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) _exit(run_in(killed) ? 0 : 1);
+    std::this_thread::sleep_for(duration * std::uniform_real_distribution<>(0.05, 0.3)(random));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    killed_while_running += WIFSIGNALED(status);
+  }
+  EXPECT_GE(killed_while_running, 3);
+  ASSERT_TRUE(run_in(killed));
+  expect_same_tables(whole, killed);
+}
+
+TEST(RecordedRun, StoppedGoesOnAndFinishedStaysFinished) {
+  const fs::path whole = empty_folder("whole"), stopped = empty_folder("stopped");
+  ASSERT_TRUE(run_in(whole));
+  int checkpoints = 0;
+  EXPECT_FALSE(run_in(stopped, [&checkpoints] { return ++checkpoints == 3; }));
+  EXPECT_TRUE(run_in(stopped));
+  expect_same_tables(whole, stopped);
+  const std::string before = bytes(stopped / "checkpoint.json");
+  EXPECT_TRUE(run_in(stopped));
+  EXPECT_EQ(bytes(stopped / "checkpoint.json"), before);
+}
+
+TEST(RecordedRun, RefusesTheFolderOfAnotherSceneAndADamagedOne) {
+  const fs::path folder = empty_folder("refused");
+  EXPECT_FALSE(run_in(folder, [] { return true; }));
+  std::string notice;
+  const Scene scene = short_bubbles();
+  expect_bad_input([&] { RecordedRun(scene, "other", folder, notice); }, "holds the run of another scene");
+  fs::resize_file(folder / "steps.csv", 10);
+  expect_bad_input([&] { RecordedRun(scene, "bubbles", folder, notice); }, "steps.csv: is shorter than it was");
+  std::ofstream(folder / "checkpoint.json") << "{";
+  expect_bad_input([&] { RecordedRun(scene, "bubbles", folder, notice); }, "checkpoint.json: is damaged");
+}
+
+TEST(RecordedRun, StatesAreAtTheOutputsInterval) {
+  const fs::path folder = empty_folder("states");
+  ASSERT_TRUE(run_in(folder));
+  const NumberTable states = read_number_table(folder / "states.csv");
+  ASSERT_EQ(states.rows.size(), 81U);
+  for (std::size_t n = 0; n < states.rows.size(); ++n) EXPECT_EQ(states.rows[n][0], 0.01 * static_cast<double>(n));
+}
+
+TEST(NumberTable, RefusesWhatIsNoNumberNamingTheLine) {
+  const fs::path file = empty_folder("table.csv");
+  std::ofstream(file) << "a,b\n1,2\n3\n";
+  expect_bad_input([&] { read_number_table(file); }, ":3: 1 numbers, where the table has 2 columns");
+}
+
+}  // namespace
+}  // namespace pcm::simulate
