@@ -28,7 +28,7 @@ std::vector<CrossSection> sections() {
           section(4.25, 0.23, 1.01, 0.83), section(4.40, 0.28, 0.95, 0.76)};
 }
 
-/// Both ends are blunt; in between a ring lies at each corner of the upper outline.
+/// Both ends are blunt; in between the rings are closest about the corners of the upper outline.
 std::vector<LoftRing> rings() {
   std::vector<LoftRing> rings{{0.004, 0.45}, {0.02, 0.80}, {0.06, 0.95}, {0.15, 1}};
   const auto add = [&rings](double to, Index steps) {

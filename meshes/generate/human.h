@@ -17,8 +17,10 @@
 /// all frames are parallel.
 ///
 /// Masses, centres of mass and radii of gyration are Dempster's fractions as tabled by D. A. Winter, Biomechanics and
-/// Motor Control of Human Movement, table 4.1, lengths of limbs Drillis and Contini's (figure 4.1 there). What the
-/// table lacks is that of the surface's solid, homogeneous and scaled to the mass; human_segments() says where.
+/// Motor Control of Human Movement, chapter Anthropometry; lengths of limbs are Drillis and Contini's from there. What
+/// the table lacks is that of the surface's solid, homogeneous and scaled to the mass; human_segments() says where.
+/// Lengths and places within the trunk, of the ear canal and in the foot are assumed, no measurements: heights of
+/// waist, neck and shoulders, widths between hips and between shoulders. What is a fraction of them inherits that.
 namespace pcm::generate {
 
 /// A segment, the joint that carries it, and its mass properties.
@@ -36,12 +38,15 @@ struct HumanSegment {
 /// ending in _left and _right, upper_arm, forearm, hand, thigh, shank, foot. Those of the right are mirror images.
 ///
 /// Inertia: about the two axes across head, upper arm, forearm, hand, thigh and shank it is by the tabled radius of
-/// gyration, about the axis along them (z) it is the solid's. The foot's likewise, y and z across it and x along it;
-/// its length is the table's, from the lateral malleolus to the head of metatarsal II (0.13 m), not the whole foot's
-/// 0.266 m, with which 0.475 would put its mass at heel and toes. Thorax, and abdomen and pelvis, have no radius in the
-/// table: the whole tensor is the solid's. Centres of mass are the table's for all, on the line between the tabled
-/// landmarks: the joint centres; of the head the ear canal, taken 0.14 m above the neck's joint; of the hand the
-/// fingertips.
+/// gyration, about the axis along them (z) it is the solid's. The foot's likewise, y and z across it and x along it.
+/// Thorax, and abdomen and pelvis, have no radius in the table: the whole tensor is the solid's about the solid's own
+/// centroid, taken to hold about the tabled centre of mass, though that lies 8 and 7 cm away.
+///
+/// Centres of mass are the table's for all, on the line from joint to joint, with these lengths: the head's from the
+/// neck's joint to the ear canal, assumed 0.14 m above it; the foot's from the ankle to the head of metatarsal II,
+/// assumed 0.13 m away, as tabled, not the whole foot's 0.266 m, with which 0.475 would put its mass at heel and toes;
+/// the hand's from the wrist to the fingertips, 0.189 m, where the table goes to a knuckle only, so that its centre of
+/// mass lies too far out and its inertia is too large.
 const std::vector<HumanSegment>& human_segments();
 
 /// Where a segment's frame is in the ground's: a point p of the segment is at rotation p + position.

@@ -10,13 +10,14 @@
 /// The shapes of the man's segments (human.h), and the lengths that shapes and joints share.
 namespace pcm::generate::human {
 
-/// Lengths, m. Of thigh, shank, foot, upper arm, forearm and hand by Drillis and Contini's fractions of 1.75 m.
+/// Lengths, m: by Drillis and Contini's fractions of 1.75 m.
 constexpr double kThigh = 0.429;
 constexpr double kShank = 0.430;
 constexpr double kAnkleHeight = 0.068;
 constexpr double kUpperArm = 0.326;
 constexpr double kForearm = 0.256;
 constexpr double kHand = 0.189;
+/// Lengths, m: assumed, so that he looks well and is 1.75 m tall.
 constexpr double kWaistToHip = 0.223;   ///< T12-L1 to greater trochanter, in height
 constexpr double kWaistToNeck = 0.340;  ///< T12-L1 to C7-T1
 constexpr double kNeckToCrown = 0.260;
