@@ -11,7 +11,9 @@
 #include "meshes/base/floating_point_environment.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
+#include "meshes/generate/car.h"
 #include "meshes/generate/generator_support.h"
+#include "meshes/generate/human.h"
 #include "meshes/generate/parts.h"
 #include "meshes/generate/round.h"
 #include "pcm/bad_input.h"
@@ -192,10 +194,23 @@ std::vector<Entry> part_shapes() {
   };
 }
 
+/// The surfaces of the pedestrian crash; they have no parameters.
+std::vector<Entry> crash_shapes() {
+  std::vector<Entry> list{{{"car", "body of a saloon car 4.4 m long, front at x = 0, road at z = 0, 1,240 faces", {}},
+                           [](const Values&) { return generate::car(); }}};
+  for (const generate::HumanSegment& segment : generate::human_segments()) {
+    list.push_back(
+        {{"human_" + segment.name, "segment of the man of 1.75 m, the joint that carries it at the origin", {}},
+         [name = segment.name](const Values&) { return generate::human_segment(name); }});
+  }
+  return list;
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = [] {
     std::vector<Entry> list = flat_shapes();
-    for (const auto& more : {round_shapes(), part_shapes()}) list.insert(list.end(), more.begin(), more.end());
+    for (const auto& more : {round_shapes(), part_shapes(), crash_shapes()})
+      list.insert(list.end(), more.begin(), more.end());
     return list;
   }();
   return all;

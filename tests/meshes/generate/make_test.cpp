@@ -30,7 +30,7 @@ TEST(Make, EveryShapeIsMadeWithItsDefaults) {
     EXPECT_EQ(test::border_edges(mesh) > 0, open);
     EXPECT_TRUE(open || test::signed_volume(mesh) > 0);
   }
-  EXPECT_EQ(names.size(), 17u);
+  EXPECT_EQ(names.size(), 33u);
 }
 
 TEST(Make, EveryParameterIsUsedAndCheckedByName) {
