@@ -38,22 +38,23 @@
   const drawTicks = limit => {
     const power = prefixPower(limit, "Pa");
     const scale = 1000 ** power;
-    const ticks = roundTicks(0, limit / scale, 4);
+    const ticks = roundTicks(0, 0.9 * limit / scale, 4);
     const tick = (x, label) => {
       const made = element("span", {textContent: label});
       made.style.bottom = 100 * x * scale / limit + "%";
       return made;
     };
-    byId("ticks").replaceChildren(...ticks.map(x => tick(x, `${threeDigits(x)} ${kPrefixes[power]}Pa`)));
+    byId("ticks").replaceChildren(
+      ...[...ticks, limit / scale].map(x => tick(x, `${threeDigits(x)} ${kPrefixes[power]}Pa`)));
   };
 
   // Forces
   let greatestForce = 0;
   const forceOf = i => Math.hypot(...recording.frames.contact.subarray(6 * i + 3, 6 * i + 6));
   for (let i = 0; i < recording.frames.contact_pairing.length; ++i) greatestForce = Math.max(greatestForce, forceOf(i));
-  // In the middle of the slider the greatest force is a third of the scene long.
+  // In the middle of the slider the greatest force is a fifth of the scene long.
   const metresPerNewton = () =>
-    greatestForce > 0 && scene ? 10 ** Number(byId("arrow-scale").value) * scene.size / 3 / greatestForce : 0;
+    greatestForce > 0 && scene ? 10 ** Number(byId("arrow-scale").value) * scene.size / 5 / greatestForce : 0;
   const showContacts = () => {
     const {firstContact, contact, contact_pairing} = recording.frames;
     const forces = new Map();

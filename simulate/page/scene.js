@@ -91,7 +91,7 @@ const makeArrows = (recording, size) => {
   const shaft = new THREE.CylinderBufferGeometry(1, 1, 1, 12).translate(0, 0.5, 0);
   const head = new THREE.ConeBufferGeometry(1, 1, 16).translate(0, -0.5, 0);
   const up = new THREE.Vector3(0, 1, 0), force = new THREE.Vector3();
-  const width = 0.004 * size;
+  const width = 0.0032 * size;
   const arrow = i => {
     if (i < group.children.length) return group.children[i];
     const made = new THREE.Group();
@@ -209,21 +209,29 @@ const makeScene = (recording, view, panel) => {
   };
 
   let freeAspect = 1;  // of what the panel leaves free
-  /// As near as the box with some room fits, seen from this direction.
+  /// As near as the box with some room fits, in the middle, seen from this direction.
   const look = (box, direction) => {
     const centre = box.getCenter(new THREE.Vector3());
     camera.position.copy(centre).add(direction);
     camera.lookAt(centre);
     const toCamera = camera.quaternion.clone().inverse();
+    const corners = [...Array(8).keys()].map(i => new THREE.Vector3(
+      i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z)
+      .sub(centre).applyQuaternion(toCamera));
     const tan = 0.88 * Math.tan(camera.fov * Math.PI / 360);
+    // What is near looks greater, so that the middle of the box is not the middle of its picture.
+    const shift = new THREE.Vector2();
     let distance = 0;
-    for (let i = 0; i < 8; ++i) {
-      const corner = new THREE.Vector3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                                       i & 4 ? box.max.z : box.min.z).sub(centre).applyQuaternion(toCamera);
-      const across = Math.max(Math.abs(corner.x) / freeAspect, Math.abs(corner.y));
-      distance = Math.max(distance, corner.z + across / tan);
+    for (let round = 0; round < 8; ++round) {
+      distance = Math.max(...corners.map(({x, y, z}) =>
+        z + Math.max(Math.abs(x - shift.x) / freeAspect, Math.abs(y - shift.y)) / tan)) || 1;
+      for (const axis of ["x", "y"]) {
+        const seen = corners.map(corner => (corner[axis] - shift[axis]) / (distance - corner.z));
+        shift[axis] += distance * (Math.max(...seen) + Math.min(...seen)) / 2;
+      }
     }
-    camera.position.copy(centre).addScaledVector(direction.normalize(), distance || 1);
+    centre.add(new THREE.Vector3(shift.x, shift.y, 0).applyQuaternion(camera.quaternion));
+    camera.position.copy(centre).addScaledVector(direction.normalize(), distance);
     controls.target.copy(centre);
     controls.update();
   };

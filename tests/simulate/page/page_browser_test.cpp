@@ -203,7 +203,7 @@ TEST_F(PageInBrowser, DrawsForcesAsArrows) {
   const std::size_t deepest = most_pressed(recording_).frame;
   Browser& browser = open(at_frame(recording_, deepest));
   const RecordedContact& contact = recording_.frames[deepest].contacts.at(0);
-  // Halfway along the arrow, whose whole length is told by the page's own rule: a third of the scene's diagonal.
+  // Halfway along the arrow, the whole length of which follows from the page's scale.
   const double length = browser.evaluate("pcmArrowLength()").get<double>() * contact.force_W.norm();
   const Eigen::Vector3d middle = contact.position_W + 0.5 * length * contact.force_W.normalized();
   const Pixel arrow{0xc2, 0x00, 0x6b};
