@@ -187,6 +187,14 @@ TEST(Architecture, CompareIncludesNoTests) {
   expect_no_include("compare", {"tests/"});
 }
 
+TEST(Architecture, SimulateIncludesNoTestsAndNotTheOracle) {
+  expect_no_include("simulate", {"tests/", "reference/"});
+}
+
+TEST(Architecture, OnlyTestsIncludeSimulate) {
+  for (const std::string part : {"meshes", "fast", "reference", "compare"}) expect_no_include(part, {"simulate/"});
+}
+
 TEST(Architecture, TheInputsHoldNoAlgorithm) {
   for (const Include& include : includes_of("fast")) {
     if (include.file == fs::path{"fast/include/pcm/inputs.h"}) {
@@ -196,7 +204,7 @@ TEST(Architecture, TheInputsHoldNoAlgorithm) {
 }
 
 TEST(Architecture, EverySourceNamesItsLicence) {
-  for (const std::string room : {"meshes", "fast", "reference", "compare", "tests"}) {
+  for (const std::string room : {"meshes", "fast", "reference", "compare", "simulate", "tests"}) {
     const std::string licence = room == "meshes" || room == "fast" ? "BSD-3-Clause" : "GPL-3.0-or-later";
     for (const fs::path& source : sources_of(room)) {
       std::ifstream in{source};

@@ -46,6 +46,7 @@ inline const std::vector<Part>& parts() {
        {"io", "bodies", "poses", "verify", "published", "opponents", "known_answers", "error_budget", "motion", "bench",
         "cli"},
        {}},
+      {"simulate", {"record", "page"}, {}},
   };
   return all;
 }
