@@ -17,6 +17,8 @@
 
 #include "compare/cli/programs.h"
 #include "pcm/bad_input.h"
+#include "simulate/page/page.h"
+#include "simulate/record/recording_of_run.h"
 #include "simulate/record/run_tables.h"
 #include "simulate/record/simulate.h"
 #include "simulate/scenes/read_scene.h"
@@ -33,7 +35,7 @@ struct SimulateOptions {
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadInput(file.string() + ": can't be read; built in are: bubbles");
+  if (!in) throw BadInput(file.string() + ": can't be read; built in are: bubbles, pedestrian");
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
@@ -111,8 +113,9 @@ Exit simulate(const SimulateOptions& options) {
   }
   const std::string tables =
       cost_table(options.scene, scene, run.kept()) + "\n" + energy_table(run.kept(), run.observe().energies);
+  write_page(folder / "page.html", recording_of_run(folder, scene, run.simulation().model()));
   std::ofstream(folder / "tables.md") << "# " << scene.title << "\n\n" << tables;
-  std::cout << tables;
+  std::cout << tables << "\npage: " << (folder / "page.html").string() << '\n';
   if (!finished)
     compare::complain(
         fmt::format("interrupted at t = {:g} s; the same command goes on from there", run.kept().checkpoint.t));
@@ -129,9 +132,10 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
       "energies and loads, states, and the poses of all pairings (docs/simulate.md).\n\n"
       "Examples:\n"
       "  pcm simulate bubbles\n"
+      "  pcm simulate pedestrian --integrator bdf\n"
       "  pcm simulate bubbles --print > mine.json\n"
       "  pcm simulate mine.json --out mine --integrator bdf");
-  command->add_option("SCENE", options->scene, "bubbles, or a scene file");
+  command->add_option("SCENE", options->scene, "bubbles, pedestrian, or a scene file");
   command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
   command->add_option("--integrator", options->method,
                       "adams, bdf, ida, dormand_prince or esdirk, in place of the scene's");

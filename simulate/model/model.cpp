@@ -92,6 +92,7 @@ struct Model::Data {
   Eigen::VectorXd y() const;
   void observe_contact(Index pairing, const fast::Contact& contact, Observation& observation) const;
   double joint_power() const;
+  double kinetic_energy() const;
   SimTK::Transform surface_transform(Index surface) const;
 
   Scene scene;
@@ -236,6 +237,16 @@ SimTK::Transform Model::Data::surface_transform(Index index) const {
   return surface.body < 0 ? X_BS : bodies[static_cast<std::size_t>(surface.body)].getBodyTransform(state) * X_BS;
 }
 
+double Model::Data::kinetic_energy() const {
+  double energy = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (scene.bodies[b].joint.prescribed_speed) continue;
+    const SimTK::SpatialVec V = bodies[b].getBodyVelocity(state);
+    energy += 0.5 * (~V * (bodies[b].getBodySpatialInertiaInGround(state) * V));
+  }
+  return energy;
+}
+
 // A bumper's force is k x (1 + d dx/dt), never pulling; what exceeds its spring's k x is damping.
 double Model::Data::joint_power() const {
   double power = 0;
@@ -328,7 +339,7 @@ Observation Model::observe(double t, const Eigen::VectorXd& y) {
         result.pairings[static_cast<std::size_t>(p)].velocity = velocity;
         result.energies.elastic += pcm::simbody::elastic_energy(data.contacts.pairing(p), pose, contact);
       });
-  result.energies.kinetic = data.matter.calcKineticEnergy(data.state);
+  result.energies.kinetic = data.kinetic_energy();
   result.energies.gravity = data.gravity.calcPotentialEnergyContribution(data.state);
   for (const Data::Bumper& bumper : data.bumpers)
     result.energies.bumpers += bumper.force.calcPotentialEnergyContribution(data.state);

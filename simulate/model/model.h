@@ -32,7 +32,7 @@ struct PairingObservation {
 
 /// Energies in J, powers in W.
 struct Energies {
-  double kinetic = 0;
+  double kinetic = 0;  ///< without bodies that move as prescribed
   double gravity = 0;
   double elastic = 0;  ///< of the contacts' foundations
   double bumpers = 0;  ///< of the springs at the joints' limits
@@ -44,7 +44,7 @@ struct Powers {
   double damping = 0;   ///< taken by the foundations' damping
   double friction = 0;  ///< taken by friction
   double joints = 0;    ///< taken by the joints' and bumpers' damping
-  double motions = 0;   ///< brought by prescribed motions
+  double motions = 0;   ///< brought by prescribed motions to all other bodies
 };
 
 /// A contact element.

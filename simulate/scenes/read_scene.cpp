@@ -203,6 +203,7 @@ Joint SceneReader::joint_from(const Json& json, const std::string& at) const {
   if (json.contains("prescribed_speed")) {
     if (joint.type != JointType::slider && joint.type != JointType::pin)
       json_.refuse(at + "/prescribed_speed", "only a slider or a pin has one");
+    if (joint.parent >= 0) json_.refuse(at + "/prescribed_speed", "only a body whose parent is ground has one");
     joint.prescribed_speed = json["prescribed_speed"].get<double>();
   }
   return joint;
@@ -302,6 +303,12 @@ void SceneReader::read_integrator(const Json& json) {
 void SceneReader::read_output(const Json& json) {
   read(json, "interval", scene_.output.interval);
   read(json, "checkpoint_interval", scene_.output.checkpoint_interval);
+  if (json.contains("follow")) {
+    const auto found = surfaces_.find(json["follow"].get<std::string>());
+    if (found == surfaces_.end())
+      json_.refuse("/output/follow", "there is no surface '" + json["follow"].get<std::string>() + "'");
+    scene_.output.follow = found->second;
+  }
   if (!json.contains("stills")) return;
   scene_.output.stills = json["stills"].get<std::vector<double>>();
   for (std::size_t i = 0; i < scene_.output.stills.size(); ++i)

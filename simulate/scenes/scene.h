@@ -102,6 +102,7 @@ struct OutputSettings {
   double interval = 0.01;             ///< s
   double checkpoint_interval = 0.25;  ///< s
   std::vector<double> stills;         ///< s
+  std::optional<Index> follow;        ///< surface that pictures move along with
 };
 
 struct Scene {
