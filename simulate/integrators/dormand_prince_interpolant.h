@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace pcm::simulate {
+
+/// The continuous extension of a step of Dormand and Prince's method of order 5(4), which DOPRI5 has and ARKODE lacks:
+/// of order 4 from the slopes of the stages, without further ones (Hairer, Norsett, Wanner, Solving Ordinary
+/// Differential Equations I, section II.6).
+class DormandPrinceInterpolant {
+ public:
+  /// At a start, and where a step is begun anew: the next slope is that of its beginning.
+  void begin() { at_beginning_ = true; }
+
+  /// Every slope the method asks for, in its order. The last six before a step is accepted are those of its stages 2 to
+  /// 7, whatever was tried before; the seventh is the first stage of the next step.
+  void add_slope(const Eigen::Ref<const Eigen::VectorXd>& dydt);
+
+  /// A step of this size from `before` to `after`.
+  void accept(double size, const Eigen::VectorXd& before, const Eigen::VectorXd& after);
+
+  /// At `part` of the step, 0 at its beginning and 1 at its end.
+  Eigen::VectorXd state_at(double part) const;
+
+ private:
+  static constexpr std::size_t kStages = 6;  ///< but for the first
+  bool at_beginning_ = true;
+  Eigen::VectorXd first_;
+  std::array<Eigen::VectorXd, kStages> last_;  ///< a ring
+  std::size_t next_ = 0;
+  std::array<Eigen::VectorXd, 5> terms_;
+};
+
+}  // namespace pcm::simulate
