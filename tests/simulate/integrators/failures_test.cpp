@@ -64,6 +64,10 @@ TEST_P(Failing, AStepIntoWhatIsNotThereIsTriedSmallerAndCounted) {
     EXPECT_EQ(integrator->work().failures.not_here, failures.not_here);
     EXPECT_EQ(integrator->work().failures.not_finite, failures.not_finite);
     EXPECT_NEAR(integrator->y()[0], 0.9999, 1e-2);
+    EXPECT_LT(failures.not_here + failures.not_finite, integrator->work().steps / 4);
+    if (GetParam() != Method::adams) {  // whose iteration fails by itself where steps are great
+      EXPECT_EQ(integrator->work().failures.nonlinear, 0);
+    }
   }
 }
 
