@@ -205,11 +205,8 @@ class Arkode final : public Solver {
     const double smaller = kSmaller * std::min(tried, t_end - t);
     if (smaller <= least_step) return false;
     ++restarts_;
-    if (!dense_) {
-      callbacks_.interpolant.begin();
-      // This step and the next one don't grow, or every other try would be refused again.
-      ERKStepSetMaxGrowth(memory_.get(), kNoGrowth);
-    }
+    // The explicit method's next two steps don't grow, or every other try would be refused again.
+    if (!dense_) ERKStepSetMaxGrowth(memory_.get(), kNoGrowth);
     callbacks_.equation.next_try();
     return stepper_.set_first_step(memory_.get(), smaller) == ARK_SUCCESS &&
            stepper_.reset(memory_.get(), t, last_state_.get()) == ARK_SUCCESS;

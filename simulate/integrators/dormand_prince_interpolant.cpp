@@ -5,9 +5,8 @@
 namespace pcm::simulate {
 
 void DormandPrinceInterpolant::add_slope(const Eigen::Ref<const Eigen::VectorXd>& dydt) {
-  if (at_beginning_) {
+  if (first_.size() == 0) {
     first_ = dydt;
-    at_beginning_ = false;
     return;
   }
   last_[next_] = dydt;

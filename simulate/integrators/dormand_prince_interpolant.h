@@ -12,11 +12,9 @@ namespace pcm::simulate {
 /// Differential Equations I, section II.6).
 class DormandPrinceInterpolant {
  public:
-  /// At a start, and where a step is begun anew: the next slope is that of its beginning.
-  void begin() { at_beginning_ = true; }
-
-  /// Every slope the method asks for, in its order. The last six before a step is accepted are those of its stages 2 to
-  /// 7, whatever was tried before; the seventh is the first stage of the next step.
+  /// Every slope the method asks for, in its order. The first is that of the start; the last six before a step is
+  /// accepted are those of its stages 2 to 7, whatever was tried before, and the seventh is the first stage of the
+  /// next.
   void add_slope(const Eigen::Ref<const Eigen::VectorXd>& dydt);
 
   /// A step of this size from `before` to `after`.
@@ -26,9 +24,8 @@ class DormandPrinceInterpolant {
   Eigen::VectorXd state_at(double part) const;
 
  private:
-  static constexpr std::size_t kStages = 6;  ///< but for the first
-  bool at_beginning_ = true;
-  Eigen::VectorXd first_;
+  static constexpr std::size_t kStages = 6;    ///< but for the first
+  Eigen::VectorXd first_;                      ///< of the step to come; empty before the first slope
   std::array<Eigen::VectorXd, kStages> last_;  ///< a ring
   std::size_t next_ = 0;
   std::array<Eigen::VectorXd, 5> terms_;

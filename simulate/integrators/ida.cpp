@@ -22,14 +22,50 @@ int residual_callback(double t, N_Vector y, N_Vector slope, N_Vector residual, v
   return answer;
 }
 
+/// df/dy, kept from one system matrix to the next. IDA asks for a new matrix where c_j has changed by more than a
+/// factor of 5/3, as step and order do; df/dy need not be another one then, as in CVODE, which takes a new one after 50
+/// steps or where Newton's iteration fails with the old one. So does this.
+struct KeptJacobian {
+  Eigen::MatrixXd dfdy;
+  long step = -1;        ///< at which it was taken, -1: none yet
+  double c_j = 0;        ///< of the last system matrix
+  double asked_at = -1;  ///< time of the last system matrix
+
+  bool still_good(double t, double new_c_j, long now) const {
+    constexpr double kRatio = 0.6;  // of c_j, at which IDA asks: (1 - 1/4) / (1 + 1/4)
+    constexpr long kOldest = 50;    // steps, as in CVODE
+    const double ratio = new_c_j / c_j;
+    // Asked again for the same step, or with much the same c_j: the iteration has failed.
+    const bool failed = t == asked_at || (ratio > kRatio && ratio < 1 / kRatio);
+    return step >= 0 && now - step <= kOldest && !failed;
+  }
+};
+
+struct IdaCallbacks : Callbacks {
+  void* memory = nullptr;
+  KeptJacobian kept = {};
+};
+
 /// d residual / dy + c_j d residual / dy' = c_j - df/dy. IDA asks for it just after a residual at the same (t, y).
 int residual_jacobian_callback(double t, double c_j, N_Vector y, N_Vector, N_Vector, SUNMatrix J, void* user_data,
                                N_Vector, N_Vector, N_Vector) {
-  CountedEquation& equation = callbacks_of(user_data).equation;
-  const Answer answer = equation.jacobian(t, N_VGetArrayPointer(y), nullptr, SUNDenseMatrix_Data(J));
-  if (answer != Answer::given) return static_cast<int>(answer);
+  // `user_data` is what all callbacks are given, which here is part of more.
+  auto& callbacks = static_cast<IdaCallbacks&>(callbacks_of(user_data));
+  CountedEquation& equation = callbacks.equation;
+  KeptJacobian& kept = callbacks.kept;
+  long steps = 0;
+  IDAGetNumSteps(callbacks.memory, &steps);
+  if (!kept.still_good(t, c_j, steps)) {
+    kept.step = -1;
+    kept.dfdy.resize(equation.size(), equation.size());
+    const Answer answer = equation.jacobian(t, N_VGetArrayPointer(y), nullptr, kept.dfdy.data());
+    if (answer != Answer::given) return static_cast<int>(answer);
+    kept.step = steps;
+  }
+  kept.c_j = c_j;
+  kept.asked_at = t;
   Eigen::Map<Eigen::MatrixXd> system(SUNDenseMatrix_Data(J), equation.size(), equation.size());
-  system = -system;
+  system = -kept.dfdy;
   system.diagonal().array() += c_j;
   return 0;
 }
@@ -37,7 +73,7 @@ int residual_jacobian_callback(double t, double c_j, N_Vector y, N_Vector, N_Vec
 class Ida final : public Solver {
  public:
   Ida(CountedEquation& equation, const StepControl& control, double t, const Eigen::VectorXd& y)
-      : callbacks_{equation, {}},
+      : callbacks_{{equation, {}}},
         state_(make_vector(y, context_)),
         slope_(make_vector(Eigen::VectorXd::Zero(y.size()), context_)),
         absolute_(make_vector(control.absolute, context_)),
@@ -45,12 +81,13 @@ class Ida final : public Solver {
         memory_(IDACreate(context_.get())) {
     void* const ida = memory_.get();
     require(ida != nullptr, "IDACreate");
+    callbacks_.memory = ida;
     require(IDASetErrHandlerFn(ida, keep_message, &callbacks_) == IDA_SUCCESS, "IDASetErrHandlerFn");
     require(IDAInit(ida, residual_callback, t, state_.get(), slope_.get()) == IDA_SUCCESS, "IDAInit");
     require(IDASVtolerances(ida, control.relative, absolute_.get()) == IDA_SUCCESS, "IDASVtolerances");
     require(IDASetLinearSolver(ida, dense_.solver.get(), dense_.matrix.get()) == IDA_SUCCESS, "IDASetLinearSolver");
     require(IDASetJacFn(ida, residual_jacobian_callback) == IDA_SUCCESS, "IDASetJacFn");
-    IDASetUserData(ida, &callbacks_);
+    IDASetUserData(ida, static_cast<Callbacks*>(&callbacks_));
     IDASetMaxErrTestFails(ida, kMostFailuresInAStep);
     IDASetMaxConvFails(ida, kMostFailuresInAStep);
     if (std::isfinite(control.greatest_step)) IDASetMaxStep(ida, control.greatest_step);
@@ -60,7 +97,7 @@ class Ida final : public Solver {
     void* const ida = memory_.get();
     if (!has_initial_slope_) {
       // IDA wants a slope that agrees with the state; the equation is asked in the step, not at the start.
-      if (derivative_callback(t, state_.get(), slope_.get(), &callbacks_) != 0) return Outcome::refused;
+      if (derivative_callback(t, state_.get(), slope_.get(), static_cast<Callbacks*>(&callbacks_)) != 0) return Outcome::refused;
       require(IDAReInit(ida, t, state_.get(), slope_.get()) == IDA_SUCCESS, "IDAReInit");
       has_initial_slope_ = true;
     }
@@ -115,7 +152,7 @@ class Ida final : public Solver {
   }
 
   Context context_ = make_context();
-  Callbacks callbacks_;
+  IdaCallbacks callbacks_;
   Vector state_, slope_, absolute_;
   DenseSystem dense_;
   std::unique_ptr<void, FreedBy<free_ida>> memory_;

@@ -10,7 +10,8 @@
 #include <stdexcept>
 #include <string_view>
 
-/// Ordinary differential equations, integrated by SUNDIALS step by step. Times are in s.
+/// Ordinary differential equations, integrated by SUNDIALS step by step. Times are in s. C++17, as Simbody's headers
+/// can't be read as C++20.
 namespace pcm::simulate {
 
 /// Whether a function could be had where it was asked for.
@@ -64,12 +65,6 @@ struct Failures {
   std::int64_t nonlinear = 0;   ///< Newton's or the fixed-point iteration did not converge
   std::int64_t not_here = 0;    ///< the derivative, or the Jacobian, could not be had
   std::int64_t not_finite = 0;  ///< a state, derivative or Jacobian was not finite
-
-  // In full: headers that see Simbody's are C++17.
-  friend bool operator==(const Failures& a, const Failures& b) {
-    return a.error_test == b.error_test && a.nonlinear == b.nonlinear && a.not_here == b.not_here &&
-           a.not_finite == b.not_finite;
-  }
 };
 
 /// One accepted step.
