@@ -97,7 +97,8 @@ class Ida final : public Solver {
     void* const ida = memory_.get();
     if (!has_initial_slope_) {
       // IDA wants a slope that agrees with the state; the equation is asked in the step, not at the start.
-      if (derivative_callback(t, state_.get(), slope_.get(), static_cast<Callbacks*>(&callbacks_)) != 0) return Outcome::refused;
+      if (derivative_callback(t, state_.get(), slope_.get(), static_cast<Callbacks*>(&callbacks_)) != 0)
+        return Outcome::refused;
       require(IDAReInit(ida, t, state_.get(), slope_.get()) == IDA_SUCCESS, "IDAReInit");
       has_initial_slope_ = true;
     }
