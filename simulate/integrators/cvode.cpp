@@ -29,6 +29,7 @@ class Cvode final : public Solver {
     require(CVodeInit(cvode, derivative_callback, t, state_.get()) == CV_SUCCESS, "CVodeInit");
     require(CVodeSVtolerances(cvode, control.relative, absolute_.get()) == CV_SUCCESS, "CVodeSVtolerances");
     CVodeSetUserData(cvode, &callbacks_);
+    CVodeSetMaxNonlinIters(memory_.get(), 7);
     CVodeSetMaxErrTestFails(cvode, kMostFailuresInAStep);
     CVodeSetMaxConvFails(cvode, kMostFailuresInAStep);
     if (std::isfinite(control.greatest_step)) CVodeSetMaxStep(cvode, control.greatest_step);
