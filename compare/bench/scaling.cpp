@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 #include "compare/io/random.h"
 #include "compare/verify/wanted.h"
 #include "meshes/generate/round.h"

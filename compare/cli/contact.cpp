@@ -17,7 +17,7 @@
 #include "compare/io/names.h"
 #include "compare/io/poses_file.h"
 #include "compare/motion/advice.h"
-#include "compare/opponents/subject.h"
+#include "compare/wrong_answers/tested_engine.h"
 #include "pcm/bad_input.h"
 #include "pcm/engine.h"
 #include "pcm/read_mesh.h"
@@ -43,13 +43,13 @@ using Evaluate = std::function<Json(const State&)>;
 
 Evaluate evaluate_by_engine(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
                             Scheme scheme, bool with_bound) {
-  const std::shared_ptr<const Subject> subject =
-      make_subject(engine, std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
-  auto workspace = std::make_shared<SubjectWorkspace>();
+  const std::shared_ptr<const TestedEngine> tested =
+      make_tested_engine(engine, std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
+  auto workspace = std::make_shared<TestedEngineWorkspace>();
   Wanted wanted;
   wanted.bound = with_bound;
   return [=](const State& state) {
-    Json json = contact_json(subject->evaluate(state.pose, state.velocity, wanted, *workspace));
+    Json json = contact_json(tested->evaluate(state.pose, state.velocity, wanted, *workspace));
     if (engine != Engine::fast)
       for (const char* side : {"E", "F"}) json[side]["area"] = json[side]["vector_area"] = nullptr;
     return json;

@@ -23,7 +23,7 @@ Extent extent_of(const VerifyOptions& options) {
   return options.quick ? Extent::quick : Extent::full;
 }
 
-Exit compare_engines(const VerifyOptions& options) {
+Exit engine_comparison(const VerifyOptions& options) {
   if (options.scheme && *options.scheme != "barycentric")
     throw BadInput("--engine: the published algorithms know the barycentric scheme only; leave out --scheme");
   const int jobs = number_of_jobs(options);
@@ -64,7 +64,7 @@ Exit verify_more(const VerifyOptions& options) {
   if (options.audits) return audits(options);
   if (options.error_budget) return error_budget(options);
   if (options.known_answers) return known_answers(options);
-  return compare_engines(options);
+  return engine_comparison(options);
 }
 
 }  // namespace pcm::compare

@@ -43,8 +43,8 @@ inline const std::vector<Part>& parts() {
         "proofs"},
        {}},
       {"compare",
-       {"io", "bodies", "poses", "verify", "published", "opponents", "known_answers", "error_budget", "motion", "bench",
-        "cli"},
+       {"io", "bodies", "poses", "verify", "published", "wrong_answers", "known_answers", "error_budget", "motion",
+        "bench", "cli"},
        {}},
   };
   return all;

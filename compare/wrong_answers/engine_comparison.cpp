@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/opponents/contest.h"
+#include "compare/wrong_answers/engine_comparison.h"
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -20,19 +20,19 @@ namespace {
 constexpr double kShallow = 0.1;
 
 /// The engines on the surfaces of a cell.
-using Subjects = std::vector<std::unique_ptr<const Subject>>;
+using TestedEngines = std::vector<std::unique_ptr<const TestedEngine>>;
 
-Subjects subjects_of(const HeldPairing& held, Mode mode, const std::vector<Engine>& engines) {
-  Subjects subjects;
+TestedEngines tested_engines_of(const HeldPairing& held, Mode mode, const std::vector<Engine>& engines) {
+  TestedEngines tested;
   for (const Engine engine : engines)
-    subjects.push_back(
-        make_subject(engine, held.features().E.mesh, held.features().F.mesh, held.law(), mode, Scheme::barycentric));
-  return subjects;
+    tested.push_back(make_tested_engine(engine, held.features().E.mesh, held.features().F.mesh, held.law(), mode,
+                                        Scheme::barycentric));
+  return tested;
 }
 
 /// Adds one engine's answer.
-void add(ContestTally& tally, Engine engine, Wrongs found, bool rule, bool shallow) {
-  ContestTally::OfEngine& of_engine = tally.engines[static_cast<std::size_t>(engine)];
+void add(ComparisonTally& tally, Engine engine, Wrongs found, bool rule, bool shallow) {
+  ComparisonTally::OfEngine& of_engine = tally.engines[static_cast<std::size_t>(engine)];
   constexpr auto kElements = static_cast<std::size_t>(Wrong::elements), kForce = static_cast<std::size_t>(Wrong::force);
   if (!rule && engine != Engine::fast) {
     of_engine.differs_without_rule += found[kForce];
@@ -45,9 +45,9 @@ void add(ContestTally& tally, Engine engine, Wrongs found, bool rule, bool shall
 }
 
 /// One pose: the oracle once, then every engine.
-ContestTally hold(const HeldPairing& held, Mode mode, const DrawnPose& drawn, const std::vector<Engine>& engines,
-                  const Subjects& subjects, SubjectWorkspace& workspace) {
-  ContestTally tally;
+ComparisonTally hold(const HeldPairing& held, Mode mode, const DrawnPose& drawn, const std::vector<Engine>& engines,
+                     const TestedEngines& tested, TestedEngineWorkspace& workspace) {
+  ComparisonTally tally;
   const Question question{held.features().E,   held.features().F, held.law(),    mode,
                           Scheme::barycentric, drawn.pose,        drawn.velocity};
   reference::Inquiry inquiry(held.oracle(), drawn.pose, drawn.velocity);
@@ -61,7 +61,7 @@ ContestTally hold(const HeldPairing& held, Mode mode, const DrawnPose& drawn, co
   for (std::size_t k = 0; k < engines.size(); ++k) {
     const fast::Contact* contact = nullptr;
     try {
-      contact = &subjects[k]->evaluate(drawn.pose, drawn.velocity, {}, workspace);
+      contact = &tested[k]->evaluate(drawn.pose, drawn.velocity, {}, workspace);
     } catch (const std::exception&) {
       // Counted as a failure.
     }
@@ -72,7 +72,7 @@ ContestTally hold(const HeldPairing& held, Mode mode, const DrawnPose& drawn, co
 
 }  // namespace
 
-void ContestTally::merge(const ContestTally& other) {
+void ComparisonTally::merge(const ComparisonTally& other) {
   poses += other.poses;
   without_rule += other.without_rule;
   shallow += other.shallow;
@@ -88,29 +88,29 @@ void ContestTally::merge(const ContestTally& other) {
   }
 }
 
-bool ContestResult::anything_wrong() const {
-  for (const ContestTally::OfEngine& engine : all.engines)
+bool EngineComparison::anything_wrong() const {
+  for (const ComparisonTally::OfEngine& engine : all.engines)
     if (engine.wrong > 0) return true;
   return false;
 }
 
-ContestResult hold_contest(VerificationPlan plan, const std::vector<Engine>& engines, int jobs,
-                           const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress) {
+EngineComparison compare_engines(VerificationPlan plan, const std::vector<Engine>& engines, int jobs,
+                                 const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress) {
   if (plan.schemes != std::vector{Scheme::barycentric})
     throw BadInput("--engine: the published algorithms know the barycentric scheme only");
   const Verification poses(std::move(plan));
-  std::map<Stratum, ContestTally> strata;
-  std::map<std::pair<const HeldPairing*, Mode>, Subjects> known;
+  std::map<Stratum, ComparisonTally> strata;
+  std::map<std::pair<const HeldPairing*, Mode>, TestedEngines> known;
   std::int64_t done = 0;
   for (const Cell& cell : poses.cells()) {
     for (std::int64_t pose = 0; pose < cell.poses; ++pose) {
       const HeldPairing& held = poses.held_pairing(cell, pose);
-      Subjects& subjects = known[{&held, cell.mode}];
-      if (subjects.empty()) subjects = subjects_of(held, cell.mode, engines);
+      TestedEngines& tested = known[{&held, cell.mode}];
+      if (tested.empty()) tested = tested_engines_of(held, cell.mode, engines);
     }
     struct Local {
-      SubjectWorkspace workspace;
-      ContestTally tally;
+      TestedEngineWorkspace workspace;
+      ComparisonTally tally;
     };
     oneapi::tbb::enumerable_thread_specific<Local> locals;
     oneapi::tbb::task_arena arena(jobs);
@@ -126,7 +126,7 @@ ContestResult hold_contest(VerificationPlan plan, const std::vector<Engine>& eng
     for (const Local& local : locals) strata[cell.stratum].merge(local.tally);
     progress(done += cell.poses);
   }
-  ContestResult result;
+  EngineComparison result;
   result.engines = engines;
   result.seed = poses.plan().seed;
   result.omissions = poses.omissions();

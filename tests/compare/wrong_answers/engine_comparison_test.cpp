@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-#include "compare/opponents/contest.h"
+#include "compare/wrong_answers/engine_comparison.h"
 #include "pcm/bad_input.h"
 #include "tests/compare/small_pair.h"
 
@@ -21,8 +21,8 @@ VerificationPlan small_plan(std::int64_t poses) {
   return plan;
 }
 
-ContestResult contest(std::int64_t poses, int jobs) {
-  return hold_contest(
+EngineComparison small_comparison(std::int64_t poses, int jobs) {
+  return compare_engines(
       small_plan(poses), {kEngines.begin(), kEngines.end()}, jobs, [] { return false; }, [](std::int64_t) {});
 }
 
@@ -67,8 +67,8 @@ TEST(WrongAnswers, AlteredAnswersAreToldApart) {
     EXPECT_TRUE(wrongs(question, engine, nullptr, truth)[static_cast<std::size_t>(Wrong::failure)]);
 }
 
-TEST(Contest, TheEngineIsNeverWrongThePaperIsWhereFeaturesCoincide) {
-  const ContestResult result = contest(360, 1);
+TEST(EngineComparison, TheEngineIsNeverWrongThePaperIsWhereFeaturesCoincide) {
+  const EngineComparison result = small_comparison(360, 1);
   ASSERT_TRUE(result.finished);
   EXPECT_EQ(result.all.poses, 360);
   EXPECT_EQ(result.all.of(Engine::fast).wrong, 0);
@@ -87,8 +87,8 @@ TEST(Contest, TheEngineIsNeverWrongThePaperIsWhereFeaturesCoincide) {
   EXPECT_TRUE(result.anything_wrong());
 }
 
-TEST(Contest, TheTableDoesNotDependOnTheNumberOfThreads) {
-  const ContestResult one = contest(120, 1), three = contest(120, 3);
+TEST(EngineComparison, TheTableDoesNotDependOnTheNumberOfThreads) {
+  const EngineComparison one = small_comparison(120, 1), three = small_comparison(120, 3);
   EXPECT_EQ(one.all.without_rule, three.all.without_rule);
   for (const Engine engine : kEngines) {
     EXPECT_EQ(one.all.of(engine).wrong, three.all.of(engine).wrong);
@@ -96,17 +96,17 @@ TEST(Contest, TheTableDoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST(Contest, StoppedItKeepsWhatItHas) {
-  const ContestResult result = hold_contest(
+TEST(EngineComparison, StoppedItKeepsWhatItHas) {
+  const EngineComparison result = compare_engines(
       small_plan(60), {Engine::published_2003}, 1, [] { return true; }, [](std::int64_t) {});
   EXPECT_FALSE(result.finished);
   EXPECT_EQ(result.all.poses, 0);
 }
 
-TEST(Contest, RefusesTheClippedScheme) {
+TEST(EngineComparison, RefusesTheClippedScheme) {
   VerificationPlan plan = small_plan(6);
   plan.schemes = {Scheme::clipped};
-  EXPECT_THROW(hold_contest(
+  EXPECT_THROW(compare_engines(
                    plan, {Engine::published_2003}, 1, [] { return false; }, [](std::int64_t) {}),
                BadInput);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Simbody.h>
 
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 
 namespace pcm::compare {
 namespace {
@@ -17,7 +17,7 @@ SimTK::ContactGeometry::TriangleMesh geometry_of(const TriangleMesh& mesh) {
 }
 
 /// Body E is the ground and carries the springs, as the master does in mode E; F floats.
-class Simbody final : public Contestant {
+class Simbody final : public Peer {
  public:
   Simbody(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
       : matter_(system_), forces_(system_), contacts_(system_), set_(contacts_.createContactSet()) {
@@ -62,7 +62,7 @@ class Simbody final : public Contestant {
 
 }  // namespace
 
-std::vector<ContestantEntry> simbody_contestants() {
+std::vector<PeerEntry> simbody_peers() {
   return {{"Simbody 3.7", "elastic foundation", "faces", "libsimbody-dev", true,
            [](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
              return std::make_unique<Simbody>(mesh_E, mesh_F);

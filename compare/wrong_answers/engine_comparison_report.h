@@ -5,20 +5,20 @@
 #include <string>
 
 #include "compare/io/table.h"
-#include "compare/opponents/contest.h"
+#include "compare/wrong_answers/engine_comparison.h"
 
 namespace pcm::compare {
 
 /// Wrong answers by stratum, the engines side by side.
-Table contest_table(const ContestResult& result);
+Table engine_comparison_table(const EngineComparison& result);
 
 /// What the table's columns are, in words for people.
-std::string contest_legend();
+std::string engine_comparison_legend();
 
 /// How often force and torque of shallow generic poses are right, a line an engine. Empty without such poses.
-std::string contest_shallow(const ContestResult& result);
+std::string engine_comparison_on_shallow_poses(const EngineComparison& result);
 
 /// The verdict in a line.
-std::string contest_verdict(const ContestResult& result);
+std::string engine_comparison_verdict(const EngineComparison& result);
 
 }  // namespace pcm::compare

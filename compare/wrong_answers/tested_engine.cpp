@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/opponents/subject.h"
+#include "compare/wrong_answers/tested_engine.h"
 
 #include <utility>
 
@@ -12,13 +12,13 @@
 namespace pcm::compare {
 namespace {
 
-class FastSubject final : public Subject {
+class FastEngine final : public TestedEngine {
  public:
-  FastSubject(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme)
+  FastEngine(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme)
       : pairing_(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law, mode, scheme) {}
 
   const fast::Contact& evaluate(const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                                SubjectWorkspace& workspace) const override {
+                                TestedEngineWorkspace& workspace) const override {
     return fast::evaluate(pairing_, pose, velocity, wanted, workspace.fast);
   }
 
@@ -27,13 +27,13 @@ class FastSubject final : public Subject {
 };
 
 template <class Algorithm>
-class PublishedSubject final : public Subject {
+class PublishedEngine final : public TestedEngine {
  public:
-  PublishedSubject(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode)
+  PublishedEngine(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode)
       : algorithm_(std::move(mesh_E), std::move(mesh_F), law, mode) {}
 
   const fast::Contact& evaluate(const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                                SubjectWorkspace& workspace) const override {
+                                TestedEngineWorkspace& workspace) const override {
     return algorithm_.evaluate(pose, velocity, wanted, workspace.published);
   }
 
@@ -54,18 +54,17 @@ Engine engine_named(const std::string& word) {
   throw BadInput("--engine: unknown '" + word + "'; known are fast, published-2003, published-2023");
 }
 
-std::unique_ptr<const Subject> make_subject(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F,
-                                            const ContactLaw& law, Mode mode, Scheme scheme) {
+std::unique_ptr<const TestedEngine> make_tested_engine(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F,
+                                                       const ContactLaw& law, Mode mode, Scheme scheme) {
   if (engine == Engine::fast)
-    return std::make_unique<FastSubject>(std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
+    return std::make_unique<FastEngine>(std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
   if (scheme != Scheme::barycentric)
     throw BadInput("--engine " + std::string(name(engine)) + " knows the barycentric scheme only");
   require_fit(mesh_E);
   require_fit(mesh_F);
   if (engine == Engine::published_2003)
-    return std::make_unique<PublishedSubject<published::Algorithm2003>>(std::move(mesh_E), std::move(mesh_F), law,
-                                                                        mode);
-  return std::make_unique<PublishedSubject<published::Algorithm2023>>(std::move(mesh_E), std::move(mesh_F), law, mode);
+    return std::make_unique<PublishedEngine<published::Algorithm2003>>(std::move(mesh_E), std::move(mesh_F), law, mode);
+  return std::make_unique<PublishedEngine<published::Algorithm2023>>(std::move(mesh_E), std::move(mesh_F), law, mode);
 }
 
 }  // namespace pcm::compare

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 
 namespace pcm::compare {
 namespace {
 
 /// Somebody this program was built without.
-[[maybe_unused]] ContestantEntry absent(const char* who, const char* package) {
+[[maybe_unused]] PeerEntry absent(const char* who, const char* package) {
   return {who, "", "", package, true, {}};
 }
 
@@ -26,38 +26,38 @@ ContactLaw bench_law() {
   return law;
 }
 
-std::vector<ContestantEntry> contestants() {
-  std::vector<ContestantEntry> all = engine_contestants();
-  const auto add = [&all](std::vector<ContestantEntry> more) {
-    for (ContestantEntry& entry : more) all.push_back(std::move(entry));
+std::vector<PeerEntry> all_peers() {
+  std::vector<PeerEntry> all = engine_peers();
+  const auto add = [&all](std::vector<PeerEntry> more) {
+    for (PeerEntry& entry : more) all.push_back(std::move(entry));
   };
-  add(published_contestants());
+  add(published_peers());
 #ifdef PCM_WITH_FCL
-  add(fcl_contestants());
+  add(fcl_peers());
 #else
   add({absent("FCL", "libfcl-dev")});
 #endif
 #ifdef PCM_WITH_EMBREE
-  add(embree_contestants());
+  add(embree_peers());
 #else
   add({absent("Embree", "libembree-dev")});
 #endif
 #ifdef PCM_WITH_ODE
-  add(ode_contestants());
+  add(ode_peers());
 #else
   add({absent("ODE", "libode-dev")});
 #endif
 #ifdef PCM_WITH_SIMBODY
-  add(simbody_contestants());
+  add(simbody_peers());
 #else
   add({absent("Simbody", "libsimbody-dev")});
 #endif
 #ifdef PCM_WITH_CGAL
-  add(cgal_contestants());
+  add(cgal_peers());
 #else
   add({absent("CGAL", "libcgal-dev")});
 #endif
-  add(oracle_contestants());
+  add(oracle_peers());
   return all;
 }
 

@@ -27,28 +27,28 @@ std::string_view name(Engine engine);
 Engine engine_named(const std::string& word);
 
 /// Scratch memory for any of them; one per thread.
-struct SubjectWorkspace {
+struct TestedEngineWorkspace {
   fast::Workspace fast;
   published::Workspace published;
 };
 
 /// An engine with its pairing. Immutable.
-class Subject {
+class TestedEngine {
  public:
-  Subject() = default;
-  Subject(const Subject&) = delete;
-  Subject& operator=(const Subject&) = delete;
-  virtual ~Subject() = default;
+  TestedEngine() = default;
+  TestedEngine(const TestedEngine&) = delete;
+  TestedEngine& operator=(const TestedEngine&) = delete;
+  virtual ~TestedEngine() = default;
 
   /// The answer lives in `workspace` until its next use. Throws BadInput as fast::evaluate does, and where a bound is
   /// wanted of a published algorithm.
   virtual const fast::Contact& evaluate(const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                                        SubjectWorkspace& workspace) const = 0;
+                                        TestedEngineWorkspace& workspace) const = 0;
 };
 
 /// Throws BadInput where a mesh is unfit for contact, a parameter of the law out of its range, or the scheme one that
 /// the engine does not know: the published algorithms are barycentric.
-std::unique_ptr<const Subject> make_subject(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F,
-                                            const ContactLaw& law, Mode mode, Scheme scheme);
+std::unique_ptr<const TestedEngine> make_tested_engine(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F,
+                                                       const ContactLaw& law, Mode mode, Scheme scheme);
 
 }  // namespace pcm::compare

@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "compare/bench/bodies.h"
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 #include "compare/bench/timing.h"
 #include "compare/io/table.h"
 
 /// `pcm bench peers`: everybody on the same surfaces at the same poses, pose by pose in turn.
 namespace pcm::compare {
 
-/// What a contestant needed over all poses of a body.
-struct ContestantResult {
-  ContestantEntry entry;
+/// What a peer needed over all poses of a body.
+struct PeerResult {
+  PeerEntry entry;
   std::vector<Timing> timings;  ///< by pose
   double found = 0;             ///< mean over the poses
 
@@ -27,22 +27,22 @@ struct ContestantResult {
 };
 
 /// One body at one distance.
-struct PeersResult {
+struct PeerComparison {
   std::string body;
   std::size_t faces = 0;  ///< of one of the two surfaces
   Distance distance = Distance::touching;
-  std::vector<ContestantResult> contestants;  ///< the first is the whole barycentric evaluation
+  std::vector<PeerResult> peers;  ///< the first is the whole barycentric evaluation
 };
 
 /// `progress` is told what comes next.
-std::vector<PeersResult> run_peers(const std::vector<BenchBody>& bodies, std::int64_t poses,
-                                   const std::function<void(const std::string&)>& progress);
+std::vector<PeerComparison> compare_peers(const std::vector<BenchBody>& bodies, std::int64_t poses,
+                                          const std::function<void(const std::string&)>& progress);
 
 /// All results in one table. Ratios are of medians, to `everything` and to `force and torque` of the barycentric
 /// engine; preparation is not in them.
-Table peers_table(const std::vector<PeersResult>& results);
+Table peers_table(const std::vector<PeerComparison>& results);
 /// For a screen, bodies side by side; and in Markdown, with all there is to know.
-std::string peers_screen(const std::vector<PeersResult>& results, const Machine& machine);
-std::string peers_markdown(const std::vector<PeersResult>& results, const Machine& machine);
+std::string peers_screen(const std::vector<PeerComparison>& results, const Machine& machine);
+std::string peers_markdown(const std::vector<PeerComparison>& results, const Machine& machine);
 
 }  // namespace pcm::compare

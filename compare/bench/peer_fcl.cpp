@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 
 namespace pcm::compare {
 namespace {
@@ -23,7 +23,7 @@ std::shared_ptr<Model> model_of(const TriangleMesh& mesh) {
 }
 
 /// Without contact points, which would be more than who intersects whom.
-class Fcl final : public Contestant {
+class Fcl final : public Peer {
  public:
   Fcl(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, std::size_t most_pairs)
       : E_(model_of(mesh_E)), F_(model_of(mesh_F)), request_(most_pairs, false) {}
@@ -42,7 +42,7 @@ class Fcl final : public Contestant {
   fcl::CollisionRequestd request_;
 };
 
-ContestantEntry fcl_entry(const char* computes, std::size_t most_pairs) {
+PeerEntry fcl_entry(const char* computes, std::size_t most_pairs) {
   return {"FCL " FCL_VERSION " OBBRSS",
           computes,
           "pairs",
@@ -55,7 +55,7 @@ ContestantEntry fcl_entry(const char* computes, std::size_t most_pairs) {
 
 }  // namespace
 
-std::vector<ContestantEntry> fcl_contestants() {
+std::vector<PeerEntry> fcl_peers() {
   return {fcl_entry("all triangle pairs", std::numeric_limits<std::size_t>::max()), fcl_entry("touch only", 1)};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/opponents/wrong_answers.h"
+#include "compare/wrong_answers/wrong_answers.h"
 
 #include <algorithm>
 #include <array>

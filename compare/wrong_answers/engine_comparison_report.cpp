@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/opponents/contest_report.h"
+#include "compare/wrong_answers/engine_comparison_report.h"
 
 #include <fmt/core.h>
 
@@ -17,10 +17,11 @@ std::vector<Wrong> shown(Engine engine) {
 }
 
 /// Failures have no column of their own: they are in `wrong`.
-std::vector<TableCell> row(const std::string& stratum, const ContestTally& tally, const std::vector<Engine>& engines) {
+std::vector<TableCell> row(const std::string& stratum, const ComparisonTally& tally,
+                           const std::vector<Engine>& engines) {
   std::vector<TableCell> cells{stratum, count_cell(tally.poses)};
   for (const Engine engine : engines) {
-    const ContestTally::OfEngine& of_engine = tally.of(engine);
+    const ComparisonTally::OfEngine& of_engine = tally.of(engine);
     cells.push_back(count_cell(of_engine.wrong));
     for (const Wrong kind : shown(engine)) cells.push_back(count_cell(of_engine.by[static_cast<std::size_t>(kind)]));
   }
@@ -45,7 +46,7 @@ std::string short_name(Engine engine) {
 
 }  // namespace
 
-Table contest_table(const ContestResult& result) {
+Table engine_comparison_table(const EngineComparison& result) {
   Table table{{{"stratum", "stratum", false}, {"poses", "poses"}}, {}};
   for (const Engine engine : result.engines) {
     table.columns.push_back({short_name(engine) + ": wrong", key_of(engine, "wrong")});
@@ -62,7 +63,7 @@ Table contest_table(const ContestResult& result) {
   return table;
 }
 
-std::string contest_legend() {
+std::string engine_comparison_legend() {
   return fmt::format(
       "Poses at which each engine's answer is not the oracle's on the rounded problem: wrong in anything, and in "
       "what.\n"
@@ -76,7 +77,7 @@ std::string contest_legend() {
       kForceTolerance);
 }
 
-std::string contest_shallow(const ContestResult& result) {
+std::string engine_comparison_on_shallow_poses(const EngineComparison& result) {
   std::string text;
   for (const auto& [stratum, tally] : result.strata) {
     if (stratum != Stratum::generic || tally.shallow == 0) continue;
@@ -85,7 +86,7 @@ std::string contest_shallow(const ContestResult& result) {
         fmt::format("Shallow generic poses, nothing deeper than a tenth of the smaller body: {}, {} of them no rule\n",
                     tally.shallow, tally.shallow_without_rule);
     for (const Engine engine : result.engines) {
-      const ContestTally::OfEngine& of_engine = tally.of(engine);
+      const ComparisonTally::OfEngine& of_engine = tally.of(engine);
       const std::int64_t right = ruled - of_engine.shallow_force_wrong;
       text += fmt::format("  {:<15} right force at {} of {}", name(engine), right, ruled);
       if (ruled > 0) text += fmt::format(" ({:.2f} %)", 100 * static_cast<double>(right) / static_cast<double>(ruled));
@@ -99,7 +100,7 @@ std::string contest_shallow(const ContestResult& result) {
   return text;
 }
 
-std::string contest_verdict(const ContestResult& result) {
+std::string engine_comparison_verdict(const EngineComparison& result) {
   std::string line = fmt::format("{} poses, wrong answers:", result.all.poses);
   const char* separator = " ";
   for (const Engine engine : result.engines) {

@@ -4,7 +4,7 @@
 
 #include <cstdarg>
 
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 
 namespace pcm::compare {
 namespace {
@@ -51,7 +51,7 @@ class OdeMesh {
   dGeomID geometry_ = nullptr;
 };
 
-class Ode final : public Contestant {
+class Ode final : public Peer {
  public:
   Ode(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) : E_(mesh_E), F_(mesh_F), points_(kMostPoints) {}
 
@@ -74,7 +74,7 @@ class Ode final : public Contestant {
 
 }  // namespace
 
-std::vector<ContestantEntry> ode_contestants() {
+std::vector<PeerEntry> ode_peers() {
   return {
       {"ODE 0.16 trimesh", "contact points", "points", "libode-dev", true,
        [](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) { return std::make_unique<Ode>(mesh_E, mesh_F); }}};

@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "compare/opponents/wrong_answers.h"
 #include "compare/verify/verify.h"
+#include "compare/wrong_answers/wrong_answers.h"
 
 /// Several engines held against the oracle on the same poses: what exactness buys.
 namespace pcm::compare {
 
 /// Poses of one stratum.
-struct ContestTally {
+struct ComparisonTally {
   std::int64_t poses = 0;
   std::int64_t without_rule = 0;  ///< the published algorithms have no rule for them
   /// Nothing in it is deeper than a tenth of the smaller body.
@@ -34,16 +34,16 @@ struct ContestTally {
   std::array<OfEngine, kEngines.size()> engines;
 
   const OfEngine& of(Engine engine) const { return engines[static_cast<std::size_t>(engine)]; }
-  void merge(const ContestTally& other);
+  void merge(const ComparisonTally& other);
 };
 
-/// A contest over a plan's poses. Barycentric scheme only.
-struct ContestResult {
+/// The engines compared over a plan's poses. Barycentric scheme only.
+struct EngineComparison {
   std::vector<Engine> engines;
   std::uint64_t seed = 0;
   bool finished = true;
-  std::vector<std::pair<Stratum, ContestTally>> strata;
-  ContestTally all;
+  std::vector<std::pair<Stratum, ComparisonTally>> strata;
+  ComparisonTally all;
   std::vector<std::string> omissions;  ///< what has no poses (verify.h)
 
   bool anything_wrong() const;
@@ -52,7 +52,7 @@ struct ContestResult {
 /// Holds every engine against the oracle at every pose of the plan, on `jobs` threads. Once `stop` says yes the poses
 /// at hand are finished. `progress` gets the number of poses done. Throws BadInput for the clipped scheme, which the
 /// published algorithms do not know.
-ContestResult hold_contest(VerificationPlan plan, const std::vector<Engine>& engines, int jobs,
-                           const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
+EngineComparison compare_engines(VerificationPlan plan, const std::vector<Engine>& engines, int jobs,
+                                 const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
 
 }  // namespace pcm::compare

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include "compare/bench/peers.h"
+#include "compare/bench/peer_comparison.h"
 
 namespace pcm::compare {
 namespace {
@@ -11,15 +11,15 @@ std::string name(Distance distance) {
   return distance == Distance::touching ? "touching" : "separated";
 }
 
-std::string protocol(const std::vector<PeersResult>& results) {
+std::string protocol(const std::vector<PeerComparison>& results) {
   return fmt::format(
-      "{} poses a body, each contestant at each pose in turn, the least of up to five times after one unmeasured, one\n"
+      "{} poses a body, each peer at each pose in turn, the least of up to five times after one unmeasured, one\n"
       "thread. Setting up is not counted, nor what must happen before each query (moving the second mesh for CGAL,\n"
       "refitting its tree for Embree). Ratios of medians to the whole barycentric evaluation.\n",
-      results.front().contestants.front().timings.size());
+      results.front().peers.front().timings.size());
 }
 
-std::string title(const PeersResult& result) {
+std::string title(const PeerComparison& result) {
   return fmt::format("{}, {} faces each, {}", result.body, result.faces, name(result.distance));
 }
 
@@ -27,31 +27,31 @@ TableCell microseconds(double us) {
   return number_cell(us, 3);
 }
 
-std::vector<TableCell> row(const PeersResult& result, const ContestantResult& contestant) {
-  const ContestantEntry& entry = contestant.entry;
+std::vector<TableCell> row(const PeerComparison& result, const PeerResult& peer) {
+  const PeerEntry& entry = peer.entry;
   std::vector<TableCell> cells{result.body, name(result.distance), entry.who};
-  if (contestant.timings.empty()) {
+  if (peer.timings.empty()) {
     cells.emplace_back("not installed: " + entry.debian_package);
     while (cells.size() < 11) cells.push_back(empty_cell());
     return cells;
   }
-  const double preparation = contestant.median_preparation_us();
+  const double preparation = peer.median_preparation_us();
   const auto ratio_to = [&](std::size_t ours) {
-    return number_cell(contestant.median_us() / result.contestants[ours].median_us(), 3);
+    return number_cell(peer.median_us() / result.peers[ours].median_us(), 3);
   };
   cells.emplace_back(entry.computes);
-  cells.push_back(microseconds(contestant.median_us()));
-  cells.push_back(microseconds(contestant.p95_us()));
+  cells.push_back(microseconds(peer.median_us()));
+  cells.push_back(microseconds(peer.p95_us()));
   // Less than the clock can tell is none.
   cells.push_back(preparation < 0.5 ? empty_cell() : microseconds(preparation));
   cells.push_back(ratio_to(0));
   cells.push_back(ratio_to(1));
-  cells.push_back({fmt::format("{:.1f}", contestant.found), contestant.found});
+  cells.push_back({fmt::format("{:.1f}", peer.found), peer.found});
   cells.emplace_back(entry.finds);
   return cells;
 }
 
-Table table_of(const PeersResult& result) {
+Table table_of(const PeerComparison& result) {
   Table table{{{"body", "body", false},
                {"poses", "poses", false},
                {"who", "who", false},
@@ -64,7 +64,7 @@ Table table_of(const PeersResult& result) {
                {"found", "found"},
                {"of what", "finds", false}},
               {}};
-  for (const ContestantResult& contestant : result.contestants) table.rows.push_back(row(result, contestant));
+  for (const PeerResult& peer : result.peers) table.rows.push_back(row(result, peer));
   return table;
 }
 
@@ -76,17 +76,17 @@ Table without_body(Table table) {
 }
 
 /// Bodies side by side at one distance.
-Table side_by_side(const std::vector<PeersResult>& results, Distance distance) {
+Table side_by_side(const std::vector<PeerComparison>& results, Distance distance) {
   Table table{{{name(distance), "who", false}, {"computes", "computes", false}}, {}};
-  for (const PeersResult& result : results) {
+  for (const PeerComparison& result : results) {
     if (result.distance != distance) continue;
     table.columns.insert(table.columns.end(), {{fmt::format("{} us", result.body), "median_us"},
                                                {"p95", "p95_us"},
                                                {"ratio", "ratio_to_all"},
                                                {"found", "found"}});
-    table.rows.resize(result.contestants.size());
+    table.rows.resize(result.peers.size());
     for (std::size_t c = 0; c < table.rows.size(); ++c) {
-      const std::vector<TableCell> all = row(result, result.contestants[c]);
+      const std::vector<TableCell> all = row(result, result.peers[c]);
       std::vector<TableCell>& cells = table.rows[c];
       if (cells.empty()) cells = {all[2], all[3]};
       cells.insert(cells.end(), {all[4], all[5], all[7], all[9]});
@@ -97,9 +97,9 @@ Table side_by_side(const std::vector<PeersResult>& results, Distance distance) {
 
 }  // namespace
 
-Table peers_table(const std::vector<PeersResult>& results) {
+Table peers_table(const std::vector<PeerComparison>& results) {
   Table all;
-  for (const PeersResult& result : results) {
+  for (const PeerComparison& result : results) {
     Table table = table_of(result);
     all.columns = table.columns;
     all.rows.insert(all.rows.end(), table.rows.begin(), table.rows.end());
@@ -107,7 +107,7 @@ Table peers_table(const std::vector<PeersResult>& results) {
   return all;
 }
 
-std::string peers_screen(const std::vector<PeersResult>& results, const Machine& machine) {
+std::string peers_screen(const std::vector<PeerComparison>& results, const Machine& machine) {
   return fmt::format(
       "{}\n{}found: intersecting triangle pairs (segments of polygons); 2023: elements; ODE: contact points; Simbody: "
       "faces with springs;\ncorefinement: faces of the solid. Means over the poses.\n\n{}\n{}",
@@ -115,14 +115,14 @@ std::string peers_screen(const std::vector<PeersResult>& results, const Machine&
       on_screen(side_by_side(results, Distance::separated)));
 }
 
-std::string peers_markdown(const std::vector<PeersResult>& results, const Machine& machine) {
+std::string peers_markdown(const std::vector<PeerComparison>& results, const Machine& machine) {
   std::string text = fmt::format(
       "# pcm bench peers\n\n{}\n\n{}\n`before us`: median time of what must happen before each query. `to all`, `to "
       "force`: ratio of medians to everything and to force and torque of the barycentric engine. `found`: mean over "
       "the "
       "poses.\n",
       describe(machine), protocol(results));
-  for (const PeersResult& result : results)
+  for (const PeerComparison& result : results)
     text += fmt::format("\n## {}\n\n{}", title(result), markdown(without_body(table_of(result))));
   return text;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 #include "compare/bench/triangle_overlap.h"
 
 namespace pcm::compare {
@@ -74,7 +74,7 @@ struct Device {
 
 /// Embree finds faces whose boxes overlap; whether the faces do is ours to say. Its trees stand still: F's is refitted
 /// to the moved vertices before each query.
-class Embree final : public Contestant {
+class Embree final : public Peer {
  public:
   Embree(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
       : E_(device_.device, mesh_E), F_(device_.device, mesh_F), vertices_Mf_(mesh_F.vertices) {}
@@ -106,7 +106,7 @@ class Embree final : public Contestant {
 
 }  // namespace
 
-std::vector<ContestantEntry> embree_contestants() {
+std::vector<PeerEntry> embree_peers() {
   return {{"Embree " RTC_VERSION_STRING, "rtcCollide: pairs", "pairs", "libembree-dev", true,
            [](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
              return std::make_unique<Embree>(mesh_E, mesh_F);

@@ -8,7 +8,7 @@
 
 #include <boost/config/helper_macros.hpp>
 
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 
 namespace pcm::compare {
 namespace {
@@ -19,7 +19,7 @@ using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
 /// Takes surfaces in place: F's vertices are moved, with rounding, before each query.
 template <class Kernel>
-class Cgal : public Contestant {
+class Cgal : public Peer {
  public:
   using Point = typename Kernel::Point_3;
   using Mesh = CGAL::Surface_mesh<Point>;
@@ -85,7 +85,7 @@ class Corefinement final : public Cgal<Kernel> {
 };
 
 template <class Chosen>
-ContestantEntry cgal_entry(const char* who, const char* computes, const char* finds) {
+PeerEntry cgal_entry(const char* who, const char* computes, const char* finds) {
   return {who,
           computes,
           finds,
@@ -97,7 +97,7 @@ ContestantEntry cgal_entry(const char* who, const char* computes, const char* fi
 
 }  // namespace
 
-std::vector<ContestantEntry> cgal_contestants() {
+std::vector<PeerEntry> cgal_peers() {
   constexpr const char* kInexact = "CGAL " BOOST_STRINGIZE(CGAL_VERSION) " inexact";
   constexpr const char* kExact = "CGAL " BOOST_STRINGIZE(CGAL_VERSION) " exact";
   return {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pcm/engine.h"
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 #include "compare/verify/wanted.h"
+#include "pcm/engine.h"
 #include "reference/oracle.h"
 
 namespace pcm::compare {
@@ -10,9 +10,9 @@ namespace {
 
 constexpr Wanted kEverything{};
 
-class Engine final : public Contestant {
+class EnginePeer final : public Peer {
  public:
-  Engine(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Scheme scheme, const Wanted& wanted)
+  EnginePeer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Scheme scheme, const Wanted& wanted)
       : pairing_(fast::Surface(mesh_E), fast::Surface(mesh_F), bench_law(), Mode::E, scheme), wanted_(wanted) {}
 
   std::int64_t query(const Pose& pose) override {
@@ -25,9 +25,9 @@ class Engine final : public Contestant {
   Wanted wanted_;
 };
 
-class OracleContestant final : public Contestant {
+class OraclePeer final : public Peer {
  public:
-  OracleContestant(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, reference::Problem problem)
+  OraclePeer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, reference::Problem problem)
       : oracle_(mesh_E, mesh_F, bench_law(), Mode::E), problem_(problem) {}
 
   std::int64_t query(const Pose& pose) override {
@@ -42,21 +42,21 @@ class OracleContestant final : public Contestant {
   reference::Problem problem_;
 };
 
-ContestantEntry engine(const char* who, const char* computes, Scheme scheme, const Wanted& wanted) {
+PeerEntry engine(const char* who, const char* computes, Scheme scheme, const Wanted& wanted) {
   return {who, computes, "pairs", "", true, [=](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
-            return std::make_unique<Engine>(mesh_E, mesh_F, scheme, wanted);
+            return std::make_unique<EnginePeer>(mesh_E, mesh_F, scheme, wanted);
           }};
 }
 
-ContestantEntry oracle(const char* who, reference::Problem problem) {
+PeerEntry oracle(const char* who, reference::Problem problem) {
   return {who, "everything", "pairs", "", false, [=](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
-            return std::make_unique<OracleContestant>(mesh_E, mesh_F, problem);
+            return std::make_unique<OraclePeer>(mesh_E, mesh_F, problem);
           }};
 }
 
 }  // namespace
 
-std::vector<ContestantEntry> engine_contestants() {
+std::vector<PeerEntry> engine_peers() {
   return {engine("pcm barycentric", "everything", Scheme::barycentric, kEverything),
           engine("pcm barycentric", "force and torque", Scheme::barycentric, kForceOnly),
           engine("pcm clipped", "everything", Scheme::clipped, kEverything),
@@ -65,7 +65,7 @@ std::vector<ContestantEntry> engine_contestants() {
           engine("pcm", "touch only", Scheme::barycentric, kTouchOnly)};
 }
 
-std::vector<ContestantEntry> oracle_contestants() {
+std::vector<PeerEntry> oracle_peers() {
   return {oracle("pcm oracle, rounded", reference::Problem::rounded),
           oracle("pcm oracle, exact", reference::Problem::exact)};
 }

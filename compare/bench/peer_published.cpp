@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 #include "compare/published/algorithm_2003.h"
 #include "compare/published/algorithm_2023.h"
 #include "compare/verify/wanted.h"
@@ -11,9 +11,10 @@ namespace {
 /// Lines of a fifth of the body: twice as deep as the poses, for longer ones cost more.
 constexpr double kGreatestDepth = 0.2;
 
-class Paper final : public Contestant {
+class Algorithm2003Peer final : public Peer {
  public:
-  Paper(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) : algorithm_(mesh_E, mesh_F, bench_law(), Mode::E) {}
+  Algorithm2003Peer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
+      : algorithm_(mesh_E, mesh_F, bench_law(), Mode::E) {}
 
   std::int64_t query(const Pose& pose) override {
     return algorithm_.evaluate(pose, bench_velocity(), kForceOnly, workspace_).work.crossing_pairs;
@@ -24,9 +25,9 @@ class Paper final : public Contestant {
   published::Workspace workspace_;
 };
 
-class Variant final : public Contestant {
+class Algorithm2023Peer final : public Peer {
  public:
-  Variant(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
+  Algorithm2023Peer(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
       : algorithm_(mesh_E, mesh_F, bench_law(), Mode::E, kGreatestDepth * published::Surface(mesh_E).size) {}
 
   std::int64_t query(const Pose& pose) override {
@@ -39,7 +40,7 @@ class Variant final : public Contestant {
 };
 
 template <class Published>
-ContestantEntry entry(const char* who, const char* finds) {
+PeerEntry entry(const char* who, const char* finds) {
   return {who, "force and torque", finds, "", true, [](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
             return std::make_unique<Published>(mesh_E, mesh_F);
           }};
@@ -47,8 +48,9 @@ ContestantEntry entry(const char* who, const char* finds) {
 
 }  // namespace
 
-std::vector<ContestantEntry> published_contestants() {
-  return {entry<Paper>("as published 2003", "pairs"), entry<Variant>("as published 2023", "elements")};
+std::vector<PeerEntry> published_peers() {
+  return {entry<Algorithm2003Peer>("as published 2003", "pairs"),
+          entry<Algorithm2023Peer>("as published 2023", "elements")};
 }
 
 }  // namespace pcm::compare
