@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fast/active/active_areas.h"
-#include "fast/active/clipped_areas.h"
+#include "fast/active/inside_areas.h"
 #include "fast/active/patches.h"
 #include "fast/crossings/crossings.h"
 #include "fast/crossings/polygons.h"
@@ -28,7 +28,7 @@ struct Workspace::Data {
   std::vector<Index> polygon_scratch;
   ActiveAreaScratch active_scratch;
   PatchScratch patch_scratch;
-  ClippedAreaScratch area_scratch;
+  InsideAreaScratch area_scratch;
   ForceScratch force_scratch;
 
   Contact contact;

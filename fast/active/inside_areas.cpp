@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/active/clipped_areas.h"
+#include "fast/active/inside_areas.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -29,11 +29,11 @@ struct Totals {
 /// After the last one.
 constexpr Index kNoFace = std::numeric_limits<Index>::max();
 
-/// Measures the clipped active area of one side.
+/// Measures the area of one side inside the other body.
 class SideMeasure {
  public:
   SideMeasure(PosedPair& posed, const Crossings& crossings, const PolygonChains& chains, const ActiveAreas& areas,
-              Side side, ClippedAreaScratch& scratch)
+              Side side, InsideAreaScratch& scratch)
       : posed_(posed),
         crossings_(crossings),
         chains_(chains),
@@ -49,9 +49,9 @@ class SideMeasure {
  private:
   void add_segments();
   std::array<Index, 3> corner_windings(Index face) const;
-  void add_edges(Index face, const std::array<Index, 3>& windings, FaceClip& clip);
+  void add_edges(Index face, const std::array<Index, 3>& windings, InsidePart& part);
   /// Faces count as often as the other surface winds about them: once, unless that intersects itself. Only so do the
-  /// clipped areas of both surfaces bound a volume.
+  /// areas of both surfaces bound a volume.
   double multiplicity(Index face) const {
     return other_closed_ ? static_cast<double>(active_.face_winding.at(face)) : 1.0;
   }
@@ -64,7 +64,7 @@ class SideMeasure {
   const CrossedSurface& crossed_;
   const ActiveFaces& active_;
   bool other_closed_;
-  ClippedAreaScratch& scratch_;
+  InsideAreaScratch& scratch_;
 };
 
 /// Segments of all polygons: each runs inside one face of E and one of F, with the part of E inside F on its left, the
@@ -76,16 +76,16 @@ void SideMeasure::add_segments() {
     if (start.next < 0) continue;
     const CrossingNode& end = crossings_[start.next];
     const Index face = start.segment_face[static_cast<std::size_t>(side_)];
-    FaceClip& clip = scratch_.clips[static_cast<std::size_t>(scratch_.slot.at(face))];
-    if (!clip.started) clip.origin_Me = start.position_Me;
-    clip.started = true;
-    clip.twice_vector_area_Me +=
-        sign * (start.position_Me - clip.origin_Me).cross(Eigen::Vector3d(end.position_Me - clip.origin_Me));
+    InsidePart& part = scratch_.parts[static_cast<std::size_t>(scratch_.slot.at(face))];
+    if (!part.started) part.origin_Me = start.position_Me;
+    part.started = true;
+    part.twice_vector_area_Me +=
+        sign * (start.position_Me - part.origin_Me).cross(Eigen::Vector3d(end.position_Me - part.origin_Me));
     if (other_closed_) continue;
     for (const CrossingNode* crossing : {&start, &end}) {
       if (crossing->edge_side != side_ && crossing->face == face &&
           posed_.surface(crossing->edge_side).border(crossing->edge)) {
-        clip.undefined = true;
+        part.undefined = true;
       }
     }
   }
@@ -110,32 +110,32 @@ std::array<Index, 3> SideMeasure::corner_windings(Index face) const {
   return windings;
 }
 
-/// The border of the clipped area along the face's own edges: twice the area between an edge a -> b and the origin,
+/// The border of the part inside along the face's own edges: twice the area between an edge a -> b and the origin,
 /// where w winds about it: w(a) a x c + w(b) c x b + the sum over the crossings x_i of delta_i x_i x c, with any point
 /// c of the edge. Taken at a crossing, the far ends enter only where the area reaches them, so that the error is a few
 /// ulps of a coordinate times the extent of the area, not of the face.
-void SideMeasure::add_edges(Index face, const std::array<Index, 3>& windings, FaceClip& clip) {
+void SideMeasure::add_edges(Index face, const std::array<Index, 3>& windings, InsidePart& part) {
   const Triangle& corners = surface_.face(face);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     const Index edge = surface_.edges_of(face)[k];
     const EdgeCrossings crossings = crossed_.edges.get(edge, {});
     if (windings[k] == 0 && windings[next] == 0 && crossings.count == 0) continue;
-    const Eigen::Vector3d a = posed_.vertex_Me(side_, corners[k]) - clip.origin_Me;
-    const Eigen::Vector3d b = posed_.vertex_Me(side_, corners[next]) - clip.origin_Me;
+    const Eigen::Vector3d a = posed_.vertex_Me(side_, corners[k]) - part.origin_Me;
+    const Eigen::Vector3d b = posed_.vertex_Me(side_, corners[next]) - part.origin_Me;
     if (crossings.count == 0) {
-      clip.twice_vector_area_Me += static_cast<double>(windings[k]) * a.cross(b);
+      part.twice_vector_area_Me += static_cast<double>(windings[k]) * a.cross(b);
       continue;
     }
     const Index direction = surface_.runs_forwards(face, k) ? 1 : -1;
     const CrossingNode& first = crossings_[crossings.first];
-    const Eigen::Vector3d c = first.position_Me - clip.origin_Me;
-    if (windings[k] != 0) clip.twice_vector_area_Me += static_cast<double>(windings[k]) * a.cross(c);
-    if (windings[next] != 0) clip.twice_vector_area_Me += static_cast<double>(windings[next]) * c.cross(b);
+    const Eigen::Vector3d c = first.position_Me - part.origin_Me;
+    if (windings[k] != 0) part.twice_vector_area_Me += static_cast<double>(windings[k]) * a.cross(c);
+    if (windings[next] != 0) part.twice_vector_area_Me += static_cast<double>(windings[next]) * c.cross(b);
     for (Index i = first.next_on_edge; i >= 0;) {
       const CrossingNode& crossing = crossings_[i];
-      const Eigen::Vector3d x = crossing.position_Me - clip.origin_Me;
-      clip.twice_vector_area_Me += static_cast<double>(direction * crossing.winding_change()) * x.cross(c);
+      const Eigen::Vector3d x = crossing.position_Me - part.origin_Me;
+      part.twice_vector_area_Me += static_cast<double>(direction * crossing.winding_change()) * x.cross(c);
       i = crossing.next_on_edge;
     }
   }
@@ -143,7 +143,7 @@ void SideMeasure::add_edges(Index face, const std::array<Index, 3>& windings, Fa
 
 Totals SideMeasure::measure(const Eigen::Vector3d& origin_Me) {
   const std::vector<Index>& intersected_faces = crossed_.intersected;
-  scratch_.clips.assign(intersected_faces.size(), FaceClip{});
+  scratch_.parts.assign(intersected_faces.size(), InsidePart{});
   scratch_.slot.start(surface_.mesh.faces.size());
   for (std::size_t i = 0; i < intersected_faces.size(); ++i) {
     scratch_.slot.set(intersected_faces[i], static_cast<Index>(i));
@@ -151,7 +151,7 @@ Totals SideMeasure::measure(const Eigen::Vector3d& origin_Me) {
   add_segments();
 
   Totals totals;
-  std::size_t next_intersected = 0, next_inner = 0, next_pocket = 0, next_clip = 0;
+  std::size_t next_intersected = 0, next_inner = 0, next_pocket = 0, next_part = 0;
   const auto head = [](const std::vector<Index>& faces, std::size_t next) {
     return next < faces.size() ? faces[next] : kNoFace;
   };
@@ -176,15 +176,15 @@ Totals SideMeasure::measure(const Eigen::Vector3d& origin_Me) {
         totals.add_face(multiplicity(face) * whole_area, n_Me, lanes.p_Me[0][lane] - origin_Me);
         continue;
       }
-      FaceClip& clip = scratch_.clips[next_clip++];
-      if (clip.undefined) {
+      InsidePart& part = scratch_.parts[next_part++];
+      if (part.undefined) {
         ++totals.undefined;
         continue;
       }
-      add_edges(face, corner_windings(face), clip);
-      double area = 0.5 * clip.twice_vector_area_Me.dot(n_Me);
+      add_edges(face, corner_windings(face), part);
+      double area = 0.5 * part.twice_vector_area_Me.dot(n_Me);
       if (!other_closed_) area = std::clamp(area, 0.0, whole_area);
-      totals.add_face(area, n_Me, clip.origin_Me - origin_Me);
+      totals.add_face(area, n_Me, part.origin_Me - origin_Me);
     }
   }
   return totals;
@@ -203,10 +203,10 @@ Eigen::Vector3d origin_of_volume(PosedPair& posed, const Crossings& crossings, c
 
 }  // namespace
 
-ClippedAreas measure_clipped_areas(PosedPair& posed, const Crossings& crossings, const PolygonChains& chains,
-                                   const ActiveAreas& areas, ClippedAreaScratch& scratch) {
+InsideAreas measure_inside_areas(PosedPair& posed, const Crossings& crossings, const PolygonChains& chains,
+                                 const ActiveAreas& areas, InsideAreaScratch& scratch) {
   const Eigen::Vector3d origin_Me = origin_of_volume(posed, crossings, chains, areas);
-  ClippedAreas result;
+  InsideAreas result;
   double thrice_volume = 0;
   for (const Side side : {Side::E, Side::F}) {
     const Totals totals = SideMeasure(posed, crossings, chains, areas, side, scratch).measure(origin_Me);

@@ -11,8 +11,9 @@
 
 namespace pcm::fast {
 
-/// The clipped active areas, and the volume between them (PCM section 5).
-struct ClippedAreas {
+/// The areas of either surface inside the other body, which PCM section 5 calls clipped active areas, and the volume
+/// between them.
+struct InsideAreas {
   std::array<double, 2> area{};                                                                     ///< m^2
   std::array<Eigen::Vector3d, 2> vector_area_Me{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< m^2
   Index undefined = 0;  ///< intersected faces in which a border of the other surface ends: their area counts as 0
@@ -20,25 +21,25 @@ struct ClippedAreas {
   double volume = 0;  ///< m^3
 };
 
-/// Accumulates the clipped area of one intersected face.
-struct FaceClip {
+/// The part of one intersected face inside the other body, as its area is summed up.
+struct InsidePart {
   Eigen::Vector3d origin_Me = Eigen::Vector3d::Zero();
   Eigen::Vector3d twice_vector_area_Me = Eigen::Vector3d::Zero();
   bool started = false;
   bool undefined = false;  ///< a border of the other surface ends inside the face
 };
 
-/// Scratch memory of measure_clipped_areas.
-struct ClippedAreaScratch {
-  std::vector<FaceClip> clips;
+/// Scratch memory of measure_inside_areas.
+struct InsideAreaScratch {
+  std::vector<InsidePart> parts;
   StampedArray<Index> slot;  ///< by face: its place among the intersected ones
   ElementLanes lanes;
 };
 
-/// Computes the clipped active areas and the volume between them. The crossings must be located and listed by edge.
+/// Computes these areas and the volume between them. The crossings must be located and listed by edge.
 /// Area and vector area of a face are exact but for roundings of a few ulps of the lengths of its patch's edges times
 /// the face's size.
-ClippedAreas measure_clipped_areas(PosedPair& posed, const Crossings& crossings, const PolygonChains& chains,
-                                   const ActiveAreas& areas, ClippedAreaScratch& scratch);
+InsideAreas measure_inside_areas(PosedPair& posed, const Crossings& crossings, const PolygonChains& chains,
+                                 const ActiveAreas& areas, InsideAreaScratch& scratch);
 
 }  // namespace pcm::fast

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/active/clipped_areas.h"
+#include "reference/active/inside_areas.h"
 
 #include <algorithm>
 #include <map>
@@ -26,11 +26,11 @@ bool has_area(const ExactPose& pose, Side side, Index face) {
   return sign_of(normal.x) != 0 || sign_of(normal.y) != 0 || sign_of(normal.z) != 0;
 }
 
-/// Clips the faces of one side.
-class FaceClipper {
+/// Finds the parts of one side's faces inside the other body.
+class InsidePartFinder {
  public:
-  FaceClipper(const ExactPose& pose, Side side, const ActiveFaces& active, const std::vector<IndexPair>& columns,
-              Index& undefined)
+  InsidePartFinder(const ExactPose& pose, Side side, const ActiveFaces& active, const std::vector<IndexPair>& columns,
+                   Index& undefined)
       : pose_(pose),
         side_(side),
         others_(pose.surface(other(side))),
@@ -41,75 +41,75 @@ class FaceClipper {
   bool against_closed() const { return others_.closed; }
 
   /// A face without crossings: one winding number all over.
-  FaceClip uncrossed(Index face) const {
-    FaceClip clip = bare(face);
+  InsidePart uncrossed(Index face) const {
+    InsidePart part = bare(face);
     const bool inner = std::binary_search(active_.inner.begin(), active_.inner.end(), face);
     const int winding = others_.closed ? active_.winding[pose_.face(side_, face)[0]] : inner ? 1 : 0;
-    if (winding != 0) clip.cells.push_back({winding, {{1, 2}, {2, 0}, {0, 1}}});
-    return clip;
+    if (winding != 0) part.cells.push_back({winding, {{1, 2}, {2, 0}, {0, 1}}});
+    return part;
   }
 
   /// A face in crossing pairs, under the plain tie rule.
-  FaceClip intersected(Index face, const Crossings& crossings, const std::vector<const Segment*>& segments) const {
-    FaceClip clip = bare(face);
-    std::vector<FaceSegment> parts;
+  InsidePart intersected(Index face, const Crossings& crossings, const std::vector<const Segment*>& segments) const {
+    InsidePart part = bare(face);
+    std::vector<FaceSegment> face_segments;
     for (const Segment* segment : segments)
-      parts.push_back({side_ == Side::E ? segment->face_F : segment->face_E,
-                       {crossings.ids[segment->start], crossings.ids[segment->end]}});
-    if (!others_.closed && border_ends_within(parts)) {
+      face_segments.push_back({side_ == Side::E ? segment->face_F : segment->face_E,
+                               {crossings.ids[segment->start], crossings.ids[segment->end]}});
+    if (!others_.closed && border_ends_within(face_segments)) {
       ++undefined_;
-      return clip;
+      return part;
     }
     const Orientation orientation(pose_);
     const Triangle& t = pose_.face(side_, face);
-    cut(clip, orientation, parts, [&](FaceLines& lines, const std::vector<FaceCell>& cells) {
+    cut(part, orientation, face_segments, [&](FaceLines& lines, const std::vector<FaceCell>& cells) {
       if (others_.closed) return active_.winding[t[lines.apex()]];
       return relative_winding(FacePaths(orientation, side_, face, lines, cells[0].corners), lines.apex(),
                               labelled_inside(t));
     });
-    return clip;
+    return part;
   }
 
   /// A face with coplanar overlaps, the other surface closed: moved inward.
-  FaceClip moved_inward(Index face, const std::vector<Index>& others, std::vector<Index> overlaps) const {
+  InsidePart moved_inward(Index face, const std::vector<Index>& others, std::vector<Index> overlaps) const {
     const Orientation orientation(pose_, ShiftedFace{side_, face});
-    FaceClip clip = bare(face);
-    clip.overlaps = std::move(overlaps);
-    std::vector<FaceSegment> parts;
+    InsidePart part = bare(face);
+    part.overlaps = std::move(overlaps);
+    std::vector<FaceSegment> face_segments;
     for (const Index f : others) {
       const std::vector<PairCrossing> pair =
           side_ == Side::E ? pair_crossings(orientation, face, f) : pair_crossings(orientation, f, face);
-      if (!pair.empty()) parts.push_back({f, {pair[0].id, pair[1].id}});
+      if (!pair.empty()) face_segments.push_back({f, {pair[0].id, pair[1].id}});
     }
-    cut(clip, orientation, parts, [&](FaceLines& lines, const std::vector<FaceCell>&) {
+    cut(part, orientation, face_segments, [&](FaceLines& lines, const std::vector<FaceCell>&) {
       return winding_number(orientation, {side_, pose_.face(side_, face)[lines.apex()]}, columns_);
     });
-    return clip;
+    return part;
   }
 
  private:
-  FaceClip bare(Index face) const {
-    FaceClip clip;
-    clip.face = face;
-    clip.has_area = has_area(pose_, side_, face);
-    clip.limited = !others_.closed;
-    return clip;
+  InsidePart bare(Index face) const {
+    InsidePart part;
+    part.face = face;
+    part.has_area = has_area(pose_, side_, face);
+    part.limited = !others_.closed;
+    return part;
   }
 
   /// Cuts a face into cells; `winding_at_apex(lines, cells)` tells how often the other surface winds about its apex.
   template <class WindingAtApex>
-  void cut(FaceClip& clip, const Orientation& orientation, const std::vector<FaceSegment>& segments,
+  void cut(InsidePart& part, const Orientation& orientation, const std::vector<FaceSegment>& segments,
            const WindingAtApex& winding_at_apex) const {
-    if (!clip.has_area) return;
+    if (!part.has_area) return;
     const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
-    FaceLines lines(pose_, side_, clip.face, segments);
-    const std::vector<FaceCell> cells = cut_into_cells(orientation, side_, clip.face, lines);
+    FaceLines lines(pose_, side_, part.face, segments);
+    const std::vector<FaceCell> cells = cut_into_cells(orientation, side_, part.face, lines);
     const int at_apex = winding_at_apex(lines, cells);
     for (const FaceCell& cell : cells)
-      if (const int winding = at_apex + cell.change; winding != 0) clip.cells.push_back({winding, cell.corners});
-    clip.apex = lines.apex();
-    clip.planes = lines.faces();
-    clip.crossings = lines.crossings();
+      if (const int winding = at_apex + cell.change; winding != 0) part.cells.push_back({winding, cell.corners});
+    part.apex = lines.apex();
+    part.planes = lines.faces();
+    part.crossings = lines.crossings();
   }
 
   /// The other surface ends within this face: no part of it is bounded.
@@ -143,9 +143,9 @@ class FaceClipper {
   Index& undefined_;
 };
 
-std::vector<FaceClip> clip_side(const FaceClipper& clipper, Side side, const Crossings& crossings,
-                                const ActiveFaces& active, const std::vector<IndexPair>& candidates,
-                                const std::vector<CoplanarOverlap>& overlaps) {
+std::vector<InsidePart> find_parts_of_side(const InsidePartFinder& finder, Side side, const Crossings& crossings,
+                                           const ActiveFaces& active, const std::vector<IndexPair>& candidates,
+                                           const std::vector<CoplanarOverlap>& overlaps) {
   const auto mine = [side](const auto& pair) { return side == Side::E ? pair.face_E : pair.face_F; };
   std::map<Index, std::vector<const Segment*>> segments;
   for (const Segment& segment : crossings.segments) segments[mine(segment)].push_back(&segment);
@@ -155,37 +155,37 @@ std::vector<FaceClip> clip_side(const FaceClipper& clipper, Side side, const Cro
     for (const auto& [e, f] : candidates)
       if (coplanar.count(side == Side::E ? e : f) > 0) near[side == Side::E ? e : f].push_back(side == Side::E ? f : e);
 
-  std::vector<FaceClip> clips;
+  std::vector<InsidePart> parts;
   for (const auto& [face, indices] : coplanar) {
-    if (clipper.against_closed()) {
-      clips.push_back(clipper.moved_inward(face, near[face], indices));
+    if (finder.against_closed()) {
+      parts.push_back(finder.moved_inward(face, near[face], indices));
       continue;
     }
     const auto crossed = segments.find(face);
-    clips.push_back(crossed != segments.end() ? clipper.intersected(face, crossings, crossed->second)
-                                              : clipper.uncrossed(face));
-    clips.back().overlaps = indices;
+    parts.push_back(crossed != segments.end() ? finder.intersected(face, crossings, crossed->second)
+                                              : finder.uncrossed(face));
+    parts.back().overlaps = indices;
   }
   for (const auto& [face, of_face] : segments)
-    if (coplanar.count(face) == 0) clips.push_back(clipper.intersected(face, crossings, of_face));
+    if (coplanar.count(face) == 0) parts.push_back(finder.intersected(face, crossings, of_face));
   for (const std::vector<Index>* uncrossed : {&active.inner, &active.pockets})
     for (const Index face : *uncrossed)
-      if (coplanar.count(face) == 0) clips.push_back(clipper.uncrossed(face));
-  std::sort(clips.begin(), clips.end(), [](const FaceClip& a, const FaceClip& b) { return a.face < b.face; });
-  return clips;
+      if (coplanar.count(face) == 0) parts.push_back(finder.uncrossed(face));
+  std::sort(parts.begin(), parts.end(), [](const InsidePart& a, const InsidePart& b) { return a.face < b.face; });
+  return parts;
 }
 
 }  // namespace
 
-ClippedAreas clip_active_areas(const ExactPose& pose, const std::vector<IndexPair>& candidates,
-                               const Crossings& crossings, const ActiveFaces& active_E, const ActiveFaces& active_F,
-                               const std::vector<IndexPair>& columns_E, const std::vector<IndexPair>& columns_F) {
+InsideAreas find_inside_areas(const ExactPose& pose, const std::vector<IndexPair>& candidates,
+                              const Crossings& crossings, const ActiveFaces& active_E, const ActiveFaces& active_F,
+                              const std::vector<IndexPair>& columns_E, const std::vector<IndexPair>& columns_F) {
   Index undefined = 0;
   std::vector<CoplanarOverlap> overlaps = find_coplanar_overlaps(pose, candidates);
-  const FaceClipper clipper_E(pose, Side::E, active_E, columns_E, undefined);
-  const FaceClipper clipper_F(pose, Side::F, active_F, columns_F, undefined);
-  std::vector<FaceClip> E = clip_side(clipper_E, Side::E, crossings, active_E, candidates, overlaps);
-  std::vector<FaceClip> F = clip_side(clipper_F, Side::F, crossings, active_F, candidates, overlaps);
+  const InsidePartFinder finder_E(pose, Side::E, active_E, columns_E, undefined);
+  const InsidePartFinder finder_F(pose, Side::F, active_F, columns_F, undefined);
+  std::vector<InsidePart> E = find_parts_of_side(finder_E, Side::E, crossings, active_E, candidates, overlaps);
+  std::vector<InsidePart> F = find_parts_of_side(finder_F, Side::F, crossings, active_F, candidates, overlaps);
   return {std::move(overlaps), std::move(E), std::move(F), undefined};
 }
 

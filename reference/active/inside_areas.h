@@ -8,9 +8,10 @@
 #include "reference/crossings/coplanar.h"
 #include "reference/lines/face_lines.h"
 
-/// Clipped active areas (PCM section 5): of each face, the integral of the other surface's winding number over it. The
-/// face is cut into convex cells about each of which the other surface winds equally often all over (face_cells.h);
-/// with N the face's doubled normal and alpha the sum of winding number times area in units of |N|,
+/// Areas inside the other body, the clipped active areas of PCM section 5: of each face, the integral of the other
+/// surface's winding number over it. The face is cut into convex cells about each of which the other surface winds
+/// equally often all over (face_cells.h); with N the face's doubled normal and alpha the sum of winding number times
+/// area in units of |N|,
 ///   area = alpha |N|, vector area = alpha N.
 ///
 /// Coplanar faces, other surface closed. A face with a coplanar overlap is looked at from just inside its own body:
@@ -25,33 +26,33 @@
 namespace pcm::reference {
 
 /// A convex part of a face.
-struct ClippedCell {
+struct InsideCell {
   int winding = 0;                   ///< of the other surface, about all of it; not 0
   std::vector<LineMeeting> corners;  ///< counterclockwise
 };
 
 /// A face with its lines as FaceLines numbers them.
-struct FaceClip {
+struct InsidePart {
   Index face = 0;
   bool has_area = true;               ///< false where rounding left none
   int apex = 0;                       ///< the corner that rays come from
   std::vector<Index> planes;          ///< faces of the other surface along whose planes it is cut
   std::vector<CrossingId> crossings;  ///< that rays go through
-  std::vector<ClippedCell> cells;     ///< without common area; elsewhere the winding number is 0
-  std::vector<Index> overlaps;        ///< its coplanar overlaps, in ClippedAreas::overlaps
+  std::vector<InsideCell> cells;      ///< without common area; elsewhere the winding number is 0
+  std::vector<Index> overlaps;        ///< its coplanar overlaps, in InsideAreas::overlaps
   bool limited = false;               ///< other surface open: winding numbers are relative, area within [0, face]
 };
 
-struct ClippedAreas {
+struct InsideAreas {
   std::vector<CoplanarOverlap> overlaps;
-  std::vector<FaceClip> E;  ///< faces with a part inside, or a coplanar overlap, ascending
-  std::vector<FaceClip> F;
+  std::vector<InsidePart> E;  ///< faces with a part inside, or a coplanar overlap, ascending
+  std::vector<InsidePart> F;
   Index undefined = 0;  ///< faces a border of the other surface ends in
 };
 
 /// `columns_*` as find_active_faces had them.
-ClippedAreas clip_active_areas(const ExactPose& pose, const std::vector<IndexPair>& candidates,
-                               const Crossings& crossings, const ActiveFaces& active_E, const ActiveFaces& active_F,
-                               const std::vector<IndexPair>& columns_E, const std::vector<IndexPair>& columns_F);
+InsideAreas find_inside_areas(const ExactPose& pose, const std::vector<IndexPair>& candidates,
+                              const Crossings& crossings, const ActiveFaces& active_E, const ActiveFaces& active_F,
+                              const std::vector<IndexPair>& columns_E, const std::vector<IndexPair>& columns_F);
 
 }  // namespace pcm::reference
