@@ -7,7 +7,7 @@
 #include "fast/active/patches.h"
 #include "fast/crossings/crossings.h"
 #include "fast/crossings/polygons.h"
-#include "fast/engine/contact_force.h"
+#include "fast/engine/force_by_scheme.h"
 #include "fast/engine/separation.h"
 #include "fast/posed/posed_pair.h"
 #include "pcm/contact.h"

@@ -78,7 +78,7 @@ struct DecidedLanes {
   LaneBits nearest_known = 0;  ///< its depth is in `depth`; else two corners of f are about as near to the barycentre
 };
 
-/// The law and the motion as `force` takes them, see fast/engine/contact_force.h.
+/// The law and the motion as `force` takes them, see fast/force/force_problem.h.
 struct ForceLimits {
   ContactLaw law;
   double c_l = 0;

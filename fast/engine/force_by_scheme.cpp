@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/engine/contact_force.h"
+#include "fast/engine/force_by_scheme.h"
 
 namespace pcm::fast {
 
