@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/pose/orientation.h"
+#include "reference/predicates/orientation.h"
 
 #include <gtest/gtest.h>
 
