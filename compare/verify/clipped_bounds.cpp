@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/verify/bound_arithmetic.h"
+
 namespace pcm::compare {
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "compare/verify/law_bounds.h"
 #include "compare/verify/master_view.h"
+#include "compare/verify/question.h"
 #include "compare/verify/rounded_faces.h"
 #include "pcm/contact.h"
 #include "reference/vocabulary/answer.h"

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "compare/verify/bound_arithmetic.h"
 #include "compare/verify/clipped_bounds.h"
 #include "compare/verify/element_law.h"
 

@@ -4,6 +4,7 @@
 
 #include "compare/verify/checks.h"
 #include "compare/verify/law_bounds.h"
+#include "compare/verify/question.h"
 #include "pcm/contact.h"
 #include "reference/vocabulary/answer.h"
 

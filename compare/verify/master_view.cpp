@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/verify/bound_arithmetic.h"
 #include "fast/clipped/visible_parts.h"
 
 namespace pcm::compare {

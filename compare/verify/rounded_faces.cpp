@@ -7,6 +7,7 @@
 #include <array>
 
 #include "compare/poses/rounded_vertices.h"
+#include "compare/verify/bound_arithmetic.h"
 
 namespace pcm::compare {
 namespace {

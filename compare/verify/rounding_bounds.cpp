@@ -8,6 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "compare/verify/bound_arithmetic.h"
+
 namespace pcm::compare {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/verify/law_bounds.h"
+#include "compare/verify/question.h"
 #include "compare/verify/rounded_faces.h"
 #include "reference/vocabulary/answer.h"
 

@@ -12,7 +12,9 @@
 
 #include "compare/poses/rounded_vertices.h"
 #include "compare/verify/clipped_verdict.h"
+#include "compare/verify/element_law.h"
 #include "compare/verify/own_sums.h"
+#include "compare/verify/rounded_faces.h"
 #include "compare/verify/rounding_bounds.h"
 
 namespace pcm::compare {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The comparison is shown to notice: answers are altered between engine and comparison, field by field and path by
-// path, and by faults as an engine makes them.
+// The comparison is shown to notice: answers are altered between engine and comparison, field by field and route by
+// route, and by faults as an engine makes them.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -136,13 +136,13 @@ TEST_P(SeamOverSchemes, EveryFieldScrambledOnAllPathsAlikeIsFlaggedByTheCheckTha
 }
 
 TEST_P(SeamOverSchemes, EveryFieldScrambledOnOnePathAloneIsFlagged) {
-  for (const Path path : {Path::bounded, Path::force, Path::touch, Path::drawn, Path::scene})
+  for (const Route route : {Route::bounded, Route::force, Route::touch, Route::drawn, Route::scene})
     for (const Field& field : all_fields()) {
       if (field.asked == Asked::work || field.asked == Asked::bound) continue;
-      const AlteringSeam seam([&](fast::Contact& contact) { return alter(contact, field.name); }, path);
+      const AlteringSeam seam([&](fast::Contact& contact) { return alter(contact, field.name); }, route);
       const Held held = hold_altered(seam, Stratum::generic, GetParam(), 1, 12);
-      EXPECT_EQ(held.flagged, held.altered) << field.name << " on " << name(path);
-      EXPECT_TRUE(held.altered == 0 || held.kinds.contains(Kind::paths)) << field.name << " on " << name(path);
+      EXPECT_EQ(held.flagged, held.altered) << field.name << " on " << name(route);
+      EXPECT_TRUE(held.altered == 0 || held.kinds.contains(Kind::paths)) << field.name << " on " << name(route);
     }
 }
 
@@ -259,7 +259,7 @@ TEST_P(SeamOverSchemes, FaultOnTheDefaultPathAloneIsFlagged) {
         contact.force_Me *= 2;
         return !contact.force_Me.isZero(0);
       },
-      Path::plain);
+      Route::plain);
   const Held held = hold_altered(seam, Stratum::generic, GetParam(), 10);
   EXPECT_EQ(held.flagged, 10);
 }
@@ -269,7 +269,7 @@ class StaleSeam final : public EngineSeam {
  public:
   const fast::Contact& evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                                 const Ask& ask, fast::Workspace& workspace) const override {
-    if (ask.path == Path::plain) std::swap(stale_, now_);
+    if (ask.route == Route::plain) std::swap(stale_, now_);
     now_ = {pose, velocity};
     return EngineSeam::evaluate(pairing, stale_.first, stale_.second, ask, workspace);
   }

@@ -679,10 +679,10 @@ std::string switches(const Ask& ask) {
   return text;
 }
 
-TEST(Paths, CoarseStatesAtRestDrawAllSwitchesBothWaysInEvaluateAndInScenes) {
+TEST(CallRoutes, CoarseStatesAtRestDrawAllSwitchesBothWaysInEvaluateAndInScenes) {
   // Their doubles differ in few bits, all of them high ones.
-  std::map<Path, std::set<std::string>> drawn;
-  std::map<Path, std::array<int, 14>> on;
+  std::map<Route, std::set<std::string>> drawn;
+  std::map<Route, std::array<int, 14>> on;
   bool differ = false;
   constexpr int kStates = 512;
   for (int k = 0; k < kStates; ++k) {
@@ -693,17 +693,17 @@ TEST(Paths, CoarseStatesAtRestDrawAllSwitchesBothWaysInEvaluateAndInScenes) {
     EXPECT_EQ(switches(pairings.front()), switches(Ask{}));
     for (const Ask& ask : {plain.back(), pairings.back()}) {
       const std::string text = switches(ask);
-      drawn[ask.path].insert(text);
-      for (std::size_t i = 0; i < text.size(); ++i) on[ask.path][i] += text[i] == '1';
+      drawn[ask.route].insert(text);
+      for (std::size_t i = 0; i < text.size(); ++i) on[ask.route][i] += text[i] == '1';
     }
     differ |= switches(plain.back()) != switches(pairings.back());
   }
   EXPECT_TRUE(differ);
-  for (const Path path : {Path::drawn, Path::scene}) {
+  for (const Route route : {Route::drawn, Route::scene}) {
     // Of 2^14 choices: 512 draws meet some 8 of them twice.
-    EXPECT_GE(drawn[path].size(), 490U) << name(path);
+    EXPECT_GE(drawn[route].size(), 490U) << name(route);
     // Five standard deviations.
-    for (const int count : on[path]) EXPECT_NEAR(count, kStates / 2, 57) << name(path);
+    for (const int count : on[route]) EXPECT_NEAR(count, kStates / 2, 57) << name(route);
   }
 }
 

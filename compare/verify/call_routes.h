@@ -14,7 +14,7 @@
 /// The ways by which callers reach the engine. Each takes other code; all answers must be one, bit for bit.
 namespace pcm::compare {
 
-enum class Path : std::uint8_t {
+enum class Route : std::uint8_t {
   plain,    ///< everything but a bound, as Wanted is by default: this answer is held against the oracle
   bounded,  ///< everything and a bound
   force,    ///< force and torque only
@@ -23,11 +23,11 @@ enum class Path : std::uint8_t {
   scene,    ///< two bodies of a fast::Scene, after a step from a place nearby: by default, and with drawn choices
 };
 
-std::string_view name(Path path);
+std::string_view name(Route route);
 
 /// A question to the engine.
 struct Ask {
-  Path path = Path::plain;
+  Route route = Route::plain;
   Wanted wanted;
   fast::Savings savings;
 };
@@ -65,11 +65,11 @@ class EngineSeam {
   static const EngineSeam& none();
 };
 
-/// Asks on every path but the plain one and holds each answer against the plain one, `whole`, bit by bit; `on_bound`
+/// Asks by every route but the plain one and holds each answer against the plain one, `whole`, bit by bit; `on_bound`
 /// hears of the answer that has a bound. `step`: a length by which the scene's body F is moved first, beside a small
 /// turn about its marker, m.
-void hold_paths(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
-                const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
-                const std::function<void(const fast::Contact&)>& on_bound);
+void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                 const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
+                 const std::function<void(const fast::Contact&)>& on_bound);
 
 }  // namespace pcm::compare

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/verify/kind.h"
+#include "compare/verify/disagreement_kind.h"
 
 #include <array>
 #include <cstddef>

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/verify/paths.h"
+#include "compare/verify/call_routes.h"
 
 #include <array>
 #include <bit>
 #include <limits>
 #include <string>
 
+#include "compare/verify/bound_arithmetic.h"
 #include "compare/verify/contact_fields.h"
-#include "compare/verify/rounded_faces.h"
-#include "compare/verify/wanted.h"
+#include "compare/verify/wanted_presets.h"
 #include "fast/base/geometry.h"
 
 namespace pcm::compare {
@@ -36,8 +36,8 @@ std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) 
 }
 
 /// Fourteen switches from as many bits.
-Ask drawn_ask(Path path, std::uint64_t bits) {
-  Ask ask{path, {}, {}};
+Ask drawn_ask(Route route, std::uint64_t bits) {
+  Ask ask{route, {}, {}};
   const auto next = [&bits] {
     const bool bit = (bits & 1) != 0;
     bits >>= 1;
@@ -63,11 +63,11 @@ bool same_bits(const Eigen::MatrixBase<Derived>& a, const Eigen::MatrixBase<Deri
   return true;
 }
 
-void hold_path(Path path, const fast::Contact& whole, const fast::Contact& answer, const Wanted& wanted,
-               Checks& checks) {
+void hold_route(Route route, const fast::Contact& whole, const fast::Contact& answer, const Wanted& wanted,
+                Checks& checks) {
   checks.checked(Kind::paths);
   if (const std::string difference = difference_in_bits(whole, answer, wanted); !difference.empty())
-    checks.add(Kind::paths, "{}: {}", name(path), difference);
+    checks.add(Kind::paths, "{}: {}", name(route), difference);
 }
 
 /// One of the 24 rotations that turn axes onto axes: products with it are exact.
@@ -145,35 +145,35 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   if (relative.A != pose.A || !((relative.r - pose.r).cwiseAbs().maxCoeff() <= kLeast) ||
       !((motion.v - velocity.v).cwiseAbs().maxCoeff() <= rounding + kLeast) ||
       !((motion.w - velocity.w).cwiseAbs().maxCoeff() <= kLeast)) {
-    checks.add(Kind::paths, "{}: relative pose or velocity of two moving bodies is another", name(Path::scene));
+    checks.add(Kind::paths, "{}: relative pose or velocity of two moving bodies is another", name(Route::scene));
     return;
   }
   if (same_bits(relative.A, pose.A) && same_bits(relative.r, pose.r) && same_bits(motion.v, velocity.v) &&
       same_bits(motion.w, velocity.w)) {
-    hold_path(Path::scene, whole, seam.evaluate_in(scene, workspace), ask.wanted, checks);
+    hold_route(Route::scene, whole, seam.evaluate_in(scene, workspace), ask.wanted, checks);
     return;
   }
-  Ask everything{Path::plain, {}, {}};
+  Ask everything{Route::plain, {}, {}};
   everything.wanted.bound = ask.wanted.bound;
   const fast::Contact there = seam.evaluate(pairing, relative, motion, everything, workspace);
-  hold_path(Path::scene, there, seam.evaluate_in(scene, workspace), ask.wanted, checks);
+  hold_route(Route::scene, there, seam.evaluate_in(scene, workspace), ask.wanted, checks);
 }
 
 }  // namespace
 
-std::string_view name(Path path) {
+std::string_view name(Route route) {
   constexpr std::array<std::string_view, 6> kNames = {"plain", "bounded", "force", "touch", "drawn", "scene"};
-  return kNames[static_cast<std::size_t>(path)];
+  return kNames[static_cast<std::size_t>(route)];
 }
 
 std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity) {
   Wanted with_bound;
   with_bound.bound = true;
-  return {{Path::plain, {}, {}},
-          {Path::bounded, with_bound, {}},
-          {Path::force, kForceOnly, {}},
-          {Path::touch, kTouchOnly, {}},
-          drawn_ask(Path::drawn, bits_of(pose, velocity, Draw::ask))};
+  return {{Route::plain, {}, {}},
+          {Route::bounded, with_bound, {}},
+          {Route::force, kForceOnly, {}},
+          {Route::touch, kTouchOnly, {}},
+          drawn_ask(Route::drawn, bits_of(pose, velocity, Draw::ask))};
 }
 
 const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
@@ -182,7 +182,7 @@ const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Po
 }
 
 std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity) {
-  return {{Path::scene, {}, {}}, drawn_ask(Path::scene, bits_of(pose, velocity, Draw::scene_ask))};
+  return {{Route::scene, {}, {}}, drawn_ask(Route::scene, bits_of(pose, velocity, Draw::scene_ask))};
 }
 
 bool is_pose_for_scenes(const Pose& pose) {
@@ -206,15 +206,15 @@ const EngineSeam& EngineSeam::none() {
   return passes;
 }
 
-void hold_paths(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
-                const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
-                const std::function<void(const fast::Contact&)>& on_bound) {
+void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                 const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
+                 const std::function<void(const fast::Contact&)>& on_bound) {
   fast::Contact expected = whole;
   for (const Ask& ask : asks_at(pose, velocity)) {
-    if (ask.path == Path::plain) continue;
+    if (ask.route == Route::plain) continue;
     const fast::Contact& answer = seam.evaluate(pairing, pose, velocity, ask, workspace);
-    hold_path(ask.path, expected, answer, ask.wanted, checks);
-    if (ask.path != Path::bounded) continue;
+    hold_route(ask.route, expected, answer, ask.wanted, checks);
+    if (ask.route != Route::bounded) continue;
     expected.bound = answer.bound;  // others that have a bound have this one
     on_bound(answer);
   }
