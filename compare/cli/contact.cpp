@@ -16,7 +16,7 @@
 #include "compare/io/contact_json.h"
 #include "compare/io/names.h"
 #include "compare/io/poses_file.h"
-#include "compare/motion/advice.h"
+#include "compare/motion/master_advice.h"
 #include "compare/wrong_answers/tested_engine.h"
 #include "pcm/bad_input.h"
 #include "pcm/engine.h"
@@ -107,10 +107,10 @@ Exit contact(const ContactOptions& options) {
   TriangleMesh mesh_F = read_mesh(options.file_F);
   print_warnings(warning_E, require_fit_or_warn(mesh_F));
   if (options.advise) {
-    Adviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
+    MasterAdviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
     for_each_state(
         poses, [&](const State& state) { adviser.add(state.pose); }, [] {});
-    std::cout << advice_text(adviser.advice());
+    std::cout << master_advice_text(adviser.advice());
     return Exit::success;
   }
   const Mode mode = mode_named(options.mode);

@@ -13,7 +13,7 @@
 
 namespace pcm::compare {
 
-bool asks_for_more(const VerifyOptions& options) {
+bool asks_for_other_tables(const VerifyOptions& options) {
   return options.known_answers || options.error_budget || options.audits ||
          std::any_of(options.engines.begin(), options.engines.end(),
                      [](const std::string& engine) { return engine != "fast"; });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/motion/advice.h"
+#include "compare/motion/master_advice.h"
 
 #include <gtest/gtest.h>
 
@@ -18,18 +18,18 @@ Pose at(double x, double y, double z) {
   return pose;
 }
 
-Advice advise(TriangleMesh E, TriangleMesh F, const std::vector<Pose>& poses, const ContactLaw& law = {}) {
-  Adviser adviser(fast::Surface(std::move(E)), fast::Surface(std::move(F)), law);
+MasterAdvice advise(TriangleMesh E, TriangleMesh F, const std::vector<Pose>& poses, const ContactLaw& law = {}) {
+  MasterAdviser adviser(fast::Surface(std::move(E)), fast::Surface(std::move(F)), law);
   for (const Pose& pose : poses) adviser.add(pose);
   return adviser.advice();
 }
 
-TEST(Advice, FineSphereOnCoarsePlateIsTheMasterWhicheverBodyItIs) {
+TEST(MasterAdvice, FineSphereOnCoarsePlateIsTheMasterWhicheverBodyItIs) {
   const TriangleMesh sphere = generate::icosphere(0.5, 4), plate = generate::plate(2, 2, 1, 4, 4);
   const std::vector<Pose> above{at(0, 0, 0.45), at(0.125, 0.0625, 0.4), at(0.3, 0.1, 0.42)};
   const std::vector<Pose> below{at(0, 0, -0.45), at(0.125, 0.0625, -0.4), at(0.3, 0.1, -0.42)};
   for (const bool sphere_is_F : {true, false}) {
-    const Advice advice = sphere_is_F ? advise(plate, sphere, above) : advise(sphere, plate, below);
+    const MasterAdvice advice = sphere_is_F ? advise(plate, sphere, above) : advise(sphere, plate, below);
     ASSERT_TRUE(advice.master);
     EXPECT_EQ(advice.master, sphere_is_F ? Mode::F : Mode::E);
     const MasterSummary &fine = advice.masters[sphere_is_F ? 1 : 0], &coarse = advice.masters[sphere_is_F ? 0 : 1];
@@ -44,16 +44,16 @@ TEST(Advice, FineSphereOnCoarsePlateIsTheMasterWhicheverBodyItIs) {
   }
 }
 
-TEST(Advice, ErrorsAreThoseWorkedOutByHand) {
+TEST(MasterAdvice, ErrorsAreThoseWorkedOutByHand) {
   // The box covers one and a half of the plate's cells, of two triangles each, whose barycentres lie at 1/3 and 2/3 of
   // the cell: three of them, which is right, or four, moved by a quarter. The box's own bottom counts as it is.
   const double cell = 0.25;
   const TriangleMesh plate = generate::plate(2, 2, 1, 8, 8);
   const TriangleMesh box = generate::box(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1.5 * cell, cell, 1));
-  const Advice advice = advise(plate, box, {at(0, 0, -0.0625)});
+  const MasterAdvice advice = advise(plate, box, {at(0, 0, -0.0625)});
   EXPECT_NEAR(advice.masters[0].median_error, 0, 1e-12);
   EXPECT_NEAR(advice.masters[1].median_error, 0, 1e-12);
-  const Advice shifted = advise(plate, box, {at(0.25 * cell, 0, -0.0625)});
+  const MasterAdvice shifted = advise(plate, box, {at(0.25 * cell, 0, -0.0625)});
   EXPECT_NEAR(shifted.masters[0].median_error, 4.0 / 3 - 1, 1e-12);
   EXPECT_NEAR(shifted.masters[1].median_error, 0, 1e-12);
   EXPECT_NEAR(shifted.masters[2].median_error, (4.0 / 3 - 1) / 2, 1e-12);
@@ -63,35 +63,36 @@ TEST(Advice, ErrorsAreThoseWorkedOutByHand) {
   EXPECT_EQ(shifted.master, Mode::F);
 }
 
-TEST(Advice, DoesNotDependOnTheStiffness) {
+TEST(MasterAdvice, DoesNotDependOnTheStiffness) {
   const TriangleMesh sphere = generate::icosphere(0.5, 2);
   const auto with_stiffness = [&](double stiffness) {
     ContactLaw law;
     law.stiffness = stiffness;
     return advise(sphere, sphere, {at(0.3, 0.01, 0.82)}, law);
   };
-  const Advice usual = with_stiffness(1);
+  const MasterAdvice usual = with_stiffness(1);
   EXPECT_GT(usual.masters[0].median_error, 0);
   for (const double stiffness : {0x1p-560, 0x1p560}) {
-    const Advice scaled = with_stiffness(stiffness);
+    const MasterAdvice scaled = with_stiffness(stiffness);
     EXPECT_EQ(scaled.in_contact, 1);
     for (std::size_t i = 0; i < 3; ++i)
       EXPECT_NEAR(scaled.masters[i].median_error, usual.masters[i].median_error, 1e-12);
   }
 }
 
-TEST(Advice, SaysWhereTheChosenMasterIsFarOff) {
+TEST(MasterAdvice, SaysWhereTheChosenMasterIsFarOff) {
   // Most of the sphere lies in the box and is too deep; the box's bottom has two faces.
-  const Advice advice = advise(generate::icosphere(0.5, 3), generate::box(Eigen::Vector3d(1, 1, 1)), {at(0, 0, 0.14)});
+  const MasterAdvice advice =
+      advise(generate::icosphere(0.5, 3), generate::box(Eigen::Vector3d(1, 1, 1)), {at(0, 0, 0.14)});
   EXPECT_EQ(advice.master, Mode::F);
   EXPECT_GT(advice.masters[1].median_error, 0.5);
   EXPECT_NE(advice.reason.find("That is not near"), std::string::npos) << advice.reason;
 }
 
-TEST(Advice, MasterThinnerThanThePenetrationIsNotChosen) {
+TEST(MasterAdvice, MasterThinnerThanThePenetrationIsNotChosen) {
   // The sphere comes out of the plate below: there the plate's lines leave the plate first.
   const TriangleMesh plate = generate::plate(2, 2, 0.0625, 64, 64), sphere = generate::icosphere(0.5, 3);
-  const Advice advice = advise(plate, sphere, {at(0, 0, 0.42)});
+  const MasterAdvice advice = advise(plate, sphere, {at(0, 0, 0.42)});
   EXPECT_EQ(advice.in_contact, 1);
   EXPECT_GT(advice.masters[0].too_deep, 0);
   EXPECT_EQ(advice.masters[1].too_deep, 0);
@@ -100,21 +101,21 @@ TEST(Advice, MasterThinnerThanThePenetrationIsNotChosen) {
   EXPECT_NE(advice.reason.find("for its thickness"), std::string::npos) << advice.reason;
 }
 
-TEST(Advice, WhereAllIsTooDeepThereIsNone) {
-  const Advice advice = advise(generate::plate(2, 2, 0.0625, 8, 8), generate::gridded_box(4, 4), {at(0, 0, 1.9)});
+TEST(MasterAdvice, WhereAllIsTooDeepThereIsNone) {
+  const MasterAdvice advice = advise(generate::plate(2, 2, 0.0625, 8, 8), generate::gridded_box(4, 4), {at(0, 0, 1.9)});
   EXPECT_EQ(advice.in_contact, 1);
   EXPECT_GT(advice.masters[0].too_deep, 0);
   EXPECT_FALSE(advice.master);
   EXPECT_NE(advice.reason.find("thinner than they penetrate"), std::string::npos);
 }
 
-TEST(Advice, WithoutAForceThereIsNone) {
-  const Advice advice =
+TEST(MasterAdvice, WithoutAForceThereIsNone) {
+  const MasterAdvice advice =
       advise(generate::box(Eigen::Vector3d(1, 1, 1)), generate::box(Eigen::Vector3d(1, 1, 1)), {at(5, 0, 0)});
   EXPECT_FALSE(advice.master);
   EXPECT_EQ(advice.poses, 1);
   EXPECT_EQ(advice.in_contact, 0);
-  EXPECT_NE(advice_text(advice).find("there is nothing to choose by"), std::string::npos);
+  EXPECT_NE(master_advice_text(advice).find("there is nothing to choose by"), std::string::npos);
 }
 
 TEST(AdviceProgram, PrintsATableAndOneSentenceInPlaceOfJson) {

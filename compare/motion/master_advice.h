@@ -40,7 +40,7 @@ struct MasterSummary {
 };
 
 /// Which surface should be master.
-struct Advice {
+struct MasterAdvice {
   std::int64_t poses = 0;                ///< looked at
   std::int64_t in_contact = 0;           ///< with a force, or faces too deep to have one
   std::array<MasterSummary, 3> masters;  ///< E, F, both
@@ -52,13 +52,13 @@ struct Advice {
 /// Gathers poses and advises. Elastic force only: velocities play no part. The choice: fewest poses at which the force
 /// is lost, then fewest faces too deep, then the least median error; of those within a tenth of the least, the fastest.
 /// Times are the machine's, so near ties may fall either way.
-class Adviser {
+class MasterAdviser {
  public:
-  Adviser(const fast::Surface& surface_E, const fast::Surface& surface_F, const ContactLaw& law);
+  MasterAdviser(const fast::Surface& surface_E, const fast::Surface& surface_F, const ContactLaw& law);
 
   /// Throws BadInput where the engine refuses the pose.
   void add(const Pose& pose);
-  Advice advice() const;
+  MasterAdvice advice() const;
 
  private:
   struct OneSided {
@@ -76,6 +76,6 @@ class Adviser {
 };
 
 /// The table and the sentence.
-std::string advice_text(const Advice& advice);
+std::string master_advice_text(const MasterAdvice& advice);
 
 }  // namespace pcm::compare

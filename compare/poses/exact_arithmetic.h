@@ -18,7 +18,7 @@ struct TwoSum {
 };
 
 /// Sums and products that remember whether any of them was rounded (by error-free transformation).
-class ExactSteps {
+class WatchedArithmetic {
  public:
   double plus(double a, double b) {
     const TwoSum both(a, b);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/cli/verify_more.h"
+#include "compare/cli/verify_other_tables.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -60,7 +60,7 @@ Exit audits(const VerifyOptions& options) {
 
 }  // namespace
 
-Exit verify_more(const VerifyOptions& options) {
+Exit verify_other_tables(const VerifyOptions& options) {
   if (options.audits) return audits(options);
   if (options.error_budget) return error_budget(options);
   if (options.known_answers) return known_answers(options);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/motion/advice.h"
+#include "compare/motion/master_advice.h"
 
 #include <fmt/core.h>
 
@@ -113,14 +113,15 @@ std::string reason(const MasterSummary& chosen, const std::array<MasterSummary, 
 
 }  // namespace
 
-Adviser::Adviser(const fast::Surface& surface_E, const fast::Surface& surface_F, const ContactLaw& law) {
+MasterAdviser::MasterAdviser(const fast::Surface& surface_E, const fast::Surface& surface_F, const ContactLaw& law) {
   for (const Mode mode : kMasters) {
     barycentric_.emplace_back(surface_E, surface_F, law, mode, Scheme::barycentric);
     clipped_.emplace_back(surface_E, surface_F, law, mode, Scheme::clipped);
   }
 }
 
-Adviser::OneSided Adviser::look(const fast::Pairing& barycentric, const fast::Pairing& clipped, const Pose& pose) {
+MasterAdviser::OneSided MasterAdviser::look(const fast::Pairing& barycentric, const fast::Pairing& clipped,
+                                            const Pose& pose) {
   OneSided side;
   Wanted wanted;
   wanted.polygons = wanted.areas = false;
@@ -144,7 +145,7 @@ Adviser::OneSided Adviser::look(const fast::Pairing& barycentric, const fast::Pa
   return side;
 }
 
-void Adviser::add(const Pose& pose) {
+void MasterAdviser::add(const Pose& pose) {
   ++poses_;
   const OneSided E = look(barycentric_[0], clipped_[0], pose), F = look(barycentric_[1], clipped_[1], pose);
   const Eigen::Vector3d exact_Me = 0.5 * (E.clipped_Me + F.clipped_Me), sum_Me = 0.5 * (E.force_Me + F.force_Me);
@@ -169,8 +170,8 @@ void Adviser::add(const Pose& pose) {
   if (size > 0) gaps_.push_back((E.clipped_Me - F.clipped_Me).stableNorm() / size);
 }
 
-Advice Adviser::advice() const {
-  Advice advice;
+MasterAdvice MasterAdviser::advice() const {
+  MasterAdvice advice;
   advice.poses = poses_;
   advice.in_contact = in_contact_;
   advice.model_gap = median(gaps_);
@@ -198,7 +199,7 @@ Advice Adviser::advice() const {
   return advice;
 }
 
-std::string advice_text(const Advice& advice) {
+std::string master_advice_text(const MasterAdvice& advice) {
   std::string text = fmt::format("{} pose{}, {} in contact; barycentric scheme against the clipped integral\n\n",
                                  advice.poses, advice.poses == 1 ? "" : "s", advice.in_contact);
   text += fmt::format("{:>6} {:>9} {:>7} {:>10} {:>10} {:>9} {:>9} {:>7} {:>8} {:>7} {:>10}\n", "master", "elements",
