@@ -21,7 +21,8 @@ namespace {
 Exit check_file(const std::string& file) {
   const TriangleMesh mesh = read_mesh(file);
   const MeshReport report = check(mesh);
-  if (const std::string why = report.fit() ? fast::out_of_range(fast::reach_of(mesh).maxCoeff()) : ""; !why.empty()) {
+  if (const std::string why = report.fit() ? fast::out_of_range(fast::max_coordinates_of(mesh).maxCoeff()) : "";
+      !why.empty()) {
     std::cout << mesh.name << ": not fit for contact\n  error: " << why << '\n';
     flush_output();
     return Exit::negative;

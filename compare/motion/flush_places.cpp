@@ -24,7 +24,7 @@ struct Plane {
   Eigen::Vector3d point;  ///< of it
 };
 
-double reach(const TriangleMesh& mesh) {
+double radius_about_origin(const TriangleMesh& mesh) {
   double greatest = 0;
   for (const Eigen::Vector3d& x : mesh.vertices) greatest = std::max(greatest, x.norm());
   return greatest;
@@ -35,7 +35,7 @@ double reach(const TriangleMesh& mesh) {
 std::vector<Plane> planes_of(const TriangleMesh& mesh) {
   std::vector<Plane> planes;
   std::set<std::array<double, 4>> seen;
-  const double size = reach(mesh);
+  const double size = radius_about_origin(mesh);
   for (const Triangle& face : mesh.faces) {
     const auto vertex = [&](std::size_t i) -> const Eigen::Vector3d& {
       return mesh.vertices[static_cast<std::size_t>(face[i])];
@@ -120,7 +120,7 @@ class Search {
 
 FlushPlaces flush_places(const TriangleMesh& E, const TriangleMesh& F, const PathSegment& segment) {
   const Pose start = segment.at(0);
-  Search search(segment, reach(E) + reach(F) + start.r.norm() + segment.shift_Me().norm());
+  Search search(segment, radius_about_origin(E) + radius_about_origin(F) + start.r.norm() + segment.shift_Me().norm());
   std::vector<std::pair<double, Plane>> of_F;  // by the component that the motion keeps
   for (const Plane& plane : planes_of(F)) of_F.emplace_back(search.axis().dot(start.A * plane.n), plane);
   const auto less = [](const auto& a, const auto& b) { return a.first < b.first; };

@@ -75,7 +75,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   // The centroid of u moves within the face; where the volume is known, by no more than its relative error.
   const double volume = e.area * e.penetration;
   const double share = volume > 2 * volume_error ? 2 * volume_error / (volume - volume_error) : 1;
-  errors.foot = std::min(1.0, share) * seen.width + 16 * u * faces_.reach();
+  errors.foot = std::min(1.0, share) * seen.width + 16 * u * faces_.max_coordinate();
   if (!result.sliver)
     errors.penetration = std::min(counted, (volume_error + errors.area * e.penetration) / (e.area - errors.area));
   result.bounds = bounds_after_law(question_, e, errors);
@@ -95,7 +95,7 @@ ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   sliver.depth = std::max(0.0, seen.deepest + std::max(seen.deepest - seen.at_tip, 0.0));
   sliver.face = faces_.face(e.master, e.master_face);
   sliver.normal_error = std::min(2.0, kHigherOrder * (view.turn() + sliver.face.normal_error));
-  sliver.foot_error = kHigherOrder * 16 * u * faces_.reach();
+  sliver.foot_error = kHigherOrder * 16 * u * faces_.max_coordinate();
   return sliver;
 }
 

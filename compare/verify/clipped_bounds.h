@@ -49,7 +49,7 @@ class ClippedBounds {
   /// By the oracle's elements, in their order.
   const std::vector<OfElement>& elements() const { return elements_; }
   /// Greatest |coordinate|, m.
-  double reach() const { return faces_.reach(); }
+  double max_coordinate() const { return faces_.max_coordinate(); }
   const RoundedFaces& faces() const { return faces_; }
   /// What an element that the engine alone has may be at most, and where.
   struct Sliver {

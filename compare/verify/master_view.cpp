@@ -83,7 +83,7 @@ MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face
 
 void MasterView::find_near_faces() {
   const Extent own = extent(own_);
-  const double margin = strip(face_.longest + 4 * faces_.reach(), 4 * faces_.reach());
+  const double margin = strip(face_.longest + 4 * faces_.max_coordinate(), 4 * faces_.max_coordinate());
   for (const Side side : {Side::E, Side::F}) {
     const std::size_t count = faces_.surface(side).mesh.faces.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -220,7 +220,7 @@ Eigen::Array2d MasterView::weights(const SeenPoint& x) const {
 double MasterView::place_error(const SeenPoint& x) const {
   const Eigen::Array2d st = weights(x).abs();
   const double distance = (1 + st[0]) * length_s_ + (1 + st[1]) * length_t_ + std::abs(x.z());
-  return no_more(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_reach());
+  return no_more(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_max_coordinate());
 }
 
 // A face is dropped where what is seen of it has less area in (s, t) than its extent in t times the uncertainty of s,
@@ -293,11 +293,11 @@ SlaveInView MasterView::sight(Index slave_face) const {
   return sight;
 }
 
-// Two points of bodies that touch are no farther apart than 6 times the reach, a part of the face has no greater area
-// than the face, and a convex one no longer border than its triangle's. A face whose normal the doubles here can't tell
-// gives no better numbers, or none.
+// Two points of bodies that touch are no farther apart than 6 times the greatest coordinate, a part of the face has no
+// greater area than the face, and a convex one no longer border than its triangle's. A face whose normal the doubles
+// here can't tell gives no better numbers, or none.
 void MasterView::limit(SlaveInView& sight) const {
-  const double anywhere = 6 * faces_.placed_reach(), whole = greatest_area();
+  const double anywhere = 6 * faces_.placed_max_coordinate(), whole = greatest_area();
   sight.uncertain = no_more(sight.uncertain, whole);
   sight.neglected = no_more(sight.neglected, sight.hiders == 0 ? 0 : whole);
   sight.area = no_more(sight.area, whole);

@@ -34,9 +34,9 @@ class RoundedFaces {
   }
   Face face(Side side, Index face) const;
   /// Greatest |coordinate| of either surface in Me, m.
-  double reach() const { return reach_; }
+  double max_coordinate() const { return max_coordinate_; }
   /// Bound of the same that the engine makes of both surfaces' boxes, m: |A| x_F + |r| component by component.
-  double placed_reach() const { return placed_reach_; }
+  double placed_max_coordinate() const { return placed_max_coordinate_; }
   /// Longest side of any face of either surface, m.
   double longest_side() const { return longest_side_; }
 
@@ -44,8 +44,8 @@ class RoundedFaces {
   const SurfaceFeatures& E_;
   const SurfaceFeatures& F_;
   std::vector<Eigen::Vector3d> vertices_F_Me_;
-  double reach_ = 0;
-  double placed_reach_ = 0;
+  double max_coordinate_ = 0;
+  double placed_max_coordinate_ = 0;
   double longest_side_ = 0;
 };
 

@@ -158,14 +158,15 @@ AreaBounds RoundingBounds::area() const {
           along[k] * (d[k].cross(p - x.position_Me).stableNorm() + d[k].cross(q - x.position_Me).stableNorm()) / 2;
       // The point as stored is off its edge by two roundings, the oracle's by one.
       const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
-      const double reach = (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
+      const double perimeter =
+          (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
       // The neighbours may have moved along their edges as well.
       const double to_p = (p - x.position_Me).stableNorm() + along[k] + (has_p ? along[(k + n - 1) % n] : 0);
       const double to_q = (q - x.position_Me).stableNorm() + along[k] + (has_q ? along[(k + 1) % n] : 0);
       moved_volume += height[k] * to_p * to_q / 2;
       gaps += (height[k] + stored) * (2 * to_p + 2 * to_q) + stored * edge_length[k];
       // The neighbours as stored are off as well, and move with it.
-      for (double& m : moved) m += stored * (reach + 4 * (stored + along[k]));
+      for (double& m : moved) m += stored * (perimeter + 4 * (stored + along[k]));
       // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
       moved[own] += stored * edge_length[k];
       if (has_q) {

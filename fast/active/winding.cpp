@@ -29,7 +29,8 @@ Index winding_about_vertex(PosedPair& posed, Side side, Index v, std::vector<Ind
   const RankedPoint a = posed[side].point(v, work);
 
   // The segment runs along an axis of the tree's frame, towards the nearest side of the hull. The point outside is well
-  // clear of the slack; its own coordinates in Me and back are off by no more, being within 8 times the reach.
+  // clear of the slack; its own coordinates in Me and back are off by no more, being within 8 times the greatest
+  // coordinate.
   const double slack = 8 * posed.placement.slack(other_side);
   const double margin = hull.half.maxCoeff() + 4 * slack;
   const Eigen::Vector3d x = posed.placement.to_frame_of(other_side, Eigen::Vector3d::Map(a.x_Me));

@@ -26,9 +26,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// How far the line's points and a surface's may be from the computed ones, m. No point of the surfaces is farther from
-/// the line's origin than 8 times the reach.
+/// the line's origin than 8 times the greatest coordinate.
 double line_slack(Side side, const Ray& ray, const Placement& placement) {
-  return placement.slack(side) + 8 * placement.reach * ray.direction_error;
+  return placement.slack(side) + 8 * placement.max_coordinate * ray.direction_error;
 }
 
 /// The line in the coordinates of a surface's tree.
@@ -144,8 +144,9 @@ FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray&
     }
     first = met;
   };
-  const double reach = search_along(tree, wide_ray, first.distance.greatest, fastest_wide_tests(), open, work, visit);
-  if (trace != nullptr) trace->slave_reach = reach;
+  const double searched =
+      search_along(tree, wide_ray, first.distance.greatest, fastest_wide_tests(), open, work, visit);
+  if (trace != nullptr) trace->slave_searched = searched;
   return first;
 }
 
@@ -204,7 +205,7 @@ Index walk_from_neighbour(PosedPair& posed, Side master, const ElementLanes& lan
   const double a = lanes.side[0].value[lane], b = lanes.side[1].value[lane];
   if (start < 0 || !(lanes.area.value[lane] > kLeastShare * (a * b))) return -1;
   const FacePoints p{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]};
-  const AcrossLine line(p, lanes.barycentre_Me[lane], a, b, posed.placement.reach);
+  const AcrossLine line(p, lanes.barycentre_Me[lane], a, b, posed.placement.max_coordinate);
   if (!line.usable()) return -1;
   return walk_to_face_left(posed[opposite(master)], line, start, posed.work);
 }
@@ -218,15 +219,15 @@ void enter_match(PosedPair& posed, Side master, Index face, Index met, ElementLa
 
 DecisionLimits decision_limits(const PosedPair& posed, Side master) {
   const double moved = posed.placement.moved(master);
-  const double reach = posed.surface(master).reach.maxCoeff();
+  const double max_coordinate = posed.surface(master).max_coordinates.maxCoeff();
   DecisionLimits limits;
   limits.least_share = kLeastShare;
-  limits.slave_reach = posed.surface(opposite(master)).reach.maxCoeff();
-  limits.error = kDistanceError * posed.placement.reach;
+  limits.slave_max_coordinate = posed.surface(opposite(master)).max_coordinates.maxCoeff();
+  limits.error = kDistanceError * posed.placement.max_coordinate;
   // thickness_holds, for faces that are no needles: there the ray's direction is off by less than 2^-40.
-  const double line_error = (1 + 0x1p-10) * (moved + 8 * 0x1p-40 * reach);
-  limits.thick_edges = (1 + 0x1p-40) * 8 * reach * moved;
-  limits.thick_area = kThicknessTolerance * reach - line_error;
+  const double line_error = (1 + 0x1p-10) * (moved + 8 * 0x1p-40 * max_coordinate);
+  limits.thick_edges = (1 + 0x1p-40) * 8 * max_coordinate * moved;
+  limits.thick_area = kThicknessTolerance * max_coordinate - line_error;
   for (std::size_t cone = 0; cone < 2; ++cone) {
     limits.cone_cosine_square[cone] = kConeCosine[cone] * kConeCosine[cone] * (1 + 0x1p-20);
   }
@@ -248,7 +249,7 @@ Penetration search_penetration(PosedPair& posed, Side master, Index face, const 
     penetration.outcome = Penetration::Outcome::too_deep;
     return penetration;
   }
-  if (trace != nullptr) trace->own_reach = first.distance.greatest;
+  if (trace != nullptr) trace->own_searched = first.distance.greatest;
   if (!(first.distance.least > 0) && distance_sign(*line, first.points_Me, posed.work) == 0) return penetration;
   penetration.outcome = Penetration::Outcome::element;
   penetration.slave_face = first.face;
@@ -267,7 +268,8 @@ bool thicker_than(const PosedPair& posed, Side master, Index face, const FaceGeo
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
                        PenetrationWalks& walks, std::array<Penetration, kElementLanes>& penetrations) {
   const Side slave = opposite(master);
-  const bool may_walk = posed.placement.slack(slave) < kClearanceTolerance * posed.surface(slave).reach.maxCoeff();
+  const bool may_walk =
+      posed.placement.slack(slave) < kClearanceTolerance * posed.surface(slave).max_coordinates.maxCoeff();
   std::array<Index, kElementLanes> met;
   met.fill(-1);
   LaneBits walked = 0;

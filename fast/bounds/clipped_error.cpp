@@ -262,7 +262,7 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
   const FaceEnclosure& g = hider.enclosure;
   if (f.facing == 0) return;  // Counted in full.
   const double greatest =
-      std::clamp(f.depth.middle(box) + f.depth.reach(box) + f.depth_error, 0.0, std::max(f.greatest, 0.0));
+      std::clamp(f.depth.middle(box) + f.depth.half_range(box) + f.depth_error, 0.0, std::max(f.greatest, 0.0));
   double area = 0, volume = 0;
   if (g.facing == 0) {
     const SideStrips all = sliver(g, f, greatest, box);
@@ -285,9 +285,9 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
       beyond.per_s = f.depth.per_s - g.depth.per_s;
       beyond.per_t = f.depth.per_t - g.depth.per_t;
       const double noise = noise_of_crossing(f, g, error_), error = f.depth_error + noise;
-      if (beyond.value + beyond.reach(box) < -(error + beside_error)) return;  // g certainly lies after f.
+      if (beyond.value + beyond.half_range(box) < -(error + beside_error)) return;  // g certainly lies after f.
       one_depth = strip_along_line(beyond, {f.line_error + g.line_error + noise, error + g.depth_error}, f, g, box);
-      if (beyond.value - beyond.reach(box) <= error + beside_error) {
+      if (beyond.value - beyond.half_range(box) <= error + beside_error) {
         const double beside = zero_strip_at_sides(g, inner, beyond, error + beside_error, box);
         one_depth.area += beside;
         one_depth.volume += beside * greatest;
@@ -297,7 +297,7 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
     if (!(g.hinge_depth > 0)) {
       const double cut = roundings_of_depth(g, f.box);
       zero = strip_along_line(g.depth, {g.line_error + cut, g.depth_error + cut}, f, g, box);
-      if (std::abs(g.depth.middle(box)) - g.depth.reach(box) <= beside_error) {
+      if (std::abs(g.depth.middle(box)) - g.depth.half_range(box) <= beside_error) {
         const double beside = zero_strip_at_sides(g, inner, g.depth, beside_error, box);
         zero.area += beside;
         zero.volume += beside * greatest;

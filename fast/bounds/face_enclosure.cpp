@@ -276,7 +276,7 @@ void find_plane(const PrismError& error, const SeenFace& seen, const Cuts& cuts,
                   slopes_off + cuts.by_sides * cut_noise + cuts.by_plane * last_cut;
   f.line_error = f.field_error + 2 * last_cut;
   f.depth_error = f.line_error + f.relative_noise * seen.farthest_depth;
-  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
+  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.half_range(f.box)) + f.depth_error;
   const auto length_of = [&error](const PrismPoint& edge) {
     return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
   };

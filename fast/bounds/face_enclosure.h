@@ -24,11 +24,11 @@ struct LinearDepth {
   double per_s = 0, per_t = 0;         ///< gradient
 
   double at(double s, double t) const { return value + (per_s * (s - s_0) + per_t * (t - t_0)); }
-  /// Values over a box: middle and how far they go to either side.
+  /// Values over a box: their middle, and how far they go to either side of it.
   double middle(const BoxST& box) const {
     return value + (per_s * (0.5 * (box.low_s + box.high_s) - s_0) + per_t * (0.5 * (box.low_t + box.high_t) - t_0));
   }
-  double reach(const BoxST& box) const {
+  double half_range(const BoxST& box) const {
     return 0.5 * (std::abs(per_s) * box.width_s() + std::abs(per_t) * box.width_t());
   }
 };

@@ -165,10 +165,10 @@ SideStrips strips_along_sides(const FaceEnclosure& face, double s, double t, con
     const double roundings = &carrier != &face  ? side_roundings(a, b, carrier.box)
                              : face.knows_sides ? face.side_cuts[k]
                                                 : 0;
-    const double reach =
+    const double within =
         std::abs(side_s) * (0.5 * box.width_t() + t) + std::abs(side_t) * (0.5 * box.width_s() + s) + 2 * roundings;
-    if (inward < -reach) strips.apart = true;
-    if (!sides[k] || std::abs(inward) > reach) continue;
+    if (inward < -within) strips.apart = true;
+    if (!sides[k] || std::abs(inward) > within) continue;
     const double by_shift = std::abs(side_s) * t + std::abs(side_t) * s;
     if (&carrier == &face && !face.knows_sides) {
       // Of the side's extent no more than the box's counts. About each of its ends 2 s times 2 t, and twice that.
@@ -266,9 +266,9 @@ double zero_strip_at_sides(const FaceEnclosure& face, const std::array<bool, 3>&
 // At each s, or t, the zeros of both functions are no farther apart than what they differ by over the slope of either;
 // over the width of the box that is off by twice what the function is.
 ZeroStrip zero_strip(const LinearDepth& function, const LineError& error, const BoxST& box) {
-  const double middle = std::abs(function.middle(box)), reach = function.reach(box);
-  if (middle - reach > error.off) return {};
-  if (middle + reach <= error.off) return {box.area(), true};
+  const double middle = std::abs(function.middle(box)), half_range = function.half_range(box);
+  if (middle - half_range > error.off) return {};
+  if (middle + half_range <= error.off) return {box.area(), true};
   const auto across = [&error](double slope, double width) {
     const double least_rise = std::abs(slope) * width - 2 * error.off;
     return least_rise > error.apart ? width * (kBoundMargin * error.apart / least_rise) : width;

@@ -168,7 +168,7 @@ VerifiedLine follow_certainly(PosedPair& posed, Side master, Index face, const F
     if (consider(meeting(tube, posed.face_Me(slave, f)))) rivals = true;
   };
   for (const Index f : trace.slave_faces) visit_slave(f);
-  if (!(limit < trace.slave_reach)) for_each_face_near(posed, slave, tube, limit, open, visit_slave);
+  if (!(limit < trace.slave_searched)) for_each_face_near(posed, slave, tube, limit, open, visit_slave);
   limit = std::min(limit, farthest);
   if (limit < 0) return {Finding::no_element, 0};
 
@@ -183,7 +183,7 @@ VerifiedLine follow_certainly(PosedPair& posed, Side master, Index face, const F
     limit = left_before ? -1 : std::min(limit, m.greatest);  // Below 0 the search is over.
   };
   for (const Index own : trace.own_faces) visit_own(own);
-  if (!left_before && !(limit < trace.own_reach) && !thicker_than(posed, master, face, geometry, limit)) {
+  if (!left_before && !(limit < trace.own_searched) && !thicker_than(posed, master, face, geometry, limit)) {
     for_each_face_near(posed, master, tube, limit, open, visit_own);
   }
   if (left_before) return {Finding::no_element, 0};

@@ -56,7 +56,7 @@ std::array<PrismPoint, 3> corners_of(const StampedArray<PrismPoint>& sights, con
 }
 
 /// Adds a face to those that lines meet; false where none meets it. It carries nothing yet.
-bool add_projected(const MasterPrism& prism, double reach, Index face, bool own, const Triangle& vertices,
+bool add_projected(const MasterPrism& prism, double max_coordinate, Index face, bool own, const Triangle& vertices,
                    const std::array<PrismPoint, 3>& corners, std::vector<ProjectedFace>& faces) {
   ProjectedFace& projected = faces.emplace_back();
   if (!project_face(vertices, corners, projected)) {
@@ -66,7 +66,7 @@ bool add_projected(const MasterPrism& prism, double reach, Index face, bool own,
   projected.face = face;
   projected.own = own;
   projected.carries = false;
-  projected.uncertainty = prism.uncertainty(corners, reach);
+  projected.uncertainty = prism.uncertainty(corners, max_coordinate);
   return true;
 }
 
@@ -93,7 +93,7 @@ Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, Fac
   for (const Index face : scratch.over) {
     const Triangle& vertices = surface.face(face);
     const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, vertices);
-    if (!add_projected(prism, posed.placement.reach, face, false, vertices, corners, view.faces)) continue;
+    if (!add_projected(prism, posed.placement.max_coordinate, face, false, vertices, corners, view.faces)) continue;
     ProjectedFace& projected = view.faces.back();
     const bool is_certain = certain(projected.seen, projected.uncertainty);
     if (is_certain && !projected.leaves) scratch.entered.push_back(face);
@@ -133,7 +133,8 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
     if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > view.own_depth) continue;
-    add_projected(prism, posed.placement.reach, face, true, posed.surface(master).face(face), corners, view.faces);
+    add_projected(prism, posed.placement.max_coordinate, face, true, posed.surface(master).face(face), corners,
+                  view.faces);
   }
 }
 

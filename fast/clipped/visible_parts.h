@@ -12,8 +12,8 @@ namespace pcm::fast {
 /// 1). Which of two faces lies before the other, wherever their order is one, and what is met at depth 0 is decided
 /// exactly; only places are rounded. With u = 2^-53, S the greatest |coordinate| of E, F, A x_F and r, so that no two
 /// points of bodies that touch are farther apart than D = 3 sqrt(3) S, no edge is longer than 2 sqrt(3) S, and
-/// Placement::reach is no more than (1 + sqrt(3)) S, and q = |p1 - p0| |p2 - p0| / |N| of the master face, lengths
-/// being sums of |components|:
+/// Placement::max_coordinate is no more than (1 + sqrt(3)) S, and q = |p1 - p0| |p2 - p0| / |N| of the master face,
+/// lengths being sums of |components|:
 ///
 /// Places. A weight has 4 roundings, its gradient 8: with errors of s and t apart, a corner is off by 2 q 12 u D in the
 /// plane, at most 125 q u S, and by the lines' direction, 4 u (1 + q), at most 42 q u S more. The four cuts that shape

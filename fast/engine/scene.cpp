@@ -46,8 +46,8 @@ struct WorldBox {
   WorldBox() = default;
   WorldBox(const PreparedSurface& surface, const Pose& pose) {
     const Box& box = surface.tree.root().box;
-    const double reach = surface.reach.sum();
-    const double slack = kBodySlack * reach + kRoundingSlack * (reach + pose.r.cwiseAbs().sum());
+    const double coordinate_sum = surface.max_coordinates.sum();
+    const double slack = kBodySlack * coordinate_sum + kRoundingSlack * (coordinate_sum + pose.r.cwiseAbs().sum());
     const Eigen::Array3d centre = pose.A * box.centre + pose.r;
     const Eigen::Array3d half = (pose.A.cwiseAbs() * box.half).array() + slack;
     low = centre - half;
@@ -129,7 +129,7 @@ void require_valid_state(std::size_t body, const BodyState& state) {
   if (orthogonality_error(state.pose.A) > kBodySkew) {
     refuse(body, "pose: A is no rotation to 1e-10 (max |A^T A - I|); normalise it");
   }
-  const auto in_range = [](const Eigen::Vector3d& v) { return v.cwiseAbs().maxCoeff() <= kGreatestReach; };
+  const auto in_range = [](const Eigen::Vector3d& v) { return v.cwiseAbs().maxCoeff() <= kGreatestCoordinate; };
   if (!in_range(state.velocity.v) || !in_range(state.velocity.w)) {
     refuse(body, "velocity: a component exceeds 2^300; choose other units");
   }

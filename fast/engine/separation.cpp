@@ -67,7 +67,7 @@ double size_of(const BoxNode& node) {
 }
 
 /// A norm that bounds |r| and |A x| for x in the ball.
-double reach_of(const Pose& pose, const BoundingBall& ball) {
+double norm_bound_of(const Pose& pose, const BoundingBall& ball) {
   return pose.r.cwiseAbs().sum() + 2 * (ball.centre.cwiseAbs().sum() + ball.radius);
 }
 
@@ -76,7 +76,7 @@ double reach_of(const Pose& pose, const BoundingBall& ball) {
 BoundingBall::BoundingBall(const PreparedSurface& surface)
     : centre(surface.tree.root().box.centre), radius(kLonger * surface.tree.root().box.half.norm()) {
   // Half widths are rounded to nearest, beside the last bit of the greatest coordinate.
-  radius += 4 * 0x1p-53 * surface.reach.sum();
+  radius += 4 * 0x1p-53 * surface.max_coordinates.sum();
 }
 
 double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurface& surface_F,
@@ -125,14 +125,14 @@ double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurf
 }
 
 SeparationCertificate::SeparationCertificate(const Pose& pose, const BoundingBall& ball_F, double gap)
-    : pose_(pose), gap_(kShorter * gap - kPlacementSlack * reach_of(pose, ball_F)) {}
+    : pose_(pose), gap_(kShorter * gap - kPlacementSlack * norm_bound_of(pose, ball_F)) {}
 
 bool SeparationCertificate::holds(const Pose& pose, const BoundingBall& ball_F) const {
   if (!(gap_ > 0)) return false;
   const Eigen::Matrix3d turn = pose.A - pose_.A;
   const double way = (turn * ball_F.centre + (pose.r - pose_.r)).norm() + turn.norm() * ball_F.radius;
   // Written so that what is no number certifies nothing.
-  return kLonger * way + kPlacementSlack * reach_of(pose, ball_F) < gap_;
+  return kLonger * way + kPlacementSlack * norm_bound_of(pose, ball_F) < gap_;
 }
 
 }  // namespace pcm::fast

@@ -25,7 +25,7 @@ struct Placement {
   Eigen::Matrix3d A;           ///< A_MeMf
   Eigen::Vector3d r_Me;        ///< r_MeMf
   Eigen::Matrix3d A_absolute;  ///< entries of A without their signs
-  double reach = 0;            ///< M: no |coordinate| in Me of E, of F or of r exceeds it, m
+  double max_coordinate = 0;   ///< M: no |coordinate| in Me of E, of F or of r exceeds it, m
   double slack_E = 0;          ///< error of points and boxes in Me, m
   double slack_F = 0;          ///< the same in Mf, where A^T stands for the inverse of A, m
   /// How far F's rounded vertices may be from those of its own frame, seen from there, m. They are off A x_F + r by
@@ -37,13 +37,13 @@ struct Placement {
   Placement() = default;
   Placement(const PreparedSurface& surface_E, const PreparedSurface& surface_F, const Pose& pose)
       : A(pose.A), r_Me(pose.r), A_absolute(pose.A.cwiseAbs()) {
-    const Eigen::Vector3d reach_F = A_absolute * surface_F.reach + pose.r.cwiseAbs();
-    reach = std::fmax(reach_F.maxCoeff(), surface_E.reach.maxCoeff());
+    const Eigen::Vector3d max_coordinates_F = A_absolute * surface_F.max_coordinates + pose.r.cwiseAbs();
+    max_coordinate = std::fmax(max_coordinates_F.maxCoeff(), surface_E.max_coordinates.maxCoeff());
     // Three entries of A^T A - I meet a point's coordinates, or a box's half widths.
     skew = orthogonality_error(pose.A);
-    slack_E = kPlacementSlack * reach;
-    slack_F = 4 * slack_E + 12 * skew * surface_F.reach.maxCoeff();
-    moved_F = 16 * 0x1p-53 * reach + 12 * skew * surface_F.reach.maxCoeff();
+    slack_E = kPlacementSlack * max_coordinate;
+    slack_F = 4 * slack_E + 12 * skew * surface_F.max_coordinates.maxCoeff();
+    moved_F = 16 * 0x1p-53 * max_coordinate + 12 * skew * surface_F.max_coordinates.maxCoeff();
     span =
         2 * (1 + 0x1p-20) * (surface_E.tree.root().box.half.sum() + surface_F.tree.root().box.half.sum()) + 2 * slack_E;
   }

@@ -22,15 +22,15 @@ inline constexpr double kBoundMargin = 1 + 0x1p-20;
 /// rounded problem's vertices are from the exact problem's (PCM section 1). E's vertices are the same in both.
 ///
 /// Order of operations: products first (u each), then (first + second), + third, + r_i, each off by u times its result.
-/// With B_j = |a_ij| reach_j the first and the second product are part of three sums, the third of two, r of one:
-/// u (4 B_1 + 4 B_2 + 3 B_3 + |r_i|). Three products may underflow, erring by 2^-1075 each.
+/// With B_j = |a_ij| max_coordinates_j the first and the second product are part of three sums, the third of two, r of
+/// one: u (4 B_1 + 4 B_2 + 3 B_3 + |r_i|). Three products may underflow, erring by 2^-1075 each.
 inline Eigen::Vector3d greatest_vertex_rounding(const PreparedSurface& surface_F, const Pose& pose) {
-  const Eigen::Vector3d& reach = surface_F.reach;
+  const Eigen::Vector3d& max_coordinates = surface_F.max_coordinates;
   Eigen::Vector3d bound;
   for (int i = 0; i < 3; ++i) {
-    const double B_1 = std::abs(pose.A(i, 0)) * reach[0];
-    const double B_2 = std::abs(pose.A(i, 1)) * reach[1];
-    const double B_3 = std::abs(pose.A(i, 2)) * reach[2];
+    const double B_1 = std::abs(pose.A(i, 0)) * max_coordinates[0];
+    const double B_2 = std::abs(pose.A(i, 1)) * max_coordinates[1];
+    const double B_3 = std::abs(pose.A(i, 2)) * max_coordinates[2];
     bound[i] = kBoundMargin * kUnitRoundoff * (4 * (B_1 + B_2) + 3 * B_3 + std::abs(pose.r[i])) + 0x1p-1072;
   }
   return bound;

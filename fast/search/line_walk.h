@@ -26,10 +26,10 @@ class AcrossLine {
 
   /// `a` and `b`: |a| and |b|, each within a few roundings.
   AcrossLine(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double a, double b,
-             double reach)
+             double max_coordinate)
       : C_(barycentre), a_(p[1] - p[0]), b_(p[2] - p[0]) {
-    room_ = 128 * 0x1p-53 * reach * a * b;
-    usable_ = reach * a > 0x1p-500 && reach * b > 0x1p-500;
+    room_ = 128 * 0x1p-53 * max_coordinate * a * b;
+    usable_ = max_coordinate * a > 0x1p-500 && max_coordinate * b > 0x1p-500;
   }
 
   /// Whether numbers are neither so large nor so small that the bound fails.

@@ -10,9 +10,9 @@
 namespace pcm::fast {
 
 /// How far off the prism's lines may be wherever any surface reaches, and so depths: no point is farther from p0 than 4
-/// times the reach, m.
+/// times the greatest coordinate, m.
 inline double farthest_off(const MasterPrism& prism, const Placement& placement) {
-  return prism.tilt() * (4 * placement.reach);
+  return prism.tilt() * (4 * placement.max_coordinate);
 }
 
 /// The prism in the frame of a side's tree, so wide that no roundings of the side's vertices and of the prism's lines

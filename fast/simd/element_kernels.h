@@ -180,7 +180,7 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   const Double4 thickness{*lanes.thickness[0], *lanes.thickness[1], *lanes.thickness[2], *lanes.thickness[3]};
   const Double4 farthest = distance + four(limits.error);
   const Long4 left = fair & (distance > four(limits.error));
-  const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_reach);
+  const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_max_coordinate);
   const Long4 thick = (farthest < thickness) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
                                                 four(limits.thick_area) * load(lanes.area));
   DecidedLanes decided;

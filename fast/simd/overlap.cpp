@@ -28,15 +28,15 @@ WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placem
   }
   const double exact_scale = F.unit() / E.unit();
   scale = static_cast<float>(exact_scale);
-  const double reach = E.radius() + exact_scale * F.radius();
+  const double radii = E.radius() + exact_scale * F.radius();
   constexpr double kV = 0x1p-24;
   constexpr double kUp = 1 + 0x1p-20;  // pays for rounding to single precision
   const double in_double_E = 2 * placement.slack_E / E.unit(), in_double_F = 2 * placement.slack_F / E.unit();
-  slack_E = static_cast<float>(kUp * (64 * kV * reach + in_double_E));
-  slack_F = static_cast<float>(kUp * (64 * kV * reach + in_double_F));
-  const double tilt = 2 * in_double_E / (WideTree::kLeastHeight * exact_scale) * 2 * reach;
-  plane_slack = static_cast<float>(kUp * (128 * kV * reach + 2 * in_double_E + tilt));
-  edge_slack = exact_scale < 0x1p30 ? static_cast<float>(kUp * (32 * kV * reach + 2 * in_double_E))
+  slack_E = static_cast<float>(kUp * (64 * kV * radii + in_double_E));
+  slack_F = static_cast<float>(kUp * (64 * kV * radii + in_double_F));
+  const double tilt = 2 * in_double_E / (WideTree::kLeastHeight * exact_scale) * 2 * radii;
+  plane_slack = static_cast<float>(kUp * (128 * kV * radii + 2 * in_double_E + tilt));
+  edge_slack = exact_scale < 0x1p30 ? static_cast<float>(kUp * (32 * kV * radii + 2 * in_double_E))
                                     : std::numeric_limits<float>::infinity();
 }
 

@@ -103,9 +103,10 @@ struct Boxes {
   Vector8 centre, half;
 };
 
-/// Lanes where |distance| exceeds the reach along one of three axes.
-inline Int8 apart(const Vector8& distance, const Vector8& reach) {
-  return (absolute(distance.x) > reach.x) | (absolute(distance.y) > reach.y) | (absolute(distance.z) > reach.z);
+/// Lanes where |distance| exceeds the sum of half widths along one of three axes.
+inline Int8 apart(const Vector8& distance, const Vector8& half_widths) {
+  return (absolute(distance.x) > half_widths.x) | (absolute(distance.y) > half_widths.y) |
+         (absolute(distance.z) > half_widths.z);
 }
 
 /// Both kinds of boxes: their own, and how wide they are along the other frame's axes.

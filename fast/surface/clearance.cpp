@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Let m = 2^-30 of the reach be how far coordinates may be moved, e = 2 m how far points, and h the face's least
-// height. The face's normal and the inward normals of its sides then turn by less than 2 e / h each, being moved at
-// both ends. What `Region` measures of a moved point x is a depth, n . (x - p), or a distance from a side's plane, that
-// plus T times the depth: both change by less than 8 e + 16 e / h |x - p|, while 16 e / h is small.
-constexpr double kMoved = 0x1p-26;        ///< 8 e, relative to the reach
+// Let m = 2^-30 of the greatest coordinate be how far coordinates may be moved, e = 2 m how far points, and h the
+// face's least height. The face's normal and the inward normals of its sides then turn by less than 2 e / h each, being
+// moved at both ends. What `Region` measures of a moved point x is a depth, n . (x - p), or a distance from a side's
+// plane, that plus T times the depth: both change by less than 8 e + 16 e / h |x - p|, while 16 e / h is small.
+constexpr double kMoved = 0x1p-26;        ///< 8 e, relative to the greatest coordinate
 constexpr double kGreatestTurn = 0x1p-8;  ///< 16 e / h
 
 /// T of both cones. What K is wider by than the cone, 1 / 32 of the depth, pays for planes that are moved and tilted.
@@ -28,7 +28,7 @@ constexpr std::array<double, 2> kTangent{0.81, 1.2};
 static_assert(kConeCosine[0] * kConeCosine[0] * (1 + (kTangent[0] - 0x1p-5) * (kTangent[0] - 0x1p-5)) > 1);
 static_assert(kConeCosine[1] * kConeCosine[1] * (1 + (kTangent[1] - 0x1p-5) * (kTangent[1] - 0x1p-5)) > 1);
 
-/// A clearance that is great enough, relative to the reach.
+/// A clearance that is great enough, relative to the greatest coordinate.
 constexpr double kFar = 0.25;
 
 /// A point as K sees it.
@@ -178,8 +178,8 @@ float rounded_down(double x) {
 }  // namespace
 
 std::vector<Clearance> clearances(const PreparedSurface& surface) {
-  const double reach = surface.reach.maxCoeff();
-  const double moved = kMoved * reach;
+  const double max_coordinate = surface.max_coordinates.maxCoeff();
+  const double moved = kMoved * max_coordinate;
   std::vector<Clearance> result(surface.mesh.faces.size());
   std::vector<std::pair<double, Index>> open;
   for (Index face = 0; face < static_cast<Index>(result.size()); ++face) {
@@ -193,14 +193,14 @@ std::vector<Clearance> clearances(const PreparedSurface& surface) {
     const Eigen::Vector3d n = N.normalized();
     const auto least_depth_of = [&](const Eigen::Vector3d& down, std::size_t cone, double enough) {
       return least_depth_in({p, down, kTangent[cone], moved + turn * longest, turn}, surface, face, enough,
-                            kFar * reach, open);
+                            kFar * max_coordinate, open);
     };
     Clearance& clearance = result[static_cast<std::size_t>(face)];
     // What is clear of the wide cone is clear of the narrow one; where that is far, the difference hardly counts.
     double depth = least_depth_of(-n, 1, 0);
-    clearance.beneath[1] = rounded_down(depth / reach);
-    if (depth < kFar * reach) depth = least_depth_of(-n, 0, 0);
-    clearance.beneath[0] = rounded_down(depth / reach);
+    clearance.beneath[1] = rounded_down(depth / max_coordinate);
+    if (depth < kFar * max_coordinate) depth = least_depth_of(-n, 0, 0);
+    clearance.beneath[0] = rounded_down(depth / max_coordinate);
     clearance.above[1] = least_depth_of(n, 1, kInfinity) == kInfinity;
     clearance.above[0] = clearance.above[1] || least_depth_of(n, 0, kInfinity) == kInfinity;
   }

@@ -233,13 +233,13 @@ bool is_beside_at_corners(const MasterPrism& prism, const PreparedSurface& surfa
 }  // namespace
 
 std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface) {
-  const double tolerance = kThicknessTolerance * surface.reach.maxCoeff();
+  const double tolerance = kThicknessTolerance * surface.max_coordinates.maxCoeff();
   std::vector<double> bounds(surface.mesh.faces.size(), 0.0);
   std::vector<Index> open;
   for (Index face = 0; face < static_cast<Index>(bounds.size()); ++face) {
     const FaceGeometry geometry(points_of(surface, face));
     const Ray ray(geometry, geometry.barycentre_Me());
-    if (!(8 * surface.reach.maxCoeff() * ray.direction_error < tolerance)) continue;
+    if (!(8 * surface.max_coordinates.maxCoeff() * ray.direction_error < tolerance)) continue;
     const TreeRay tree_ray(ray.origin, ray.direction, 2 * tolerance);
     double nearest = kInfinity;
     open.assign(1, 0);
@@ -261,7 +261,7 @@ std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface) {
 }
 
 ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface) {
-  const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
+  const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
   const std::vector<double> zeros(surface.mesh.faces.size(), 0.0);
   ThicknessEverywhere bounds{zeros, zeros, zeros};
   std::vector<Index> open;
@@ -311,7 +311,7 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
 }
 
 std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface) {
-  const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
+  const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
   std::vector<bool> clear(surface.mesh.faces.size(), false);
   VertexSights sights(surface);
   for (Index face = 0; face < static_cast<Index>(clear.size()); ++face) {

@@ -133,8 +133,8 @@ class Draw {
 
 struct Pair {
   TriangleMesh E, F;
-  double reach;  ///< of offsets drawn, m
-  int poses;     ///< of each kind
+  double extent;  ///< of offsets drawn, m
+  int poses;      ///< of each kind
 };
 
 std::vector<Pair> pairs() {
@@ -177,7 +177,7 @@ void add_pair(const Pair& pair, const ContactLaw& law, Scheme scheme, Workspace&
   for (int i = 0; i < 2 * pair.poses; ++i) {
     const bool generic = i % 2 == 0;
     const Pose pose{generic ? draw.rotation() : Eigen::Matrix3d::Identity(),
-                    generic ? draw.vector(pair.reach) : draw.lattice_vector()};
+                    generic ? draw.vector(pair.extent) : draw.lattice_vector()};
     const Velocity velocity{draw.vector(1), draw.vector(2)};
     Wanted wanted;
     wanted.bound = i % 4 >= 2;

@@ -169,9 +169,9 @@ TEST(FaceEnclosure, ZeroStripHoldsWhatAnErrorOfTheFunctionDecides) {
     const ZeroStrip strip = zero_strip(function, {error, error}, box);
     ASSERT_LE(between, strip.area + 1e-12);
     if (strip.area > 1e-6) greatest = std::max(greatest, between / strip.area);
-    const double least = std::abs(function.middle(box)) - function.reach(box);
+    const double least = std::abs(function.middle(box)) - function.half_range(box);
     EXPECT_EQ(strip.area > 0, least <= error);
-    EXPECT_EQ(strip.everywhere, std::abs(function.middle(box)) + function.reach(box) <= error);
+    EXPECT_EQ(strip.everywhere, std::abs(function.middle(box)) + function.half_range(box) <= error);
   }
   EXPECT_GE(greatest, 0.9);
 }
@@ -202,7 +202,8 @@ LinearDepth draw_change(Draw& draw, double most, const BoxST& box) {
   const auto pick = [&draw] { return draw.unit() > 0 ? draw.end() : 0.0; };
   LinearDepth change{pick(), 0.5 * (box.low_s + box.high_s), 0.5 * (box.low_t + box.high_t), pick() / box.width_s(),
                      pick() / box.width_t()};
-  const double greatest = std::abs(change.middle(box)) + change.reach(box), scale = greatest > 0 ? most / greatest : 0;
+  const double greatest = std::abs(change.middle(box)) + change.half_range(box),
+               scale = greatest > 0 ? most / greatest : 0;
   return {scale * change.value, change.s_0, change.t_0, scale * change.per_s, scale * change.per_t};
 }
 

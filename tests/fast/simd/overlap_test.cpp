@@ -151,7 +151,7 @@ TEST_P(WideTestsOn, LinesMeetWhatIsSureAndMissWhatIsNotPossible) {
       const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
       const WideRay wide(tree, placement.to_frame_of(side, ray.origin),
                          placement.direction_in_frame_of(side, ray.direction),
-                         placement.slack(side) + 8 * placement.reach * ray.direction_error);
+                         placement.slack(side) + 8 * placement.max_coordinate * ray.direction_error);
       std::set<Index> visited;
       LineNodes open;
       const double limit = std::numeric_limits<double>::infinity();
@@ -188,7 +188,7 @@ TEST_P(WideTestsOn, PrismsMeetEveryBoxThatDoublePrecisionFinds) {
       const TreePrism tree_prism =
           slave == 0 ? TreePrism(prism, slack) : TreePrism(prism, slack, placement.A, placement.r_Me);
       const double infinity = std::numeric_limits<double>::infinity();
-      for (const double deepest : {infinity, 0.1 * surface(slave).reach.maxCoeff()}) {
+      for (const double deepest : {infinity, 0.1 * surface(slave).max_coordinates.maxCoeff()}) {
         const WidePrism wide(tree, tree_prism, deepest);
         for (Index i = 0; i < tree.nodes(); ++i) {
           const WideNode& node = tree.node(i);
