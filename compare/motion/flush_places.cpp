@@ -13,7 +13,7 @@ namespace pcm::compare {
 namespace {
 
 /// Places that rounding leaves more uncertain than this make no place.
-constexpr double kGreatestMargin = 0x1p-10;
+constexpr double kGreatestError = 0x1p-10;
 
 /// How near normals and planes must be to be looked at: far above rounding. What is looked at in vain costs a few
 /// evaluations and changes nothing.
@@ -53,8 +53,8 @@ std::vector<FlushPlace> merged(std::vector<FlushPlace> places) {
   std::sort(places.begin(), places.end(), [](const FlushPlace& a, const FlushPlace& b) { return a.share < b.share; });
   std::vector<FlushPlace> result;
   for (const FlushPlace& place : places) {
-    if (!result.empty() && place.share - result.back().share <= result.back().margin)
-      result.back().margin = std::max(result.back().margin, place.margin);
+    if (!result.empty() && place.share - result.back().share <= result.back().error)
+      result.back().error = std::max(result.back().error, place.error);
     else
       result.push_back(place);
   }
@@ -100,12 +100,12 @@ class Search {
   bool all_along = false;
 
  private:
-  /// The share is NaN and the margin infinite for a pair that keeps its distance 0.
-  void add(double share, double margin) {
-    if (!(margin <= kGreatestMargin))
+  /// The share is NaN and the error infinite for a pair that keeps its distance 0.
+  void add(double share, double error) {
+    if (!(error <= kGreatestError))
       all_along = true;
-    else if (share + margin >= 0 && share - margin <= 1)
-      places.push_back({share, margin});
+    else if (share + error >= 0 && share - error <= 1)
+      places.push_back({share, error});
   }
 
   const PathSegment& segment_;

@@ -81,10 +81,10 @@ MasterSummary summarize(Mode mode, const std::vector<MasterAtPose>& seen) {
 
 /// Of the masters of equal standing in `quantity`, those that are best.
 template <class Quantity>
-void keep_least(std::vector<const MasterSummary*>& left, double slack, const Quantity& quantity) {
+void keep_least(std::vector<const MasterSummary*>& left, double factor, const Quantity& quantity) {
   double least = quantity(*left.front());
   for (const MasterSummary* master : left) least = std::min(least, quantity(*master));
-  std::erase_if(left, [&](const MasterSummary* master) { return quantity(*master) > slack * least; });
+  std::erase_if(left, [&](const MasterSummary* master) { return quantity(*master) > factor * least; });
 }
 
 std::string percent(double share) {
@@ -184,8 +184,8 @@ MasterAdvice MasterAdviser::advice() const {
   }
   std::vector<const MasterSummary*> left{&advice.masters[0], &advice.masters[1], &advice.masters[2]};
   std::string_view decided = "its time, the errors being near";
-  const auto narrow = [&](std::string_view why, double slack, const auto& quantity) {
-    if (left.size() > 1) keep_least(left, slack, quantity);
+  const auto narrow = [&](std::string_view why, double factor, const auto& quantity) {
+    if (left.size() > 1) keep_least(left, factor, quantity);
     if (left.size() == 1 && decided == "its time, the errors being near") decided = why;
   };
   narrow("the force it does not lose", 1, [](const MasterSummary& m) { return static_cast<double>(m.lost); });

@@ -53,9 +53,9 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   // Both sides of a face that is seen nearly edgewise are projected onto almost one line: moving them apart by the
   // strip's width moves where they meet by that over the face's cosine (fast/clipped/visible_parts.h).
   const double edgewise = 4 * seen.strip * seen.strip / std::abs(e.cosine);
-  const double moved = strips_along(around, seen.strip) + edgewise + (16 * u + view.turn()) * e.area;
+  const double outline_error = strips_along(around, seen.strip) + edgewise + (16 * u + view.turn()) * e.area;
   const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
-  const double strips = moved + (seen.hiders == 0 ? 0 : folds + seen.neglected);
+  const double strips = outline_error + (seen.hiders == 0 ? 0 : folds + seen.neglected);
   const double at_depth_0 =
       seen.fold > 0 ? no_more(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
   // Neither has more than the face.

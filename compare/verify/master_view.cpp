@@ -43,9 +43,8 @@ bool some_side_parts(const std::array<Eigen::Vector3d, 3>& face, double strip, c
   const double sign = cross(face[1] - face[0], face[2] - face[0]) < 0 ? -1 : 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d along = face[(k + 1) % 3] - face[k];
-    const double margin = strip * along.head<2>().stableNorm();
-    if (all_beyond(k, [&](const Eigen::Vector3d& x) { return sign * cross(along, x - face[k]) < -margin; }))
-      return true;
+    const double error = strip * along.head<2>().stableNorm();
+    if (all_beyond(k, [&](const Eigen::Vector3d& x) { return sign * cross(along, x - face[k]) < -error; })) return true;
   }
   return false;
 }
@@ -83,7 +82,7 @@ MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face
 
 void MasterView::find_near_faces() {
   const Extent own = extent(own_);
-  const double margin = strip(face_.longest + 4 * faces_.max_coordinate(), 4 * faces_.max_coordinate());
+  const double error = strip(face_.longest + 4 * faces_.max_coordinate(), 4 * faces_.max_coordinate());
   for (const Side side : {Side::E, Side::F}) {
     const std::size_t count = faces_.surface(side).mesh.faces.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -92,8 +91,8 @@ void MasterView::find_near_faces() {
       // Most faces are far along the first axis already.
       const auto is_far = [&](Eigen::Index axis) {
         const double a = corners[0][axis], b = corners[1][axis], c = corners[2][axis];
-        return (axis < 2 && std::min({a, b, c}) > own.high[axis] + margin) ||
-               std::max({a, b, c}) < own.low[axis] - margin;
+        return (axis < 2 && std::min({a, b, c}) > own.high[axis] + error) ||
+               std::max({a, b, c}) < own.low[axis] - error;
       };
       if (is_far(0) || is_far(1) || is_far(2)) continue;
       if (side != master_ || face != master_face_) near_.push_back({side, face, extent(corners)});

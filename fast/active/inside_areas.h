@@ -32,7 +32,7 @@ struct InsidePart {
 /// Scratch memory of measure_inside_areas.
 struct InsideAreaScratch {
   std::vector<InsidePart> parts;
-  StampedArray<Index> slot;  ///< by face: its place among the intersected ones
+  FastClearArray<Index> slot;  ///< by face: its place among the intersected ones
   ElementLanes lanes;
 };
 

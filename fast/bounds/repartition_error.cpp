@@ -91,8 +91,8 @@ void RepartitionError::add(const ForceProblem& problem, const Element& element, 
                               mine.lpNorm<1>();
     sum.torque_Me += Eigen::Vector3d::Constant(torque);
   };
-  cost(rates.per_volume_Me, first_.per_volume_Me, kBoundMargin * error.passed_volume);
-  cost(rates.per_area_Me, first_.per_area_Me, kBoundMargin * error.passed_area);
+  cost(rates.per_volume_Me, first_.per_volume_Me, kSafetyFactor * error.passed_volume);
+  cost(rates.per_area_Me, first_.per_area_Me, kSafetyFactor * error.passed_area);
 }
 
 void RepartitionError::add_elsewhere(double area, double volume) {

@@ -23,25 +23,25 @@ struct Depths {
   double any() const { return std::max(deepest, deepest_corner); }
 };
 
-/// Whether the line of the barycentre may meet the face: decided with room to spare. Where it does, the weights of the
-/// place, the same mean of the corners', are 1/3 each; they are off by no more than the corners' are.
+/// Whether the line of the barycentre may meet the face: decided where errors allow it. Where it does, the weights of
+/// the place, the same mean of the corners', are 1/3 each; they are off by no more than the corners' are.
 bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& corners) {
   for (int weight = 0; weight < 3; ++weight) {
     const std::size_t side = static_cast<std::size_t>(weight + 1) % 3;
     const double a = corners[0][weight], b = corners[1][weight], c = corners[2][weight];
     const double least = std::min({a, b, c}), greatest = std::max({a, b, c});
     if (least <= 1.0 / 3 && greatest >= 1.0 / 3) continue;
-    const double room = 0x1p-20 * (1 + std::abs(a) + std::abs(b) + std::abs(c)) +
-                        std::max({prism.weight_error(side, corners[0]), prism.weight_error(side, corners[1]),
-                                  prism.weight_error(side, corners[2])});
-    if (least > 1.0 / 3 + room || greatest < 1.0 / 3 - room) return false;
+    const double error = 0x1p-20 * (1 + std::abs(a) + std::abs(b) + std::abs(c)) +
+                         std::max({prism.weight_error(side, corners[0]), prism.weight_error(side, corners[1]),
+                                   prism.weight_error(side, corners[2])});
+    if (least > 1.0 / 3 + error || greatest < 1.0 / 3 - error) return false;
   }
   return true;
 }
 
 /// Looks at each of the candidates' vertices once.
 void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const std::vector<Index>& candidates,
-                  StampedArray<PrismPoint>& sights) {
+                  FastClearArray<PrismPoint>& sights) {
   const PreparedSurface& surface = posed.surface(slave);
   sights.start(surface.mesh.vertices.size());
   for (const Index face : candidates) {
@@ -51,7 +51,7 @@ void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const 
   }
 }
 
-std::array<PrismPoint, 3> corners_of(const StampedArray<PrismPoint>& sights, const Triangle& vertices) {
+std::array<PrismPoint, 3> corners_of(const FastClearArray<PrismPoint>& sights, const Triangle& vertices) {
   return {sights.at(vertices[0]), sights.at(vertices[1]), sights.at(vertices[2])};
 }
 

@@ -54,7 +54,7 @@ struct PlacedFace {
 };
 
 /// What was done to the parts of a face that is not exact but for roundings of its own points.
-struct Neglect {
+struct ClippingError {
   double area = 0;  ///< dropped, or kept though hidden, in (s, t)
   /// Of the parts that are left: how many, and what the cuts that part them from the whole may change.
   int parts = 0;
@@ -77,10 +77,10 @@ struct Neglect {
 /// where one part remains, and stays whole where more would. Both change only strips along the borders
 /// of f and g, as wide as these are uncertain. So the parts, which do not overlap, have areas, and are cells between
 /// the sides of those faces that certainly hide some of f: with n of them at most of the order of n^2, and of n where
-/// each meets few of the parts the others leave; `neglect` counts both. Without that, slivers of rounding size along
-/// one line (faces that the lines run in, several at one border) would cut each other to pieces without end.
+/// each meets few of the parts the others leave; `clipping_error` counts both. Without that, slivers of rounding size
+/// along one line (faces that the lines run in, several at one border) would cut each other to pieces without end.
 /// `remaining` is scratch.
 void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
-                     std::vector<ConvexPolygon>& remaining, Neglect& neglect, WorkCounters& work);
+                     std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error, WorkCounters& work);
 
 }  // namespace pcm::fast

@@ -30,8 +30,8 @@ constexpr double kBodySkew = 1e-10;
 /// How far, relative to the greatest coordinates of a body, a box in W may be off what the pairing's relative pose has:
 /// A_E^T stands for the inverse of A_E (3 kBodySkew), and the roundings of relative poses, of vertices and of the box
 /// itself, all below 64 u of the greatest sum of absolute coordinates.
-constexpr double kBodySlack = 4 * kBodySkew;
-constexpr double kRoundingSlack = 64 * 0x1p-53;
+constexpr double kBodyError = 4 * kBodySkew;
+constexpr double kRoundingError = 64 * 0x1p-53;
 
 /// Whether one surface winds about faces of the other a negative number of times: neither touching nor nested, these
 /// have an area all the same. Not asked, and not known, where only touch is wanted.
@@ -47,9 +47,10 @@ struct WorldBox {
   WorldBox(const PreparedSurface& surface, const Pose& pose) {
     const Box& box = surface.tree.root().box;
     const double coordinate_sum = surface.max_coordinates.sum();
-    const double slack = kBodySlack * coordinate_sum + kRoundingSlack * (coordinate_sum + pose.r.cwiseAbs().sum());
+    const double position_error =
+        kBodyError * coordinate_sum + kRoundingError * (coordinate_sum + pose.r.cwiseAbs().sum());
     const Eigen::Array3d centre = pose.A * box.centre + pose.r;
-    const Eigen::Array3d half = (pose.A.cwiseAbs() * box.half).array() + slack;
+    const Eigen::Array3d half = (pose.A.cwiseAbs() * box.half).array() + position_error;
     low = centre - half;
     high = centre + half;
   }

@@ -112,18 +112,18 @@ inline Int8 apart(const Vector8& distance, const Vector8& half_widths) {
 /// Both kinds of boxes: their own, and how wide they are along the other frame's axes.
 struct BoxesOfE {
   Boxes own;
-  Vector8 half_in_F;  ///< with the slack there
+  Vector8 half_in_F;  ///< with their error there
 
   BoxesOfE(const Boxes& boxes, const WidePose& pose)
-      : own(boxes), half_in_F(widened(turned_back(pose.rotation_absolute, boxes.half), pose.slack_F)) {}
+      : own(boxes), half_in_F(widened(turned_back(pose.rotation_absolute, boxes.half), pose.box_error_F)) {}
 };
 struct BoxesOfF {
-  Boxes in_E;    ///< centres in E's coordinates, half widths along E's axes with the slack there
+  Boxes in_E;    ///< centres in E's coordinates, half widths along E's axes with their error there
   Vector8 half;  ///< along F's axes
 
   BoxesOfF(const Boxes& boxes, const WidePose& pose) : half(pose.scale * boxes.half) {
     in_E.centre = turned(pose.rotation, pose.scale * boxes.centre) + all(pose.shift);
-    in_E.half = widened(turned(pose.rotation_absolute, half), pose.slack_E);
+    in_E.half = widened(turned(pose.rotation_absolute, half), pose.box_error_E);
   }
 };
 
@@ -185,12 +185,12 @@ struct Sides {
   std::array<Int8, 3> above;  ///< in that case
 };
 
-inline Sides sides_of(const Vector8& normal, const Vector8& point, const std::array<Vector8, 3>& x, float slack) {
+inline Sides sides_of(const Vector8& normal, const Vector8& point, const std::array<Vector8, 3>& x, float error) {
   const Float8 offset = dot(normal, point);
   const Float8 s0 = dot(normal, x[0]) - offset, s1 = dot(normal, x[1]) - offset, s2 = dot(normal, x[2]) - offset;
   const Float8 nearest = least(least(absolute(s0), absolute(s1)), absolute(s2));
-  return {(least(least(s0, s1), s2) > all(slack)) | (greatest(greatest(s0, s1), s2) < all(-slack)),
-          nearest > all(slack),
+  return {(least(least(s0, s1), s2) > all(error)) | (greatest(greatest(s0, s1), s2) < all(-error)),
+          nearest > all(error),
           {s0 > all(0), s1 > all(0), s2 > all(0)}};
 }
 
@@ -220,18 +220,18 @@ struct Passing {
 
 /// As fast/crossings/crossings.cpp finds them: from the signs of (a_i - a) x (p - a) . (p_j - p), a and p the lone
 /// corners.
-inline Passing edges_passing(const FromLoneCorner& E, const FromLoneCorner& F, const Float8& room) {
+inline Passing edges_passing(const FromLoneCorner& E, const FromLoneCorner& F, const Float8& error) {
   const Vector8 c = F.corner - E.corner, d0 = F.next - F.corner, d1 = F.last - F.corner;
   const Vector8 m0 = cross(E.next - E.corner, c), m1 = cross(E.last - E.corner, c);
   const Float8 s00 = dot(m0, d0), s01 = dot(m0, d1), s10 = dot(m1, d0), s11 = dot(m1, d1);
   const Float8 nearest = least(least(absolute(s00), absolute(s01)), least(absolute(s10), absolute(s11)));
   const Int8 a00 = s00 > all(0), a01 = s01 > all(0), a10 = s10 > all(0), a11 = s11 > all(0);
-  return {nearest > room, {a00 ^ a01, a10 ^ a11, a00 ^ a10, a01 ^ a11}};
+  return {nearest > error, {a00 ^ a01, a10 ^ a11, a00 ^ a10, a01 ^ a11}};
 }
 
 /// No less than the 1-norm of any edge in a box of these widths.
 inline Float8 edge_length(const Vector8& widths, const WidePose& pose) {
-  return widths.x + widths.y + widths.z + 6 * pose.slack_E;
+  return widths.x + widths.y + widths.z + 6 * pose.box_error_E;
 }
 
 FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode& F, const FaceGroup& faces_F,
@@ -244,8 +244,8 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
     return Vector8{choose(choose(x_F[0].x, x_F[1].x), x_F[2].x), choose(choose(x_F[0].y, x_F[1].y), x_F[2].y),
                    choose(choose(x_F[0].z, x_F[1].z), x_F[2].z)};
   };
-  const Ends ends_F{widened(end([](const Float8& a, const Float8& b) { return least(a, b); }), -pose.slack_E),
-                    widened(end([](const Float8& a, const Float8& b) { return greatest(a, b); }), pose.slack_E)};
+  const Ends ends_F{widened(end([](const Float8& a, const Float8& b) { return least(a, b); }), -pose.box_error_E),
+                    widened(end([](const Float8& a, const Float8& b) { return greatest(a, b); }), pose.box_error_E)};
   const Vector8 own_centre = all(E.own_centre), own_half = all(E.own_half);
   std::uint32_t of_F = ~bits_of(apart(ends_F, {own_centre - own_half, own_centre + own_half})) & F.used;
   FacePairs pairs;
@@ -261,16 +261,16 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
     std::uint32_t of_E = ~bits_of(apart({all(ends_F.low, j), all(ends_F.high, j)}, ends_E)) & E.used;
     if (of_E == 0) continue;
     const std::array<Vector8, 3> x{all(x_F[0], j), all(x_F[1], j), all(x_F[2], j)};
-    const Sides sides_F = sides_of(n_E, x_E[0], x, pose.plane_slack);
+    const Sides sides_F = sides_of(n_E, x_E[0], x, pose.plane_error);
     of_E &= ~bits_of(sides_F.on_one_side);
     if (of_E == 0) continue;
-    const Sides sides_E = sides_of(all(n_F, j), x[0], x_E, pose.plane_slack);
+    const Sides sides_E = sides_of(all(n_F, j), x[0], x_E, pose.plane_error);
     of_E &= ~bits_of(sides_E.on_one_side);
     if (of_E == 0) continue;
     // |p - a| is no more than both boxes' widths: with gamma = beta + zeta the sum of WidePose is gamma^2 + beta zeta.
     const Float8 beta = length_E, zeta = all(length_F[j]), gamma = beta + zeta;
     const Passing passing = edges_passing(FromLoneCorner(x_E, sides_E.above), FromLoneCorner(x, sides_F.above),
-                                          pose.edge_slack * (gamma * gamma + beta * zeta));
+                                          pose.edge_error * (gamma * gamma + beta * zeta));
     Int8 bits{};
     const auto enter = [&bits](const Int8& lanes, unsigned bit) {
       bits |= lanes & static_cast<std::int32_t>(1U << bit);
@@ -291,7 +291,7 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
 
 std::uint32_t test_boxes_met(const WideNode& node, const WideRay& ray, Lanes& entry) {
   const Vector8 middle = load(node.centre) - all(ray.origin);
-  const Vector8 width = widened(load(node.half), ray.slack);
+  const Vector8 width = widened(load(node.half), ray.box_error);
   const Vector8 low = middle - width, high = middle + width;
   const Vector8 inverse = all(ray.inverse);
   const Vector8 t_low{low.x * inverse.x, low.y * inverse.y, low.z * inverse.z};
@@ -318,7 +318,7 @@ std::uint32_t test_boxes_in_prism(const WideNode& node, const WidePrism& prism) 
 }
 
 // An edge from a to b, both from the line's origin, passes the line at a distance, in the plane across it, of
-// direction . (a x (b - a)) over the edge's projected length. A line that is farther than the slack to the left of one
+// direction . (a x (b - a)) over the edge's projected length. A line that is farther than the error to the left of one
 // edge and to the right of another misses the face, whichever way that turns. One that is farther to the same side of
 // all three passes through it.
 FacesMet test_faces_met(const FaceGroup& faces, const WideRay& ray) {
@@ -329,8 +329,8 @@ FacesMet test_faces_met(const FaceGroup& faces, const WideRay& ray) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector8 edge = x[i == 2 ? 0 : i + 1] - x[i];
     const Float8 moment = dot(cross(direction, x[i]), edge);
-    const Float8 room = all(ray.slack) * (absolute(edge.x) + absolute(edge.y) + absolute(edge.z));
-    const Int8 left = moment > room, right = moment < -room;
+    const Float8 error = all(ray.box_error) * (absolute(edge.x) + absolute(edge.y) + absolute(edge.z));
+    const Int8 left = moment > error, right = moment < -error;
     some_left |= left;
     some_right |= right;
     all_left &= left;

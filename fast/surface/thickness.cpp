@@ -58,8 +58,8 @@ double least_distance(const Ray& ray, const FaceGeometry& f, double tolerance) {
   }
   const double distance = f.n_Me.dot(from_origin[0]) / cosine;
   // A quarter for the line, a quarter for the plane.
-  const double margin = 4 / kSteep * tolerance;
-  return distance < -margin ? kInfinity : distance - margin;
+  const double error = 4 / kSteep * tolerance;
+  return distance < -error ? kInfinity : distance - error;
 }
 
 /// How deep beneath the master face any part of f begins that the prism, wider by `tolerance` on all sides, has in it.
@@ -211,9 +211,9 @@ bool all_lie_beside(const MasterPrism& prism, VertexSights& sights, const Prepar
     std::array<bool, 3> beside{true, true, true};  // By weight; each is 0 on a side.
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t weight = 0; weight < 3; ++weight) {
-        const double margin = tolerance * prism.inward_length((weight + 1) % 3);
+        const double error = tolerance * prism.inward_length((weight + 1) % 3);
         const double w = seen.corners[k][static_cast<Index>(weight)];
-        beside[weight] = beside[weight] && (seen.shared[k] >= 0 ? w == 0 : w < -margin);
+        beside[weight] = beside[weight] && (seen.shared[k] >= 0 ? w == 0 : w < -error);
       }
     }
     if (!(beside[0] || beside[1] || beside[2])) return false;

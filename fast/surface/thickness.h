@@ -29,13 +29,14 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
 std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface);
 
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for
-/// `moved`, m, which turns its normal by at most twice that over its edges' heights.
-inline bool thickness_holds(const PreparedSurface& surface, double moved, const FaceGeometry& face) {
+/// `vertex_error`, m, which turns its normal by at most twice that over its edges' heights.
+inline bool thickness_holds(const PreparedSurface& surface, double vertex_error, const FaceGeometry& face) {
   const Ray ray(face, face.points_Me[0]);
   const auto& p = face.points_Me;
   const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
   const double max_coordinate = surface.max_coordinates.maxCoeff();
-  const double line_error = moved + 8 * max_coordinate * (ray.direction_error + moved * edges / face.area);
+  const double line_error =
+      vertex_error + 8 * max_coordinate * (ray.direction_error + vertex_error * edges / face.area);
   return line_error < kThicknessTolerance * max_coordinate;
 }
 

@@ -216,7 +216,7 @@ TEST(OracleForce, LineThroughAnEdgeOfATurnedSlaveIsNotCertified) {
     EXPECT_TRUE(through_face.certified);
     EXPECT_EQ(through_face.force_Me, through_edge.force_Me);
 
-    // Not turned, no vertex has any room: the tie rule decides for all of it.
+    // Not turned, no vertex is rounded: the tie rule decides for all of it.
     EXPECT_EQ(oracle.answer(problem, shifted(0, 0, 0.0625)).elements.size(), 1u);
   }
 }

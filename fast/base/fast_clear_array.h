@@ -12,7 +12,7 @@ namespace pcm::fast {
 /// of the round it was written in. An evaluation so touches only the parts of a surface that its contact touches.
 /// Grows to the largest size asked for and never shrinks.
 template <class Value>
-class StampedArray {
+class FastClearArray {
  public:
   /// Forgets all values and makes room for `size` of them.
   void start(std::size_t size) {

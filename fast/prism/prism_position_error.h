@@ -4,8 +4,8 @@
 
 namespace pcm::fast {
 
-/// How far points may be displaced in a master face's coordinates.
-struct PrismShift {
+/// How far off points may be, in a master face's coordinates.
+struct PrismPositionError {
   double s = 0;
   double t = 0;
   double depth = 0;  ///< m
