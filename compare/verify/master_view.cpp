@@ -285,9 +285,9 @@ SlaveInView MasterView::sight(Index slave_face) const {
   sight.outline += 8 * sight.strip;
   sight.width = std::min(sight.outline / 2, face_.longest);
   add_uncertain_areas(part, std::max(place, hiders.place), hiders, sight);
-  const double shift = times(sight.slope, 2 * sight.strip);
-  sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + shift);
-  sight.tip_error = sine > 0 ? sight.depth_error + shift / sine : sight.at_tip;
+  const double depth_change = times(sight.slope, 2 * sight.strip);
+  sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + depth_change);
+  sight.tip_error = sine > 0 ? sight.depth_error + depth_change / sine : sight.at_tip;
   limit(sight);
   return sight;
 }
