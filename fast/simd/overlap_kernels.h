@@ -197,7 +197,8 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
 
   const Boxes boxes_E = children(E);
   const Ends ends_E{boxes_E.centre - boxes_E.half, boxes_E.centre + boxes_E.half};
-  const Float8 length_E = edge_length(2.0F * boxes_E.half, pose), length_F = edge_length(ends_F.high - ends_F.low, pose);
+  const Float8 length_E = edge_length(2.0F * boxes_E.half, pose),
+               length_F = edge_length(ends_F.high - ends_F.low, pose);
   const Vector8 n_E = load(faces_E.normal), n_F = turned(pose.rotation, load(faces_F.normal));
   const std::array<Vector8, 3> x_E{load(faces_E.vertex[0]), load(faces_E.vertex[1]), load(faces_E.vertex[2])};
   for (; of_F != 0; of_F &= of_F - 1) {
