@@ -155,7 +155,9 @@ void add_contact_command(CLI::App& program, Run& run) {
       "  pcm mesh make icosphere --radius=0.5 -o F.obj\n"
       "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.9' > poses.txt\n"
       "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3");
-  command->add_option("E", options->file_E, "Surface of body E, .obj or .off")->required()->type_name("FILE");
+  command->add_option("E", options->file_E, std::string("Surface of body E, ") + kMeshExtensions)
+      ->required()
+      ->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
   command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity, at rest)")
       ->type_name("FILE");

@@ -61,7 +61,7 @@ void add_mesh_check_command(CLI::App& mesh, Run& run) {
       "OBJ file, from 1. Exit status: 0 if all are fit, 1 if one is not, 2 if one can't be read.\n"
       "Example:\n"
       "  pcm mesh check bolt.obj nut.obj");
-  command->add_option("FILE", *files, "Surfaces, .obj or .off")->required()->type_name("");
+  command->add_option("FILE", *files, std::string("Surfaces, ") + kMeshExtensions)->required()->type_name("");
   command->callback([files, &run] { run = [files] { return check_files(*files); }; });
 }
 

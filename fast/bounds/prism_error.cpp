@@ -26,6 +26,12 @@ double roundings_of_product(const Eigen::Vector3d& g, const Eigen::Vector3d& x, 
          0x1p-1070;
 }
 
+/// What is rounded off in turn in `residual`, times u^2 and the sum of the terms. Of each of the three summands, what
+/// its difference and its product round off are u times the product, what the sum does u times that of all; these take
+/// up to 5, 4 and 3 roundings, the last one 1 less each, on their way into `off`: 5 + 4 of the products and 3 + 3 + 2,
+/// and 1 for those of the sum of the terms.
+constexpr double kResidualRoundings = 18;
+
 /// A bound on |g . (p - q) - c|, sharp where the terms cancel: what the operations round off is taken along (Ogita,
 /// Rump and Oishi 2005), so that only what is rounded off in turn counts.
 double residual(const Eigen::Vector3d& g, const Eigen::Vector3d& p, const Eigen::Vector3d& q, double c) {
@@ -36,8 +42,14 @@ double residual(const Eigen::Vector3d& g, const Eigen::Vector3d& p, const Eigen:
     size += std::abs(product);
     sum = next;
   }
-  return std::abs(sum + off) * (1 + 2 * u) + 64 * u * u * size + 0x1p-1070;
+  return std::abs(sum + off) * (1 + 2 * u) + kResidualRoundings * u * u * size + 0x1p-1070;
 }
+
+/// Roundings of what a tilt does to a function (tilt_of). The scalar products of the gradients have 3 each, of their
+/// lengths' product, the products with the function's slopes 1 and the sum 1: 5 of G . g_s, 5 of G . g_t, and of the
+/// sum of both 6 of either. Each of these three is part of what is summed: 11. Those of that sum are within
+/// kSecondOrder.
+constexpr double kTiltRoundings = 11;
 
 /// Terms of second order in the position errors, which are less than 2^-6 wherever they are used.
 constexpr double kSecondOrder = 1.04;
@@ -179,9 +191,12 @@ PrismPositionError PrismError::of_frame(double depth) const {
 // With G = per_s g_s + per_t g_t and g_0 = -(g_s + g_t): h (|G . g_0| + |G . g_s| + |G . g_t|).
 double PrismError::tilt_of(const PrismFunction& f) const {
   const double G_s = f.per_s * ss_ + f.per_t * st_, G_t = f.per_s * st_ + f.per_t * tt_;
-  const double size_s = std::abs(f.per_s) * ss_ + std::abs(f.per_t) * std::abs(st_);
-  const double size_t = std::abs(f.per_s) * std::abs(st_) + std::abs(f.per_t) * tt_;
-  return kSecondOrder * height_ * (std::abs(G_s) + std::abs(G_t) + std::abs(G_s + G_t) + 16 * u * (size_s + size_t));
+  // By lengths: g_s . g_t may cancel.
+  const double lengths = std::sqrt(ss_ * tt_);
+  const double size_s = std::abs(f.per_s) * ss_ + std::abs(f.per_t) * lengths;
+  const double size_t = std::abs(f.per_s) * lengths + std::abs(f.per_t) * tt_;
+  return kSecondOrder * height_ *
+         (std::abs(G_s) + std::abs(G_t) + std::abs(G_s + G_t) + kTiltRoundings * u * (size_s + size_t));
 }
 
 double PrismError::of_function(const PrismFunction& f, double depth, const PrismRounding& rounding,

@@ -24,7 +24,8 @@ namespace pcm::fast {
 ///
 /// Depths. A height has kFilterRelative of its terms, which is 47 q u S of depth, the lines' direction and the four
 /// cuts add 84 q u S, and being off in place adds tan theta times 292 q u S, theta the angle between the planes of the
-/// face and of the master: no more than epsilon = kDepthRoundings q u S / cos theta.
+/// face and of the master: 131 + 292 tan theta <= sqrt(131^2 + 292^2) / cos theta, so that this is no more than epsilon
+/// = kDepthRoundings q u S / cos theta.
 ///
 /// Lines that part what is seen, each off by
 ///   - a projected edge: delta;
@@ -41,7 +42,7 @@ namespace pcm::fast {
 /// strips along the outlines of its master face's elements, and of the face itself. A force of the clipped scheme is
 /// off by the sum over the elements times the stiffness, however many of them there are.
 inline constexpr double kPlaceRoundings = 1024;
-inline constexpr double kDepthRoundings = 512;
+inline constexpr double kDepthRoundings = 321;
 
 /// Parts no wider than this part of what makes a face certain are dropped where faces are cut by others: about as wide
 /// as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.
