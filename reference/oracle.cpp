@@ -158,8 +158,8 @@ Solution& Inquiry::Data::solve(Problem problem) {
     report_polygons(solution->pose, CrossingPositions(facts.crossings.ids), facts.polygons, patches, answer);
   }
   if (wanted.areas)
-    report_areas(solution->pose, facts.clip(solution->pose), oracle.E.closed && oracle.F.closed && !answer.ambiguous,
-                 answer);
+    report_areas(solution->pose, facts.inside_areas(solution->pose),
+                 oracle.E.closed && oracle.F.closed && !answer.ambiguous, answer);
   return *solution;
 }
 

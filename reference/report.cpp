@@ -66,7 +66,7 @@ Vec3<T> flux_origin(const std::vector<FaceArea<T>>& E, const std::vector<FaceAre
 }
 
 template <class T>
-bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, const Field<T>& field, Answer& answer) {
+bool report_enclosed(const ExactPose& pose_doubles, const InsideAreas& areas, const Field<T>& field, Answer& answer) {
   ConvertedPose<T> pose(pose_doubles, field);
   const auto E = face_areas(areas, Side::E, pose);
   const auto F = face_areas(areas, Side::F, pose);
@@ -82,7 +82,7 @@ bool report_enclosed(const ExactPose& pose_doubles, const ClippedAreas& areas, c
   return round.all();
 }
 
-void report_rational(const ExactPose& pose_doubles, const ClippedAreas& areas, Answer& answer) {
+void report_rational(const ExactPose& pose_doubles, const InsideAreas& areas, Answer& answer) {
   ConvertedPose<Rational> pose(pose_doubles);
   const auto E = face_areas(areas, Side::E, pose);
   const auto F = face_areas(areas, Side::F, pose);
@@ -119,7 +119,7 @@ void report_polygons(const ExactPose& pose, const CrossingPositions& points, con
   }
 }
 
-void report_areas(const ExactPose& pose, const ClippedAreas& areas, bool has_volume, Answer& answer) {
+void report_areas(const ExactPose& pose, const InsideAreas& areas, bool has_volume, Answer& answer) {
   answer.undefined_areas = areas.undefined;
   if (has_volume) answer.volume = 0;
   if (report_enclosed(pose, areas, Field<DoubleDouble>{}, answer)) return;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/active/area_values.h"
-#include "reference/active/clipped_areas.h"
+#include "reference/active/inside_areas.h"
 #include "reference/crossings/crossing_positions.h"
 #include "reference/crossings/polygons.h"
 #include "reference/vocabulary/answer.h"
@@ -20,6 +20,6 @@ void report_polygons(const ExactPose& pose, const CrossingPositions& points, con
 
 /// Writes areas, their intervals, vector areas, and the volume where `has_volume`. Vector areas and volume are
 /// rational, areas are sums of shares of |N| (radical_sum.h): all are rounded correctly without exception.
-void report_areas(const ExactPose& pose, const ClippedAreas& areas, bool has_volume, Answer& answer);
+void report_areas(const ExactPose& pose, const InsideAreas& areas, bool has_volume, Answer& answer);
 
 }  // namespace pcm::reference

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 #include "compare/poses/surface_features.h"
 
 /// What `pcm bench peers` measures on.

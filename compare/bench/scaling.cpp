@@ -10,9 +10,9 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/bench/contestant.h"
+#include "compare/bench/peer.h"
 #include "compare/io/random.h"
-#include "compare/verify/wanted.h"
+#include "compare/verify/wanted_presets.h"
 #include "meshes/generate/round.h"
 #include "pcm/engine.h"
 

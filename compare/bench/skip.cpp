@@ -11,7 +11,7 @@
 #include "compare/bench/bodies.h"
 #include "compare/bench/moving_bubbles.h"
 #include "compare/io/random.h"
-#include "compare/verify/wanted.h"
+#include "compare/verify/wanted_presets.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
 #include "reference/oracle.h"
@@ -115,8 +115,8 @@ struct Question {
   std::string saving;
   std::string scene;
   TriangleMesh E, F;
-  double overlap;  ///< of the spheres or bubbles along the axis between them, m
-  double reach;    ///< distance of their centres where they would just touch, m
+  double overlap;   ///< of the spheres or bubbles along the axis between them, m
+  double touching;  ///< distance of their centres where they would just touch, m
   ContactLaw law;
   Wanted wanted;
   bool Savings::*off;
@@ -154,8 +154,8 @@ SavingResult measure(const Question& question, std::int64_t poses) {
     // About the axis that joins them: bubbles meet pole to pole.
     const double angle = random.uniform(0, 6);
     pose.A << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
-    pose.r = {0.01 * question.reach * random.uniform(-1, 1), 0.01 * question.reach * random.uniform(-1, 1),
-              question.reach - question.overlap};
+    pose.r = {0.01 * question.touching * random.uniform(-1, 1), 0.01 * question.touching * random.uniform(-1, 1),
+              question.touching - question.overlap};
     const auto ask = [&](const Savings& savings) -> const fast::Contact& {
       return fast::evaluate(pairing, pose, bench_velocity(), question.wanted, workspace, savings);
     };

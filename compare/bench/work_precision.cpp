@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "compare/io/random.h"
-#include "compare/verify/wanted.h"
+#include "compare/verify/wanted_presets.h"
 
 namespace pcm::compare {
 namespace {
@@ -57,10 +57,10 @@ Evaluate evaluation(const Method& method, const Meshes& meshes) {
             workspace = std::make_shared<fast::Workspace>()](const Pose& pose) -> const fast::Contact& {
       return fast::evaluate(pairing, pose, {}, kForceOnly, *workspace);
     };
-  return [subject = std::shared_ptr<const Subject>(
-              make_subject(method.engine, meshes.E.mesh(), meshes.F.mesh(), stiffness(1), Mode::E, method.scheme)),
-          workspace = std::make_shared<SubjectWorkspace>()](const Pose& pose) -> const fast::Contact& {
-    return subject->evaluate(pose, {}, kForceOnly, *workspace);
+  return [tested = std::shared_ptr<const TestedEngine>(make_tested_engine(
+              method.engine, meshes.E.mesh(), meshes.F.mesh(), stiffness(1), Mode::E, method.scheme)),
+          workspace = std::make_shared<TestedEngineWorkspace>()](const Pose& pose) -> const fast::Contact& {
+    return tested->evaluate(pose, {}, kForceOnly, *workspace);
   };
 }
 

@@ -12,7 +12,7 @@
 #include "compare/error_budget/bodies.h"
 #include "compare/io/svg_plot.h"
 #include "compare/io/table.h"
-#include "compare/opponents/subject.h"
+#include "compare/wrong_answers/tested_engine.h"
 
 /// `pcm bench work-precision`: error of the elastic force over run time, for pairs of smooth bodies (those of the error
 /// budget) over mesh resolutions, schemes and engines.

@@ -14,7 +14,7 @@
 #include <optional>
 #include <system_error>
 
-#include "compare/bench/peers.h"
+#include "compare/bench/peer_comparison.h"
 #include "compare/bench/scaling.h"
 #include "compare/bench/skip.h"
 #include "compare/bench/work_precision.h"
@@ -76,7 +76,7 @@ Exit bench_peers(const PeersOptions& options) {
     bodies.push_back(bench_body(name));
   const std::optional<fs::path> folder = output_folder(options.out);
   const Machine machine = this_machine(stay_on_one_core());
-  const std::vector<PeersResult> results = run_peers(bodies, poses, show_progress);
+  const std::vector<PeerComparison> results = compare_peers(bodies, poses, show_progress);
   show_progress("");
   if (folder) {
     const Table table = peers_table(results);

@@ -16,8 +16,8 @@
 #include "compare/io/contact_json.h"
 #include "compare/io/names.h"
 #include "compare/io/poses_file.h"
-#include "compare/motion/advice.h"
-#include "compare/opponents/subject.h"
+#include "compare/motion/master_advice.h"
+#include "compare/wrong_answers/tested_engine.h"
 #include "pcm/bad_input.h"
 #include "pcm/engine.h"
 #include "pcm/read_mesh.h"
@@ -43,13 +43,13 @@ using Evaluate = std::function<Json(const State&)>;
 
 Evaluate evaluate_by_engine(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
                             Scheme scheme, bool with_bound) {
-  const std::shared_ptr<const Subject> subject =
-      make_subject(engine, std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
-  auto workspace = std::make_shared<SubjectWorkspace>();
+  const std::shared_ptr<const TestedEngine> tested =
+      make_tested_engine(engine, std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
+  auto workspace = std::make_shared<TestedEngineWorkspace>();
   Wanted wanted;
   wanted.bound = with_bound;
   return [=](const State& state) {
-    Json json = contact_json(subject->evaluate(state.pose, state.velocity, wanted, *workspace));
+    Json json = contact_json(tested->evaluate(state.pose, state.velocity, wanted, *workspace));
     if (engine != Engine::fast)
       for (const char* side : {"E", "F"}) json[side]["area"] = json[side]["vector_area"] = nullptr;
     return json;
@@ -107,10 +107,10 @@ Exit contact(const ContactOptions& options) {
   TriangleMesh mesh_F = read_mesh(options.file_F);
   print_warnings(warning_E, require_fit_or_warn(mesh_F));
   if (options.advise) {
-    Adviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
+    MasterAdviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
     for_each_state(
         poses, [&](const State& state) { adviser.add(state.pose); }, [] {});
-    std::cout << advice_text(adviser.advice());
+    std::cout << master_advice_text(adviser.advice());
     return Exit::success;
   }
   const Mode mode = mode_named(options.mode);
@@ -155,7 +155,9 @@ void add_contact_command(CLI::App& program, Run& run) {
       "  pcm mesh make icosphere --radius=0.5 -o F.obj\n"
       "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.9' > poses.txt\n"
       "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3");
-  command->add_option("E", options->file_E, "Surface of body E, .obj or .off")->required()->type_name("FILE");
+  command->add_option("E", options->file_E, std::string("Surface of body E, ") + kMeshExtensions)
+      ->required()
+      ->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
   command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity, at rest)")
       ->type_name("FILE");

@@ -160,7 +160,9 @@ void add_inspect_command(CLI::App& program, Run& run) {
       "  echo '1 0 0  0 1 0  0 0 1   0.2 0 0.14' >> path.txt\n"
       "  pcm inspect E.obj F.obj --path path.txt --normal 0,0,1\n"
       "  pcm inspect E.obj F.obj --path path.txt --svg contact.svg --at 0.5");
-  command->add_option("E", options->file_E, "Surface of body E, .obj or .off")->required()->type_name("FILE");
+  command->add_option("E", options->file_E, std::string("Surface of body E, ") + kMeshExtensions)
+      ->required()
+      ->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
   command->add_option("--path", options->path, "Where F goes, pose by pose")->type_name("FILE")->required();
   command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")

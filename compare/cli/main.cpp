@@ -36,7 +36,7 @@ Exit run_pcm(int argc, char** argv) {
   return run_command_line(argc, argv, [argv](CLI::App& program, Run& run) {
     for (const Command& command : kElsewhere) list_command(program, std::string(command.name), command.description);
     add_verify_command(program, run, [argv](const VerifyOptions& options) {
-      if (asks_for_more(options)) become("pcm-verify-more", argv);
+      if (asks_for_other_tables(options)) become("pcm-verify-other-tables", argv);
       return verify(options);
     });
   });

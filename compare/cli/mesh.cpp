@@ -36,7 +36,9 @@ void add_convert_command(CLI::App& mesh, Run& run) {
       "Vertices keep their order and their coordinates bit for bit. Nothing is repaired.\n"
       "Example:\n"
       "  pcm mesh convert knot.off knot.obj");
-  command->add_option("IN", options->input, "Surface to read, .obj or .off")->required()->type_name("FILE");
+  command->add_option("IN", options->input, std::string("Surface to read, ") + kMeshExtensions)
+      ->required()
+      ->type_name("FILE");
   command->add_option("OUT", options->output, "File to write, .obj")->required()->type_name("FILE");
   command->callback([options, &run] { run = [options] { return convert(*options); }; });
 }

@@ -21,7 +21,8 @@ namespace {
 Exit check_file(const std::string& file) {
   const TriangleMesh mesh = read_mesh(file);
   const MeshReport report = check(mesh);
-  if (const std::string why = report.fit() ? fast::out_of_range(fast::reach_of(mesh).maxCoeff()) : ""; !why.empty()) {
+  if (const std::string why = report.fit() ? fast::out_of_range(fast::max_coordinates_of(mesh).maxCoeff()) : "";
+      !why.empty()) {
     std::cout << mesh.name << ": not fit for contact\n  error: " << why << '\n';
     flush_output();
     return Exit::negative;
@@ -60,7 +61,7 @@ void add_mesh_check_command(CLI::App& mesh, Run& run) {
       "OBJ file, from 1. Exit status: 0 if all are fit, 1 if one is not, 2 if one can't be read.\n"
       "Example:\n"
       "  pcm mesh check bolt.obj nut.obj");
-  command->add_option("FILE", *files, "Surfaces, .obj or .off")->required()->type_name("");
+  command->add_option("FILE", *files, std::string("Surfaces, ") + kMeshExtensions)->required()->type_name("");
   command->callback([files, &run] { run = [files] { return check_files(*files); }; });
 }
 

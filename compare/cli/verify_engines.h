@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compare/cli/command_line.h"
-#include "compare/opponents/subject.h"
 #include "compare/verify/verify.h"
+#include "compare/wrong_answers/tested_engine.h"
 
 namespace pcm::compare {
 

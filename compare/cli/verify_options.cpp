@@ -7,13 +7,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <string>
 
 #include "compare/verify/verify.h"
 #include "pcm/bad_input.h"
+#include "pcm/read_mesh.h"
 
 namespace pcm::compare {
 
-bool asks_for_more(const VerifyOptions& options) {
+bool asks_for_other_tables(const VerifyOptions& options) {
   return options.known_answers || options.error_budget || options.audits ||
          std::any_of(options.engines.begin(), options.engines.end(),
                      [](const std::string& engine) { return engine != "fast"; });
@@ -63,8 +65,9 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       ->type_name("NAME,...")
       ->delimiter(',');
   command
-      ->add_option("--pair", options->pairs,
-                   "Two surfaces E and F (OBJ or OFF) in place of the built-in pairs; may be repeated")
+      ->add_option(
+          "--pair", options->pairs,
+          std::string("Two surfaces E and F (") + kMeshFormats + ") in place of the built-in pairs; may be repeated")
       ->type_name("E F")
       ->type_size(2)
       ->allow_extra_args(false);

@@ -32,7 +32,7 @@ struct VerifyOptions {
 /// Adds the subcommand; `act` is what it does.
 void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act);
 
-/// Whether the options ask for other tables than those of random poses or a case file (verify_more.h).
-bool asks_for_more(const VerifyOptions& options);
+/// Whether the options ask for other tables than those of random poses or a case file (verify_other_tables.h).
+bool asks_for_other_tables(const VerifyOptions& options);
 
 }  // namespace pcm::compare

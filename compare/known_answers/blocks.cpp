@@ -14,7 +14,7 @@ namespace {
 /// E the box, F the plate, on whose grid the box's sides lie; or beside it, in the clipped scheme only: the barycentric
 /// one asks that the master's faces lie wholly under the patch or beside it.
 KnownAnswer box_on_plane(Extent extent) {
-  constexpr double kSide = 0.5, kDepth = 0.05, kStiffness = 100, kReach = 2;
+  constexpr double kSide = 0.5, kDepth = 0.05, kStiffness = 100, kPlateWidth = 2;
   KnownAnswer problem;
   problem.id = "A1";
   problem.title = "box on plane";
@@ -36,16 +36,16 @@ KnownAnswer box_on_plane(Extent extent) {
         std::vector<std::vector<fast::Pairing>> pairings;
         for (const Index n : {1, 2, 4}) {
           const Index cells = aligned ? 8 * n : 7 * n;
-          const fast::Surface plate(generate::plate(kReach, kReach, 1, cells, cells));
+          const fast::Surface plate(generate::plate(kPlateWidth, kPlateWidth, 1, cells, cells));
           const TriangleMesh box =
               generate::gridded_box({-kSide / 2, -kSide / 2, 0}, {kSide / 2, kSide / 2, kSide}, {n, n, n});
           std::vector<fast::Pairing>& level = pairings.emplace_back();
           for (int i = 0; i < series.orientations; ++i)
             level.emplace_back(fast::Surface(turned(box, fixed_rotation(i).transpose())), plate, stiffness(kStiffness),
                                mode, scheme);
-          series.levels.push_back({fmt::format("box {0} x {0} x {0}, plate {1} x {1}", n, cells), kReach / cells,
-                                   faces_of(level.front().surface_E(), plate), kSide / (kReach / cells),
-                                   within(rounding(kReach / kDepth))});
+          series.levels.push_back({fmt::format("box {0} x {0} x {0}, plate {1} x {1}", n, cells), kPlateWidth / cells,
+                                   faces_of(level.front().surface_E(), plate), kSide / (kPlateWidth / cells),
+                                   within(rounding(kPlateWidth / kDepth))});
         }
         series.reason = "exact but for rounding";
         const double aside = aligned ? 0 : 0.013;
@@ -60,7 +60,7 @@ KnownAnswer box_on_plane(Extent extent) {
 /// E the box, F the plate: the box covers one row of the plate's cells, and its front wall passes the barycentre of one
 /// of its triangles, at 2/3 of a cell; the wall behind stays amid two barycentres.
 KnownAnswer passing_edge(Extent) {
-  constexpr double kDepth = 0.0625, kReach = 2, kStiffness = 100, kStep = 0x1p-40;
+  constexpr double kDepth = 0.0625, kPlateWidth = 2, kStiffness = 100, kStep = 0x1p-40;
   KnownAnswer problem;
   problem.id = "A11";
   problem.title = "sharp slave edge passing a master element";
@@ -81,17 +81,17 @@ KnownAnswer passing_edge(Extent) {
       std::vector<fast::Pairing> pairings;
       std::vector<double> cells;
       for (const Index n : {16, 32, 64}) {
-        const double cell = kReach / n;
+        const double cell = kPlateWidth / n;
         const TriangleMesh box =
             generate::box(Eigen::Vector3d(-3.5 * cell, 0.125 * cell, 0), Eigen::Vector3d(0, 0.875 * cell, 1));
-        pairings.emplace_back(fast::Surface(box), fast::Surface(generate::plate(kReach, kReach, 1, n, n)),
+        pairings.emplace_back(fast::Surface(box), fast::Surface(generate::plate(kPlateWidth, kPlateWidth, 1, n, n)),
                               stiffness(kStiffness), mode, scheme);
         cells.push_back(cell);
         // The wall sweeps 0.75 cell times 2^-39 of the plate's area, 1.5 2^-39 / cell of the element's.
         const double swept = mode == Mode::E ? 0 : 1.5 * 2 * kStep / cell;
         series.levels.push_back({fmt::format("plate {0} x {0}", n), cell,
                                  faces_of(pairings.back().surface_E(), pairings.back().surface_F()), 0,
-                                 within(1.5 * swept + rounding(8 * kReach / kDepth))});
+                                 within(1.5 * swept + rounding(8 * kPlateWidth / kDepth))});
       }
       series.reason = "exact but for the area swept and rounding";
       series.measure = [pairings, cells](std::size_t level, int, fast::Workspace& workspace) {

@@ -9,7 +9,7 @@
 
 #include "compare/bodies/known_answer_bodies.h"
 #include "compare/poses/surface_features.h"
-#include "compare/verify/rounded_faces.h"
+#include "compare/verify/bound_arithmetic.h"
 #include "pcm/bad_input.h"
 #include "reference/proofs/self_intersections.h"
 
@@ -19,7 +19,7 @@ namespace {
 constexpr double u = kRoundoff;
 
 /// Bounds are sums of a few rounded terms of one sign: twice covers their own roundings, and those of higher order.
-Eigen::Vector3d with_margin(const Eigen::Vector3d& bound) {
+Eigen::Vector3d with_higher_order(const Eigen::Vector3d& bound) {
   return kHigherOrder * bound;
 }
 
@@ -47,8 +47,8 @@ BoundedLoad sum_of_faces(const std::vector<Element>& elements, const Pose& pose,
     torques += cross_size(arm.cwiseAbs() + e.position_Me.cwiseAbs(), e.force_Me);
     ++terms;
   }
-  sum.force_bound_Me = with_margin(terms * u * forces);
-  sum.torque_bound_Me = with_margin(terms * u * torques);
+  sum.force_bound_Me = with_higher_order(terms * u * forces);
+  sum.torque_bound_Me = with_higher_order(terms * u * torques);
   return sum;
 }
 
@@ -79,8 +79,8 @@ BoundedLoad load_of(const fast::Contact& contact) {
 }
 
 BoundedLoad load_of(const reference::Answer& answer) {
-  return {answer.force_Me, answer.torque_Me, with_margin(u * answer.force_Me.cwiseAbs()),
-          with_margin(u * answer.torque_Me.cwiseAbs())};
+  return {answer.force_Me, answer.torque_Me, with_higher_order(u * answer.force_Me.cwiseAbs()),
+          with_higher_order(u * answer.torque_Me.cwiseAbs())};
 }
 
 // The engine's bound is a sum of shares of its elements and of faces without any, none of them negative: it bounds the
@@ -107,7 +107,7 @@ BoundedLoad seen_from_E(const BoundedLoad& exchanged, const Pose& pose) {
   // Two roundings of r x F and one of the difference.
   const Eigen::Vector3d rounded = u * (torque_about_Me.cwiseAbs() + 3 * cross_size(pose.r, load.force_Me));
   load.torque_bound_Me = ordered_product(sizes, exchanged.torque_bound_Me) +
-                         with_margin(cross_size(pose.r, load.force_bound_Me) + rounded);
+                         with_higher_order(cross_size(pose.r, load.force_bound_Me) + rounded);
   return load;
 }
 

@@ -89,11 +89,11 @@ Placement sunk(const TriangleMesh& mesh, int i) {
 }
 
 /// Greatest coordinate over depth: the condition of what is exact but for rounding. The torque's arm comes with it.
-double condition(const TriangleMesh& mesh, double reach, int orientations) {
+double condition(const TriangleMesh& mesh, double least_size, int orientations) {
   double worst = 0;
   for (int i = 0; i < orientations; ++i) {
     const Placement placement = sunk(mesh, i);
-    double depth = 0, size = reach;
+    double depth = 0, size = least_size;
     for (const Eigen::Vector3d& vertex : mesh.vertices) {
       depth = std::max(depth, -(ordered_product(placement.R, vertex) + placement.p).z());
       size = std::max(size, vertex.cwiseAbs().maxCoeff());
@@ -108,7 +108,7 @@ enum class Quantity { force, arm, volume };
 }  // namespace
 
 std::vector<KnownAnswer> volumes(Extent extent) {
-  constexpr double kReach = 4;
+  constexpr double kPlateWidth = 4;
   KnownAnswer problem;
   problem.id = "A8";
   problem.title = "plane as master: the immersed volume";
@@ -124,11 +124,11 @@ std::vector<KnownAnswer> volumes(Extent extent) {
                                          generate::bubble(1), generate::torus(0.75, 0.25, 48, 24)};
   std::vector<fast::Surface> plates;
   std::vector<Index> cells{32, 64, 128};
-  for (const Index n : cells) plates.emplace_back(generate::plate(kReach, kReach, 2, n, n));
+  for (const Index n : cells) plates.emplace_back(generate::plate(kPlateWidth, kPlateWidth, 2, n, n));
 
   for (const TriangleMesh& mesh : bodies) {
     const fast::Surface body(mesh);
-    const double exact = rounding(condition(mesh, kReach, orientations));
+    const double exact = rounding(condition(mesh, kPlateWidth, orientations));
     for (const Scheme scheme : kSchemes)
       for (const Quantity quantity : {Quantity::force, Quantity::arm, Quantity::volume}) {
         // The volume hangs on the polygons alone.
@@ -147,7 +147,7 @@ std::vector<KnownAnswer> volumes(Extent extent) {
         for (std::size_t l = 0; l < cells.size(); ++l) {
           pairings.emplace_back(body, plates[l], stiffness(1), Mode::F, scheme);
           series.levels.push_back({fmt::format("{} faces, plate {} x {}", mesh.faces.size(), cells[l], cells[l]),
-                                   kReach / cells[l],
+                                   kPlateWidth / cells[l],
                                    faces_of(body, plates[l]),
                                    0,
                                    {}});

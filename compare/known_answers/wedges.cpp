@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kStiffness = 3;
 constexpr double kWidth = 1;
-constexpr double kDepth = 0.5;  ///< half the wedge's height, so that a row of an even grid ends there
-constexpr double kReach = 6;    ///< of the plate
+constexpr double kDepth = 0.5;     ///< half the wedge's height, so that a row of an even grid ends there
+constexpr double kPlateWidth = 6;  ///< of the plate
 
 /// Force on the wedge at the depth h, x along the inward horizontal of the face tilted by p.
 closed_forms::WedgeForce wedge_force(Mode mode, long double degrees, long double h) {
@@ -38,14 +38,14 @@ Meshes meshes_for(double degrees, Mode mode, Scheme scheme, int orientations) {
   Meshes meshes;
   for (const Index n : {2, 4, 8}) {
     const Index cells = 6 * n;
-    const fast::Surface plate(generate::plate(kReach, kReach, 5, cells, cells));
+    const fast::Surface plate(generate::plate(kPlateWidth, kPlateWidth, 5, cells, cells));
     std::vector<fast::Pairing>& level = meshes.pairings.emplace_back();
     for (int i = 0; i < orientations; ++i) {
       const TriangleMesh wedge = turned(generate::wedge(degrees, 2 * kDepth, kWidth, n), fixed_rotation(i).transpose());
       level.emplace_back(fast::Surface(wedge), plate, stiffness(kStiffness), mode, scheme);
     }
     meshes.levels.push_back({fmt::format("wedge {0} x {0}, plate {1} x {1}", n, cells),
-                             kReach / cells,
+                             kPlateWidth / cells,
                              faces_of(level.front().surface_E(), plate),
                              0,
                              {}});
@@ -95,8 +95,8 @@ KnownAnswer wedge_on_plane(Extent extent) {
           const bool sampled = scheme == Scheme::barycentric && mode != Mode::E;
           for (Resolution& level : series.levels) {
             const double missed = sampled ? missed_at_borders(level.edge) : 0;
-            level.deviation = {-(vertical ? missed : 0) - rounding(kReach / kDepth),
-                               (vertical ? 0 : missed) + rounding(kReach / kDepth)};
+            level.deviation = {-(vertical ? missed : 0) - rounding(kPlateWidth / kDepth),
+                               (vertical ? 0 : missed) + rounding(kPlateWidth / kDepth)};
             if (!vertical) level.deviation.least = -level.deviation.greatest;
           }
           series.reason =
@@ -148,7 +148,7 @@ KnownAnswer loop_of_the_wedge(Extent extent) {
         series.reference = expected.x / expected.z;
         series.orientations = orientations;
         series.levels = meshes.levels;
-        for (Resolution& level : series.levels) level.deviation = within(rounding(4 * kReach / kDepth));
+        for (Resolution& level : series.levels) level.deviation = within(rounding(4 * kPlateWidth / kDepth));
         series.reason = "exact but for rounding";
         series.measure = [meshes, scale = static_cast<double>(expected.z) * kSlide](std::size_t level, int orientation,
                                                                                     fast::Workspace& workspace) {

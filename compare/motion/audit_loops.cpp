@@ -54,9 +54,9 @@ Band around(double work, double size_over_depth, double force, double length) {
 /// A9 and A10: the wedge, E, and the plate, F, which moves up by h, along by -s and down again. All positions at the
 /// end of the slide are whole cells of the plate from those at its begin.
 void add_wedges(double degrees, std::int64_t steps, std::vector<Audit>& list) {
-  constexpr double kStiffness = 3, kHeight = 1, kDepth = 0.5, kWidth = 1, kReach = 6, kSlide = 0.5;
+  constexpr double kStiffness = 3, kHeight = 1, kDepth = 0.5, kWidth = 1, kPlateWidth = 6, kSlide = 0.5;
   const fast::Surface wedge(generate::wedge(degrees, kHeight, kWidth, 4)),
-      plate(generate::plate(kReach, kReach, 5, 24, 24));
+      plate(generate::plate(kPlateWidth, kPlateWidth, 5, 24, 24));
   for (const Scheme scheme : kSchemes)
     for (const Mode mode : kModes) {
       Audit& audit = list.emplace_back();
@@ -74,11 +74,11 @@ void add_wedges(double degrees, std::int64_t steps, std::vector<Audit>& list) {
       const double x = kStiffness * kWidth * wedge_share * static_cast<double>(on_wedge.x);
       const double z =
           kStiffness * kWidth * static_cast<double>(wedge_share * on_wedge.z + (1 - wedge_share) * on_plane.z);
-      audit.work = around(x * kSlide, kReach / kDepth, z, way(audit.poses));
+      audit.work = around(x * kSlide, kPlateWidth / kDepth, z, way(audit.poses));
       // The plate's barycentres miss up to a^2 / (9 h^2) of F_z at the borders, cells of width a
       // (known_answer_wedges.cpp), and count as much too much at the ridge where that lies within a cell.
       const double missed = scheme == Scheme::barycentric && mode != Mode::E ? 1.0 / 16 / (9 * kDepth * kDepth) : 0;
-      const double ratio = std::abs(x) / z, allowed = rounding(kReach / kDepth);
+      const double ratio = std::abs(x) / z, allowed = rounding(kPlateWidth / kDepth);
       audit.tangential = Band{ratio / (1 + missed) - allowed, ratio / (1 - missed) + allowed};
       audit.jumps = within(0);
       audit.reason = "F_x s of the closed form; barycentres enter at depth 0";
@@ -124,12 +124,12 @@ SweptBarycentres swept(const TriangleMesh& plate, const Eigen::Vector3d& start, 
 
 /// A1 and A11: the gridded plate, E, and a box, F, that slides obliquely over its cells.
 void add_box(std::int64_t steps, std::vector<Audit>& list) {
-  constexpr double kStiffness = 100, kHalf = 0.15, kDepth = 0.0625, kReach = 2;
-  const TriangleMesh plate_mesh = generate::plate(kReach, kReach, 1, 16, 16);
+  constexpr double kStiffness = 100, kHalf = 0.15, kDepth = 0.0625, kPlateWidth = 2;
+  const TriangleMesh plate_mesh = generate::plate(kPlateWidth, kPlateWidth, 1, 16, 16);
   const fast::Surface plate(plate_mesh), box(generate::box({-kHalf, -kHalf, 0}, {kHalf, kHalf, 1}));
   const Eigen::Vector3d top(0.03, 0.01, 0), slide(0.43, 0.21, 0);
   const SweptBarycentres count = swept(plate_mesh, top, slide, kHalf);
-  const double of_one = kStiffness * (kReach / 16) * (kReach / 16) / 2 * kDepth;
+  const double of_one = kStiffness * (kPlateWidth / 16) * (kPlateWidth / 16) / 2 * kDepth;
   for (const Scheme scheme : kSchemes)
     for (const Mode mode : kModes) {
       Audit& audit = list.emplace_back();
@@ -143,13 +143,13 @@ void add_box(std::int64_t steps, std::vector<Audit>& list) {
       const bool sampled = scheme == Scheme::barycentric && mode != Mode::F;
       const double weight = sampled ? (mode == Mode::both ? 0.5 : 1) : 0;
       const double force = force_on_F(*audit.pairing, audit.poses[1]).norm();
-      audit.work = around(weight * of_one * (kDepth / 2) * (count.at_end - count.at_start), kReach / kDepth, force,
+      audit.work = around(weight * of_one * (kDepth / 2) * (count.at_end - count.at_start), kPlateWidth / kDepth, force,
                           way(audit.poses));
       audit.tangential = within(0);
       const double events = sampled ? static_cast<double>(count.events) : 0;
       audit.jumps = Band{events, events};
       const double greatest = weight * of_one * count.greatest;
-      audit.greatest_jump = between(1 - rounding(kReach / kDepth), 1 + rounding(kReach / kDepth), greatest);
+      audit.greatest_jump = between(1 - rounding(kPlateWidth / kDepth), 1 + rounding(kPlateWidth / kDepth), greatest);
       audit.reason = sampled ? "c_l A u for each barycentre that a wall passes; half of c_l A u^2 for those won or lost"
                              : "one normal, one depth: conservative, continuous";
     }
@@ -157,9 +157,9 @@ void add_box(std::int64_t steps, std::vector<Audit>& list) {
 
 /// A8: the plate, E, and a bubble, F, in a skew orientation.
 void add_bubble_on_plate(std::int64_t steps, std::vector<Audit>& list) {
-  constexpr double kStiffness = 5.9e5, kDepth = 0.03, kReach = 2;
+  constexpr double kStiffness = 5.9e5, kDepth = 0.03, kPlateWidth = 2;
   const TriangleMesh mesh = generate::bubble();
-  const fast::Surface plate(generate::plate(kReach, kReach, 1, 40, 40)), bubble(mesh);
+  const fast::Surface plate(generate::plate(kPlateWidth, kPlateWidth, 1, 40, 40)), bubble(mesh);
   const Eigen::Matrix3d A = fixed_rotation(3);
   double lowest = 0;
   for (const Eigen::Vector3d& x : mesh.vertices) lowest = std::min(lowest, (A * x).z());
@@ -182,7 +182,7 @@ void add_bubble_on_plate(std::int64_t steps, std::vector<Audit>& list) {
       }
       const Eigen::Vector3d force = force_on_F(*audit.pairing, placed(A, top + down + slide / 2));
       const double work = mode == Mode::E ? 0 : force.dot(slide);
-      audit.work = around(work, kReach / kDepth, force.norm(), way(audit.poses));
+      audit.work = around(work, kPlateWidth / kDepth, force.norm(), way(audit.poses));
       if (mode == Mode::E) audit.tangential = within(0);
       audit.jumps = within(0);
       audit.reason = mode == Mode::E ? "a volume times one normal: a potential"

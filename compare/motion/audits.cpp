@@ -14,10 +14,10 @@ namespace pcm::compare {
 namespace {
 
 void expect(std::vector<std::string>& misses, const std::string& what, double found, const std::optional<Band>& band,
-            double slack = 0) {
-  if (!band || Band{band->least - slack, band->greatest + slack}.contains(found)) return;
-  misses.push_back(
-      fmt::format("{} {:.6g} out of [{:.6g}, {:.6g}]", what, found, band->least - slack, band->greatest + slack));
+            double tolerance = 0) {
+  if (!band || Band{band->least - tolerance, band->greatest + tolerance}.contains(found)) return;
+  misses.push_back(fmt::format("{} {:.6g} out of [{:.6g}, {:.6g}]", what, found, band->least - tolerance,
+                               band->greatest + tolerance));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRoundoff = 0x1p-53;
 
-double reach(const TriangleMesh& mesh) {
+double radius_about_origin(const TriangleMesh& mesh) {
   double greatest = 0;
   for (const Eigen::Vector3d& x : mesh.vertices) greatest = std::max(greatest, x.norm());
   return greatest;
@@ -27,9 +27,9 @@ ContinuousChange::ContinuousChange(const fast::Pairing& pairing)
     : pairing_(pairing),
       c_l_(fast::SeriesStiffness(pairing.law()).c_l),
       weight_(pairing.mode() == Mode::both ? 0.5 : 1),
-      reach_E_(reach(pairing.surface_E().mesh())),
-      reach_F_(reach(pairing.surface_F().mesh())),
-      lever_(reach_F_) {}
+      radius_E_(radius_about_origin(pairing.surface_E().mesh())),
+      radius_F_(radius_about_origin(pairing.surface_F().mesh())),
+      lever_(radius_F_) {}
 
 double ContinuousChange::change(const FaceLoad& before, const FaceLoad& after) const {
   return std::max((after.force_Me - before.force_Me).stableNorm(),
@@ -37,7 +37,7 @@ double ContinuousChange::change(const FaceLoad& before, const FaceLoad& after) c
 }
 
 double ContinuousChange::way(const Pose& a, const Pose& b) const {
-  return (b.r - a.r).norm() + (b.A - a.A).norm() * reach_F_ + kRoundings * (reach_E_ + reach_F_ + a.r.norm());
+  return (b.r - a.r).norm() + (b.A - a.A).norm() * radius_F_ + kRoundings * (radius_E_ + radius_F_ + a.r.norm());
 }
 
 ContinuousChange::Face ContinuousChange::face_Me(const Pose& pose, Side side, Index face) const {
@@ -70,7 +70,7 @@ double ContinuousChange::operator()(const Pose& a, const Pose& b, const FaceLoad
 bool ContinuousChange::flush(const Pose& pose, Side master, Index master_face, Index slave_face) const {
   const Side slave = opposite(master);
   const Face e = face_Me(pose, master, master_face), f = face_Me(pose, slave, slave_face);
-  const double size = reach_E_ + reach_F_ + pose.r.norm();
+  const double size = radius_E_ + radius_F_ + pose.r.norm();
   // A tilt by t moves the plane by t times the size.
   return (e.n - f.n).norm() <= 0x1p-40 && std::abs(e.n.dot(f.point - e.point)) <= 0x1p-40 * size;
 }

@@ -34,7 +34,7 @@ class ContinuousChange {
   const fast::Pairing& pairing_;
   double c_l_;
   double weight_;  ///< of a master's force in the total
-  double reach_E_, reach_F_;
+  double radius_E_, radius_F_;
   double lever_;  ///< of an element about Mf, m: C_k lies within E and within F
 };
 

@@ -13,7 +13,7 @@ namespace pcm::compare {
 namespace {
 
 /// Places that rounding leaves more uncertain than this make no place.
-constexpr double kGreatestMargin = 0x1p-10;
+constexpr double kGreatestError = 0x1p-10;
 
 /// How near normals and planes must be to be looked at: far above rounding. What is looked at in vain costs a few
 /// evaluations and changes nothing.
@@ -24,7 +24,7 @@ struct Plane {
   Eigen::Vector3d point;  ///< of it
 };
 
-double reach(const TriangleMesh& mesh) {
+double radius_about_origin(const TriangleMesh& mesh) {
   double greatest = 0;
   for (const Eigen::Vector3d& x : mesh.vertices) greatest = std::max(greatest, x.norm());
   return greatest;
@@ -35,7 +35,7 @@ double reach(const TriangleMesh& mesh) {
 std::vector<Plane> planes_of(const TriangleMesh& mesh) {
   std::vector<Plane> planes;
   std::set<std::array<double, 4>> seen;
-  const double size = reach(mesh);
+  const double size = radius_about_origin(mesh);
   for (const Triangle& face : mesh.faces) {
     const auto vertex = [&](std::size_t i) -> const Eigen::Vector3d& {
       return mesh.vertices[static_cast<std::size_t>(face[i])];
@@ -53,8 +53,8 @@ std::vector<FlushPlace> merged(std::vector<FlushPlace> places) {
   std::sort(places.begin(), places.end(), [](const FlushPlace& a, const FlushPlace& b) { return a.share < b.share; });
   std::vector<FlushPlace> result;
   for (const FlushPlace& place : places) {
-    if (!result.empty() && place.share - result.back().share <= result.back().margin)
-      result.back().margin = std::max(result.back().margin, place.margin);
+    if (!result.empty() && place.share - result.back().share <= result.back().error)
+      result.back().error = std::max(result.back().error, place.error);
     else
       result.push_back(place);
   }
@@ -100,12 +100,12 @@ class Search {
   bool all_along = false;
 
  private:
-  /// The share is NaN and the margin infinite for a pair that keeps its distance 0.
-  void add(double share, double margin) {
-    if (!(margin <= kGreatestMargin))
+  /// The share is NaN and the error infinite for a pair that keeps its distance 0.
+  void add(double share, double error) {
+    if (!(error <= kGreatestError))
       all_along = true;
-    else if (share + margin >= 0 && share - margin <= 1)
-      places.push_back({share, margin});
+    else if (share + error >= 0 && share - error <= 1)
+      places.push_back({share, error});
   }
 
   const PathSegment& segment_;
@@ -120,7 +120,7 @@ class Search {
 
 FlushPlaces flush_places(const TriangleMesh& E, const TriangleMesh& F, const PathSegment& segment) {
   const Pose start = segment.at(0);
-  Search search(segment, reach(E) + reach(F) + start.r.norm() + segment.shift_Me().norm());
+  Search search(segment, radius_about_origin(E) + radius_about_origin(F) + start.r.norm() + segment.shift_Me().norm());
   std::vector<std::pair<double, Plane>> of_F;  // by the component that the motion keeps
   for (const Plane& plane : planes_of(F)) of_F.emplace_back(search.axis().dot(start.A * plane.n), plane);
   const auto less = [](const auto& a, const auto& b) { return a.first < b.first; };

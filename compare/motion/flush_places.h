@@ -12,7 +12,7 @@ namespace pcm::compare {
 /// A share of a segment, and how far off it rounding may have put it.
 struct FlushPlace {
   double share = 0;
-  double margin = 0;
+  double error = 0;
 };
 
 struct FlushPlaces {

@@ -67,7 +67,7 @@ class Walker {
       return static_cast<std::int64_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(kGrid));
     };
     for (const FlushPlace& place : flush_.places) {
-      const std::int64_t before = tick_at(place.share - place.margin), after = tick_at(place.share + place.margin);
+      const std::int64_t before = tick_at(place.share - place.error), after = tick_at(place.share + place.error);
       if (cuts.empty() || cuts.back().tick < before) cuts.push_back({before, false, false});
       if (cuts.back().tick < after) cuts.push_back({after, false, true});
     }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compare/io/random.h"
-#include "compare/poses/exact_steps.h"
+#include "compare/poses/exact_arithmetic.h"
 
 namespace pcm::compare {
 

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/poses/exact_steps.h"
+#include "compare/poses/exact_arithmetic.h"
 #include "compare/poses/strata.h"
 
 namespace pcm::compare::detail {
@@ -68,34 +68,36 @@ Eigen::Vector3d draw_vertex(const SurfaceFeatures& surface, PoseRandom& random) 
 
 /// A quarter, a half or three quarters of the way along the edge.
 Eigen::Vector3d point_of_edge(const SurfaceFeatures& surface, const FeatureEdge& edge, PoseRandom& random,
-                              ExactSteps& steps) {
+                              WatchedArithmetic& arithmetic) {
   const Eigen::Vector3d& a = vertex(surface, edge.ends[0]);
   const double part = 0.25 * static_cast<double>(1 + random.below(3));
-  return steps.plus(a, steps.times(steps.minus(vertex(surface, edge.ends[1]), a), part));
+  return arithmetic.plus(a, arithmetic.times(arithmetic.minus(vertex(surface, edge.ends[1]), a), part));
 }
 
 /// The point with weights (1/2, 1/4, 1/4) in some order.
-Eigen::Vector3d point_of_face(const SurfaceFeatures& surface, Index face, PoseRandom& random, ExactSteps& steps) {
+Eigen::Vector3d point_of_face(const SurfaceFeatures& surface, Index face, PoseRandom& random,
+                              WatchedArithmetic& arithmetic) {
   const Triangle& corners = surface.mesh.faces[static_cast<std::size_t>(face)];
   const std::uint64_t k = random.below(3);
   const Eigen::Vector3d& p = vertex(surface, corners[k]);
   const Eigen::Vector3d& q = vertex(surface, corners[(k + 1) % 3]);
   const Eigen::Vector3d& s = vertex(surface, corners[(k + 2) % 3]);
-  const Eigen::Vector3d sides = steps.plus(steps.minus(q, p), steps.minus(s, p));
-  return steps.plus(p, steps.times(sides, 0.25));
+  const Eigen::Vector3d sides = arithmetic.plus(arithmetic.minus(q, p), arithmetic.minus(s, p));
+  return arithmetic.plus(p, arithmetic.times(sides, 0.25));
 }
 
 /// A vertex of the face, a point of its plane's interior, or a point of one of its sides.
-Eigen::Vector3d point_on_face(const SurfaceFeatures& surface, Index face, PoseRandom& random, ExactSteps& steps) {
+Eigen::Vector3d point_on_face(const SurfaceFeatures& surface, Index face, PoseRandom& random,
+                              WatchedArithmetic& arithmetic) {
   const Triangle& corners = surface.mesh.faces[static_cast<std::size_t>(face)];
   const std::uint64_t k = random.below(3);
   switch (random.below(3)) {
     case 0:
       return vertex(surface, corners[k]);
     case 1:
-      return point_of_edge(surface, {{corners[k], corners[(k + 1) % 3]}, {}}, random, steps);
+      return point_of_edge(surface, {{corners[k], corners[(k + 1) % 3]}, {}}, random, arithmetic);
     default:
-      return point_of_face(surface, face, random, steps);
+      return point_of_face(surface, face, random, arithmetic);
   }
 }
 
@@ -109,13 +111,13 @@ Index draw_face(const SurfaceFeatures& surface, PoseRandom& random) {
 
 /// Brings x_F onto x_E: r = x_E - A x_F. Nothing where any step so far was rounded; the product by a rational rotation
 /// may be, for then the rounded problem's vertex is the rounded product.
-Attempt placed(const Eigen::Matrix3d& A, const Eigen::Vector3d& x_E, const Eigen::Vector3d& x_F, ExactSteps steps,
-               std::string_view construction) {
+Attempt placed(const Eigen::Matrix3d& A, const Eigen::Vector3d& x_E, const Eigen::Vector3d& x_F,
+               WatchedArithmetic arithmetic, std::string_view construction) {
   DrawnPose drawn;
   drawn.pose.A = A;
-  drawn.pose.r = steps.minus(x_E, ordered_product(A, x_F));
+  drawn.pose.r = arithmetic.minus(x_E, ordered_product(A, x_F));
   drawn.construction = construction;
-  drawn.exact = steps.exact();
+  drawn.exact = arithmetic.exact();
   return drawn.exact ? Attempt(drawn) : std::nullopt;
 }
 
@@ -130,39 +132,39 @@ Attempt vertex_on_vertex(const FeaturePair& pair, PoseRandom& random) {
   return placed(A, x_E, x_F, {}, "vertex on vertex");
 }
 
-/// A vertex of either body on a point that `point_of(surface, steps)` draws on the other one.
+/// A vertex of either body on a point that `point_of(surface, arithmetic)` draws on the other one.
 template <typename PointOf>
 Attempt vertex_on(PointOf point_of, const FeaturePair& pair, PoseRandom& random, std::string_view construction) {
-  ExactSteps steps;
+  WatchedArithmetic arithmetic;
   if (random.coin()) {
-    const Eigen::Vector3d x_F = point_of(pair.F, steps);
+    const Eigen::Vector3d x_F = point_of(pair.F, arithmetic);
     const Eigen::Vector3d x_E = draw_vertex(pair.E, random);
-    return placed(cube_rotation(random), x_E, x_F, steps, construction);
+    return placed(cube_rotation(random), x_E, x_F, arithmetic, construction);
   }
   const Eigen::Matrix3d A = draw_rotation(random);
-  const Eigen::Vector3d x_E = point_of(pair.E, steps);
-  return placed(A, x_E, draw_vertex(pair.F, random), steps, construction);
+  const Eigen::Vector3d x_E = point_of(pair.E, arithmetic);
+  return placed(A, x_E, draw_vertex(pair.F, random), arithmetic, construction);
 }
 
 Attempt vertex_on_edge(const FeaturePair& pair, PoseRandom& random) {
-  const auto point = [&](const SurfaceFeatures& surface, ExactSteps& steps) {
-    return point_of_edge(surface, draw_edge(surface, random), random, steps);
+  const auto point = [&](const SurfaceFeatures& surface, WatchedArithmetic& arithmetic) {
+    return point_of_edge(surface, draw_edge(surface, random), random, arithmetic);
   };
   return vertex_on(point, pair, random, "vertex on edge");
 }
 
 Attempt vertex_on_face(const FeaturePair& pair, PoseRandom& random) {
-  const auto point = [&](const SurfaceFeatures& surface, ExactSteps& steps) {
-    return point_of_face(surface, draw_face(surface, random), random, steps);
+  const auto point = [&](const SurfaceFeatures& surface, WatchedArithmetic& arithmetic) {
+    return point_of_face(surface, draw_face(surface, random), random, arithmetic);
   };
   return vertex_on(point, pair, random, "vertex on face");
 }
 
 Attempt edge_across_edge(const FeaturePair& pair, PoseRandom& random) {
-  ExactSteps steps;
-  const Eigen::Vector3d x_E = point_of_edge(pair.E, draw_edge(pair.E, random), random, steps);
-  const Eigen::Vector3d x_F = point_of_edge(pair.F, draw_edge(pair.F, random), random, steps);
-  return placed(cube_rotation(random), x_E, x_F, steps, "edge across edge");
+  WatchedArithmetic arithmetic;
+  const Eigen::Vector3d x_E = point_of_edge(pair.E, draw_edge(pair.E, random), random, arithmetic);
+  const Eigen::Vector3d x_F = point_of_edge(pair.F, draw_edge(pair.F, random), random, arithmetic);
+  return placed(cube_rotation(random), x_E, x_F, arithmetic, "edge across edge");
 }
 
 /// An edge of F that keeps one coordinate is laid into an axis-aligned face of E.
@@ -172,10 +174,10 @@ Attempt edge_in_face(const FeaturePair& pair, PoseRandom& random) {
   const FeatureEdge& edge = draw_edge(pair.F, random);
   const auto axis = static_cast<int>(random.below(3));
   if (vertex(pair.F, edge.ends[0])[axis] != vertex(pair.F, edge.ends[1])[axis]) return std::nullopt;
-  ExactSteps steps;
-  const Eigen::Vector3d x_E = point_on_face(pair.E, face.face, random, steps);
-  const Eigen::Vector3d x_F = point_of_edge(pair.F, edge, random, steps);
-  return placed(cube_rotation(axis, face.axis, random.coin() ? 1 : -1, random), x_E, x_F, steps, "edge in face");
+  WatchedArithmetic arithmetic;
+  const Eigen::Vector3d x_E = point_on_face(pair.E, face.face, random, arithmetic);
+  const Eigen::Vector3d x_F = point_of_edge(pair.F, edge, random, arithmetic);
+  return placed(cube_rotation(axis, face.axis, random.coin() ? 1 : -1, random), x_E, x_F, arithmetic, "edge in face");
 }
 
 /// Two axis-aligned faces in one plane, sharing a point: normals opposed (a resting body) or equal (flush flanks).
@@ -185,10 +187,10 @@ Attempt coplanar_faces(const FeaturePair& pair, PoseRandom& random) {
   const AxisFace& on_F = pair.F.axis_faces[random.below(pair.F.axis_faces.size())];
   const bool opposed = random.below(4) != 0;
   const int sign = on_E.sign * on_F.sign * (opposed ? -1 : 1);
-  ExactSteps steps;
-  const Eigen::Vector3d x_E = point_on_face(pair.E, on_E.face, random, steps);
-  const Eigen::Vector3d x_F = point_on_face(pair.F, on_F.face, random, steps);
-  return placed(cube_rotation(on_F.axis, on_E.axis, sign, random), x_E, x_F, steps,
+  WatchedArithmetic arithmetic;
+  const Eigen::Vector3d x_E = point_on_face(pair.E, on_E.face, random, arithmetic);
+  const Eigen::Vector3d x_F = point_on_face(pair.F, on_F.face, random, arithmetic);
+  return placed(cube_rotation(on_F.axis, on_E.axis, sign, random), x_E, x_F, arithmetic,
                 opposed ? "coplanar faces, opposed" : "coplanar faces, flush");
 }
 
@@ -208,13 +210,13 @@ Attempt identical_bodies(const FeaturePair& pair, PoseRandom& random) {
 Attempt slid_along_an_edge(const FeaturePair& pair, PoseRandom& random) {
   if (!same_mesh(pair)) return std::nullopt;
   const FeatureEdge& edge = draw_edge(pair.E, random);
-  ExactSteps steps;
+  WatchedArithmetic arithmetic;
   const std::uint64_t quarters = 1 + random.below(4);
   const double part = 0.25 * static_cast<double>(quarters) * (random.coin() ? 1 : -1);
   DrawnPose drawn;
-  drawn.pose.r = steps.times(steps.minus(vertex(pair.E, edge.ends[1]), vertex(pair.E, edge.ends[0])), part);
+  drawn.pose.r = arithmetic.times(arithmetic.minus(vertex(pair.E, edge.ends[1]), vertex(pair.E, edge.ends[0])), part);
   drawn.construction = "slid along an edge";
-  drawn.exact = steps.exact();
+  drawn.exact = arithmetic.exact();
   return drawn.exact ? Attempt(drawn) : std::nullopt;
 }
 
@@ -226,20 +228,22 @@ Attempt stacked(const FeaturePair& pair, PoseRandom& random) {
   const Eigen::Vector3d corner_2 = ordered_product(drawn.pose.A, pair.F.box_max);
   const Eigen::Vector3d low = corner_1.cwiseMin(corner_2), high = corner_1.cwiseMax(corner_2);
   const auto axis = static_cast<int>(random.below(3));
-  ExactSteps steps;
+  WatchedArithmetic arithmetic;
   for (int j = 0; j < 3; ++j) {
     const bool from_above = random.coin();
     if (j == axis) {
-      drawn.pose.r[j] = from_above ? steps.plus(pair.E.box_max[j], -low[j]) : steps.plus(pair.E.box_min[j], -high[j]);
+      drawn.pose.r[j] =
+          from_above ? arithmetic.plus(pair.E.box_max[j], -low[j]) : arithmetic.plus(pair.E.box_min[j], -high[j]);
     } else {
       const double flush =
-          from_above ? steps.plus(pair.E.box_max[j], -high[j]) : steps.plus(pair.E.box_min[j], -low[j]);
-      const double extent = steps.plus(pair.E.box_max[j], -pair.E.box_min[j]);
-      drawn.pose.r[j] = random.coin() ? flush : steps.plus(flush, steps.times(extent, from_above ? -0.5 : 0.5));
+          from_above ? arithmetic.plus(pair.E.box_max[j], -high[j]) : arithmetic.plus(pair.E.box_min[j], -low[j]);
+      const double extent = arithmetic.plus(pair.E.box_max[j], -pair.E.box_min[j]);
+      drawn.pose.r[j] =
+          random.coin() ? flush : arithmetic.plus(flush, arithmetic.times(extent, from_above ? -0.5 : 0.5));
     }
   }
   drawn.construction = "stacked";
-  drawn.exact = steps.exact();
+  drawn.exact = arithmetic.exact();
   return drawn.exact ? Attempt(drawn) : std::nullopt;
 }
 

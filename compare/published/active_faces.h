@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/published/intersection_polygons.h"
-#include "fast/base/stamped_array.h"
+#include "fast/base/fast_clear_array.h"
 
 namespace pcm::compare::published {
 
@@ -37,9 +37,9 @@ class ActiveFaces {
   void flood(const Surface& surface, std::vector<Index>& patch_of);
   void list_faces(const Surface& surface);
 
-  fast::StampedArray<CrossedEdge> crossed_;
-  fast::StampedArray<Index> chain_of_vertex_;  ///< of inner vertices
-  fast::StampedArray<bool> seen_faces_;
+  fast::FastClearArray<CrossedEdge> crossed_;
+  fast::FastClearArray<Index> chain_of_vertex_;  ///< of inner vertices
+  fast::FastClearArray<bool> seen_faces_;
   std::vector<Index> crossed_edges_, inner_vertices_, intersected_, inner_, active_;
 };
 

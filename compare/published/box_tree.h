@@ -67,8 +67,8 @@ inline bool overlap(const Placement& placement, const Box& box_E, const Box& box
     const auto& b = placement.A_absolute[i];
     const double apart =
         a[0] * box_F.centre[0] + a[1] * box_F.centre[1] + a[2] * box_F.centre[2] + placement.r_Me[i] - box_E.centre[i];
-    const double reach = b[0] * box_F.half[0] + b[1] * box_F.half[1] + b[2] * box_F.half[2] + box_E.half[i];
-    if (std::abs(apart) > reach) return false;
+    const double half_extents = b[0] * box_F.half[0] + b[1] * box_F.half[1] + b[2] * box_F.half[2] + box_E.half[i];
+    if (std::abs(apart) > half_extents) return false;
   }
   return true;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compare/published/box_tree.h"
-#include "fast/base/stamped_array.h"
+#include "fast/base/fast_clear_array.h"
 #include "pcm/triangle_mesh.h"
 
 namespace pcm::compare::published {
@@ -70,7 +70,7 @@ class PosedFaces {
   const Surface* surface_ = nullptr;
   const Pose* pose_ = nullptr;
   std::vector<PosedFace> faces_;
-  fast::StampedArray<bool> known_;
+  fast::FastClearArray<bool> known_;
 };
 
 }  // namespace pcm::compare::published

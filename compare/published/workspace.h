@@ -35,7 +35,7 @@ struct Workspace {
   std::vector<PosedFace> slaves;  ///< the slave's active faces side by side
 
   // The variant of 2023.
-  fast::StampedArray<Index> line_of_face;  ///< by master face, of those that came near a slave face
+  fast::FastClearArray<Index> line_of_face;  ///< by master face, of those that came near a slave face
   std::vector<MasterLine> lines;
 
   PosedFaces& faces(Side side) { return side == Side::E ? faces_E : faces_F; }

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/verify/kind.h"
+#include "compare/verify/disagreement_kind.h"
 
 namespace pcm::compare {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/verify/bound_arithmetic.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -51,9 +53,9 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   // Both sides of a face that is seen nearly edgewise are projected onto almost one line: moving them apart by the
   // strip's width moves where they meet by that over the face's cosine (fast/clipped/visible_parts.h).
   const double edgewise = 4 * seen.strip * seen.strip / std::abs(e.cosine);
-  const double moved = strips_along(around, seen.strip) + edgewise + (16 * u + view.turn()) * e.area;
+  const double outline_error = strips_along(around, seen.strip) + edgewise + (16 * u + view.turn()) * e.area;
   const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
-  const double strips = moved + (seen.hiders == 0 ? 0 : folds + seen.neglected);
+  const double strips = outline_error + (seen.hiders == 0 ? 0 : folds + seen.neglected);
   const double at_depth_0 =
       seen.fold > 0 ? no_more(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
   // Neither has more than the face.
@@ -73,7 +75,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   // The centroid of u moves within the face; where the volume is known, by no more than its relative error.
   const double volume = e.area * e.penetration;
   const double share = volume > 2 * volume_error ? 2 * volume_error / (volume - volume_error) : 1;
-  errors.foot = std::min(1.0, share) * seen.width + 16 * u * faces_.reach();
+  errors.foot = std::min(1.0, share) * seen.width + 16 * u * faces_.max_coordinate();
   if (!result.sliver)
     errors.penetration = std::min(counted, (volume_error + errors.area * e.penetration) / (e.area - errors.area));
   result.bounds = bounds_after_law(question_, e, errors);
@@ -93,7 +95,7 @@ ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   sliver.depth = std::max(0.0, seen.deepest + std::max(seen.deepest - seen.at_tip, 0.0));
   sliver.face = faces_.face(e.master, e.master_face);
   sliver.normal_error = std::min(2.0, kHigherOrder * (view.turn() + sliver.face.normal_error));
-  sliver.foot_error = kHigherOrder * 16 * u * faces_.reach();
+  sliver.foot_error = kHigherOrder * 16 * u * faces_.max_coordinate();
   return sliver;
 }
 

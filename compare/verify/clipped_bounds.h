@@ -6,6 +6,7 @@
 
 #include "compare/verify/law_bounds.h"
 #include "compare/verify/master_view.h"
+#include "compare/verify/question.h"
 #include "compare/verify/rounded_faces.h"
 #include "pcm/contact.h"
 #include "reference/vocabulary/answer.h"
@@ -48,7 +49,7 @@ class ClippedBounds {
   /// By the oracle's elements, in their order.
   const std::vector<OfElement>& elements() const { return elements_; }
   /// Greatest |coordinate|, m.
-  double reach() const { return faces_.reach(); }
+  double max_coordinate() const { return faces_.max_coordinate(); }
   const RoundedFaces& faces() const { return faces_; }
   /// What an element that the engine alone has may be at most, and where.
   struct Sliver {

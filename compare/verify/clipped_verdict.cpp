@@ -9,6 +9,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "compare/verify/bound_arithmetic.h"
 #include "compare/verify/clipped_bounds.h"
 #include "compare/verify/element_law.h"
 
@@ -80,7 +81,7 @@ void check_foot(const std::string& who, const fast::Element& subj, const Eigen::
       sliver.foot_error +
       kHigherOrder * 2 * kRoundoff * (3 * subj.penetration + std::sqrt(3.0) * subj.position_Me.cwiseAbs().maxCoeff());
   const double off = sliver.face.longest + error;
-  checks.checked(Kind::element_position, off, bounds.reach());
+  checks.checked(Kind::element_position, off, bounds.max_coordinate());
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d arm = foot_Me - bounds.faces().corner(subj.master, subj.master_face, k);
     const double height = std::abs(sliver.face.normal_Me.dot(arm));
@@ -135,13 +136,13 @@ Share check_sliver(const Question& question, const fast::Element& subj, const Cl
 }  // namespace
 
 void check_element(const Question& question, const fast::Element& subj, const reference::Element& truth,
-                   const ElementBounds& bound, double reach, Checks& checks) {
+                   const ElementBounds& bound, double max_coordinate, Checks& checks) {
   const std::string who = describe(truth);
   checks.check_value(Kind::element_area, who + ": area", subj.area, truth.area, bound.area, truth.area);
   checks.check_value(Kind::element_penetration, who + ": penetration", subj.penetration, truth.penetration,
                      bound.penetration, truth.penetration);
   checks.check_vector(Kind::element_position, who + ": position", subj.position_Me, truth.position_Me, bound.position,
-                      reach);
+                      max_coordinate);
   checks.check_vector(Kind::element_normal, who + ": normal", subj.normal_Me, truth.normal_Me, bound.normal, 1);
   check_law(question, who, subj, truth, bound, checks);
 }
@@ -172,7 +173,7 @@ ClippedTotals check_clipped_elements(const Question& question, const fast::Conta
                   torque_sizes += (theirs->position_Me - question.pose.r).stableNorm() * theirs->force_Me.stableNorm();
                   if (ours != nullptr) {
                     checks.checked(Kind::elements);
-                    check_element(question, *ours, *theirs, bound.bounds, bounds.reach(), checks);
+                    check_element(question, *ours, *theirs, bound.bounds, bounds.max_coordinate(), checks);
                     return;
                   }
                   checks.checked(Kind::elements, bound.bounds.area, theirs->area);

@@ -4,16 +4,17 @@
 
 #include "compare/verify/checks.h"
 #include "compare/verify/law_bounds.h"
+#include "compare/verify/question.h"
 #include "pcm/contact.h"
 #include "reference/vocabulary/answer.h"
 
 /// Contact elements one by one.
 namespace pcm::compare {
 
-/// Holds every number of an element that both sides have. `reach`: the greatest |coordinate|, in units of which the
-/// widths of positions are told, m.
+/// Holds every number of an element that both sides have. `max_coordinate`: the greatest |coordinate|, in units of
+/// which the widths of positions are told, m.
 void check_element(const Question& question, const fast::Element& subj, const reference::Element& truth,
-                   const ElementBounds& bound, double reach, Checks& checks);
+                   const ElementBounds& bound, double max_coordinate, Checks& checks);
 
 /// How far the totals of the clipped scheme may be off; halved in mode `both`.
 struct ClippedTotals {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/verify/kind.h"
+#include "compare/verify/disagreement_kind.h"
 #include "pcm/contact.h"
 
 /// Every field of the engine's answer and of its parts, in one place, with the check that holds it. The structs are

@@ -8,6 +8,14 @@
 
 namespace pcm::compare {
 
+double series_stiffness(const ContactLaw& law) {
+  if (!law.layers) return law.stiffness;
+  const auto [c_E, c_F] = *law.layers;
+  if (std::isinf(c_E)) return c_F;
+  if (std::isinf(c_F)) return c_E;
+  return c_E * (c_F / (c_E + c_F));
+}
+
 double share_of_penetration(const ContactLaw& law, Side master) {
   if (!law.layers) return 0.5;
   const double own = master == Side::E ? law.layers->c_E : law.layers->c_F;

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compare/verify/rounded_faces.h"
+#include "compare/verify/question.h"
 #include "reference/vocabulary/answer.h"
 
 /// The contact law once more, in plain doubles, for elements that the oracle does not have (PCM section 7).
 namespace pcm::compare {
+
+/// c_l (12).
+double series_stiffness(const ContactLaw& law);
 
 /// Which part of its penetration an element lies from its master face towards the slave (13): c_F / (c_E + c_F) for
 /// master E. 2 roundings.

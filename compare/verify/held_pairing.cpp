@@ -100,7 +100,7 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
     const StopWatch engine_watch;
     const fast::Contact& answered = seam.evaluate(engine, pose, velocity, {}, workspace);
     outcome.engine_seconds = engine_watch.seconds();
-    const fast::Contact subj = answered;  // the other paths use the same workspace
+    const fast::Contact subj = answered;  // the other routes use the same workspace
 
     who = "oracle, rounded problem";
     const StopWatch oracle_watch;
@@ -128,14 +128,14 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
     }
 
     who = "engine on another path";
-    hold_paths(seam, engine, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks,
-               [&](const fast::Contact& bounded) {
-                 outcome.unbounded =
-                     bounded.bound && !(bounded.bound->force_Me.allFinite() && bounded.bound->torque_Me.allFinite());
-                 outcome.announced = bounded.bound && bounded.bound->flipped;
-                 checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
-                 outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
-               });
+    hold_routes(seam, engine, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks,
+                [&](const fast::Contact& bounded) {
+                  outcome.unbounded =
+                      bounded.bound && !(bounded.bound->force_Me.allFinite() && bounded.bound->torque_Me.allFinite());
+                  outcome.announced = bounded.bound && bounded.bound->flipped;
+                  checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
+                  outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
+                });
     outcome.disagreements = checks.sorted();
     outcome.widths = checks.widths();
     outcome.backward_error_ulps = backward_error_ulps(mesh_F_, pose);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/poses/strata.h"
-#include "compare/verify/paths.h"
+#include "compare/verify/call_routes.h"
 #include "compare/verify/tally.h"
 #include "compare/verify/verdict.h"
 #include "pcm/engine.h"
@@ -37,8 +37,8 @@ class HeldPairing {
   Question question(const Pose& pose, const Velocity& velocity) const { return question(engine(), pose, velocity); }
 
   /// Asks both sides about one pose in every mode and compares: an outcome for each mode, in order. The engine is asked
-  /// on every path (paths.h), the oracle's geometry is worked out once for all. What either side throws becomes a
-  /// disagreement of kind `failure`.
+  /// by every call route (call_routes.h), the oracle's geometry is worked out once for all. What either side throws
+  /// becomes a disagreement of kind `failure`.
   std::vector<PoseOutcome> hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace,
                                 const EngineSeam& seam = EngineSeam::none()) const {
     return hold({pose, velocity, law_, engine().scheme()}, workspace, seam);

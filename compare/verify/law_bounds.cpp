@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/verify/bound_arithmetic.h"
+#include "compare/verify/element_law.h"
+
 namespace pcm::compare {
 namespace {
 

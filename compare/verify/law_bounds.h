@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compare/verify/rounded_faces.h"
+#include "compare/verify/question.h"
 #include "reference/vocabulary/answer.h"
 
 namespace pcm::compare {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/verify/bound_arithmetic.h"
 #include "fast/clipped/visible_parts.h"
 
 namespace pcm::compare {
@@ -42,9 +43,8 @@ bool some_side_parts(const std::array<Eigen::Vector3d, 3>& face, double strip, c
   const double sign = cross(face[1] - face[0], face[2] - face[0]) < 0 ? -1 : 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d along = face[(k + 1) % 3] - face[k];
-    const double margin = strip * along.head<2>().stableNorm();
-    if (all_beyond(k, [&](const Eigen::Vector3d& x) { return sign * cross(along, x - face[k]) < -margin; }))
-      return true;
+    const double error = strip * along.head<2>().stableNorm();
+    if (all_beyond(k, [&](const Eigen::Vector3d& x) { return sign * cross(along, x - face[k]) < -error; })) return true;
   }
   return false;
 }
@@ -82,7 +82,7 @@ MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face
 
 void MasterView::find_near_faces() {
   const Extent own = extent(own_);
-  const double margin = strip(face_.longest + 4 * faces_.reach(), 4 * faces_.reach());
+  const double error = strip(face_.longest + 4 * faces_.max_coordinate(), 4 * faces_.max_coordinate());
   for (const Side side : {Side::E, Side::F}) {
     const std::size_t count = faces_.surface(side).mesh.faces.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -91,8 +91,8 @@ void MasterView::find_near_faces() {
       // Most faces are far along the first axis already.
       const auto is_far = [&](Eigen::Index axis) {
         const double a = corners[0][axis], b = corners[1][axis], c = corners[2][axis];
-        return (axis < 2 && std::min({a, b, c}) > own.high[axis] + margin) ||
-               std::max({a, b, c}) < own.low[axis] - margin;
+        return (axis < 2 && std::min({a, b, c}) > own.high[axis] + error) ||
+               std::max({a, b, c}) < own.low[axis] - error;
       };
       if (is_far(0) || is_far(1) || is_far(2)) continue;
       if (side != master_ || face != master_face_) near_.push_back({side, face, extent(corners)});
@@ -219,7 +219,7 @@ Eigen::Array2d MasterView::weights(const SeenPoint& x) const {
 double MasterView::place_error(const SeenPoint& x) const {
   const Eigen::Array2d st = weights(x).abs();
   const double distance = (1 + st[0]) * length_s_ + (1 + st[1]) * length_t_ + std::abs(x.z());
-  return no_more(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_reach());
+  return no_more(2 * tilt_ * std::abs(x.z()) + 17 * u * distance, 65 * u * faces_.placed_max_coordinate());
 }
 
 // A face is dropped where what is seen of it has less area in (s, t) than its extent in t times the uncertainty of s,
@@ -285,18 +285,18 @@ SlaveInView MasterView::sight(Index slave_face) const {
   sight.outline += 8 * sight.strip;
   sight.width = std::min(sight.outline / 2, face_.longest);
   add_uncertain_areas(part, std::max(place, hiders.place), hiders, sight);
-  const double shift = times(sight.slope, 2 * sight.strip);
-  sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + shift);
-  sight.tip_error = sine > 0 ? sight.depth_error + shift / sine : sight.at_tip;
+  const double depth_change = times(sight.slope, 2 * sight.strip);
+  sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + depth_change);
+  sight.tip_error = sine > 0 ? sight.depth_error + depth_change / sine : sight.at_tip;
   limit(sight);
   return sight;
 }
 
-// Two points of bodies that touch are no farther apart than 6 times the reach, a part of the face has no greater area
-// than the face, and a convex one no longer border than its triangle's. A face whose normal the doubles here can't tell
-// gives no better numbers, or none.
+// Two points of bodies that touch are no farther apart than 6 times the greatest coordinate, a part of the face has no
+// greater area than the face, and a convex one no longer border than its triangle's. A face whose normal the doubles
+// here can't tell gives no better numbers, or none.
 void MasterView::limit(SlaveInView& sight) const {
-  const double anywhere = 6 * faces_.placed_reach(), whole = greatest_area();
+  const double anywhere = 6 * faces_.placed_max_coordinate(), whole = greatest_area();
   sight.uncertain = no_more(sight.uncertain, whole);
   sight.neglected = no_more(sight.neglected, sight.hiders == 0 ? 0 : whole);
   sight.area = no_more(sight.area, whole);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/verify/bound_arithmetic.h"
+
 namespace pcm::compare {
 namespace {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compare/verify/checks.h"
-#include "compare/verify/rounded_faces.h"
+#include "compare/verify/question.h"
 #include "pcm/contact.h"
 
 namespace pcm::compare {

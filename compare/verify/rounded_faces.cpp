@@ -7,6 +7,7 @@
 #include <array>
 
 #include "compare/poses/rounded_vertices.h"
+#include "compare/verify/bound_arithmetic.h"
 
 namespace pcm::compare {
 namespace {
@@ -17,11 +18,13 @@ constexpr double u = kRoundoff;
 
 RoundedFaces::RoundedFaces(const Question& question)
     : E_(question.E), F_(question.F), vertices_F_Me_(rounded_vertices(question.F.mesh, question.pose)) {
-  for (const Eigen::Vector3d& x : E_.mesh.vertices) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
-  for (const Eigen::Vector3d& x : vertices_F_Me_) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
+  for (const Eigen::Vector3d& x : E_.mesh.vertices)
+    max_coordinate_ = std::max(max_coordinate_, x.cwiseAbs().maxCoeff());
+  for (const Eigen::Vector3d& x : vertices_F_Me_) max_coordinate_ = std::max(max_coordinate_, x.cwiseAbs().maxCoeff());
   Eigen::Vector3d box_F = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& x : F_.mesh.vertices) box_F = box_F.cwiseMax(x.cwiseAbs());
-  placed_reach_ = std::max(reach_, (question.pose.A.cwiseAbs() * box_F + question.pose.r.cwiseAbs()).maxCoeff());
+  placed_max_coordinate_ =
+      std::max(max_coordinate_, (question.pose.A.cwiseAbs() * box_F + question.pose.r.cwiseAbs()).maxCoeff());
   for (const Side side : {Side::E, Side::F}) {
     for (std::size_t i = 0; i < surface(side).mesh.faces.size(); ++i) {
       const Index face = static_cast<Index>(i);

@@ -3,50 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
-#include <limits>
 #include <vector>
 
-#include "compare/poses/surface_features.h"
-#include "pcm/inputs.h"
+#include "compare/verify/question.h"
 
 namespace pcm::compare {
-
-/// Unit roundoff: |fl(x op y) - (x op y)| <= kRoundoff |x op y|.
-inline constexpr double kRoundoff = 0x1p-53;
-
-/// Terms of second order in the unit roundoff, and the rounding of the bounds themselves, are covered by doubling.
-inline constexpr double kHigherOrder = 2;
-
-/// A question put to both sides.
-struct Question {
-  const SurfaceFeatures& E;
-  const SurfaceFeatures& F;
-  const ContactLaw& law;
-  Mode mode = Mode::E;
-  Scheme scheme = Scheme::barycentric;
-  Pose pose;
-  Velocity velocity;
-};
-
-/// The value, and no more than `most`; that as well where the value is no number.
-inline double no_more(double value, double most) {
-  return value <= most ? value : most;
-}
-
-/// a b for bounds, of which one may be infinite where the other is exactly 0: nothing, however often, is nothing.
-inline double times(double a, double b) {
-  return a == 0 || b == 0 ? 0 : a * b;
-}
-
-/// c_l (12).
-inline double series_stiffness(const ContactLaw& law) {
-  if (!law.layers) return law.stiffness;
-  const auto [c_E, c_F] = *law.layers;
-  if (std::isinf(c_E)) return c_F;
-  if (std::isinf(c_F)) return c_E;
-  return c_E * (c_F / (c_E + c_F));
-}
 
 /// The rounded problem's faces, and what rounding may do to what is computed of them.
 class RoundedFaces {
@@ -73,9 +34,9 @@ class RoundedFaces {
   }
   Face face(Side side, Index face) const;
   /// Greatest |coordinate| of either surface in Me, m.
-  double reach() const { return reach_; }
+  double max_coordinate() const { return max_coordinate_; }
   /// Bound of the same that the engine makes of both surfaces' boxes, m: |A| x_F + |r| component by component.
-  double placed_reach() const { return placed_reach_; }
+  double placed_max_coordinate() const { return placed_max_coordinate_; }
   /// Longest side of any face of either surface, m.
   double longest_side() const { return longest_side_; }
 
@@ -83,8 +44,8 @@ class RoundedFaces {
   const SurfaceFeatures& E_;
   const SurfaceFeatures& F_;
   std::vector<Eigen::Vector3d> vertices_F_Me_;
-  double reach_ = 0;
-  double placed_reach_ = 0;
+  double max_coordinate_ = 0;
+  double placed_max_coordinate_ = 0;
   double longest_side_ = 0;
 };
 

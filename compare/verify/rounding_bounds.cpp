@@ -8,6 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "compare/verify/bound_arithmetic.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -125,9 +127,9 @@ double RoundingBounds::width_of(Part part, Side side, Index face) const {
 // than its area times the distance from the origin, a third of it counted.
 AreaBounds RoundingBounds::area() const {
   AreaBounds bounds;
-  std::array<double, 2> moved{};               // area errors by side, from crossings moved
-  double moved_volume = 0, gaps = 0;           // three times the volume, and the gaps' area
-  std::array<std::map<Index, Part>, 2> parts;  // by side and face
+  std::array<double, 2> crossing_area_error{};  // area errors by side, from crossings moved
+  double crossing_volume_error = 0, gaps = 0;   // three times the volume, and the gaps' area
+  std::array<std::map<Index, Part>, 2> parts;   // by side and face
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const reference::Polygon& polygon : true_.polygons) {
     const std::size_t n = polygon.points.size();
@@ -151,24 +153,25 @@ AreaBounds RoundingBounds::area() const {
       const bool has_p = polygon.closed || k > 0, has_q = polygon.closed || k + 1 < n;
       const Eigen::Vector3d p = has_p ? polygon.points[(k + n - 1) % n].position_Me : x.position_Me;
       const Eigen::Vector3d q = has_q ? polygon.points[(k + 1) % n].position_Me : x.position_Me;
-      moved[crossed] += along[k] * d[k].cross(q - p).stableNorm() / 2;
-      moved[own] +=
+      crossing_area_error[crossed] += along[k] * d[k].cross(q - p).stableNorm() / 2;
+      crossing_area_error[own] +=
           along[k] * (d[k].cross(p - x.position_Me).stableNorm() + d[k].cross(q - x.position_Me).stableNorm()) / 2;
       // The point as stored is off its edge by two roundings, the oracle's by one.
       const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
-      const double reach = (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
+      const double perimeter =
+          (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
       // The neighbours may have moved along their edges as well.
       const double to_p = (p - x.position_Me).stableNorm() + along[k] + (has_p ? along[(k + n - 1) % n] : 0);
       const double to_q = (q - x.position_Me).stableNorm() + along[k] + (has_q ? along[(k + 1) % n] : 0);
-      moved_volume += height[k] * to_p * to_q / 2;
+      crossing_volume_error += height[k] * to_p * to_q / 2;
       gaps += (height[k] + stored) * (2 * to_p + 2 * to_q) + stored * edge_length[k];
       // The neighbours as stored are off as well, and move with it.
-      for (double& m : moved) m += stored * (reach + 4 * (stored + along[k]));
+      for (double& m : crossing_area_error) m += stored * (perimeter + 4 * (stored + along[k]));
       // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
-      moved[own] += stored * edge_length[k];
+      crossing_area_error[own] += stored * edge_length[k];
       if (has_q) {
         const std::size_t next = (k + 1) % n;
-        for (double& m : moved) m += along[k] * along[next] * d[k].cross(d[next]).stableNorm() / 2;
+        for (double& m : crossing_area_error) m += along[k] * along[next] * d[k].cross(d[next]).stableNorm() / 2;
       }
       bounds_of_polygon[k] += kHigherOrder * stored;
       parts[crossed][x.face].add(x.position_Me, 2);
@@ -194,7 +197,7 @@ AreaBounds RoundingBounds::area() const {
   for (const Side side : {Side::E, Side::F}) {
     const auto i = static_cast<std::size_t>(side == Side::E ? 0 : 1);
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
-    double area_error = moved[i], normal_error = 0, volume_error = 0, size = 0;
+    double area_error = crossing_area_error[i], normal_error = 0, volume_error = 0, size = 0;
     const auto add = [&](const Face& e, double area, double value_error) {
       // A sliver's normal may be wrong altogether; its area is then no larger than its error.
       const double turned = std::min(area * e.normal_error, 2 * e.area_error + 6 * u * e.longest * e.longest);
@@ -223,7 +226,7 @@ AreaBounds RoundingBounds::area() const {
         kHigherOrder * (area_error + normal_error + 2 * summing);
     bounds.volume += kHigherOrder * (volume_error + 2 * patch * summing) / 3;
   }
-  bounds.volume += kHigherOrder * (moved_volume + patch * gaps) / 3;
+  bounds.volume += kHigherOrder * (crossing_volume_error + patch * gaps) / 3;
   return bounds;
 }
 

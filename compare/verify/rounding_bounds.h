@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/verify/law_bounds.h"
+#include "compare/verify/question.h"
 #include "compare/verify/rounded_faces.h"
 #include "reference/vocabulary/answer.h"
 
@@ -40,7 +41,7 @@ class RoundingBounds {
   RoundingBounds(const Question& question, const reference::Answer& true_rounded);
 
   /// Greatest |coordinate|, m.
-  double reach() const { return faces_.reach(); }
+  double max_coordinate() const { return faces_.max_coordinate(); }
   ForceBounds force() const;
   AreaBounds area() const;
 

@@ -12,7 +12,9 @@
 
 #include "compare/poses/rounded_vertices.h"
 #include "compare/verify/clipped_verdict.h"
+#include "compare/verify/element_law.h"
 #include "compare/verify/own_sums.h"
+#include "compare/verify/rounded_faces.h"
 #include "compare/verify/rounding_bounds.h"
 
 namespace pcm::compare {
@@ -116,7 +118,7 @@ void check_areas(const fast::Contact& subj, const reference::Answer& truth, cons
     for (std::size_t k = 0; k < truth.polygons[i].points.size(); ++k)
       checks.check_vector(Kind::crossing_position, fmt::format("polygon {} point {}", i, k),
                           subj.crossings[static_cast<std::size_t>(subj.polygons[i].first) + k].position_Me,
-                          truth.polygons[i].points[k].position_Me, bounds.positions[i][k], rounding.reach());
+                          truth.polygons[i].points[k].position_Me, bounds.positions[i][k], rounding.max_coordinate());
   for (const Side side : {Side::E, Side::F}) {
     const fast::ActiveArea& s = side == Side::E ? subj.E : subj.F;
     const reference::ActiveArea& t = side == Side::E ? truth.E : truth.F;
@@ -136,7 +138,7 @@ void check_barycentric_forces(const Question& question, const fast::Contact& sub
                               const RoundingBounds& rounding, Checks& checks) {
   const ForceBounds bounds = rounding.force();
   for (std::size_t k = 0; k < truth.elements.size(); ++k)
-    check_element(question, subj.elements[k], truth.elements[k], bounds.elements[k], rounding.reach(), checks);
+    check_element(question, subj.elements[k], truth.elements[k], bounds.elements[k], rounding.max_coordinate(), checks);
   checks.check_value(Kind::penetration, "greatest penetration", subj.max_penetration, truth.max_penetration,
                      bounds.penetration, truth.max_penetration);
   checks.check_vector(Kind::force, "force", subj.force_Me, truth.force_Me, bounds.force, truth.force_scale);
@@ -167,7 +169,7 @@ bool keeps_promise(double subj, double truth, double bound) {
 /// ratios of errors that are capped.
 bool may_overflow(const Question& question) {
   const RoundedFaces faces(question);
-  const double L = 4 * faces.placed_reach();
+  const double L = 4 * faces.placed_max_coordinate();
   const double V = question.velocity.v.stableNorm() + question.velocity.w.stableNorm() * L;
   const ContactLaw& law = question.law;
   const auto n = static_cast<double>(question.E.mesh.faces.size() * question.F.mesh.faces.size());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/verify/checks.h"
-#include "compare/verify/rounded_faces.h"
+#include "compare/verify/question.h"
 #include "pcm/contact.h"
 #include "reference/vocabulary/answer.h"
 

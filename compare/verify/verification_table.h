@@ -38,8 +38,8 @@ struct MissedMeasure {
 };
 std::optional<MissedMeasure> missed_measure(const Verification& run);
 
-/// How many poses no scene was asked about, and in which strata (paths.h); a line for people, empty where there are
-/// none.
+/// How many poses no scene was asked about, and in which strata (call_routes.h); a line for people, empty where there
+/// are none.
 std::string without_scene_line(const Verification& run);
 
 /// Finished, without disagreements, and by the measure, where there are generic poses.

@@ -41,7 +41,7 @@ struct Cell {
   Mode mode = Mode::both;
   std::int64_t first = 0;  ///< number of the first pose
   std::int64_t poses = 0;
-  std::int64_t without_scene = 0;  ///< of those done, which no scene was asked about (paths.h)
+  std::int64_t without_scene = 0;  ///< of those done, which no scene was asked about (call_routes.h)
   Tally tally;
 };
 

@@ -134,7 +134,7 @@ void ActiveAreaInClosed::spread(Index seed) {
 bool ActiveAreaInClosed::find_nested() {
   if (surface_.component_faces.items() == 1 && !crossed_.intersected.empty()) return false;
   const Box& other_hull = posed_.surface(opposite(side_)).tree.root().box;
-  StampedArray<bool>& component_crossed = scratch_.component_crossed;
+  FastClearArray<bool>& component_crossed = scratch_.component_crossed;
   component_crossed.start(surface_.component_faces.items());
   for (const Index face : crossed_.intersected) {
     component_crossed[surface_.face_component[static_cast<std::size_t>(face)]] = true;

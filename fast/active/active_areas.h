@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "fast/base/stamped_array.h"
+#include "fast/base/fast_clear_array.h"
 #include "fast/crossings/crossings.h"
 #include "fast/posed/posed_pair.h"
 
@@ -18,11 +18,11 @@ enum Label : std::uint8_t { kNoLabel = 0, kInside = 1, kOutside = 2 };
 
 /// What lies inside the other body of one surface (PCM section 5).
 struct ActiveFaces {
-  std::vector<Index> inner;          ///< uncrossed faces inside the other body, ascending; nested ones included
-  std::vector<Index> pockets;        ///< uncrossed faces of negative winding number: the other surface folded over
-  StampedArray<Index> winding;       ///< by vertex of intersected faces: of the other surface where that is closed
-  StampedArray<Index> face_winding;  ///< by face, the same: of inner ones and pockets; marks of intersected ones
-  StampedArray<std::uint8_t> label;  ///< by vertex, Label bits, where the other surface is open
+  std::vector<Index> inner;            ///< uncrossed faces inside the other body, ascending; nested ones included
+  std::vector<Index> pockets;          ///< uncrossed faces of negative winding number: the other surface folded over
+  FastClearArray<Index> winding;       ///< by vertex of intersected faces: of the other surface where that is closed
+  FastClearArray<Index> face_winding;  ///< by face, the same: of inner ones and pockets; marks of intersected ones
+  FastClearArray<std::uint8_t> label;  ///< by vertex, Label bits, where the other surface is open
 };
 
 /// The active areas of both surfaces but for the intersected faces, which Crossings has.
@@ -41,9 +41,9 @@ struct ActiveAreaScratch {
   std::vector<Index> stack;          ///< of the floods
   std::vector<Index> flooded;        ///< room for all faces of a surface
   std::vector<std::uint64_t> marks;  ///< of sort_ascending
-  StampedArray<bool> component_crossed;
+  FastClearArray<bool> component_crossed;
   // Open other surface: sets of uncrossed faces.
-  StampedArray<Index> set_of_face;
+  FastClearArray<Index> set_of_face;
   std::vector<std::pair<Index, Index>> face_sets;  ///< ranges of set_faces
   std::vector<Index> set_faces;
   std::vector<std::uint8_t> set_labels;

@@ -43,7 +43,7 @@ void flood_regions(const PosedPair& posed, const Crossings& crossings, const Act
   const PreparedSurface& surface = posed.surface(side);
   const CrossedSurface& crossed = crossings.of(side);
   const bool other_closed = posed.surface(opposite(side)).closed;
-  StampedArray<Index>& region_of = scratch.region[static_cast<std::size_t>(side)];
+  FastClearArray<Index>& region_of = scratch.region[static_cast<std::size_t>(side)];
   region_of.start(surface.mesh.vertices.size());
   // What an open surface does not label inside is not entered.
   const Index not_entered = other_closed ? -1 : 0;
@@ -87,7 +87,7 @@ void group_patches(const PosedPair& posed, const Crossings& crossings, const Pol
     const CrossingNode& crossing = crossings.nodes[c];
     const EdgeCrossings& list = crossings.of(crossing.edge_side).edges.at(crossing.edge);
     if (list.first != static_cast<Index>(c)) continue;
-    const StampedArray<Index>& region_of = scratch.region[static_cast<std::size_t>(crossing.edge_side)];
+    const FastClearArray<Index>& region_of = scratch.region[static_cast<std::size_t>(crossing.edge_side)];
     const std::array<Index, 2>& ends = posed.surface(crossing.edge_side).edge(crossing.edge);
     const Index regions[2] = {region_of.get(ends[0], -1), region_of.get(ends[1], -1)};
     if (list.count == 1) {

@@ -18,8 +18,8 @@ struct Patches {
 
 /// Scratch memory of group_patches.
 struct PatchScratch {
-  std::array<StampedArray<Index>, 2> region;  ///< by vertex: inside vertices joined by uncrossed edges share one
-  std::vector<Index> parents;                 ///< disjoint sets of polygons and of regions
+  std::array<FastClearArray<Index>, 2> region;  ///< by vertex: inside vertices joined by uncrossed edges share one
+  std::vector<Index> parents;                   ///< disjoint sets of polygons and of regions
   std::vector<Index> patch_of_set;
   std::vector<Index> stack;
 };

@@ -29,22 +29,23 @@ Index winding_about_vertex(PosedPair& posed, Side side, Index v, std::vector<Ind
   const RankedPoint a = posed[side].point(v, work);
 
   // The segment runs along an axis of the tree's frame, towards the nearest side of the hull. The point outside is well
-  // clear of the slack; its own coordinates in Me and back are off by no more, being within 8 times the reach.
-  const double slack = 8 * posed.placement.slack(other_side);
-  const double margin = hull.half.maxCoeff() + 4 * slack;
+  // clear of the position error; its own coordinates in Me and back are off by no more, being within 8 times the
+  // greatest coordinate.
+  const double position_error = 8 * posed.placement.position_error(other_side);
+  const double beyond = hull.half.maxCoeff() + 4 * position_error;
   const Eigen::Vector3d x = posed.placement.to_frame_of(other_side, Eigen::Vector3d::Map(a.x_Me));
   int axis = 0;
   double shortest = std::numeric_limits<double>::infinity();
   Eigen::Vector3d end = x;
   for (int k = 0; k < 3; ++k) {
     const double offset = x[k] - hull.centre[k];
-    if (std::abs(offset) > hull.half[k] + slack) return 0;
+    if (std::abs(offset) > hull.half[k] + position_error) return 0;
     const double length = hull.half[k] - std::abs(offset);
     if (length >= shortest) continue;
     shortest = length;
     axis = k;
     end = x;
-    end[k] = hull.centre[k] + std::copysign(hull.half[k] + margin, offset);
+    end[k] = hull.centre[k] + std::copysign(hull.half[k] + beyond, offset);
   }
   const Eigen::Vector3d end_Me = posed.placement.from_frame_of(other_side, end);
   const RankedPoint z{end_Me.data(), std::numeric_limits<std::int64_t>::max()};
@@ -59,7 +60,7 @@ Index winding_about_vertex(PosedPair& posed, Side side, Index v, std::vector<Ind
     bool apart = false;
     ++work.box_tests;
     for (int k = 0; k < 3; ++k) {
-      const double width = node.box.half[k] + slack + (k == axis ? half_length : 0);
+      const double width = node.box.half[k] + position_error + (k == axis ? half_length : 0);
       apart = apart || std::abs(node.box.centre[k] - centre[k]) > width;
     }
     if (apart) continue;

@@ -26,15 +26,15 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// How far the line's points and a surface's may be from the computed ones, m. No point of the surfaces is farther from
-/// the line's origin than 8 times the reach.
-double line_slack(Side side, const Ray& ray, const Placement& placement) {
-  return placement.slack(side) + 8 * placement.reach * ray.direction_error;
+/// the line's origin than 8 times the greatest coordinate.
+double line_position_error(Side side, const Ray& ray, const Placement& placement) {
+  return placement.position_error(side) + 8 * placement.max_coordinate * ray.direction_error;
 }
 
 /// The line in the coordinates of a surface's tree.
 WideRay in_tree_of(Side side, const WideTree& tree, const Ray& ray, const Placement& placement, double radius) {
   return {tree, placement.to_frame_of(side, ray.origin), placement.direction_in_frame_of(side, ray.direction),
-          line_slack(side, ray, placement) + radius};
+          line_position_error(side, ray, placement) + radius};
 }
 
 /// Where the line meets the plane of a face: bounds of the distance, m.
@@ -47,7 +47,7 @@ struct Distance {
 
 /// Bounds of the distance at which the line meets f, given that it does: no nearer and no farther than f's vertices,
 /// and near the quotient (11) where the angle is fair.
-Distance distance_to(const Ray& ray, const FacePoints& f, double slack) {
+Distance distance_to(const Ray& ray, const FacePoints& f, double position_error) {
   if (!(ray.direction_error < 1)) return {};
   const Eigen::Vector3d d0 = f[0] - ray.origin;
   const Eigen::Vector3d first_edge = f[1] - f[0], second_edge = f[2] - f[0];
@@ -57,7 +57,7 @@ Distance distance_to(const Ray& ray, const FacePoints& f, double slack) {
   const Eigen::Vector3d N = first_edge.cross(second_edge);
   // 1-norms: |a x b| <= |a| |b|. Roundings: 32 u covers the 12 of each quantity, 2^-1070 what underflow takes.
   const double size = first_edge.lpNorm<1>() * second_edge.lpNorm<1>();
-  const double height_error = (slack + 32 * 0x1p-53 * d0.lpNorm<1>()) * size + 0x1p-1070;
+  const double height_error = (position_error + 32 * 0x1p-53 * d0.lpNorm<1>()) * size + 0x1p-1070;
   const double slope = ray.direction.dot(N);
   const double slope_error = (3 * ray.direction_error + 32 * 0x1p-53) * size;
   if (std::abs(slope) > 2 * slope_error && std::abs(slope) > kLeastProduct) {
@@ -69,8 +69,9 @@ Distance distance_to(const Ray& ray, const FacePoints& f, double slack) {
     greatest = std::min(greatest, quotient(height + height_error, least_steep, steepest));
     least = std::max(least, quotient(height - height_error, steepest, least_steep));
   }
-  // Where anything overflowed, nothing is known. The last roundings are far below the slack.
-  return {std::isfinite(least) ? least - slack : -kInfinity, std::isfinite(greatest) ? greatest + slack : kInfinity};
+  // Where anything overflowed, nothing is known. The last roundings are far below the position error.
+  return {std::isfinite(least) ? least - position_error : -kInfinity,
+          std::isfinite(greatest) ? greatest + position_error : kInfinity};
 }
 
 /// The penetration line as exact predicates take it, made when one is first needed.
@@ -96,15 +97,15 @@ struct FaceMet {
 };
 
 /// Whether the line meets the face at q >= 0 (before the shift); fills `met`.
-bool meets(ExactLine& line, const Ray& ray, const FacePoints& points, Passage passage, double slack, FaceMet& met,
-           WorkCounters& work) {
+bool meets(ExactLine& line, const Ray& ray, const FacePoints& points, Passage passage, double position_error,
+           FaceMet& met, WorkCounters& work) {
   if (passage == Passage::unknown) {
     met.direction = facing(*line, points, work);
     if (met.direction == 0 || !passes_through(*line, points, work)) return false;
   } else {
     met.direction = passage == Passage::leaving ? -1 : 1;
   }
-  met.distance = distance_to(ray, points, slack);
+  met.distance = distance_to(ray, points, position_error);
   if (met.distance.greatest < 0) return false;
   return met.distance.least > 0 || distance_sign(*line, points, work) >= 0;
 }
@@ -122,14 +123,14 @@ FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray&
                        LineTrace* trace) {
   const WideTree& tree = posed.surface(slave).wide_tree;
   WorkCounters& work = posed.work;
-  const double slack = line_slack(slave, ray, posed.placement);
+  const double position_error = line_position_error(slave, ray, posed.placement);
   const WideRay wide_ray = in_tree_of(slave, tree, ray, posed.placement, trace != nullptr ? trace->radius : 0);
   FaceMet first;
   if (left >= 0) {
     first.face = left;
     first.direction = -1;
     first.points_Me = posed.face_Me(slave, left);
-    first.distance = distance_to(ray, first.points_Me, slack);
+    first.distance = distance_to(ray, first.points_Me, position_error);
   }
   const auto visit = [&](Index face, Passage passage) {
     if (trace != nullptr) trace->slave_faces.push_back(face);
@@ -137,15 +138,16 @@ FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray&
     FaceMet met;
     met.face = face;
     met.points_Me = posed.face_Me(slave, face);
-    if (!meets(line, ray, met.points_Me, passage, slack, met, work)) return;
+    if (!meets(line, ray, met.points_Me, passage, position_error, met, work)) return;
     if (first.face >= 0) {
       const int order = compare(line, met, first, work);
       if (order > 0 || (order == 0 && face > first.face)) return;
     }
     first = met;
   };
-  const double reach = search_along(tree, wide_ray, first.distance.greatest, fastest_wide_tests(), open, work, visit);
-  if (trace != nullptr) trace->slave_reach = reach;
+  const double searched =
+      search_along(tree, wide_ray, first.distance.greatest, fastest_wide_tests(), open, work, visit);
+  if (trace != nullptr) trace->slave_searched = searched;
   return first;
 }
 
@@ -154,7 +156,7 @@ bool leaves_master_before(PosedPair& posed, Side master, Index face, ExactLine& 
                           const FaceMet& limit, LineNodes& open, LineTrace* trace) {
   const WideTree& tree = posed.surface(master).wide_tree;
   WorkCounters& work = posed.work;
-  const double slack = line_slack(master, ray, posed.placement);
+  const double position_error = line_position_error(master, ray, posed.placement);
   const WideRay wide_ray = in_tree_of(master, tree, ray, posed.placement, trace != nullptr ? trace->radius : 0);
   bool leaves = false;
   double no_farther_than = limit.distance.greatest;
@@ -163,7 +165,8 @@ bool leaves_master_before(PosedPair& posed, Side master, Index face, ExactLine& 
     if (trace != nullptr) trace->own_faces.push_back(own);
     FaceMet met;
     met.points_Me = posed.face_Me(master, own);
-    if (!meets(line, ray, met.points_Me, passage, slack, met, work) || compare(line, met, limit, work) >= 0) return;
+    if (!meets(line, ray, met.points_Me, passage, position_error, met, work) || compare(line, met, limit, work) >= 0)
+      return;
     leaves = true;
     no_farther_than = -1;  // The search is over.
   });
@@ -204,7 +207,7 @@ Index walk_from_neighbour(PosedPair& posed, Side master, const ElementLanes& lan
   const double a = lanes.side[0].value[lane], b = lanes.side[1].value[lane];
   if (start < 0 || !(lanes.area.value[lane] > kLeastShare * (a * b))) return -1;
   const FacePoints p{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]};
-  const AcrossLine line(p, lanes.barycentre_Me[lane], a, b, posed.placement.reach);
+  const LineCoordinates line(p, lanes.barycentre_Me[lane], a, b, posed.placement.max_coordinate);
   if (!line.usable()) return -1;
   return walk_to_face_left(posed[opposite(master)], line, start, posed.work);
 }
@@ -217,16 +220,16 @@ void enter_match(PosedPair& posed, Side master, Index face, Index met, ElementLa
 }
 
 DecisionLimits decision_limits(const PosedPair& posed, Side master) {
-  const double moved = posed.placement.moved(master);
-  const double reach = posed.surface(master).reach.maxCoeff();
+  const double vertex_error = posed.placement.vertex_error(master);
+  const double max_coordinate = posed.surface(master).max_coordinates.maxCoeff();
   DecisionLimits limits;
   limits.least_share = kLeastShare;
-  limits.slave_reach = posed.surface(opposite(master)).reach.maxCoeff();
-  limits.error = kDistanceError * posed.placement.reach;
+  limits.slave_max_coordinate = posed.surface(opposite(master)).max_coordinates.maxCoeff();
+  limits.error = kDistanceError * posed.placement.max_coordinate;
   // thickness_holds, for faces that are no needles: there the ray's direction is off by less than 2^-40.
-  const double line_error = (1 + 0x1p-10) * (moved + 8 * 0x1p-40 * reach);
-  limits.thick_edges = (1 + 0x1p-40) * 8 * reach * moved;
-  limits.thick_area = kThicknessTolerance * reach - line_error;
+  const double line_error = (1 + 0x1p-10) * (vertex_error + 8 * 0x1p-40 * max_coordinate);
+  limits.thick_edges = (1 + 0x1p-40) * 8 * max_coordinate * vertex_error;
+  limits.thick_area = kThicknessTolerance * max_coordinate - line_error;
   for (std::size_t cone = 0; cone < 2; ++cone) {
     limits.cone_cosine_square[cone] = kConeCosine[cone] * kConeCosine[cone] * (1 + 0x1p-20);
   }
@@ -248,7 +251,7 @@ Penetration search_penetration(PosedPair& posed, Side master, Index face, const 
     penetration.outcome = Penetration::Outcome::too_deep;
     return penetration;
   }
-  if (trace != nullptr) trace->own_reach = first.distance.greatest;
+  if (trace != nullptr) trace->own_searched = first.distance.greatest;
   if (!(first.distance.least > 0) && distance_sign(*line, first.points_Me, posed.work) == 0) return penetration;
   penetration.outcome = Penetration::Outcome::element;
   penetration.slave_face = first.face;
@@ -261,13 +264,14 @@ Penetration search_penetration(PosedPair& posed, Side master, Index face, const 
 bool thicker_than(const PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, double distance) {
   const PreparedSurface& surface = posed.surface(master);
   return distance < surface.thickness[static_cast<std::size_t>(face)] &&
-         thickness_holds(surface, posed.placement.moved(master), geometry);
+         thickness_holds(surface, posed.placement.vertex_error(master), geometry);
 }
 
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
                        PenetrationWalks& walks, std::array<Penetration, kElementLanes>& penetrations) {
   const Side slave = opposite(master);
-  const bool may_walk = posed.placement.slack(slave) < kClearanceTolerance * posed.surface(slave).reach.maxCoeff();
+  const bool may_walk =
+      posed.placement.position_error(slave) < kClearanceTolerance * posed.surface(slave).max_coordinates.maxCoeff();
   std::array<Index, kElementLanes> met;
   met.fill(-1);
   LaneBits walked = 0;

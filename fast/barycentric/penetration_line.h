@@ -31,8 +31,8 @@ Penetration find_penetration(PosedPair& posed, Side master, Index face, const Fa
 
 /// Where walks over the slave start, and scratch memory.
 struct PenetrationWalks {
-  StampedArray<Index> slave_nearby;  ///< by face of the master: a face of the slave near its penetration line
-  Index last = -1;                   ///< face of the slave near the last penetration line, -1: none
+  FastClearArray<Index> slave_nearby;  ///< by face of the master: a face of the slave near its penetration line
+  Index last = -1;                     ///< face of the slave near the last penetration line, -1: none
   LineNodes open;
 };
 

@@ -10,7 +10,7 @@
 namespace pcm::fast {
 
 /// A closed axis-aligned box, in the frame of its surface, m. `half` is rounded to nearest: whoever tests boxes adds a
-/// slack that covers the last bit of the greatest coordinate.
+/// term that covers the last bit of the greatest coordinate.
 struct Box {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   Eigen::Vector3d half = Eigen::Vector3d::Zero();

@@ -14,8 +14,8 @@ namespace pcm::fast {
 /// The greatest |coordinate| a surface may have, and the least that it must reach, m: between them a volume, the
 /// product of three lengths, keeps its digits, and so does every product of two or three that is not a decision, down
 /// to details of kLeastDetail, m. Smaller ones may lose depths and areas to underflow, never a decision.
-inline constexpr double kGreatestReach = 0x1p300;
-inline constexpr double kLeastReach = 0x1p-300;
+inline constexpr double kGreatestCoordinate = 0x1p300;
+inline constexpr double kLeastMaxCoordinate = 0x1p-300;
 inline constexpr double kLeastDetail = 0x1p-340;
 
 /// The length of v, correct also where its square would overflow or underflow. Scales exactly with powers of two.

@@ -51,7 +51,7 @@ class FaceBound {
                          !bound_.undecided().is_undecided.contains(face_) &&
                          element.penetration > 2 * error.penetration;
     if (decided) {
-      bound_.note_depth(depth - kBoundMargin * error.penetration, depth + kBoundMargin * error.penetration);
+      bound_.note_depth(depth - kSafetyFactor * error.penetration, depth + kSafetyFactor * error.penetration);
       bound_.add(force_error(problem_, element, error));
     } else {
       bound_.add_whole_force(element);

@@ -16,11 +16,12 @@ namespace pcm::fast {
 
 namespace {
 
-/// Lists the faces of a side that a master face may see down to this depth in either problem, ascending; `room`: how
-/// far from the computed prism the exact problem's may be, m. Which those are is not left to single precision.
-void list_candidates(PosedPair& posed, Side side, const MasterPrism& prism, double room, double deepest,
+/// Lists the faces of a side that a master face may see down to this depth in either problem, ascending;
+/// `position_error`: how far from the computed prism the exact problem's may be, m. Which those are is not left to
+/// single precision.
+void list_candidates(PosedPair& posed, Side side, const MasterPrism& prism, double position_error, double deepest,
                      ClippedBoundScratch& scratch) {
-  const TreePrism tree_prism = prism_in_tree(posed, side, prism, room);
+  const TreePrism tree_prism = prism_in_tree(posed, side, prism, position_error);
   list_faces_in_prism(posed, side, tree_prism, deepest, scratch.open, scratch.candidates);
   const TriangleMesh& mesh = posed.surface(side).mesh;
   std::erase_if(scratch.candidates,
@@ -66,8 +67,8 @@ class FaceBound {
 
  private:
   void find_sights(ClippedBoundScratch& scratch);
-  void see_slave(double room, ProjectedWalk& projected, ClippedBoundScratch& scratch);
-  void see_own(double room, ProjectedWalk& projected, ClippedBoundScratch& scratch);
+  void see_slave(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch);
+  void see_own(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch);
 
   PosedPair& posed_;
   const ForceProblem& problem_;
@@ -85,9 +86,9 @@ void FaceBound::find_sights(ClippedBoundScratch& scratch) {
   const MasterPrism& prism = *seen_.prism;
   prism_error_.emplace(prism, error_, seen_.master, own_rounding_Me_, bound_.rounding_Me());
   sight_.emplace(scratch.sight, prism, *prism_error_, problem_.law);
-  const double room = tube_radius(posed_, error_, bound_.rounding_Me());
+  const double position_error = tube_radius(posed_, error_, bound_.rounding_Me());
   ProjectedWalk projected(seen_.view.faces);
-  see_slave(room, projected, scratch);
+  see_slave(position_error, projected, scratch);
   const bool knows_own = seen_.view.own_depth >= 0;
   bool needs_own = knows_own;
   if (sight_->greatest_depth() >= 0) {
@@ -96,17 +97,17 @@ void FaceBound::find_sights(ClippedBoundScratch& scratch) {
     needs_own = needs_own || before == OwnFacesBefore::some;
     if (!knows_own && before == OwnFacesBefore::leaning) sight_->may_lean(posed_.placement.greatest_lean());
   }
-  if (needs_own) see_own(room, projected, scratch);
+  if (needs_own) see_own(position_error, projected, scratch);
   sight_->compare(posed_.surface(opposite(seen_.master)), posed_.surface(seen_.master));
   for (const VisiblePart& part : seen_.parts) {
     if (!part.is_element()) sight_->leave_out(part);
   }
 }
 
-void FaceBound::see_slave(double room, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
+void FaceBound::see_slave(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
   const Side slave = opposite(seen_.master);
-  const StampedArray<PrismPoint>& sights = seen_.view.slave_sights;
-  list_candidates(posed_, slave, *seen_.prism, room, std::numeric_limits<double>::infinity(), scratch);
+  const FastClearArray<PrismPoint>& sights = seen_.view.slave_sights;
+  list_candidates(posed_, slave, *seen_.prism, position_error, std::numeric_limits<double>::infinity(), scratch);
   for (const Index face : scratch.candidates) {
     SeenCorners corners;
     const Triangle& vertices = posed_.surface(slave).face(face);
@@ -118,9 +119,9 @@ void FaceBound::see_slave(double room, ProjectedWalk& projected, ClippedBoundScr
   }
 }
 
-void FaceBound::see_own(double room, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
+void FaceBound::see_own(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
   const double deepest = std::max(seen_.view.own_depth, sight_->greatest_depth());
-  list_candidates(posed_, seen_.master, *seen_.prism, room, deepest, scratch);
+  list_candidates(posed_, seen_.master, *seen_.prism, position_error, deepest, scratch);
   for (const Index face : scratch.candidates) {
     if (face == seen_.face) continue;
     const SeenCorners corners = see_own_corners(posed_, seen_.master, seen_.face, *seen_.prism, face);
@@ -132,8 +133,8 @@ void FaceBound::add_element(const VisiblePart& part, const Element& element, con
   if (sight_) {
     ElementError error = sight_->of_element(part, error_);
     // The element surely exists.
-    if (!undecided_ && element.area > kBoundMargin * (error.area + error.passed_area))
-      bound_.note_depth(element.penetration - kBoundMargin * error.penetration, 0);
+    if (!undecided_ && element.area > kSafetyFactor * (error.area + error.passed_area))
+      bound_.note_depth(element.penetration - kSafetyFactor * error.penetration, 0);
     ElementForceError passed;
     passing_.add(problem_, element, error, passed);
     const ElementForceError whole = force_error(problem_, element, error);
@@ -150,11 +151,11 @@ void FaceBound::add_rest() {
   const auto& p = geometry.points_Me;
   const Eigen::Vector3d anywhere = (p[1] - p[0]).cwiseAbs() + (p[2] - p[0]).cwiseAbs();
   if (!sight_ || !sight_->known()) {
-    bound_.add_possible_element(0.5 * twice_area, span(posed_), geometry, error_.barycentre_Me + anywhere);
+    bound_.add_possible_element(0.5 * twice_area, extent_of(posed_), geometry, error_.barycentre_Me + anywhere);
     return;
   }
   if (sight_->flush()) bound_.flip();
-  bound_.note_depth(0, kBoundMargin * sight_->greatest_depth());
+  bound_.note_depth(0, kSafetyFactor * sight_->greatest_depth());
   const ViewError::Beside beside = sight_->beside();
   passing_.add_elsewhere(twice_area * beside.passed_area, twice_area * beside.passed_volume);
   ElementForceError passed;

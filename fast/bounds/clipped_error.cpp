@@ -15,15 +15,16 @@ namespace {
 constexpr double u = kUnitRoundoff;
 
 /// Shifts beyond this are no longer small (fast/bounds/prism_error.cpp).
-constexpr double kGreatestShift = 0x1p-6;
+constexpr double kGreatestPositionError = 0x1p-6;
 
 /// Integrals over a fan of five triangles are off by as much as a shift of its border by 6 u times its width would
 /// make.
 constexpr double kFanRoundings = 6;
 
 /// An element's area is a sum over triangles, ten a part at most, times 2 and the master's area: 12 roundings, 4 to
-/// spare. What triangles' own areas round counts as a shift of their border (kFanRoundings, Neglect::add_part); so does
-/// what sums over several parts round besides, of which Neglect::cut_area has 40 u of each part's widths.
+/// spare. What triangles' own areas round counts as a position error of their border (kFanRoundings,
+/// ClippingError::add_part); so does what sums over several parts round besides, of which ClippingError::cut_area has
+/// 40 u of each part's widths.
 constexpr double kAreaRoundings = 16;
 
 /// A foot's s is a quotient of two sums S / D over triangles, none of whose terms exceeds T, the triangle's area times
@@ -33,7 +34,7 @@ constexpr double kAreaRoundings = 16;
 constexpr double kFootRoundings = 64;
 
 /// How far off f's depth may be from g's plane, or g's from f's, by roundings where the line they meet in is cut.
-double noise_of_crossing(const FaceEnclosure& f, const FaceEnclosure& g, const PrismError& error) {
+double rounding_of_crossing(const FaceEnclosure& f, const FaceEnclosure& g, const PrismError& error) {
   double farthest = 0, highest = 0;
   for (const PrismPoint& c : f.corners) {
     const PrismPoint from_g = c - g.corners[0];
@@ -42,7 +43,7 @@ double noise_of_crossing(const FaceEnclosure& f, const FaceEnclosure& g, const P
         g.depth.value + (g.depth.per_s * (c[kS] - g.depth.s_0) + g.depth.per_t * (c[kT] - g.depth.t_0));
     highest = std::max(highest, std::abs(plane - c[kDepth]));
   }
-  return g.crossing_noise * farthest + f.relative_noise * highest;
+  return g.crossing_rounding * farthest + f.relative_rounding * highest;
 }
 
 struct AreaAndVolume {
@@ -61,18 +62,20 @@ struct ClampRoundings {
 };
 
 /// What roundings make of the cuts along the master's sides, where the depth ends with a jump, and of the integrals
-/// over the part `seen`. Such a side of it, and no other but for slivers, lies within f's shift and a cut's roundings
-/// of the master's; what is between both is known. Where nothing was cut: what such cuts may have made nothing of.
+/// over the part `seen`. Such a side of it, and no other but for slivers, lies within f's position error and a cut's
+/// roundings of the master's; what is between both is known. Where nothing was cut: what such cuts may have made
+/// nothing of.
 AreaAndVolume errors_of_cuts(const FaceEnclosure& f, const ConvexPolygon* seen) {
   const double width_s = f.box.width_s(), width_t = f.box.width_t();
   if (seen == nullptr) {
-    const double third = f.third_side_shift * (std::min(width_s, width_t) + 2 * f.third_side_shift);
-    const double area = strip_along_border(f.box, f.cut_shift.s, f.cut_shift.t) + third;
+    const double third = f.third_side_error * (std::min(width_s, width_t) + 2 * f.third_side_error);
+    const double area = strip_along_border(f.box, f.cut_error.s, f.cut_error.t) + third;
     return {area, area * f.greatest};
   }
-  const double near = 4 * (f.shift.s + f.shift.t + f.cut_shift.s + f.cut_shift.t + f.third_side_shift);
+  const double near =
+      4 * (f.position_error.s + f.position_error.t + f.cut_error.s + f.cut_error.t + f.third_side_error);
   AreaAndVolume sum{strip_along_border(f.box, kFanRoundings * u * width_s, kFanRoundings * u * width_t) +
-                        area_about_corners(f.cut_shift.s + f.third_side_shift, f.cut_shift.t + f.third_side_shift),
+                        area_about_corners(f.cut_error.s + f.third_side_error, f.cut_error.t + f.third_side_error),
                     0};
   sum.volume = sum.area * f.greatest;
   for (int i = 0; i < seen->count; ++i) {
@@ -130,7 +133,7 @@ void ViewError::see(PosedSurface& surface, Index face, bool own, const SeenCorne
     scratch_->sights.pop_back();
     return;
   }
-  known_ = known_ && f.shift.s < kGreatestShift && f.shift.t < kGreatestShift;
+  known_ = known_ && f.position_error.s < kGreatestPositionError && f.position_error.t < kGreatestPositionError;
   sight.projected = projected;
   sight.may_carry = !own && f.facing <= 0;
   if (sight.may_carry) greatest_depth_ = std::max(greatest_depth_, f.greatest);
@@ -171,7 +174,7 @@ void ViewError::find_outline(FaceInView& sight, const PreparedSurface& surface) 
 
 // Within that distance of the master's sides.
 double ViewError::area_leant_over(const FaceEnclosure& f) const {
-  const double distance = kBoundMargin * lean_ * std::max(f.greatest, 0.0);
+  const double distance = kSafetyFactor * lean_ * std::max(f.greatest, 0.0);
   const double s = distance * prism_.inward_Me(2).norm(), t = distance * prism_.inward_Me(0).norm();
   const double third = distance * prism_.inward_Me(1).norm();
   double area = 0;
@@ -185,7 +188,7 @@ double ViewError::area_leant_over(const FaceEnclosure& f) const {
 void ViewError::measure_alone(FaceInView& sight, const PreparedSurface& slave) {
   const FaceEnclosure& f = sight.enclosure;
   if (f.facing == 0) {
-    find_side_shifts(error_, sight.enclosure);
+    find_side_errors(error_, sight.enclosure);
     sight.area_error = sliver(f, f, f.greatest, f.box).area;
     sight.volume_error = sight.area_error * f.greatest;
     return;
@@ -193,15 +196,15 @@ void ViewError::measure_alone(FaceInView& sight, const PreparedSurface& slave) {
   find_outline(sight, slave);
   SideStrips outline, smooth;
   if (sight.outline[0] || sight.outline[1] || sight.outline[2]) {
-    find_side_shifts(error_, sight.enclosure);
-    outline = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box, sight.outline);
+    find_side_errors(error_, sight.enclosure);
+    outline = strips_along_sides(f, f.position_error.s, f.position_error.t, f, f.box, sight.outline);
   }
   // Where nothing jumps, errors are of second order, and what passes is of no account where forces are linear.
   if (continuous_) {
-    smooth.area = strip_along_border(f.box, f.shift.s, f.shift.t);
+    smooth.area = strip_along_border(f.box, f.position_error.s, f.position_error.t);
     smooth.volume = smooth.area * f.greatest;
   } else {
-    smooth = strips_along_sides(f, f.shift.s, f.shift.t, f, f.box,
+    smooth = strips_along_sides(f, f.position_error.s, f.position_error.t, f, f.box,
                                 {!sight.outline[0], !sight.outline[1], !sight.outline[2]});
   }
   const ZeroStrip zero = zero_strip(f.depth, {f.line_error, f.depth_error}, f.box);
@@ -228,7 +231,7 @@ void ViewError::compare_pair(FaceInView& f, FaceInView& g, const PreparedSurface
   }
   for (FaceInView* const sight : {&f, &g}) {
     if (!sight->knows_outline) find_outline(*sight, sight->enclosure.own ? master : slave);
-    find_side_shifts(error_, sight->enclosure);
+    find_side_errors(error_, sight->enclosure);
   }
   if (f.may_carry) charge(f, g, box, overlap);
   if (g.may_carry) charge(g, f, box, overlap);
@@ -262,14 +265,14 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
   const FaceEnclosure& g = hider.enclosure;
   if (f.facing == 0) return;  // Counted in full.
   const double greatest =
-      std::clamp(f.depth.middle(box) + f.depth.reach(box) + f.depth_error, 0.0, std::max(f.greatest, 0.0));
+      std::clamp(f.depth.middle(box) + f.depth.half_range(box) + f.depth_error, 0.0, std::max(f.greatest, 0.0));
   double area = 0, volume = 0;
   if (g.facing == 0) {
     const SideStrips all = sliver(g, f, greatest, box);
     area = all.area;
     volume = all.volume;
   } else {
-    const SideStrips outline = strips_along_sides(g, g.shift.s, g.shift.t, f, box, hider.outline);
+    const SideStrips outline = strips_along_sides(g, g.position_error.s, g.position_error.t, f, box, hider.outline);
     if (outline.apart) return;
     const CertainOrder order = certain_order(g, f);
     if (order == CertainOrder::after) return;
@@ -284,10 +287,10 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
       beyond.t_0 = 0.5 * (box.low_t + box.high_t);
       beyond.per_s = f.depth.per_s - g.depth.per_s;
       beyond.per_t = f.depth.per_t - g.depth.per_t;
-      const double noise = noise_of_crossing(f, g, error_), error = f.depth_error + noise;
-      if (beyond.value + beyond.reach(box) < -(error + beside_error)) return;  // g certainly lies after f.
-      one_depth = strip_along_line(beyond, {f.line_error + g.line_error + noise, error + g.depth_error}, f, g, box);
-      if (beyond.value - beyond.reach(box) <= error + beside_error) {
+      const double rounding = rounding_of_crossing(f, g, error_), error = f.depth_error + rounding;
+      if (beyond.value + beyond.half_range(box) < -(error + beside_error)) return;  // g certainly lies after f.
+      one_depth = strip_along_line(beyond, {f.line_error + g.line_error + rounding, error + g.depth_error}, f, g, box);
+      if (beyond.value - beyond.half_range(box) <= error + beside_error) {
         const double beside = zero_strip_at_sides(g, inner, beyond, error + beside_error, box);
         one_depth.area += beside;
         one_depth.volume += beside * greatest;
@@ -297,7 +300,7 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
     if (!(g.hinge_depth > 0)) {
       const double cut = roundings_of_depth(g, f.box);
       zero = strip_along_line(g.depth, {g.line_error + cut, g.depth_error + cut}, f, g, box);
-      if (std::abs(g.depth.middle(box)) - g.depth.reach(box) <= beside_error) {
+      if (std::abs(g.depth.middle(box)) - g.depth.half_range(box) <= beside_error) {
         const double beside = zero_strip_at_sides(g, inner, g.depth, beside_error, box);
         zero.area += beside;
         zero.volume += beside * greatest;
@@ -311,8 +314,9 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
       area = std::min(greatest_area(g), overlap);
       volume = area * greatest;
     }
-    flush_ = flush_ || ((one_depth.everywhere || zero.everywhere) && overlap == box.area() &&
-                        greatest > 4 * f.depth_error && area > 4 * strip_along_border(box, g.shift.s, g.shift.t));
+    flush_ =
+        flush_ || ((one_depth.everywhere || zero.everywhere) && overlap == box.area() && greatest > 4 * f.depth_error &&
+                   area > 4 * strip_along_border(box, g.position_error.s, g.position_error.t));
   }
   sight.area_error += area;
   sight.volume_error += volume;
@@ -320,7 +324,7 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
 
 ElementError ViewError::of_element(const VisiblePart& part, const FaceError& face) {
   const Moments& moments = part.moments;
-  const Neglect& neglect = part.neglect;
+  const ClippingError& clipping_error = part.clipping_error;
   ElementError error;
   FaceInView* const sight = find(false, part.slave_face);
   const double twice_area = 2 * prism_.face().area;
@@ -340,19 +344,21 @@ ElementError ViewError::of_element(const VisiblePart& part, const FaceError& fac
   const double passed_area = sight->passed_area;
   const double passed_volume = clamped_volume(sight->passed_volume, passed_area, deepest);
   const double differing = std::min(sight->area_error, f.box.area() + moments.area);
-  const double area_error = differing + neglect.area + neglect.cut_area + kAreaRoundings * u * moments.area;
+  const double area_error =
+      differing + clipping_error.area + clipping_error.cut_area + kAreaRoundings * u * moments.area;
   ClampRoundings clamp;
-  if (moments.greatest > greatest_allowed_) clamp = ClampRoundings(f.box, std::max(neglect.parts, 1));
+  if (moments.greatest > greatest_allowed_) clamp = ClampRoundings(f.box, std::max(clipping_error.parts, 1));
   const double off_plane =
-      3 * u * (neglect.cuts + clamp.cuts) * (deepest + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
+      3 * u * (clipping_error.cuts + clamp.cuts) * (deepest + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
   const double depth_error =
       f.facing == 0 ? clamped(f.greatest) : std::min(f.field_error + off_plane, clamped(f.greatest));
   // A triangle's integral has 8 roundings, the sum one for each, of which a part has ten at most.
-  const double volume_error = clamped_volume(sight->volume_error, differing + passed_area, deepest) +
-                              neglect.area * greatest + clamped_volume(neglect.cut_volume, neglect.cut_area, deepest) +
-                              (moments.area + area_error + passed_area) * depth_error +
-                              clamp.sums * (18 + 10 * neglect.parts) * u * (moments.depth + area_error * greatest) +
-                              (clamp.area * greatest + clamp.least);
+  const double volume_error =
+      clamped_volume(sight->volume_error, differing + passed_area, deepest) + clipping_error.area * greatest +
+      clamped_volume(clipping_error.cut_volume, clipping_error.cut_area, deepest) +
+      (moments.area + area_error + passed_area) * depth_error +
+      clamp.sums * (18 + 10 * clipping_error.parts) * u * (moments.depth + area_error * greatest) +
+      (clamp.area * greatest + clamp.least);
   const double mean = moments.depth / moments.area;
   error.area = twice_area * area_error + 2 * face.area * (moments.area + area_error + passed_area);
   error.volume = twice_area * volume_error + 2 * face.area * (moments.depth + volume_error + passed_volume);
@@ -369,11 +375,11 @@ ElementError ViewError::of_element(const VisiblePart& part, const FaceError& fac
   // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
   double share = 1;
   if (2 * volume_off < moments.depth) share = std::min(1.0, volume_off / (moments.depth - volume_off));
-  const double noise = kFootRoundings * u * clamp.sums * (1 + neglect.parts) *
-                           std::min(0x1p40, moments.area * greatest / moments.depth) +
-                       clamp.least / moments.depth;
-  error.foot_Me += (std::min(1.0, share * width_s + noise)) * prism_.edge_s_Me().cwiseAbs() +
-                   (std::min(1.0, share * width_t + noise)) * prism_.edge_t_Me().cwiseAbs();
+  const double rounding = kFootRoundings * u * clamp.sums * (1 + clipping_error.parts) *
+                              std::min(0x1p40, moments.area * greatest / moments.depth) +
+                          clamp.least / moments.depth;
+  error.foot_Me += (std::min(1.0, share * width_s + rounding)) * prism_.edge_s_Me().cwiseAbs() +
+                   (std::min(1.0, share * width_t + rounding)) * prism_.edge_t_Me().cwiseAbs();
   return error;
 }
 

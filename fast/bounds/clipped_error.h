@@ -24,9 +24,9 @@ namespace pcm::fast {
 ///
 /// A strip costs its area times the greatest depth of f, except where f's own depth is near 0; and elsewhere f's depth
 /// is off by no more than its error. Where nothing is sure over all that f and g have in common, g lies nearly flush
-/// with f or with the master: all of it counts. Roundings of cuts and integrals count as shifts
+/// with f or with the master: all of it counts. Roundings of cuts and integrals count as position errors
 /// (fast/bounds/face_enclosure.cpp, fast/bounds/uncertain_strips.cpp). What the engine knowingly leaves out is added
-/// (Neglect).
+/// (ClippingError).
 ///
 /// Where the law clamps the depth u to u_max, point by point, |min(u, u_max) - min(u', u_max)| <= |u - u'|: all of this
 /// holds of the integrals of the clamped depth as well, and no area costs more than itself times u_max. Where a part is

@@ -31,12 +31,12 @@ FaceError::FaceError(const FaceGeometry& face, const Eigen::Vector3d& rounding_M
   const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
   const Eigen::Vector3d C = face.barycentre_Me();
   N = (4 * u * cross_magnitude(a, b) + 2 * cross_magnitude(rounding_Me, a + b + 2 * rounding_Me)).sum();
-  N *= kBoundMargin;
+  N *= kSafetyFactor;
   area = 0.5 * N + 3 * u * face.area;
-  barycentre_Me = kBoundMargin * (u * (C.cwiseAbs() + a + b) + rounding_Me);
+  barycentre_Me = kSafetyFactor * (u * (C.cwiseAbs() + a + b) + rounding_Me);
   const double length_N = 2 * face.area;
   normal_known = length_N > 2 * N && face.area > kLeastProduct;
-  normal = normal_known ? kBoundMargin * (N / (length_N - N) + 5 * u) : 2;
+  normal = normal_known ? kSafetyFactor * (N / (length_N - N) + 5 * u) : 2;
 }
 
 // Let unprimed quantities be those of the rounded problem, primed ones the exact problem's, and let the exact line meet
@@ -62,12 +62,12 @@ double depth_error(const FaceGeometry& master, const FaceError& master_error, co
       from_C_error.dot(N_f + N_f_error) + from_C.dot(N_f_error) + 3 * u * from_C.dot(N_f) + 0x1p-1070;
   const Eigen::Vector3d n = master.n_Me.cwiseAbs();
   const double slope_error =
-      kBoundMargin * (master_error.normal * (N_f + N_f_error).sum() + n.dot(N_f_error) + 3 * u * n.dot(N_f));
+      kSafetyFactor * (master_error.normal * (N_f + N_f_error).sum() + n.dot(N_f_error) + 3 * u * n.dot(N_f));
   const double slope = std::abs(depth.slope);
   if (!(slope > 2 * slope_error && slope > kLeastProduct)) return std::numeric_limits<double>::infinity();
   const double value = depth.value();
-  const double moved = rounding_Me.dot(N_f + N_f_error);
-  return kBoundMargin * ((height_error + moved + value * slope_error) / (slope - slope_error) + 2 * u * value);
+  const double by_vertices = rounding_Me.dot(N_f + N_f_error);
+  return kSafetyFactor * ((height_error + by_vertices + value * slope_error) / (slope - slope_error) + 2 * u * value);
 }
 
 }  // namespace pcm::fast

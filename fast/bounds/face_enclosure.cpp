@@ -55,36 +55,39 @@ double greatest_difference(const std::array<PrismPoint, 3>& corners, int coordin
 /// Whether a neighbour of the master face, which shares corners with it, surely lies beside it.
 bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double s, double t,
                    double third) {
-  const std::array<double, 3> margin{s + t + third, s, t};
+  const std::array<double, 3> weight_error{s + t + third, s, t};
   for (int weight = 0; weight < 3; ++weight) {
     bool beside = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const double w = corners[k][weight];
-      beside = beside && (shared[k] ? w == 0 : w < -margin[static_cast<std::size_t>(weight)]);
+      beside = beside && (shared[k] ? w == 0 : w < -weight_error[static_cast<std::size_t>(weight)]);
     }
     if (beside) return true;
   }
   return false;
 }
 
-/// Whether all corners lie beyond one of the master's sides, by more than a shift of (s, t), or above its plane.
-bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismShift& shift) {
+/// Whether all corners lie beyond one of the master's sides, by more than a position error of (s, t), or above its
+/// plane.
+bool surely_outside(const std::array<PrismPoint, 3>& corners, const PrismPositionError& position_error) {
   const auto all_below = [&corners](int coordinate, double level) {
     return corners[0][coordinate] < level && corners[1][coordinate] < level && corners[2][coordinate] < level;
   };
-  return all_below(0, -(shift.s + shift.t)) || all_below(kS, -shift.s) || all_below(kT, -shift.t) ||
-         all_below(kDepth, -shift.depth);
+  return all_below(0, -(position_error.s + position_error.t)) || all_below(kS, -position_error.s) ||
+         all_below(kT, -position_error.t) || all_below(kDepth, -position_error.depth);
 }
 
-PrismShift sum_of(const PrismShift& a, const PrismShift& b) {
+PrismPositionError sum_of(const PrismPositionError& a, const PrismPositionError& b) {
   return {a.s + b.s, a.t + b.t, a.depth + b.depth};
 }
 
 /// The part of a face that may come to lie over the master face, at a depth >= 0, when its points are shifted; all
-/// coordinates are larger by the shift.
-ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismShift& shift, double third) {
+/// coordinates are larger by the position error.
+ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const PrismPositionError& position_error,
+                               double third) {
   ConvexPolygon part;
-  const PrismPoint enlarged(shift.s + shift.t + third, shift.s, shift.t, shift.depth);
+  const PrismPoint enlarged(position_error.s + position_error.t + third, position_error.s, position_error.t,
+                            position_error.depth);
   for (const PrismPoint& corner : corners) part.add(corner + enlarged);
   for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
     if (least_of(corners, coordinate) >= 0) continue;
@@ -108,12 +111,13 @@ BoxST box_of(const PrismPoint* points, int count) {
 
 /// On which side of the plane of f the vertices of g certainly lie: 1 all above, -1 all below, 0 unsure. With lambda
 /// the barycentric coordinates of a vertex c of g in f, both as shifted, the plane of f passes there within sum
-/// |lambda| (depth + gradient x shift of f's vertices) of the unshifted one.
+/// |lambda| (depth + gradient x position error of f's vertices) of the one without errors.
 int certain_side(const FaceEnclosure& f, const FaceEnclosure& g) {
-  const auto steepness = [&f](const PrismShift& shift) {
-    return shift.depth + std::abs(f.depth.per_s) * shift.s + std::abs(f.depth.per_t) * shift.t;
+  const auto steepness = [&f](const PrismPositionError& position_error) {
+    return position_error.depth + std::abs(f.depth.per_s) * position_error.s +
+           std::abs(f.depth.per_t) * position_error.t;
   };
-  const double of_plane = steepness(f.vertex_shift), of_vertex = steepness(g.vertex_shift);
+  const double of_plane = steepness(f.vertex_error), of_vertex = steepness(g.vertex_error);
   const double twice_area = cross_st(f.corners[0], f.corners[1], f.corners[2]);
   int above = 0, below = 0, shared = 0;
   for (std::size_t j = 0; j < 3; ++j) {
@@ -126,15 +130,15 @@ int certain_side(const FaceEnclosure& f, const FaceEnclosure& g) {
     for (std::size_t k = 0; k < 3; ++k) {
       const PrismPoint& a = f.corners[k];
       lambda += std::abs(cross_st(a, f.corners[(k + 1) % 3], c));
-      widths += (f.corner_shift.s + g.corner_shift.s) * (std::abs(c[kT] - a[kT]) + g.corner_shift.t) +
-                (f.corner_shift.t + g.corner_shift.t) * std::abs(c[kS] - a[kS]);
+      widths += (f.corner_error.s + g.corner_error.s) * (std::abs(c[kT] - a[kT]) + g.corner_error.t) +
+                (f.corner_error.t + g.corner_error.t) * std::abs(c[kS] - a[kS]);
     }
     // Shifting leaves the face at least half its area (find_face_enclosure).
     lambda = 2 * (lambda + 8 * widths) / twice_area;
     const double plane =
         f.depth.value + (f.depth.per_s * (c[kS] - f.depth.s_0) + f.depth.per_t * (c[kT] - f.depth.t_0));
     const double error =
-        2 * (of_plane * lambda + of_vertex) + f.relative_noise * (std::abs(plane) + std::abs(c[kDepth]));
+        2 * (of_plane * lambda + of_vertex) + f.relative_rounding * (std::abs(plane) + std::abs(c[kDepth]));
     above += plane - c[kDepth] > error ? 1 : 0;
     below += plane - c[kDepth] < -error ? 1 : 0;
   }
@@ -145,8 +149,8 @@ int certain_side(const FaceEnclosure& f, const FaceEnclosure& g) {
 /// What is needed of a face again and again while its enclosure is found.
 struct SeenFace {
   const FaceInPrism& face;
-  PrismRounding noise;     ///< of its vertices
-  PrismShift of_vertices;  ///< the first step of PrismError
+  PrismRounding rounding;          ///< of its vertices
+  PrismPositionError of_vertices;  ///< the first step of PrismError
   double greatest_s, greatest_t;
   double farthest_depth;  ///< of a corner from the master's plane, m
   double deepest;         ///< depth of a corner, m
@@ -154,8 +158,8 @@ struct SeenFace {
 
   SeenFace(const PrismError& error, const FaceInPrism& seen)
       : face(seen),
-        noise(error.noise(seen.points_Me, seen.corners, seen.shared)),
-        of_vertices(error.of_vertices(noise, seen.rounding_Me)),
+        rounding(error.rounding(seen.points_Me, seen.corners, seen.shared)),
+        of_vertices(error.of_vertices(rounding, seen.rounding_Me)),
         greatest_s(greatest_of(seen.corners, kS)),
         greatest_t(greatest_of(seen.corners, kT)),
         farthest_depth(greatest_of(seen.corners, kDepth)),
@@ -168,16 +172,16 @@ bool find_hinge(const PrismError& error, const SeenFace& seen, FaceEnclosure& f)
   const std::array<bool, 3>& shared = seen.face.shared;
   f.hinge_depth = 0;
   if (!(shared[0] || shared[1] || shared[2])) return true;
-  const PrismShift frame = error.of_frame(seen.farthest_depth);
+  const PrismPositionError frame = error.of_frame(seen.farthest_depth);
   const double far = 1 + seen.greatest_s + seen.greatest_t;
-  f.hinge_shift = {seen.of_vertices.s + far * frame.s, seen.of_vertices.t + far * frame.t,
+  f.hinge_error = {seen.of_vertices.s + far * frame.s, seen.of_vertices.t + far * frame.t,
                    seen.of_vertices.depth + far * frame.depth + far * seen.distance * frame.s};
-  if (surely_beside(seen.face.corners, shared, f.hinge_shift.s, f.hinge_shift.t, seen.noise.third)) return false;
+  if (surely_beside(seen.face.corners, shared, f.hinge_error.s, f.hinge_error.t, seen.rounding.third)) return false;
   f.hinge_depth = kInfinity;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, seen.face.corners[k][kDepth]);
   }
-  f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_shift.depth, 0.0) : 0;
+  f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_error.depth, 0.0) : 0;
   return true;
 }
 
@@ -185,11 +189,11 @@ bool find_hinge(const PrismError& error, const SeenFace& seen, FaceEnclosure& f)
 bool find_box(const PrismError& error, const SeenFace& seen, FaceEnclosure& f) {
   const std::array<PrismPoint, 3>& corners = seen.face.corners;
   const double deepest = std::max(seen.deepest, 0.0);
-  const PrismShift widest = sum_of(seen.of_vertices, error.of_frame(deepest));
+  const PrismPositionError widest = sum_of(seen.of_vertices, error.of_frame(deepest));
   f.box = box_of(corners.data(), 3);
   f.greatest = seen.deepest + widest.depth;
   if (std::min({least_of(corners, 0), least_of(corners, kS), least_of(corners, kT), least_of(corners, kDepth)}) < 0) {
-    const ConvexPolygon part = part_over_master(corners, widest, error.of_third_weight(deepest, seen.noise));
+    const ConvexPolygon part = part_over_master(corners, widest, error.of_third_weight(deepest, seen.rounding));
     if (part.count == 0) return false;
     f.box = box_of(part.points.data(), part.count);
     f.greatest = part[0][kDepth];
@@ -214,16 +218,16 @@ struct Cuts {
 };
 
 /// How far its points and its border may be shifted.
-void find_shifts(const PrismError& error, const SeenFace& seen, const Cuts& cuts, FaceEnclosure& f) {
+void find_position_errors(const PrismError& error, const SeenFace& seen, const Cuts& cuts, FaceEnclosure& f) {
   const std::array<PrismPoint, 3>& corners = seen.face.corners;
-  const PrismShift of_tilt = error.of_tilt(seen.farthest_depth);
-  f.vertex_shift = seen.of_vertices;
-  f.corner_shift = {seen.of_vertices.s + of_tilt.s, seen.of_vertices.t + of_tilt.t, 0};
-  f.shift = sum_of(seen.of_vertices, error.of_frame(f.greatest));
+  const PrismPositionError of_tilt = error.of_tilt(seen.farthest_depth);
+  f.vertex_error = seen.of_vertices;
+  f.corner_error = {seen.of_vertices.s + of_tilt.s, seen.of_vertices.t + of_tilt.t, 0};
+  f.position_error = sum_of(seen.of_vertices, error.of_frame(f.greatest));
   const int all = cuts.by_sides + cuts.by_plane;
-  f.cut_shift = {all * off_cut(greatest_difference(corners, kS), seen.greatest_s),
+  f.cut_error = {all * off_cut(greatest_difference(corners, kS), seen.greatest_s),
                  all * off_cut(greatest_difference(corners, kT), seen.greatest_t), 0};
-  f.third_side_shift = error.of_third_weight(f.greatest, seen.noise);
+  f.third_side_error = error.of_third_weight(f.greatest, seen.rounding);
 }
 
 /// The face itself, counterclockwise where its doubled area in (s, t) is this.
@@ -233,7 +237,7 @@ void copy_face(const SeenFace& seen, double twice_area, FaceEnclosure& f) {
   f.rounding_Me = seen.face.rounding_Me;
   f.vertices = seen.face.vertices;
   f.corners = seen.face.corners;
-  f.noise = seen.noise;
+  f.rounding = seen.rounding;
   f.knows_sides = false;
   f.fixed = seen.face.shared;
   if (twice_area < 0) {
@@ -249,7 +253,7 @@ void set_facing_unsure(double twice_area, FaceEnclosure& f) {
   f.sliver = 0.5 * std::abs(twice_area);
   f.depth = {0, 0, 0};
   f.field_error = f.line_error = f.depth_error = kInfinity;
-  f.relative_noise = f.crossing_noise = 0;
+  f.relative_rounding = f.crossing_rounding = 0;
 }
 
 /// Its plane, where its facing is sure; a and b are its edges from corner 0.
@@ -261,26 +265,27 @@ void find_plane(const PrismError& error, const SeenFace& seen, const Cuts& cuts,
   const double width_s = std::abs(a[kS]) + std::abs(b[kS]), width_t = std::abs(a[kT]) + std::abs(b[kT]);
   f.depth = {f.corners[0][kDepth], f.corners[0][kS], f.corners[0][kT],
              (a[kDepth] * b[kT] - b[kDepth] * a[kT]) * inverse, (b[kDepth] * a[kS] - a[kDepth] * b[kS]) * inverse};
-  f.relative_noise = kLinearRoundings * u * width_s * width_t * inverse;
-  const double cut_noise = off_line(greatest_difference(f.corners, kDepth), seen.farthest_depth) +
-                           std::abs(f.depth.per_s) * off_line(greatest_difference(f.corners, kS), seen.greatest_s) +
-                           std::abs(f.depth.per_t) * off_line(greatest_difference(f.corners, kT), seen.greatest_t);
+  f.relative_rounding = kLinearRoundings * u * width_s * width_t * inverse;
+  const double cut_rounding = off_line(greatest_difference(f.corners, kDepth), seen.farthest_depth) +
+                              std::abs(f.depth.per_s) * off_line(greatest_difference(f.corners, kS), seen.greatest_s) +
+                              std::abs(f.depth.per_t) * off_line(greatest_difference(f.corners, kT), seen.greatest_t);
   // At depth 0 it is cut last: what is left then lies over the master, where depths differ by no more than the slopes.
   const double slopes = std::abs(f.depth.per_s) + std::abs(f.depth.per_t);
-  const double last_cut = std::min(cut_noise, kBoundMargin * (off_line(slopes, 0) + slopes * off_line(1, 1)));
+  const double last_cut = std::min(cut_rounding, kSafetyFactor * (off_line(slopes, 0) + slopes * off_line(1, 1)));
   const double off_slope = kSlopeRoundings * u * inverse;
-  const double slopes_off = off_slope * ((std::abs(a[kDepth] * b[kT]) + std::abs(b[kDepth] * a[kT])) * f.shift.s +
-                                         (std::abs(b[kDepth] * a[kS]) + std::abs(a[kDepth] * b[kS])) * f.shift.t);
-  f.field_error = kBoundMargin * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, seen.noise,
-                                                   seen.face.rounding_Me) +
-                  slopes_off + cuts.by_sides * cut_noise + cuts.by_plane * last_cut;
+  const double slopes_off =
+      off_slope * ((std::abs(a[kDepth] * b[kT]) + std::abs(b[kDepth] * a[kT])) * f.position_error.s +
+                   (std::abs(b[kDepth] * a[kS]) + std::abs(a[kDepth] * b[kS])) * f.position_error.t);
+  f.field_error = kSafetyFactor * error.of_function({-f.depth.per_s, -f.depth.per_t, 1}, f.greatest, seen.rounding,
+                                                    seen.face.rounding_Me) +
+                  slopes_off + cuts.by_sides * cut_rounding + cuts.by_plane * last_cut;
   f.line_error = f.field_error + 2 * last_cut;
-  f.depth_error = f.line_error + f.relative_noise * seen.farthest_depth;
-  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.reach(f.box)) + f.depth_error;
+  f.depth_error = f.line_error + f.relative_rounding * seen.farthest_depth;
+  f.greatest = std::min(f.greatest, f.depth.middle(f.box) + f.depth.half_range(f.box)) + f.depth_error;
   const auto length_of = [&error](const PrismPoint& edge) {
     return error.distance(std::abs(edge[kS]), std::abs(edge[kT]), std::abs(edge[kDepth]));
   };
-  f.crossing_noise = kCrossingRoundings * u * length_of(a) * length_of(b) * inverse / error.twice_area();
+  f.crossing_rounding = kCrossingRoundings * u * length_of(a) * length_of(b) * inverse / error.twice_area();
 }
 
 }  // namespace
@@ -297,26 +302,26 @@ bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoin
       error.distance(greatest_of(corners, kS), greatest_of(corners, kT), greatest_of(corners, kDepth));
   const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth], 0.0});
   return surely_outside(corners,
-                        sum_of(error.of_any_vertices(error.greatest_noise(distance), own), error.of_frame(deepest)));
+                        sum_of(error.of_any_vertices(error.greatest_rounding(distance), own), error.of_frame(deepest)));
 }
 
-// The two steps of PrismError move each corner by no more than corner_shift but for an affine map of the plane, which
-// leaves windings and sides as they are; and each point that is seen by no more than `shift`, its depth besides by
-// shift.depth. A depth at a fixed (s, t) is off by what depth - per_s s - per_t t is, a side by its cross product with
-// the displacement. Windings: with both edges shifted by up to twice corner_shift the product changes by at most
-// 4 (s width_t + t width_s + 2 s t).
+// The two steps of PrismError move each corner by no more than corner_error but for an affine map of the plane, which
+// leaves windings and sides as they are; and each point that is seen by no more than `position_error`, its depth
+// besides by position_error.depth. A depth at a fixed (s, t) is off by what depth - per_s s - per_t t is, a side by its
+// cross product with the displacement. Windings: with both edges shifted by up to twice corner_error the product
+// changes by at most 4 (s width_t + t width_s + 2 s t).
 bool find_face_enclosure(const PrismError& error, const FaceInPrism& face, FaceEnclosure& f) {
   const SeenFace seen(error, face);
   if (!find_hinge(error, seen, f) || !find_box(error, seen, f)) return false;
   const Cuts cuts(face.corners);
-  find_shifts(error, seen, cuts, f);
-  f.greatest += f.shift.depth;
+  find_position_errors(error, seen, cuts, f);
+  f.greatest += f.position_error.depth;
   const double twice_area = cross_st(face.corners[0], face.corners[1], face.corners[2]);
   copy_face(seen, twice_area, f);
   const PrismPoint a = f.corners[1] - f.corners[0], b = f.corners[2] - f.corners[0];
   const double width_s = std::abs(a[kS]) + std::abs(b[kS]), width_t = std::abs(a[kT]) + std::abs(b[kT]);
   const double turn =
-      4 * (f.corner_shift.s * width_t + f.corner_shift.t * width_s + 2 * f.corner_shift.s * f.corner_shift.t);
+      4 * (f.corner_error.s * width_t + f.corner_error.t * width_s + 2 * f.corner_error.s * f.corner_error.t);
   if (std::abs(twice_area) > 2 * turn) {
     find_plane(error, seen, cuts, twice_area, a, b, f);
   } else {
@@ -325,7 +330,7 @@ bool find_face_enclosure(const PrismError& error, const FaceInPrism& face, FaceE
   return f.greatest >= 0;
 }
 
-void find_side_shifts(const PrismError& error, FaceEnclosure& f) {
+void find_side_errors(const PrismError& error, FaceEnclosure& f) {
   if (f.knows_sides) return;
   f.knows_sides = true;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -340,17 +345,17 @@ void find_side_shifts(const PrismError& error, FaceEnclosure& f) {
     const double cut_t = off_line(std::abs(side_t), std::max(std::abs(a[kT]), std::abs(b[kT])));
     // Corners that are the master's are where they are in both problems.
     const bool moves = !(f.fixed[k] && f.fixed[next]);
-    f.side_shift[k] = moves ? error.of_function({-side_t, side_s, 0}, f.greatest, f.noise, f.rounding_Me) : 0;
+    f.side_error[k] = moves ? error.of_function({-side_t, side_s, 0}, f.greatest, f.rounding, f.rounding_Me) : 0;
     f.side_cuts[k] = cuts * (std::abs(side_t) * cut_s + std::abs(side_s) * cut_t);
   }
 }
 
-// That of all that shifts may bring over the master, and what its border may pass over then.
+// That of all that position errors may bring over the master, and what its border may pass over then.
 double greatest_area(const FaceEnclosure& face) {
-  const ConvexPolygon part = part_over_master(face.corners, face.shift, face.third_side_shift);
-  return std::min(face.box.area(),
-                  (1 + 0x1p-40) * (0.5 * std::abs(twice_area(part))) +
-                      strip_along_border(face.box, face.shift.s + face.cut_shift.s, face.shift.t + face.cut_shift.t));
+  const ConvexPolygon part = part_over_master(face.corners, face.position_error, face.third_side_error);
+  return std::min(face.box.area(), (1 + 0x1p-40) * (0.5 * std::abs(twice_area(part))) +
+                                       strip_along_border(face.box, face.position_error.s + face.cut_error.s,
+                                                          face.position_error.t + face.cut_error.t));
 }
 
 }  // namespace pcm::fast

@@ -10,7 +10,7 @@
 
 #include "fast/bounds/box_st.h"
 #include "fast/prism/convex_polygon.h"
-#include "fast/prism/prism_shift.h"
+#include "fast/prism/prism_position_error.h"
 #include "fast/prism/projected_face.h"
 #include "pcm/triangle_mesh.h"
 
@@ -24,19 +24,19 @@ struct LinearDepth {
   double per_s = 0, per_t = 0;         ///< gradient
 
   double at(double s, double t) const { return value + (per_s * (s - s_0) + per_t * (t - t_0)); }
-  /// Values over a box: middle and how far they go to either side.
+  /// Values over a box: their middle, and how far they go to either side of it.
   double middle(const BoxST& box) const {
     return value + (per_s * (0.5 * (box.low_s + box.high_s) - s_0) + per_t * (0.5 * (box.low_t + box.high_t) - t_0));
   }
-  double reach(const BoxST& box) const {
+  double half_range(const BoxST& box) const {
     return 0.5 * (std::abs(per_s) * box.width_s() + std::abs(per_t) * box.width_t());
   }
 };
 
 /// Where a face may be seen over the master face, in the rounded problem and in the exact one (PCM section 1), and how
-/// far its border and its depth there may be off. A point (s, t) of the master that does not lie within `shift` of the
-/// projected border is covered by the face in both problems or in neither; where it is, both depths are within
-/// `depth_error` of `depth`.
+/// far its border and its depth there may be off. A point (s, t) of the master that does not lie within
+/// `position_error` of the projected border is covered by the face in both problems or in neither; where it is, both
+/// depths are within `depth_error` of `depth`.
 struct FaceEnclosure {
   Index face;
   bool own;                     ///< of the master
@@ -44,29 +44,29 @@ struct FaceEnclosure {
   int facing;                   ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
   std::array<Index, 3> vertices;
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
-  BoxST box;                         ///< holds all of it that is over the master face at a depth >= 0, in both problems
-  PrismShift shift;                  ///< of its points over the master face
-  PrismShift cut_shift;              ///< of its border, by roundings of the cuts that shape it alone
-  PrismRounding noise;               ///< roundings of its vertices as they are seen
-  std::array<bool, 3> fixed;         ///< corners that are the master's own
-  bool knows_sides;                  ///< find_side_shifts was called
-  std::array<double, 3> side_shift;  ///< of side k over the master: (side k) x (displacement) in (s, t)
-  std::array<double, 3> side_cuts;   ///< and by roundings where it is cut itself
-  double third_side_shift;           ///< of the master's side where s + t = 1, as cuts have it: of s + t
-  PrismShift vertex_shift;           ///< of its vertices
-  PrismShift corner_shift;           ///< of its corners, in s and t, but for an affine map of the plane
-  LinearDepth depth;                 ///< its plane, where facing is sure
-  double field_error;                ///< of the depth at its points, m
-  double line_error;                 ///< of the depth where faces are cut along it, m
-  double depth_error;                ///< of the plane as it is computed here, m
-  double greatest;                   ///< it is seen nowhere deeper, m
+  BoxST box;  ///< holds all of it that is over the master face at a depth >= 0, in both problems
+  PrismPositionError position_error;  ///< of its points over the master face
+  PrismPositionError cut_error;       ///< of its border, by roundings of the cuts that shape it alone
+  PrismRounding rounding;             ///< roundings of its vertices as they are seen
+  std::array<bool, 3> fixed;          ///< corners that are the master's own
+  bool knows_sides;                   ///< find_side_errors was called
+  std::array<double, 3> side_error;   ///< of side k over the master: (side k) x (displacement) in (s, t)
+  std::array<double, 3> side_cuts;    ///< and by roundings where it is cut itself
+  double third_side_error;            ///< of the master's side where s + t = 1, as cuts have it: of s + t
+  PrismPositionError vertex_error;    ///< of its vertices
+  PrismPositionError corner_error;    ///< of its corners, in s and t, but for an affine map of the plane
+  LinearDepth depth;                  ///< its plane, where facing is sure
+  double field_error;                 ///< of the depth at its points, m
+  double line_error;                  ///< of the depth where faces are cut along it, m
+  double depth_error;                 ///< of the plane as it is computed here, m
+  double greatest;                    ///< it is seen nowhere deeper, m
   /// Of a face that stands on corners of the master: the height of its other corners beneath, m, and how far these may
   /// be shifted; 0 otherwise. At a depth d it is shifted by no more than d over that height times as much.
   double hinge_depth;
-  PrismShift hinge_shift;
-  double sliver;          ///< where facing is not sure: its area as computed
-  double relative_noise;  ///< of a linear function that is given by its values at the corners
-  double crossing_noise;  ///< how far off the line may be, m over m, where this plane meets a face that far away
+  PrismPositionError hinge_error;
+  double sliver;             ///< where facing is not sure: its area as computed
+  double relative_rounding;  ///< of a linear function that is given by its values at the corners
+  double crossing_rounding;  ///< how far off the line may be, m over m, where this plane meets a face that far away
 
   FaceEnclosure() {}
 };
@@ -109,8 +109,8 @@ struct FaceInPrism {
 /// False where the face is certainly not seen, in neither problem.
 bool find_face_enclosure(const PrismError& error, const FaceInPrism& seen, FaceEnclosure& enclosure);
 
-/// Fills side_shift and side_cuts, unless they are.
-void find_side_shifts(const PrismError& error, FaceEnclosure& enclosure);
+/// Fills side_error and side_cuts, unless they are.
+void find_side_errors(const PrismError& error, FaceEnclosure& enclosure);
 
 /// No more than this area of the master is covered by the face, in either problem.
 double greatest_area(const FaceEnclosure& face);

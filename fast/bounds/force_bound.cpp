@@ -47,29 +47,29 @@ void MasterBound::add_whole_force(const Element& element) {
   const Eigen::Vector3d lever = element.position_Me - problem_.pose.r;
   sum_.flipped = true;
   sum_.force_Me += element.force_Me.cwiseAbs();
-  sum_.torque_Me += Eigen::Vector3d::Constant(kBoundMargin * lever.lpNorm<1>() * element.force_Me.lpNorm<1>());
+  sum_.torque_Me += Eigen::Vector3d::Constant(kSafetyFactor * lever.lpNorm<1>() * element.force_Me.lpNorm<1>());
 }
 
 void MasterBound::add_possible_element(double area, double depth, const FaceGeometry& geometry,
                                        const Eigen::Vector3d& foot_error) {
   const GreatestForce greatest = greatest_force(problem_, area, depth, geometry.barycentre_Me(), foot_error);
   sum_.flipped = true;
-  note_depth(0, kBoundMargin * depth);
+  note_depth(0, kSafetyFactor * depth);
   sum_.force_Me += Eigen::Vector3d::Constant(greatest.force());
   sum_.torque_Me += Eigen::Vector3d::Constant(greatest.torque);
 }
 
 ForceBound MasterBound::result() const {
-  return {number_or_infinity(kBoundMargin * sum_.force_Me), number_or_infinity(kBoundMargin * sum_.torque_Me),
+  return {number_or_infinity(kSafetyFactor * sum_.force_Me), number_or_infinity(kSafetyFactor * sum_.torque_Me),
           sum_.flipped, (1 - 4 * kUnitRoundoff) * sum_.penetration_at_least,
           (1 + 4 * kUnitRoundoff) * sum_.penetration_at_most};
 }
 
 ForceBound mean_bound(const ForceBound& E, const ForceBound& F, const MasterForce& mean) {
   return {number_or_infinity(0.5 * (E.force_Me + F.force_Me) +
-                             kBoundMargin * kUnitRoundoff * (mean.force_Me.cwiseAbs() + E.force_Me + F.force_Me)),
+                             kSafetyFactor * kUnitRoundoff * (mean.force_Me.cwiseAbs() + E.force_Me + F.force_Me)),
           number_or_infinity(0.5 * (E.torque_Me + F.torque_Me) +
-                             kBoundMargin * kUnitRoundoff * (mean.torque_Me.cwiseAbs() + E.torque_Me + F.torque_Me)),
+                             kSafetyFactor * kUnitRoundoff * (mean.torque_Me.cwiseAbs() + E.torque_Me + F.torque_Me)),
           E.flipped || F.flipped, std::max(E.penetration_at_least, F.penetration_at_least),
           std::max(E.penetration_at_most, F.penetration_at_most)};
 }

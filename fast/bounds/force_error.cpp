@@ -62,7 +62,7 @@ Uncertain normal_force(const ForceProblem& problem, const Element& element, cons
   const double volume_error = error.volume;
   const double elastic = c_l * area.size * depth.size;
   const double greatest_volume =
-      std::min(area.greatest() * depth.greatest(), area.size * depth.size * kBoundMargin + volume_error);
+      std::min(area.greatest() * depth.greatest(), area.size * depth.size * kSafetyFactor + volume_error);
   const double elastic_error = c_l * std::min(volume_error, area.size * depth.error + area.error * depth.greatest()) +
                                (kStiffnessRoundings + 2) * u * c_l * greatest_volume;
   double damping = 0, damping_error = 0;
@@ -99,7 +99,7 @@ struct FrictionErrors {
 
 FrictionErrors friction_error(const ContactLaw& law, const Uncertain& F_n, double v_t, double slip_error) {
   const double slip = law.slip_velocity;
-  const double phi = v_t >= slip ? 1 : std::min(1.0, (v_t / slip) * (2 - v_t / slip) * kBoundMargin);
+  const double phi = v_t >= slip ? 1 : std::min(1.0, (v_t / slip) * (2 - v_t / slip) * kSafetyFactor);
   double turn = 0;
   if (slip_error > 0) {
     const double v_low = std::max(v_t - 2 * slip_error, 0.0);
@@ -152,8 +152,8 @@ ElementForceError force_error(const ForceProblem& problem, const Element& elemen
   result.torque_Me = absolute_cross(lever_size, result.force_Me) +
                      absolute_cross(lever_error, force + result.force_Me) + 2 * u * absolute_cross(lever_size, force) +
                      Eigen::Vector3d::Constant(0x1p-1060);
-  result.force_Me *= kBoundMargin;
-  result.torque_Me *= kBoundMargin;
+  result.force_Me *= kSafetyFactor;
+  result.torque_Me *= kSafetyFactor;
   return result;
 }
 
@@ -169,8 +169,8 @@ GreatestForce greatest_force(const ForceProblem& problem, double area, double de
     const double fade = u_k < law.transition_depth ? u_k / law.transition_depth : 1;
     F_n += law.damping * area * speed * fade;
   }
-  const double normal = kBoundMargin * F_n + 0x1p-1060, friction = kBoundMargin * law.friction * F_n + 0x1p-1060;
-  return {normal, friction, kBoundMargin * lever * (normal + friction) + 0x1p-1060};
+  const double normal = kSafetyFactor * F_n + 0x1p-1060, friction = kSafetyFactor * law.friction * F_n + 0x1p-1060;
+  return {normal, friction, kSafetyFactor * lever * (normal + friction) + 0x1p-1060};
 }
 
 }  // namespace pcm::fast

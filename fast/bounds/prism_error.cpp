@@ -26,6 +26,12 @@ double roundings_of_product(const Eigen::Vector3d& g, const Eigen::Vector3d& x, 
          0x1p-1070;
 }
 
+/// What is rounded off in turn in `residual`, times u^2 and the sum of the terms. Of each of the three summands, what
+/// its difference and its product round off are u times the product, what the sum does u times that of all; these take
+/// up to 5, 4 and 3 roundings, the last one 1 less each, on their way into `off`: 5 + 4 of the products and 3 + 3 + 2,
+/// and 1 for those of the sum of the terms.
+constexpr double kResidualRoundings = 18;
+
 /// A bound on |g . (p - q) - c|, sharp where the terms cancel: what the operations round off is taken along (Ogita,
 /// Rump and Oishi 2005), so that only what is rounded off in turn counts.
 double residual(const Eigen::Vector3d& g, const Eigen::Vector3d& p, const Eigen::Vector3d& q, double c) {
@@ -36,10 +42,16 @@ double residual(const Eigen::Vector3d& g, const Eigen::Vector3d& p, const Eigen:
     size += std::abs(product);
     sum = next;
   }
-  return std::abs(sum + off) * (1 + 2 * u) + 64 * u * u * size + 0x1p-1070;
+  return std::abs(sum + off) * (1 + 2 * u) + kResidualRoundings * u * u * size + 0x1p-1070;
 }
 
-/// Terms of second order in the shifts, which are less than 2^-6 wherever they are used.
+/// Roundings of what a tilt does to a function (tilt_of). The scalar products of the gradients have 3 each, of their
+/// lengths' product, the products with the function's slopes 1 and the sum 1: 5 of G . g_s, 5 of G . g_t, and of the
+/// sum of both 6 of either. Each of these three is part of what is summed: 11. Those of that sum are within
+/// kSecondOrder.
+constexpr double kTiltRoundings = 11;
+
+/// Terms of second order in the position errors, which are less than 2^-6 wherever they are used.
 constexpr double kSecondOrder = 1.04;
 
 }  // namespace
@@ -75,12 +87,12 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   gradient_s_ = kSecondOrder * std::sqrt(ss_);
   gradient_t_ = kSecondOrder * std::sqrt(tt_);
   gradient_0_ = kSecondOrder * g_0_Me.norm();
-  any_moved_ = displacement(rounding_Me);
-  const PrismShift moved = displacement(own_rounding_Me);
-  height_ = moved.depth;
+  any_displacement_ = displacement(rounding_Me);
+  const PrismPositionError displaced = displacement(own_rounding_Me);
+  height_ = displaced.depth;
   // A product N . (x - p0) has 4 roundings, its quotient by |N| three more. Where it is small (kExactHeight), it is
   // taken exactly and may differ by the 4 u q of N; not where it is more than that part of q, by more than roundings.
-  exact_depth_noise_ = 4 * q * u;
+  exact_depth_rounding_ = 4 * q * u;
   exact_depth_ = (1 + 0x1p-20) * kExactHeight * q;
 
   constexpr double k = kProductRoundings * u;
@@ -90,37 +102,37 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   const double s_0 = residual(g_s_Me_, p[0], p[2], 0), s_1 = residual(g_s_Me_, p[1], p[2], 1);
   const double t_1 = residual(g_t_Me_, p[1], p[0], 0), t_2 = residual(g_t_Me_, p[2], p[0], 1);
   const double n_1 = residual(N_Me, p[1], p[0], 0), n_2 = residual(N_Me, p[2], p[0], 0);
-  frame_noise_ = {kSecondOrder * std::max(s_0, s_1), kSecondOrder * std::max(t_1, t_2),
-                  kSecondOrder * std::max(n_1, n_2) / (2 * prism.face().area)};
-  const double n_noise = (4 * q + 9) * u;
-  tilt_noise_ = {kSecondOrder * (std::abs(g_s_Me_.dot(n_Me_)) + k * g_s.dot(n) + gradient_s_ * n_noise),
-                 kSecondOrder * (std::abs(g_t_Me_.dot(n_Me_)) + k * g_t.dot(n) + gradient_t_ * n_noise),
-                 face.normal * face.normal + 8 * u};
-  frame_ = frame_noise_;
-  tilt_ = tilt_noise_;
+  frame_rounding_ = {kSecondOrder * std::max(s_0, s_1), kSecondOrder * std::max(t_1, t_2),
+                     kSecondOrder * std::max(n_1, n_2) / (2 * prism.face().area)};
+  const double n_rounding = (4 * q + 9) * u;
+  tilt_rounding_ = {kSecondOrder * (std::abs(g_s_Me_.dot(n_Me_)) + k * g_s.dot(n) + gradient_s_ * n_rounding),
+                    kSecondOrder * (std::abs(g_t_Me_.dot(n_Me_)) + k * g_t.dot(n) + gradient_t_ * n_rounding),
+                    face.normal * face.normal + 8 * u};
+  frame_ = frame_rounding_;
+  tilt_ = tilt_rounding_;
   if (own_moves_) {
-    frame_.s += moved.s;
-    frame_.t += moved.t;
-    frame_.depth += moved.depth;
+    frame_.s += displaced.s;
+    frame_.t += displaced.t;
+    frame_.depth += displaced.depth;
     tilt_.s += tilt_of({1, 0, 0});
     tilt_.t += tilt_of({0, 1, 0});
   }
   // At p1 the weights are off by what s and t are there; from there on their sum changes with the gradients' sum.
   const Eigen::Vector3d sum = (g_s_Me_ + g_t_Me_ + g_0_Me).cwiseAbs() + 2 * u * (g_s + g_t + g_0);
-  third_weight_ = frame_noise_.s + frame_noise_.t + kSecondOrder * sum.dot(a + b);
+  third_weight_ = frame_rounding_.s + frame_rounding_.t + kSecondOrder * sum.dot(a + b);
   third_weight_tilt_ = kSecondOrder * sum.dot(n);
 }
 
-PrismRounding PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me,
-                                const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared) const {
+PrismRounding PrismError::rounding(const std::array<Eigen::Vector3d, 3>& points_Me,
+                                   const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared) const {
   const FaceGeometry& face = prism_.face();
   const auto& p = face.points_Me;
   PrismRounding greatest;
   for (std::size_t k = 0; k < 3; ++k) {
     if (shared[k]) {
-      greatest.s = std::max(greatest.s, frame_noise_.s);
-      greatest.t = std::max(greatest.t, frame_noise_.t);
-      greatest.depth = std::max(greatest.depth, frame_noise_.depth);
+      greatest.s = std::max(greatest.s, frame_rounding_.s);
+      greatest.t = std::max(greatest.t, frame_rounding_.t);
+      greatest.depth = std::max(greatest.depth, frame_rounding_.depth);
       continue;
     }
     const Eigen::Vector3d& x = points_Me[k];
@@ -133,7 +145,7 @@ PrismRounding PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me,
     // Filters take what may have underflown exactly, too.
     const double underflown = 4 * kExactHeight * kFilterUnderflow * (1 + (x - p[0]).lpNorm<1>());
     if (depth * depth < exact_depth_ * exact_depth_ * square || 2 * face.area * depth <= underflown)
-      height_off += exact_depth_noise_ * std::sqrt(square);
+      height_off += exact_depth_rounding_ * std::sqrt(square);
     greatest.depth = std::max(greatest.depth, kSecondOrder * height_off + 4 * u * depth);
   }
   greatest.s *= kSecondOrder;
@@ -143,59 +155,63 @@ PrismRounding PrismError::noise(const std::array<Eigen::Vector3d, 3>& points_Me,
 }
 
 // No point is farther from another corner than from p0 by more than the side between them.
-PrismShift PrismError::greatest_noise(double distance) const {
+PrismPositionError PrismError::greatest_rounding(double distance) const {
   constexpr double k = kProductRoundings * u;
-  const double farther = kBoundMargin * (distance + std::max(length_s_, length_t_));
+  const double farther = kSafetyFactor * (distance + std::max(length_s_, length_t_));
   return {k * gradient_s_ * farther, k * gradient_t_ * farther,
-          (kSecondOrder * (k + exact_depth_noise_) + 4 * u) * farther};
+          (kSecondOrder * (k + exact_depth_rounding_) + 4 * u) * farther};
 }
 
-PrismShift PrismError::displacement(const Eigen::Vector3d& rounding_Me) const {
+PrismPositionError PrismError::displacement(const Eigen::Vector3d& rounding_Me) const {
   return {kSecondOrder * g_s_Me_.cwiseAbs().dot(rounding_Me), kSecondOrder * g_t_Me_.cwiseAbs().dot(rounding_Me),
           kSecondOrder * n_Me_.cwiseAbs().dot(rounding_Me)};
 }
 
-PrismShift PrismError::of_vertices(const PrismRounding& noise, const Eigen::Vector3d& rounding_Me) const {
-  const PrismShift moved = displacement(rounding_Me);
-  return {moved.s + noise.s, moved.t + noise.t, moved.depth + noise.depth};
+PrismPositionError PrismError::of_vertices(const PrismRounding& rounding, const Eigen::Vector3d& rounding_Me) const {
+  const PrismPositionError displaced = displacement(rounding_Me);
+  return {displaced.s + rounding.s, displaced.t + rounding.t, displaced.depth + rounding.depth};
 }
 
-PrismShift PrismError::of_any_vertices(const PrismShift& noise, bool own) const {
+PrismPositionError PrismError::of_any_vertices(const PrismPositionError& rounding, bool own) const {
   // Of both surfaces one is F's.
   const double moves = own == own_moves_ ? 1 : 0;
-  return {moves * any_moved_.s + noise.s, moves * any_moved_.t + noise.t, moves * any_moved_.depth + noise.depth};
+  return {moves * any_displacement_.s + rounding.s, moves * any_displacement_.t + rounding.t,
+          moves * any_displacement_.depth + rounding.depth};
 }
 
 Eigen::Vector3d PrismError::of_point_in_master() const {
   const Eigen::Vector3d edges = prism_.edge_s_Me().cwiseAbs() + prism_.edge_t_Me().cwiseAbs();
-  return own_rounding_Me_ + kBoundMargin * kUnitRoundoff * (prism_.p0_Me().cwiseAbs() + 6 * edges);
+  return own_rounding_Me_ + kSafetyFactor * kUnitRoundoff * (prism_.p0_Me().cwiseAbs() + 6 * edges);
 }
 
-PrismShift PrismError::of_frame(double depth) const {
+PrismPositionError PrismError::of_frame(double depth) const {
   return {frame_.s + tilt_.s * depth, frame_.t + tilt_.t * depth, frame_.depth + tilt_.depth * depth};
 }
 
 // With G = per_s g_s + per_t g_t and g_0 = -(g_s + g_t): h (|G . g_0| + |G . g_s| + |G . g_t|).
 double PrismError::tilt_of(const PrismFunction& f) const {
   const double G_s = f.per_s * ss_ + f.per_t * st_, G_t = f.per_s * st_ + f.per_t * tt_;
-  const double size_s = std::abs(f.per_s) * ss_ + std::abs(f.per_t) * std::abs(st_);
-  const double size_t = std::abs(f.per_s) * std::abs(st_) + std::abs(f.per_t) * tt_;
-  return kSecondOrder * height_ * (std::abs(G_s) + std::abs(G_t) + std::abs(G_s + G_t) + 16 * u * (size_s + size_t));
+  // By lengths: g_s . g_t may cancel.
+  const double lengths = std::sqrt(ss_ * tt_);
+  const double size_s = std::abs(f.per_s) * ss_ + std::abs(f.per_t) * lengths;
+  const double size_t = std::abs(f.per_s) * lengths + std::abs(f.per_t) * tt_;
+  return kSecondOrder * height_ *
+         (std::abs(G_s) + std::abs(G_t) + std::abs(G_s + G_t) + kTiltRoundings * u * (size_s + size_t));
 }
 
-double PrismError::of_function(const PrismFunction& f, double depth, const PrismRounding& noise,
+double PrismError::of_function(const PrismFunction& f, double depth, const PrismRounding& rounding,
                                const Eigen::Vector3d& rounding_Me) const {
   // Vertices are moved in space, so the function changes by its gradient's product with that; likewise the frame.
   const Eigen::Vector3d gradient_Me = f.per_s * g_s_Me_ + f.per_t * g_t_Me_ - f.per_depth * n_Me_;
   double off = kSecondOrder * gradient_Me.cwiseAbs().dot(rounding_Me + own_rounding_Me_);
   if (own_moves_) off += depth * tilt_of(f);
-  return off + std::abs(f.per_s) * (noise.s + frame_noise_.s + tilt_noise_.s * depth) +
-         std::abs(f.per_t) * (noise.t + frame_noise_.t + tilt_noise_.t * depth) +
-         std::abs(f.per_depth) * (noise.depth + frame_noise_.depth + tilt_noise_.depth * depth);
+  return off + std::abs(f.per_s) * (rounding.s + frame_rounding_.s + tilt_rounding_.s * depth) +
+         std::abs(f.per_t) * (rounding.t + frame_rounding_.t + tilt_rounding_.t * depth) +
+         std::abs(f.per_depth) * (rounding.depth + frame_rounding_.depth + tilt_rounding_.depth * depth);
 }
 
-double PrismError::of_third_weight(double depth, const PrismRounding& noise) const {
-  return noise.s + noise.t + noise.third + third_weight_ + third_weight_tilt_ * depth;
+double PrismError::of_third_weight(double depth, const PrismRounding& rounding) const {
+  return rounding.s + rounding.t + rounding.third + third_weight_ + third_weight_tilt_ * depth;
 }
 
 }  // namespace pcm::fast

@@ -7,7 +7,7 @@
 
 #include "fast/bounds/element_error.h"
 #include "fast/prism/master_prism.h"
-#include "fast/prism/prism_shift.h"
+#include "fast/prism/prism_position_error.h"
 #include "pcm/inputs.h"
 
 namespace pcm::fast {
@@ -47,29 +47,29 @@ class PrismError {
   double distance(double s, double t, double depth) const { return length_s_ * s + length_t_ * t + depth; }
   /// Roundings of what the prism makes of vertices at `points_Me`, which it sees at these corners. Those that are
   /// `shared` are the master's own, seen exactly: they are off only by what M is off there.
-  PrismRounding noise(const std::array<Eigen::Vector3d, 3>& points_Me, const std::array<PrismPoint, 3>& corners,
-                      const std::array<bool, 3>& shared) const;
+  PrismRounding rounding(const std::array<Eigen::Vector3d, 3>& points_Me, const std::array<PrismPoint, 3>& corners,
+                         const std::array<bool, 3>& shared) const;
   /// And of what it makes of any as near to p0 as that.
-  PrismShift greatest_noise(double distance) const;
+  PrismPositionError greatest_rounding(double distance) const;
   /// The first step, for vertices with these roundings, that are themselves off by up to `rounding_Me`.
-  PrismShift of_vertices(const PrismRounding& noise, const Eigen::Vector3d& rounding_Me) const;
+  PrismPositionError of_vertices(const PrismRounding& rounding, const Eigen::Vector3d& rounding_Me) const;
   /// The same for any vertices of the slave, or of the master.
-  PrismShift of_any_vertices(const PrismShift& noise, bool own) const;
+  PrismPositionError of_any_vertices(const PrismPositionError& rounding, bool own) const;
   /// The second, for points over the master face no deeper than `depth`.
-  PrismShift of_frame(double depth) const;
+  PrismPositionError of_frame(double depth) const;
   /// Both steps for a function of points over the master face no deeper than `depth`, on a face whose vertices are seen
   /// with these roundings and are off by up to `rounding_Me`.
-  double of_function(const PrismFunction& f, double depth, const PrismRounding& noise,
+  double of_function(const PrismFunction& f, double depth, const PrismRounding& rounding,
                      const Eigen::Vector3d& rounding_Me) const;
   /// The second step's part that turns depth into s and t, for points as far as `depth` from the master's plane,
   /// wherever they are: the rest maps lines in (s, t) to lines, and says nothing new of sides and windings.
-  PrismShift of_tilt(double depth) const { return {tilt_.s * depth, tilt_.t * depth, 0}; }
+  PrismPositionError of_tilt(double depth) const { return {tilt_.s * depth, tilt_.t * depth, 0}; }
   /// How far 1 - s - t may be from the weight of p0 as it is computed, over the master face no deeper than `depth`.
-  double of_third_weight(double depth, const PrismRounding& noise) const;
+  double of_third_weight(double depth, const PrismRounding& rounding) const;
 
  private:
   double tilt_of(const PrismFunction& f) const;
-  PrismShift displacement(const Eigen::Vector3d& rounding_Me) const;
+  PrismPositionError displacement(const Eigen::Vector3d& rounding_Me) const;
 
   const MasterPrism& prism_;
   const Eigen::Vector3d& g_s_Me_;  ///< gradients of s and t, the prism's
@@ -79,15 +79,15 @@ class PrismError {
   double ss_, st_, tt_;                          ///< scalar products of the gradients, 1 / m^2
   double length_s_, length_t_;                   ///< of p1 - p0 and p2 - p0, m
   double gradient_s_, gradient_t_, gradient_0_;  ///< length of the gradients of the weights, 1 / m
-  PrismShift any_moved_;                         ///< by any vertex of F that is off by its rounding
+  PrismPositionError any_displacement_;          ///< by any vertex of F that is off by its rounding
   bool own_moves_;                               ///< the master is F's
   double height_;                                ///< how far such a vertex may be off along n, m
-  double exact_depth_noise_;                     ///< what is added to a depth's roundings where
+  double exact_depth_rounding_;                  ///< what is added to a depth's roundings where
   double exact_depth_;                           ///< |depth| over the distance is less than this
-  PrismShift frame_noise_;                       ///< roundings of the frame, at depth 0
-  PrismShift tilt_noise_;                        ///< and times the depth
-  PrismShift frame_;                             ///< at depth 0
-  PrismShift tilt_;                              ///< times the depth
+  PrismPositionError frame_rounding_;            ///< roundings of the frame, at depth 0
+  PrismPositionError tilt_rounding_;             ///< and times the depth
+  PrismPositionError frame_;                     ///< at depth 0
+  PrismPositionError tilt_;                      ///< times the depth
   double third_weight_;                          ///< of the sum of the weights at depth 0
   double third_weight_tilt_;                     ///< and times the depth
 };

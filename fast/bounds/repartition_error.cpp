@@ -15,6 +15,14 @@ namespace {
 /// What passes is less than this share of an element, or it counts in full.
 constexpr double kGreatestShare = 0x1p-12;
 
+/// Roundings of an element's rates, of themselves: those of the stiffness (3), or of the damping's product and quotient
+/// with the transition depth (2), the sum of both 1, the direction's quotient 1, the product with it 1. Where terms
+/// cancel, in that sum or between normal force and friction, roundings are greater than that, but no greater than the
+/// element's own force has them of as great terms (force_error); of that force less than kGreatestShare passes, so they
+/// are less than that share of its error, and within kGrowth. The lever's single rounding is less. Rates and lever of
+/// the first element have none: the sums are off by no more whichever constants are taken from all rates and levers.
+constexpr double kRateRoundings = 6;
+
 /// dF_n / dV and dF_n / dA at fixed velocities, where F_n is surely linear, in both problems and between them.
 struct NormalRates {
   double per_volume, per_area;
@@ -77,22 +85,19 @@ void RepartitionError::add(const ForceProblem& problem, const Element& element, 
     first_ = rates;
     has_first_ = true;
   }
-  // Roundings of the rates, whose differences may be 0.
-  constexpr double k = 16 * kUnitRoundoff;
+  // Differences may be 0.
+  constexpr double k = kRateRoundings * kUnitRoundoff;
   const auto cost = [&](const Eigen::Vector3d& mine, const Eigen::Vector3d& firsts, double passed) {
-    const Eigen::Vector3d difference =
-        passed * ((mine - firsts).cwiseAbs() + k * (mine.cwiseAbs() + firsts.cwiseAbs()));
+    const Eigen::Vector3d difference = passed * ((mine - firsts).cwiseAbs() + k * mine.cwiseAbs());
     sum.force_Me += difference;
     // L x c - L_1 x c_1 = L_1 x (c - c_1) + (L - L_1) x c, by lengths.
-    const double torque = first_.lever_Me.lpNorm<1>() * difference.sum() +
-                          passed *
-                              ((rates.lever_Me - first_.lever_Me).lpNorm<1>() +
-                               k * (rates.lever_Me.lpNorm<1>() + first_.lever_Me.lpNorm<1>())) *
-                              mine.lpNorm<1>();
+    const double torque =
+        first_.lever_Me.lpNorm<1>() * difference.sum() +
+        passed * ((rates.lever_Me - first_.lever_Me).lpNorm<1>() + k * rates.lever_Me.lpNorm<1>()) * mine.lpNorm<1>();
     sum.torque_Me += Eigen::Vector3d::Constant(torque);
   };
-  cost(rates.per_volume_Me, first_.per_volume_Me, kBoundMargin * error.passed_volume);
-  cost(rates.per_area_Me, first_.per_area_Me, kBoundMargin * error.passed_area);
+  cost(rates.per_volume_Me, first_.per_volume_Me, kSafetyFactor * error.passed_volume);
+  cost(rates.per_area_Me, first_.per_area_Me, kSafetyFactor * error.passed_area);
 }
 
 void RepartitionError::add_elsewhere(double area, double volume) {

@@ -48,63 +48,63 @@ struct Stretch {
     }
   }
   /// Keeps what is within (s, t) of the box and of the master's third side.
-  void keep_in(const BoxST& box, double margin_s, double margin_t) {
-    keep(s - (box.low_s - margin_s), way_s);
-    keep((box.high_s + margin_s) - s, -way_s);
-    keep(t - (box.low_t - margin_t), way_t);
-    keep((box.high_t + margin_t) - t, -way_t);
-    keep((1 + margin_s + margin_t) - s - t, -way_s - way_t);
+  void keep_in(const BoxST& box, double error_s, double error_t) {
+    keep(s - (box.low_s - error_s), way_s);
+    keep((box.high_s + error_s) - s, -way_s);
+    keep(t - (box.low_t - error_t), way_t);
+    keep((box.high_t + error_t) - t, -way_t);
+    keep((1 + error_s + error_t) - s - t, -way_s - way_t);
   }
   /// Keeps what is within (s, t) of a face however its sides are shifted.
-  void keep_in(const FaceEnclosure& face, double margin_s, double margin_t) {
+  void keep_in(const FaceEnclosure& face, double error_s, double error_t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const PrismPoint& a = face.corners[k];
       const PrismPoint& b = face.corners[(k + 1) % 3];
       const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
-      const double margin =
-          2 * (face.side_shift[k] + face.side_cuts[k]) + std::abs(side_s) * margin_t + std::abs(side_t) * margin_s;
-      keep(side_s * (t - a[kT]) - side_t * (s - a[kS]) + margin, side_s * way_t - side_t * way_s);
+      const double error =
+          2 * (face.side_error[k] + face.side_cuts[k]) + std::abs(side_s) * error_t + std::abs(side_t) * error_s;
+      keep(side_s * (t - a[kT]) - side_t * (s - a[kS]) + error, side_s * way_t - side_t * way_s);
     }
   }
   /// No depth of a face is greater within (s, t) of it.
-  double greatest_depth(const FaceEnclosure& face, double margin_s, double margin_t) const {
+  double greatest_depth(const FaceEnclosure& face, double error_s, double error_t) const {
     if (face.facing == 0) return std::max(face.greatest, 0.0);
     const double depth = std::max(face.depth.at(s_at(low), t_at(low)), face.depth.at(s_at(high), t_at(high)));
-    const double margin =
-        face.depth_error + std::abs(face.depth.per_s) * margin_s + std::abs(face.depth.per_t) * margin_t;
-    return std::clamp(depth + margin, 0.0, std::max(face.greatest, 0.0));
+    const double error = face.depth_error + std::abs(face.depth.per_s) * error_s + std::abs(face.depth.per_t) * error_t;
+    return std::clamp(depth + error, 0.0, std::max(face.greatest, 0.0));
   }
 };
 
-/// Whether a side of a has b on its far side when both faces are shifted: certainly, or but for what the shifts make.
+/// Whether a side of a has b on its far side when both faces are shifted: certainly, or but for what position errors
+/// make.
 struct Separation {
   enum class Kind : std::uint8_t { none, near, certain } found = Kind::none;
-  LinearDepth side;   ///< the linear function that is 0 along the side
-  double margin = 0;  ///< how far the shifts may move it
+  LinearDepth side;  ///< the linear function that is 0 along the side
+  double error = 0;  ///< how far position errors may move it
 };
 
-void separate(const FaceEnclosure& a, const FaceEnclosure& b, double shift_s, double shift_t, Separation& best) {
+void separate(const FaceEnclosure& a, const FaceEnclosure& b, double error_s, double error_t, Separation& best) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     const PrismPoint& from = a.corners[k];
     const double side_s = a.corners[next][kS] - from[kS], side_t = a.corners[next][kT] - from[kT];
-    double certainty = kInfinity, greatest_margin = 0;
+    double certainty = kInfinity, greatest_error = 0;
     for (std::size_t j = 0; j < 3 && certainty > -1; ++j) {
       if (a.own == b.own && (b.vertices[j] == a.vertices[k] || b.vertices[j] == a.vertices[next])) continue;
       const double to_s = b.corners[j][kS] - from[kS], to_t = b.corners[j][kT] - from[kT];
-      // The shifts pay for the roundings as well.
-      const double margin = 2 * shift_s * (std::abs(side_t) + std::abs(to_t) + 4 * shift_t) +
-                            2 * shift_t * (std::abs(side_s) + std::abs(to_s));
+      // The position errors pay for the roundings as well.
+      const double error = 2 * error_s * (std::abs(side_t) + std::abs(to_t) + 4 * error_t) +
+                           2 * error_t * (std::abs(side_s) + std::abs(to_s));
       const double below = side_t * to_s - side_s * to_t;
-      greatest_margin = std::max(greatest_margin, margin);
-      certainty = std::min(certainty, below > margin ? 1.0 : below >= -margin ? 0.0 : -1.0);
+      greatest_error = std::max(greatest_error, error);
+      certainty = std::min(certainty, below > error ? 1.0 : below >= -error ? 0.0 : -1.0);
     }
     if (certainty > 0) {
       best.found = Separation::Kind::certain;
       return;
     }
     if (certainty == 0 && best.found == Separation::Kind::none) {
-      best = {Separation::Kind::near, {0, from[kS], from[kT], -side_t, side_s}, greatest_margin};
+      best = {Separation::Kind::near, {0, from[kS], from[kT], -side_t, side_s}, greatest_error};
     }
   }
 }
@@ -124,34 +124,35 @@ bool share_a_side(const FaceEnclosure& a, const FaceEnclosure& b) {
 
 double greatest_overlap(const FaceEnclosure& a, const FaceEnclosure& b, const BoxST& box) {
   if (share_a_side(a, b)) return 0;
-  const double s = std::max(a.corner_shift.s, b.corner_shift.s), t = std::max(a.corner_shift.t, b.corner_shift.t);
+  const double s = std::max(a.corner_error.s, b.corner_error.s), t = std::max(a.corner_error.t, b.corner_error.t);
   Separation separation;
   separate(a, b, s, t, separation);
   if (separation.found != Separation::Kind::certain) separate(b, a, s, t, separation);
   if (separation.found == Separation::Kind::certain) return 0;
   if (separation.found == Separation::Kind::none) return box.area();
-  const double margin = 3 * separation.margin;
-  return std::min(box.area(), 2 * zero_strip(separation.side, {margin, margin}, box).area);
+  const double error = 3 * separation.error;
+  return std::min(box.area(), 2 * zero_strip(separation.side, {error, error}, box).area);
 }
 
 // Its computed area, and what its sides may pass over.
 SideStrips sliver(const FaceEnclosure& face, const FaceEnclosure& carrier, double depth, const BoxST& box) {
-  PrismShift shift = face.shift;
+  PrismPositionError position_error = face.position_error;
   double area = face.sliver;
   if (depth < 0.5 * face.hinge_depth) {
-    const double share = kBoundMargin * depth / face.hinge_depth;
+    const double share = kSafetyFactor * depth / face.hinge_depth;
     area *= 2 * share;
-    shift = {std::min(shift.s, share * face.hinge_shift.s), std::min(shift.t, share * face.hinge_shift.t), 0};
+    position_error = {std::min(position_error.s, share * face.hinge_error.s),
+                      std::min(position_error.t, share * face.hinge_error.t), 0};
   }
-  SideStrips all = strips_along_sides(face, shift.s, shift.t, carrier, box);
+  SideStrips all = strips_along_sides(face, position_error.s, position_error.t, carrier, box);
   all.area = std::min(area + all.area, box.area());
   all.volume = std::min(area * depth + all.volume, all.area * depth);
   return all;
 }
 
 // What a side passes over lies between where it is and where it was, and within (s, t) of it: in the coordinates lambda
-// along the side and (side) x (x - a) across it, whose determinant is 1, that is no more than side_shift and roundings
-// by the stretch of the side that is within (s, t) of the box. Twice these margins pay for roundings of this itself.
+// along the side and (side) x (x - a) across it, whose determinant is 1, that is no more than side_error and roundings
+// by the stretch of the side that is within (s, t) of the box. Twice these errors pay for roundings of this itself.
 SideStrips strips_along_sides(const FaceEnclosure& face, double s, double t, const FaceEnclosure& carrier,
                               const BoxST& box, const std::array<bool, 3>& sides) {
   const double middle_s = 0.5 * (box.low_s + box.high_s), middle_t = 0.5 * (box.low_t + box.high_t);
@@ -165,16 +166,16 @@ SideStrips strips_along_sides(const FaceEnclosure& face, double s, double t, con
     const double roundings = &carrier != &face  ? side_roundings(a, b, carrier.box)
                              : face.knows_sides ? face.side_cuts[k]
                                                 : 0;
-    const double reach =
+    const double within =
         std::abs(side_s) * (0.5 * box.width_t() + t) + std::abs(side_t) * (0.5 * box.width_s() + s) + 2 * roundings;
-    if (inward < -reach) strips.apart = true;
-    if (!sides[k] || std::abs(inward) > reach) continue;
-    const double by_shift = std::abs(side_s) * t + std::abs(side_t) * s;
+    if (inward < -within) strips.apart = true;
+    if (!sides[k] || std::abs(inward) > within) continue;
+    const double by_position_error = std::abs(side_s) * t + std::abs(side_t) * s;
     if (&carrier == &face && !face.knows_sides) {
       // Of the side's extent no more than the box's counts. About each of its ends 2 s times 2 t, and twice that.
       const double extent_s = std::min(std::abs(side_s), box.width_s() + 4 * s);
       const double extent_t = std::min(std::abs(side_t), box.width_t() + 4 * t);
-      const double area = kBoundMargin * (extent_s * t + extent_t * s) + 16 * s * t;
+      const double area = kSafetyFactor * (extent_s * t + extent_t * s) + 16 * s * t;
       strips.area += area;
       strips.volume += area * face.greatest;
       continue;
@@ -183,14 +184,15 @@ SideStrips strips_along_sides(const FaceEnclosure& face, double s, double t, con
     stretch.keep_in(box, 2 * s, 2 * t);
     if (&carrier != &face && carrier.facing != 0) stretch.keep_in(carrier, 2 * s, 2 * t);
     if (face.facing != 0) {
-      const double margin = 2 * (face.depth_error + std::abs(face.depth.per_s) * s + std::abs(face.depth.per_t) * t);
-      stretch.keep(a[kDepth] + margin, b[kDepth] - a[kDepth]);
+      const double error = 2 * (face.depth_error + std::abs(face.depth.per_s) * s + std::abs(face.depth.per_t) * t);
+      stretch.keep(a[kDepth] + error, b[kDepth] - a[kDepth]);
     }
     if (stretch.empty()) continue;
     double beyond = 1;
     if (s < std::abs(side_s)) beyond = s / std::abs(side_s);
     if (t < beyond * std::abs(side_t)) beyond = t / std::abs(side_t);
-    const double width = (face.knows_sides ? std::min(face.side_shift[k], by_shift) : by_shift) + roundings;
+    const double width =
+        (face.knows_sides ? std::min(face.side_error[k], by_position_error) : by_position_error) + roundings;
     const double area = width * (stretch.length() + 4 * beyond) + 4 * s * t;
     strips.area += area;
     strips.volume += area * stretch.greatest_depth(carrier, 2 * s, 2 * t);
@@ -222,13 +224,13 @@ LineStrip strip_along_line(const LinearDepth& function, const LineError& error, 
   }
   if (!(slope > 0)) return {strip.area, strip.area * greatest, false};
   const double away = error.off / slope;
-  const double s = (across_s ? 2 * away : 0) + 2 * f.shift.s + 2 * g.shift.s;
-  const double t = (across_s ? 0 : 2 * away) + 2 * f.shift.t + 2 * g.shift.t;
+  const double s = (across_s ? 2 * away : 0) + 2 * f.position_error.s + 2 * g.position_error.s;
+  const double t = (across_s ? 0 : 2 * away) + 2 * f.position_error.t + 2 * g.position_error.t;
   stretch.keep_in(box, s, t);
   if (f.facing != 0) stretch.keep_in(f, s, t);
   if (g.facing != 0) stretch.keep_in(g, s, t);
   if (stretch.empty()) return {};
-  const double area = std::min(strip.area, error.apart / slope * wide * stretch.length() * kBoundMargin);
+  const double area = std::min(strip.area, error.apart / slope * wide * stretch.length() * kSafetyFactor);
   return {area, area * stretch.greatest_depth(f, s, t), false};
 }
 
@@ -249,7 +251,7 @@ double roundings_of_depth(const FaceEnclosure& g, const BoxST& box) {
 // Of a side's extent only that share counts along which the function changes by twice the error.
 double zero_strip_at_sides(const FaceEnclosure& face, const std::array<bool, 3>& sides, const LinearDepth& function,
                            double error, const BoxST& box) {
-  const double s = face.shift.s, t = face.shift.t;
+  const double s = face.position_error.s, t = face.position_error.t;
   double area = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!sides[k]) continue;
@@ -266,12 +268,12 @@ double zero_strip_at_sides(const FaceEnclosure& face, const std::array<bool, 3>&
 // At each s, or t, the zeros of both functions are no farther apart than what they differ by over the slope of either;
 // over the width of the box that is off by twice what the function is.
 ZeroStrip zero_strip(const LinearDepth& function, const LineError& error, const BoxST& box) {
-  const double middle = std::abs(function.middle(box)), reach = function.reach(box);
-  if (middle - reach > error.off) return {};
-  if (middle + reach <= error.off) return {box.area(), true};
+  const double middle = std::abs(function.middle(box)), half_range = function.half_range(box);
+  if (middle - half_range > error.off) return {};
+  if (middle + half_range <= error.off) return {box.area(), true};
   const auto across = [&error](double slope, double width) {
     const double least_rise = std::abs(slope) * width - 2 * error.off;
-    return least_rise > error.apart ? width * (kBoundMargin * error.apart / least_rise) : width;
+    return least_rise > error.apart ? width * (kSafetyFactor * error.apart / least_rise) : width;
   };
   const double across_s = across(function.per_s, box.width_s()), across_t = across(function.per_t, box.width_t());
   return {std::min(across_s * box.width_t(), across_t * box.width_s()), false};

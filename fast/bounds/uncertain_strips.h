@@ -18,7 +18,7 @@ double greatest_overlap(const FaceEnclosure& a, const FaceEnclosure& b, const Bo
 
 /// What the sides of a face may pass over within the box: its area, and the integral there of the depth of the face
 /// `carrier`; and whether one of them certainly has all of the box on its far side. Side k may be off by
-/// face.side_shift and by (s, t), and by roundings: of the cuts that shaped the face, or of those it makes in another
+/// face.side_error and by (s, t), and by roundings: of the cuts that shaped the face, or of those it makes in another
 /// that carries.
 struct SideStrips {
   double area = 0;

@@ -26,8 +26,8 @@ class SurePlane {
       : a_(a), N_((b - a).cross(c - a)) {
     const double y = (b - a).lpNorm<1>(), z = (c - a).lpNorm<1>(), d = 2 * rounding;
     // |x| times the first and the second.
-    relative_ = kBoundMargin * (d * (y + z + d) + 10 * kUnitRoundoff * y * z) + 0x1p-1070;
-    absolute_ = kBoundMargin * d * (y + d) * (z + d) + 0x1p-1060;
+    relative_ = kSafetyFactor * (d * (y + z + d) + 10 * kUnitRoundoff * y * z) + 0x1p-1070;
+    absolute_ = kSafetyFactor * d * (y + d) * (z + d) + 0x1p-1060;
   }
 
   /// +1 where x surely lies above the plane, -1 where below.

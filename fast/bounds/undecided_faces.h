@@ -12,8 +12,8 @@ namespace pcm::fast {
 /// sections 1 and 5).
 struct UndecidedFaces {
   std::vector<Index> faces;
-  StampedArray<bool> is_undecided;    ///< by face
-  StampedArray<bool> surely_crossed;  ///< by face: scratch
+  FastClearArray<bool> is_undecided;    ///< by face
+  FastClearArray<bool> surely_crossed;  ///< by face: scratch
 };
 
 /// Finds them. The candidate pairs must have been kept; `rounding_Me` bounds the rounding of F's vertices, component by

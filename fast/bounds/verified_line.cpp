@@ -63,7 +63,7 @@ Meeting meeting(const Tube& tube, const FacePoints& f) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     const double side = tube.direction.dot(d[k].cross(d[next]));
-    const double allowed = kBoundMargin * (tube.radius * (f[next] - f[k]).lpNorm<1>() + 16 * u * size[k] * size[next]);
+    const double allowed = kSafetyFactor * (tube.radius * (f[next] - f[k]).lpNorm<1>() + 16 * u * size[k] * size[next]);
     plus = plus && side >= -allowed;
     minus = minus && side <= allowed;
     surely_plus = surely_plus && side > allowed;
@@ -73,7 +73,7 @@ Meeting meeting(const Tube& tube, const FacePoints& f) {
   if (!result.possible) return result;
 
   const auto [nearest, farthest] = std::minmax_element(along.begin(), along.end());
-  const double along_error = kBoundMargin * (tube.radius + 16 * u * std::max({size[0], size[1], size[2]}));
+  const double along_error = kSafetyFactor * (tube.radius + 16 * u * std::max({size[0], size[1], size[2]}));
   result.least = *nearest - along_error;
   result.greatest = *farthest + along_error;
 
@@ -89,14 +89,15 @@ Meeting meeting(const Tube& tube, const FacePoints& f) {
     const double height_error =
         tube.radius * N.lpNorm<1>() + (tube.radius + 32 * u * size[0]) * product * 32 * u + 32 * u * size[0] * product;
     const double s_error =
-        kBoundMargin * (height_error + std::abs(s) * rounded_slope) / (std::abs(slope) - rounded_slope) +
+        kSafetyFactor * (height_error + std::abs(s) * rounded_slope) / (std::abs(slope) - rounded_slope) +
         4 * u * std::abs(s);
     result.least = std::max(result.least, s - s_error);
     result.greatest = std::min(result.greatest, s + s_error);
   }
   // The exact N differs by at most 2 |rounding| times the edges and the product of both their changes.
-  const double moved = 2 * tube.rounding * (edges + 2 * tube.rounding);
-  const double slope_error = kBoundMargin * (rounded_slope + moved + tube.direction_error * (product + moved));
+  const double by_vertices = 2 * tube.rounding * (edges + 2 * tube.rounding);
+  const double slope_error =
+      kSafetyFactor * (rounded_slope + by_vertices + tube.direction_error * (product + by_vertices));
   if (std::abs(slope) > slope_error && std::abs(slope) > kLeastProduct) result.facing = slope > 0 ? -1 : 1;
   result.sure = (surely_plus || surely_minus) && result.facing != 0;
   return result;
@@ -109,7 +110,7 @@ void for_each_face_near(PosedPair& posed, Side side, const Tube& tube, const dou
   const Placement& placement = posed.placement;
   const BoxTree& tree = posed.surface(side).tree;
   const TreeRay ray(placement.to_frame_of(side, tube.origin), placement.direction_in_frame_of(side, tube.direction),
-                    placement.slack(side) + 2 * tube.radius);
+                    placement.position_error(side) + 2 * tube.radius);
   open.assign(1, 0);
   while (!open.empty()) {
     const BoxNode& node = tree.node(open.back());
@@ -129,24 +130,24 @@ void for_each_face_near(PosedPair& posed, Side side, const Tube& tube, const dou
 }  // namespace
 
 // The sum of a box's three widths is more than its diagonal, by enough for a matrix off a rotation.
-double span(const PosedPair& posed) {
+double extent_of(const PosedPair& posed) {
   const auto half = [&](Side side) { return posed.surface(side).tree.root().box.half.sum(); };
-  return 2.1 * (half(Side::E) + half(Side::F)) + posed.placement.slack_E + posed.placement.slack_F;
+  return 2.1 * (half(Side::E) + half(Side::F)) + posed.placement.position_error_E + posed.placement.position_error_F;
 }
 
 double tube_radius(const PosedPair& posed, const FaceError& error, const Eigen::Vector3d& rounding_Me) {
-  return kBoundMargin * (error.barycentre_Me.sum() + rounding_Me.sum() + span(posed) * error.normal);
+  return kSafetyFactor * (error.barycentre_Me.sum() + rounding_Me.sum() + extent_of(posed) * error.normal);
 }
 
 VerifiedLine follow_certainly(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry,
                               const FaceError& error, Index first_met, const LineTrace& trace,
                               const Eigen::Vector3d& rounding_Me, std::vector<Index>& open) {
   using Finding = VerifiedLine::Finding;
-  if (!error.normal_known) return {Finding::unknown, span(posed)};
+  if (!error.normal_known) return {Finding::unknown, extent_of(posed)};
   const Side slave = opposite(master);
   const Tube tube(geometry, error, rounding_Me, tube_radius(posed, error, rounding_Me));
 
-  double limit = span(posed);                 // the first slave face is no farther
+  double limit = extent_of(posed);            // the first slave face is no farther
   double nearest = kInfinity, farthest = -1;  // faces through which the line may leave the slave
   bool rivals = false;
   const auto consider = [&](const Meeting& m) {
@@ -168,7 +169,7 @@ VerifiedLine follow_certainly(PosedPair& posed, Side master, Index face, const F
     if (consider(meeting(tube, posed.face_Me(slave, f)))) rivals = true;
   };
   for (const Index f : trace.slave_faces) visit_slave(f);
-  if (!(limit < trace.slave_reach)) for_each_face_near(posed, slave, tube, limit, open, visit_slave);
+  if (!(limit < trace.slave_searched)) for_each_face_near(posed, slave, tube, limit, open, visit_slave);
   limit = std::min(limit, farthest);
   if (limit < 0) return {Finding::no_element, 0};
 
@@ -183,7 +184,7 @@ VerifiedLine follow_certainly(PosedPair& posed, Side master, Index face, const F
     limit = left_before ? -1 : std::min(limit, m.greatest);  // Below 0 the search is over.
   };
   for (const Index own : trace.own_faces) visit_own(own);
-  if (!left_before && !(limit < trace.own_reach) && !thicker_than(posed, master, face, geometry, limit)) {
+  if (!left_before && !(limit < trace.own_searched) && !thicker_than(posed, master, face, geometry, limit)) {
     for_each_face_near(posed, master, tube, limit, open, visit_own);
   }
   if (left_before) return {Finding::no_element, 0};

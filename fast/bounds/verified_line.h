@@ -20,7 +20,7 @@ struct VerifiedLine {
 
 /// No two points of the surfaces are farther apart, given that their hulls touch, as they do where a face is active or
 /// undecided, m.
-double span(const PosedPair& posed);
+double extent_of(const PosedPair& posed);
 
 /// How far from the computed line the exact problem's line and faces may be, m, wherever any surface reaches: what the
 /// search has to be traced with.

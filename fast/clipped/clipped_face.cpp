@@ -35,7 +35,7 @@ Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
 /// min(depth, most) in place of the depth. `overlap` is the first overlap that may concern it and moves on past them.
 Moments moments_of_visible_part(PosedPair& posed, Side master, std::size_t index, double most,
                                 ClippedFaceScratch& scratch, std::vector<Overlap>::const_iterator& overlap,
-                                Neglect& neglect) {
+                                ClippingError& clipping_error) {
   const ProjectedFace& f = scratch.view.faces[index];
   if (overlap == scratch.overlaps.end() || overlap->first != index) return moments_of({&f.seen, 1}, most);
   const PlacedFace placed_f = placed(posed, opposite(master), f);
@@ -44,19 +44,19 @@ Moments moments_of_visible_part(PosedPair& posed, Side master, std::size_t index
     if (scratch.polygons.empty()) continue;
     const ProjectedFace& g = scratch.view.faces[overlap->second];
     const PlacedFace placed_g = placed(posed, g.own ? master : opposite(master), g);
-    subtract_hidden(placed_f, placed_g, scratch.polygons, scratch.remaining, neglect, posed.work);
+    subtract_hidden(placed_f, placed_g, scratch.polygons, scratch.remaining, clipping_error, posed.work);
   }
-  for (const ConvexPolygon& polygon : scratch.polygons) neglect.add_part(polygon, f.seen);
+  for (const ConvexPolygon& polygon : scratch.polygons) clipping_error.add_part(polygon, f.seen);
   return moments_of(scratch.polygons, most);
 }
 
 void fill_visible_part(PosedPair& posed, Side master, double face_area, std::size_t index, double most,
                        ClippedFaceScratch& scratch, std::vector<Overlap>::const_iterator& overlap, VisiblePart& part) {
-  part.moments = moments_of_visible_part(posed, master, index, most, scratch, overlap, part.neglect);
+  part.moments = moments_of_visible_part(posed, master, index, most, scratch, overlap, part.clipping_error);
   const Moments& moments = part.moments;
   part.area = moments.area * (2 * face_area);
   part.penetration = std::min({moments.depth / moments.area, moments.greatest, most});
-  if (!part.is_element()) part.left_out = std::abs(moments.area) + part.neglect.area;
+  if (!part.is_element()) part.left_out = std::abs(moments.area) + part.clipping_error.area;
 }
 
 void find_parts(PosedPair& posed, Side master, double face_area, double most, ClippedFaceScratch& scratch) {

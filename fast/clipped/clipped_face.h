@@ -19,7 +19,7 @@ struct VisiblePart {
   double area = 0;         ///< A_k, m^2; 0 where it is not certain that there is a part
   double penetration = 0;  ///< u_k, mean of the clamped depth, m
   Moments moments;         ///< of min(depth, max_penetration); area and greatest depth are none of the clamp's
-  Neglect neglect;
+  ClippingError clipping_error;
   double left_out = 0;  ///< what was computed of it and makes no element, in (s, t)
 
   /// Otherwise it is too small, or not certain to exist.

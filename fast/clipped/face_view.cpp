@@ -23,25 +23,25 @@ struct Depths {
   double any() const { return std::max(deepest, deepest_corner); }
 };
 
-/// Whether the line of the barycentre may meet the face: decided with room to spare. Where it does, the weights of the
-/// place, the same mean of the corners', are 1/3 each; they are off by no more than the corners' are.
+/// Whether the line of the barycentre may meet the face: decided where errors allow it. Where it does, the weights of
+/// the place, the same mean of the corners', are 1/3 each; they are off by no more than the corners' are.
 bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& corners) {
   for (int weight = 0; weight < 3; ++weight) {
     const std::size_t side = static_cast<std::size_t>(weight + 1) % 3;
     const double a = corners[0][weight], b = corners[1][weight], c = corners[2][weight];
     const double least = std::min({a, b, c}), greatest = std::max({a, b, c});
     if (least <= 1.0 / 3 && greatest >= 1.0 / 3) continue;
-    const double room = 0x1p-20 * (1 + std::abs(a) + std::abs(b) + std::abs(c)) +
-                        std::max({prism.weight_error(side, corners[0]), prism.weight_error(side, corners[1]),
-                                  prism.weight_error(side, corners[2])});
-    if (least > 1.0 / 3 + room || greatest < 1.0 / 3 - room) return false;
+    const double error = 0x1p-20 * (1 + std::abs(a) + std::abs(b) + std::abs(c)) +
+                         std::max({prism.weight_error(side, corners[0]), prism.weight_error(side, corners[1]),
+                                   prism.weight_error(side, corners[2])});
+    if (least > 1.0 / 3 + error || greatest < 1.0 / 3 - error) return false;
   }
   return true;
 }
 
 /// Looks at each of the candidates' vertices once.
 void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const std::vector<Index>& candidates,
-                  StampedArray<PrismPoint>& sights) {
+                  FastClearArray<PrismPoint>& sights) {
   const PreparedSurface& surface = posed.surface(slave);
   sights.start(surface.mesh.vertices.size());
   for (const Index face : candidates) {
@@ -51,12 +51,12 @@ void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const 
   }
 }
 
-std::array<PrismPoint, 3> corners_of(const StampedArray<PrismPoint>& sights, const Triangle& vertices) {
+std::array<PrismPoint, 3> corners_of(const FastClearArray<PrismPoint>& sights, const Triangle& vertices) {
   return {sights.at(vertices[0]), sights.at(vertices[1]), sights.at(vertices[2])};
 }
 
 /// Adds a face to those that lines meet; false where none meets it. It carries nothing yet.
-bool add_projected(const MasterPrism& prism, double reach, Index face, bool own, const Triangle& vertices,
+bool add_projected(const MasterPrism& prism, double max_coordinate, Index face, bool own, const Triangle& vertices,
                    const std::array<PrismPoint, 3>& corners, std::vector<ProjectedFace>& faces) {
   ProjectedFace& projected = faces.emplace_back();
   if (!project_face(vertices, corners, projected)) {
@@ -66,7 +66,7 @@ bool add_projected(const MasterPrism& prism, double reach, Index face, bool own,
   projected.face = face;
   projected.own = own;
   projected.carries = false;
-  projected.uncertainty = prism.uncertainty(corners, reach);
+  projected.uncertainty = prism.uncertainty(corners, max_coordinate);
   return true;
 }
 
@@ -93,7 +93,7 @@ Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, Fac
   for (const Index face : scratch.over) {
     const Triangle& vertices = surface.face(face);
     const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, vertices);
-    if (!add_projected(prism, posed.placement.reach, face, false, vertices, corners, view.faces)) continue;
+    if (!add_projected(prism, posed.placement.max_coordinate, face, false, vertices, corners, view.faces)) continue;
     ProjectedFace& projected = view.faces.back();
     const bool is_certain = certain(projected.seen, projected.uncertainty);
     if (is_certain && !projected.leaves) scratch.entered.push_back(face);
@@ -133,7 +133,8 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
     if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > view.own_depth) continue;
-    add_projected(prism, posed.placement.reach, face, true, posed.surface(master).face(face), corners, view.faces);
+    add_projected(prism, posed.placement.max_coordinate, face, true, posed.surface(master).face(face), corners,
+                  view.faces);
   }
 }
 

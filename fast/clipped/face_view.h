@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fast/base/stamped_array.h"
+#include "fast/base/fast_clear_array.h"
 #include "fast/posed/posed_pair.h"
 #include "fast/prism/projected_face.h"
 
@@ -12,7 +12,7 @@ namespace pcm::fast {
 
 /// What the penetration lines of one master face meet. Its memory is kept from face to face.
 struct FaceView {
-  StampedArray<PrismPoint> slave_sights;  ///< by vertex of the slave: of all faces near the prism
+  FastClearArray<PrismPoint> slave_sights;  ///< by vertex of the slave: of all faces near the prism
   /// The slave's faces, then other ones of the master where these may lie before, ascending.
   std::vector<ProjectedFace> faces;
   /// The master's other faces were looked for down to this depth; -1 where it is known to be thick enough without, m.

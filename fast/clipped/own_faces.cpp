@@ -21,9 +21,9 @@ OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceG
   const auto i = static_cast<std::size_t>(face);
   const ThicknessEverywhere& thickness = surface.thickness_everywhere;
   // F's parts are seen through roundings of its vertices, which may differ by more than the vertices do.
-  const double moved = master == Side::E ? 0 : posed.placement.slack_F;
+  const double vertex_error = master == Side::E ? 0 : posed.placement.position_error_F;
   const double known = master == Side::E ? thickness.exact[i] : thickness.rounded[i];
-  if (!(deepest < known && thickness_holds(surface, moved, geometry))) return OwnFacesBefore::some;
+  if (!(deepest < known && thickness_holds(surface, vertex_error, geometry))) return OwnFacesBefore::some;
   if (surface.clear_of_neighbours[i] && deepest < thickness.tolerant[i]) return OwnFacesBefore::none;
   if (master == Side::E) return OwnFacesBefore::none;
   return posed.placement.skew > kGreatestSkew ? OwnFacesBefore::some : OwnFacesBefore::leaning;

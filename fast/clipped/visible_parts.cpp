@@ -131,7 +131,7 @@ double area_of(const ConvexPolygon& polygon) {
 /// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
 /// second, and so on.
 void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<ConvexPolygon>& parts,
-              std::vector<ConvexPolygon>& remaining, Neglect& neglect) {
+              std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error) {
   remaining.clear();
   for (const ConvexPolygon& part : parts) {
     const ConvexPolygon overlap = common(part, set);
@@ -161,7 +161,7 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
       remaining.push_back(part);
       dropped = area_of(overlap);
     }
-    neglect.area += dropped;
+    clipping_error.area += dropped;
   }
   std::swap(parts, remaining);
 }
@@ -182,7 +182,7 @@ struct Extent {
 
 }  // namespace
 
-void Neglect::add_part(const ConvexPolygon& part, const ConvexPolygon& whole) {
+void ClippingError::add_part(const ConvexPolygon& part, const ConvexPolygon& whole) {
   constexpr double u = 0x1p-53;
   ++parts;
   const int seen = part.cuts - whole.cuts;
@@ -196,7 +196,7 @@ void Neglect::add_part(const ConvexPolygon& part, const ConvexPolygon& whole) {
 }
 
 void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
-                     std::vector<ConvexPolygon>& remaining, Neglect& neglect, WorkCounters& work) {
+                     std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error, WorkCounters& work) {
   std::array<double, 3> f_over_g;
   const Order order = order_of(g, f, f_over_g, work);
   if (order == Order::after) return;
@@ -210,7 +210,8 @@ void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<Conve
     hidden.add(where_not_negative(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
   }
   const Uncertainty &of_f = f.projected.uncertainty, &of_g = g.projected.uncertainty;
-  subtract(hidden, {kSliver * std::max(of_f.s, of_g.s), kSliver * std::max(of_f.t, of_g.t)}, parts, remaining, neglect);
+  subtract(hidden, {kSliver * std::max(of_f.s, of_g.s), kSliver * std::max(of_f.t, of_g.t)}, parts, remaining,
+           clipping_error);
 }
 
 }  // namespace pcm::fast

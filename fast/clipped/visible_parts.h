@@ -12,8 +12,8 @@ namespace pcm::fast {
 /// 1). Which of two faces lies before the other, wherever their order is one, and what is met at depth 0 is decided
 /// exactly; only places are rounded. With u = 2^-53, S the greatest |coordinate| of E, F, A x_F and r, so that no two
 /// points of bodies that touch are farther apart than D = 3 sqrt(3) S, no edge is longer than 2 sqrt(3) S, and
-/// Placement::reach is no more than (1 + sqrt(3)) S, and q = |p1 - p0| |p2 - p0| / |N| of the master face, lengths
-/// being sums of |components|:
+/// Placement::max_coordinate is no more than (1 + sqrt(3)) S, and q = |p1 - p0| |p2 - p0| / |N| of the master face,
+/// lengths being sums of |components|:
 ///
 /// Places. A weight has 4 roundings, its gradient 8: with errors of s and t apart, a corner is off by 2 q 12 u D in the
 /// plane, at most 125 q u S, and by the lines' direction, 4 u (1 + q), at most 42 q u S more. The four cuts that shape
@@ -24,7 +24,8 @@ namespace pcm::fast {
 ///
 /// Depths. A height has kFilterRelative of its terms, which is 47 q u S of depth, the lines' direction and the four
 /// cuts add 84 q u S, and being off in place adds tan theta times 292 q u S, theta the angle between the planes of the
-/// face and of the master: no more than epsilon = kDepthRoundings q u S / cos theta.
+/// face and of the master: 131 + 292 tan theta <= sqrt(131^2 + 292^2) / cos theta, so that this is no more than epsilon
+/// = kDepthRoundings q u S / cos theta.
 ///
 /// Lines that part what is seen, each off by
 ///   - a projected edge: delta;
@@ -41,7 +42,7 @@ namespace pcm::fast {
 /// strips along the outlines of its master face's elements, and of the face itself. A force of the clipped scheme is
 /// off by the sum over the elements times the stiffness, however many of them there are.
 inline constexpr double kPlaceRoundings = 1024;
-inline constexpr double kDepthRoundings = 512;
+inline constexpr double kDepthRoundings = 321;
 
 /// Parts no wider than this part of what makes a face certain are dropped where faces are cut by others: about as wide
 /// as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.
@@ -54,7 +55,7 @@ struct PlacedFace {
 };
 
 /// What was done to the parts of a face that is not exact but for roundings of its own points.
-struct Neglect {
+struct ClippingError {
   double area = 0;  ///< dropped, or kept though hidden, in (s, t)
   /// Of the parts that are left: how many, and what the cuts that part them from the whole may change.
   int parts = 0;
@@ -77,10 +78,10 @@ struct Neglect {
 /// where one part remains, and stays whole where more would. Both change only strips along the borders
 /// of f and g, as wide as these are uncertain. So the parts, which do not overlap, have areas, and are cells between
 /// the sides of those faces that certainly hide some of f: with n of them at most of the order of n^2, and of n where
-/// each meets few of the parts the others leave; `neglect` counts both. Without that, slivers of rounding size along
-/// one line (faces that the lines run in, several at one border) would cut each other to pieces without end.
+/// each meets few of the parts the others leave; `clipping_error` counts both. Without that, slivers of rounding size
+/// along one line (faces that the lines run in, several at one border) would cut each other to pieces without end.
 /// `remaining` is scratch.
 void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
-                     std::vector<ConvexPolygon>& remaining, Neglect& neglect, WorkCounters& work);
+                     std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error, WorkCounters& work);
 
 }  // namespace pcm::fast

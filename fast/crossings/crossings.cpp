@@ -161,7 +161,7 @@ bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingSc
     crossings.of(side).intersected.clear();
     crossings.of(side).is_intersected.start(posed.surface(side).mesh.faces.size());
   }
-  const double sure = options.filtered ? sure_determinant(posed.placement.span) : kNeverSure;
+  const double sure = options.filtered ? sure_determinant(posed.placement.extent) : kNeverSure;
   bool found = false;
   const auto visit = [&](Index face_E, Index face_F, const SureSigns& known) {
     if (options.keep_candidates) crossings.candidates.emplace_back(face_E, face_F);

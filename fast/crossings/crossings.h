@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "fast/base/stamped_array.h"
+#include "fast/base/fast_clear_array.h"
 #include "fast/posed/posed_pair.h"
 #include "fast/search/candidates.h"
 
@@ -45,9 +45,9 @@ struct EdgeCrossings {
 
 /// What is crossed of one surface.
 struct CrossedSurface {
-  std::vector<Index> intersected;     ///< faces in a crossing pair, ascending
-  StampedArray<bool> is_intersected;  ///< by face
-  StampedArray<EdgeCrossings> edges;  ///< by edge, where there is one; by list_crossings_by_edge
+  std::vector<Index> intersected;       ///< faces in a crossing pair, ascending
+  FastClearArray<bool> is_intersected;  ///< by face
+  FastClearArray<EdgeCrossings> edges;  ///< by edge, where there is one; by list_crossings_by_edge
 };
 
 /// All crossings of a pose, with the segments between them.
@@ -76,7 +76,7 @@ class CrossingIndex {
   };
   void grow();
   std::vector<std::uint64_t> keys_;  ///< in the order of insertion, to fill a larger table
-  StampedArray<Slot> table_;
+  FastClearArray<Slot> table_;
   std::size_t capacity_ = 0;
 };
 

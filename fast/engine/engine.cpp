@@ -7,7 +7,7 @@
 #include "fast/active/active_areas.h"
 #include "fast/crossings/crossings.h"
 #include "fast/crossings/polygons.h"
-#include "fast/engine/contact_force.h"
+#include "fast/engine/force_by_scheme.h"
 #include "fast/engine/workspace.h"
 #include "fast/force/law.h"
 #include "fast/surface/prepare_surface.h"
@@ -45,7 +45,7 @@ void report_active_areas(const Intersection& found, Contact& contact) {
   }
 }
 
-void report_clipped_areas(const ClippedAreas& areas, Contact& contact) {
+void report_inside_areas(const InsideAreas& areas, Contact& contact) {
   contact.E.area = areas.area[0];
   contact.F.area = areas.area[1];
   contact.E.vector_area_Me = areas.vector_area_Me[0];
@@ -149,8 +149,8 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& v
     report_polygons(data, contact);
   }
   if (wanted.areas) {
-    report_clipped_areas(
-        measure_clipped_areas(data.posed, data.crossings, data.polygons, data.active, data.area_scratch), contact);
+    report_inside_areas(measure_inside_areas(data.posed, data.crossings, data.polygons, data.active, data.area_scratch),
+                        contact);
   }
   if (wants_force(wanted)) {
     ForceProblem problem(pairing.law(), pose, velocity, wanted);

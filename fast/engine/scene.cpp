@@ -30,8 +30,8 @@ constexpr double kBodySkew = 1e-10;
 /// How far, relative to the greatest coordinates of a body, a box in W may be off what the pairing's relative pose has:
 /// A_E^T stands for the inverse of A_E (3 kBodySkew), and the roundings of relative poses, of vertices and of the box
 /// itself, all below 64 u of the greatest sum of absolute coordinates.
-constexpr double kBodySlack = 4 * kBodySkew;
-constexpr double kRoundingSlack = 64 * 0x1p-53;
+constexpr double kBodyError = 4 * kBodySkew;
+constexpr double kRoundingError = 64 * 0x1p-53;
 
 /// Whether one surface winds about faces of the other a negative number of times: neither touching nor nested, these
 /// have an area all the same. Not asked, and not known, where only touch is wanted.
@@ -46,10 +46,11 @@ struct WorldBox {
   WorldBox() = default;
   WorldBox(const PreparedSurface& surface, const Pose& pose) {
     const Box& box = surface.tree.root().box;
-    const double reach = surface.reach.sum();
-    const double slack = kBodySlack * reach + kRoundingSlack * (reach + pose.r.cwiseAbs().sum());
+    const double coordinate_sum = surface.max_coordinates.sum();
+    const double position_error =
+        kBodyError * coordinate_sum + kRoundingError * (coordinate_sum + pose.r.cwiseAbs().sum());
     const Eigen::Array3d centre = pose.A * box.centre + pose.r;
-    const Eigen::Array3d half = (pose.A.cwiseAbs() * box.half).array() + slack;
+    const Eigen::Array3d half = (pose.A.cwiseAbs() * box.half).array() + position_error;
     low = centre - half;
     high = centre + half;
   }
@@ -129,7 +130,7 @@ void require_valid_state(std::size_t body, const BodyState& state) {
   if (orthogonality_error(state.pose.A) > kBodySkew) {
     refuse(body, "pose: A is no rotation to 1e-10 (max |A^T A - I|); normalise it");
   }
-  const auto in_range = [](const Eigen::Vector3d& v) { return v.cwiseAbs().maxCoeff() <= kGreatestReach; };
+  const auto in_range = [](const Eigen::Vector3d& v) { return v.cwiseAbs().maxCoeff() <= kGreatestCoordinate; };
   if (!in_range(state.velocity.v) || !in_range(state.velocity.w)) {
     refuse(body, "velocity: a component exceeds 2^300; choose other units");
   }

@@ -31,9 +31,10 @@ double gap_between(const Placement& placement, const Box& box_E, const Box& box_
   const Eigen::Vector3d t_Me = placement.A * box_F.centre + placement.r_Me - box_E.centre;
   const Eigen::Vector3d t_Mf = placement.A.transpose() * t_Me;
   const Eigen::Vector3d gaps_Me =
-      (t_Me.cwiseAbs() - box_E.half - placement.A_absolute * box_F.half).array() - placement.slack_E;
+      (t_Me.cwiseAbs() - box_E.half - placement.A_absolute * box_F.half).array() - placement.position_error_E;
   const Eigen::Vector3d gaps_Mf =
-      (t_Mf.cwiseAbs() - box_F.half - placement.A_absolute.transpose() * box_E.half).array() - placement.slack_F;
+      (t_Mf.cwiseAbs() - box_F.half - placement.A_absolute.transpose() * box_E.half).array() -
+      placement.position_error_F;
   return kShorter * std::max(gaps_Me.cwiseMax(0).norm(), gaps_Mf.cwiseMax(0).norm());
 }
 
@@ -43,13 +44,13 @@ struct BoxInMe {
   const Eigen::Matrix3d* axes;  ///< nullptr where they are those of Me
 };
 
-/// How far a box lies above the plane of a face at least, or below it, m; 0 where the plane runs through it. `slack`:
-/// how far positions may be off.
-double gap_to_plane(const FaceGeometry& face, const BoxInMe& box, double slack) {
+/// How far a box lies above the plane of a face at least, or below it, m; 0 where the plane runs through it.
+/// `position_error`: how far positions may be off.
+double gap_to_plane(const FaceGeometry& face, const BoxInMe& box, double position_error) {
   const Eigen::Vector3d n_box = box.axes != nullptr ? Eigen::Vector3d(box.axes->transpose() * face.n_Me) : face.n_Me;
   const Eigen::Vector3d d = box.centre - face.points_Me[0];
   const double tilt = normal_error(face) * (d.cwiseAbs().sum() + 2 * box.half.sum());
-  const double gap = std::abs(face.n_Me.dot(d)) - n_box.cwiseAbs().dot(box.half) - tilt - slack;
+  const double gap = std::abs(face.n_Me.dot(d)) - n_box.cwiseAbs().dot(box.half) - tilt - position_error;
   // Written so that a normal that is not known gives 0.
   return gap > 0 ? kShorter * gap : 0;
 }
@@ -67,7 +68,7 @@ double size_of(const BoxNode& node) {
 }
 
 /// A norm that bounds |r| and |A x| for x in the ball.
-double reach_of(const Pose& pose, const BoundingBall& ball) {
+double norm_bound_of(const Pose& pose, const BoundingBall& ball) {
   return pose.r.cwiseAbs().sum() + 2 * (ball.centre.cwiseAbs().sum() + ball.radius);
 }
 
@@ -76,7 +77,7 @@ double reach_of(const Pose& pose, const BoundingBall& ball) {
 BoundingBall::BoundingBall(const PreparedSurface& surface)
     : centre(surface.tree.root().box.centre), radius(kLonger * surface.tree.root().box.half.norm()) {
   // Half widths are rounded to nearest, beside the last bit of the greatest coordinate.
-  radius += 4 * 0x1p-53 * surface.reach.sum();
+  radius += 4 * 0x1p-53 * surface.max_coordinates.sum();
 }
 
 double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurface& surface_F,
@@ -90,14 +91,16 @@ double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurf
     const BoxNode& F = tree_F.node(j);
     double gap = gap_between(placement, E.box, F.box);
     // A large face next to a small body is told apart by its plane, not by its box.
-    const double slack = 4 * placement.slack_E;
+    const double position_error = 4 * placement.position_error_E;
     if (E.leaf()) {
       const BoxInMe box{placement.from_frame_of(Side::F, F.box.centre), F.box.half, &placement.A};
-      gap = std::max(gap, gap_to_plane(FaceGeometry(face_in_Me(surface_E, placement, Side::E, E.face)), box, slack));
+      gap = std::max(
+          gap, gap_to_plane(FaceGeometry(face_in_Me(surface_E, placement, Side::E, E.face)), box, position_error));
     }
     if (F.leaf()) {
       const BoxInMe box{E.box.centre, E.box.half, nullptr};
-      gap = std::max(gap, gap_to_plane(FaceGeometry(face_in_Me(surface_F, placement, Side::F, F.face)), box, slack));
+      gap = std::max(
+          gap, gap_to_plane(FaceGeometry(face_in_Me(surface_F, placement, Side::F, F.face)), box, position_error));
     }
     open.push_back({i, j, gap});
     std::push_heap(open.begin(), open.end(), farther);
@@ -125,14 +128,14 @@ double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurf
 }
 
 SeparationCertificate::SeparationCertificate(const Pose& pose, const BoundingBall& ball_F, double gap)
-    : pose_(pose), gap_(kShorter * gap - kPlacementSlack * reach_of(pose, ball_F)) {}
+    : pose_(pose), gap_(kShorter * gap - kPlacementError * norm_bound_of(pose, ball_F)) {}
 
 bool SeparationCertificate::holds(const Pose& pose, const BoundingBall& ball_F) const {
   if (!(gap_ > 0)) return false;
   const Eigen::Matrix3d turn = pose.A - pose_.A;
   const double way = (turn * ball_F.centre + (pose.r - pose_.r)).norm() + turn.norm() * ball_F.radius;
   // Written so that what is no number certifies nothing.
-  return kLonger * way + kPlacementSlack * reach_of(pose, ball_F) < gap_;
+  return kLonger * way + kPlacementError * norm_bound_of(pose, ball_F) < gap_;
 }
 
 }  // namespace pcm::fast

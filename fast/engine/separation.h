@@ -41,7 +41,7 @@ double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurf
 /// Points of F within the ball (c, radius) have moved by no more than |(A - A0) c + r - r0| + |A - A0| radius; spectral
 /// norms are bounded by Frobenius'. Where that is less than the distance, no point of F reaches E on the straight way
 /// from its old place to its new one, so the surfaces don't cross, and no winding number changes: what was not nested
-/// is not nested. Positions in the two poses, and what is computed here, are off by less than kPlacementSlack M with M
+/// is not nested. Positions in the two poses, and what is computed here, are off by less than kPlacementError M with M
 /// the greatest |coordinate|, bounded by the sum of norms below.
 class SeparationCertificate {
  public:

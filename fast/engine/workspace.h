@@ -3,11 +3,11 @@
 #pragma once
 
 #include "fast/active/active_areas.h"
-#include "fast/active/clipped_areas.h"
+#include "fast/active/inside_areas.h"
 #include "fast/active/patches.h"
 #include "fast/crossings/crossings.h"
 #include "fast/crossings/polygons.h"
-#include "fast/engine/contact_force.h"
+#include "fast/engine/force_by_scheme.h"
 #include "fast/engine/separation.h"
 #include "fast/posed/posed_pair.h"
 #include "pcm/contact.h"
@@ -28,7 +28,7 @@ struct Workspace::Data {
   std::vector<Index> polygon_scratch;
   ActiveAreaScratch active_scratch;
   PatchScratch patch_scratch;
-  ClippedAreaScratch area_scratch;
+  InsideAreaScratch area_scratch;
   ForceScratch force_scratch;
 
   Contact contact;

@@ -62,7 +62,7 @@ void require_valid(const ContactLaw& law) {
 
 void require_valid(const Pose& pose, const Velocity& velocity) {
   if (!pose.A.allFinite() || !pose.r.allFinite()) throw BadInput("pose: A and r must be finite");
-  if (pose.r.cwiseAbs().maxCoeff() > kGreatestReach) {
+  if (pose.r.cwiseAbs().maxCoeff() > kGreatestCoordinate) {
     refuse("pose: greatest |r|", pose.r.cwiseAbs().maxCoeff(), "at most 2^300 m; choose a larger unit of length");
   }
   if (!velocity.v.allFinite() || !velocity.w.allFinite()) throw BadInput("velocity: v and w must be finite");

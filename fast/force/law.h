@@ -15,7 +15,8 @@ namespace pcm::fast {
 /// Throws BadInput, naming the parameter and its range, where the law has none of the values PCM section 7 allows.
 void require_valid(const ContactLaw& law);
 
-/// Throws BadInput where the pose is no rotation to 1e-9, where anything is not finite or r is beyond kGreatestReach.
+/// Throws BadInput where the pose is no rotation to 1e-9, where anything is not finite or r is beyond
+/// kGreatestCoordinate.
 void require_valid(const Pose& pose, const Velocity& velocity);
 
 /// Stiffness of an elastic layer c = K / b (3), N/m^3, with the layer modulus (2)

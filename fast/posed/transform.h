@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "fast/base/stamped_array.h"
+#include "fast/base/fast_clear_array.h"
 #include "fast/posed/vertex_rounding.h"
 #include "fast/predicates/orientation.h"
 #include "fast/surface/prepared_surface.h"
@@ -98,9 +98,9 @@ class PosedSurface {
   const PreparedSurface* surface_ = nullptr;
   const Eigen::Vector3d* vertices_Me_ = nullptr;
   std::vector<Eigen::Vector3d> transformed_Me_;
-  StampedArray<bool> done_;
+  FastClearArray<bool> done_;
   std::vector<Eigen::Vector3d> rounding_Me_;
-  StampedArray<bool> has_rounding_;
+  FastClearArray<bool> has_rounding_;
   Pose pose_;
   bool moved_ = false;
   std::int64_t first_rank_ = 0;

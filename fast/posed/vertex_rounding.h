@@ -16,22 +16,22 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
 /// Bounds are sums, products and quotients of numbers that are not negative, k roundings deep, so the computed bound
 /// is at least (1 - u)^k of itself; and written with n u in place of gamma_n = n u / (1 - n u). Multiplying by this
 /// once pays for both up to k + n = 2^32, more than any sum over faces of 32-bit indices reaches.
-inline constexpr double kBoundMargin = 1 + 0x1p-20;
+inline constexpr double kSafetyFactor = 1 + 0x1p-20;
 
 /// A bound on |fl(A x + r) - (A x + r)|, component by component, that holds for every vertex of F, m: how far the
 /// rounded problem's vertices are from the exact problem's (PCM section 1). E's vertices are the same in both.
 ///
 /// Order of operations: products first (u each), then (first + second), + third, + r_i, each off by u times its result.
-/// With B_j = |a_ij| reach_j the first and the second product are part of three sums, the third of two, r of one:
-/// u (4 B_1 + 4 B_2 + 3 B_3 + |r_i|). Three products may underflow, erring by 2^-1075 each.
+/// With B_j = |a_ij| max_coordinates_j the first and the second product are part of three sums, the third of two, r of
+/// one: u (4 B_1 + 4 B_2 + 3 B_3 + |r_i|). Three products may underflow, erring by 2^-1075 each.
 inline Eigen::Vector3d greatest_vertex_rounding(const PreparedSurface& surface_F, const Pose& pose) {
-  const Eigen::Vector3d& reach = surface_F.reach;
+  const Eigen::Vector3d& max_coordinates = surface_F.max_coordinates;
   Eigen::Vector3d bound;
   for (int i = 0; i < 3; ++i) {
-    const double B_1 = std::abs(pose.A(i, 0)) * reach[0];
-    const double B_2 = std::abs(pose.A(i, 1)) * reach[1];
-    const double B_3 = std::abs(pose.A(i, 2)) * reach[2];
-    bound[i] = kBoundMargin * kUnitRoundoff * (4 * (B_1 + B_2) + 3 * B_3 + std::abs(pose.r[i])) + 0x1p-1072;
+    const double B_1 = std::abs(pose.A(i, 0)) * max_coordinates[0];
+    const double B_2 = std::abs(pose.A(i, 1)) * max_coordinates[1];
+    const double B_3 = std::abs(pose.A(i, 2)) * max_coordinates[2];
+    bound[i] = kSafetyFactor * kUnitRoundoff * (4 * (B_1 + B_2) + 3 * B_3 + std::abs(pose.r[i])) + 0x1p-1072;
   }
   return bound;
 }
@@ -44,7 +44,7 @@ inline Eigen::Vector3d vertex_rounding(const Pose& pose, const Eigen::Vector3d& 
     const double first = pose.A(i, 0) * x_Mf[0], second = pose.A(i, 1) * x_Mf[1], third = pose.A(i, 2) * x_Mf[2];
     const double two = first + second, three = two + third, all = three + pose.r[i];
     bound[i] =
-        kBoundMargin * kUnitRoundoff *
+        kSafetyFactor * kUnitRoundoff *
             (std::abs(first) + std::abs(second) + std::abs(two) + std::abs(third) + std::abs(three) + std::abs(all)) +
         0x1p-1072;
   }
@@ -72,7 +72,7 @@ inline Eigen::Vector3d sharp_vertex_rounding(const Pose& pose, const Eigen::Vect
       sum += part;
       size += std::abs(part);
     }
-    bound[i] = kBoundMargin * (std::abs(sum) + 8 * kUnitRoundoff * size) + 0x1p-1072;
+    bound[i] = kSafetyFactor * (std::abs(sum) + 8 * kUnitRoundoff * size) + 0x1p-1072;
   }
   return bound;
 }

@@ -54,11 +54,11 @@ inline int filtered_orientation(const double* a, const double* b, const double* 
   return (determinant > bound) - (determinant < -bound);
 }
 
-/// The same bound for all points no two of which are farther apart than `span` along any axis: each of the six terms is
-/// at most span^3.
-inline double sure_determinant(double span) {
-  const double product = span * span + kFilterUnderflow;
-  return kFilterRelative * (1 + 0x1p-40) * (6 * product * span + kFilterUnderflow);
+/// The same bound for all points no two of which are farther apart than `extent` along any axis: each of the six terms
+/// is at most extent^3.
+inline double sure_determinant(double extent) {
+  const double product = extent * extent + kFilterUnderflow;
+  return kFilterRelative * (1 + 0x1p-40) * (6 * product * extent + kFilterUnderflow);
 }
 
 /// In place of `sure_determinant`: every sign is found by exact arithmetic.

@@ -70,9 +70,9 @@ using Heights = std::array<double, ConvexPolygon::kCapacity>;
 /// Where a linear function is 0 between a (height >= 0) and b (height < 0), reckoned from the nearer of the two. Both
 /// neighbours at an edge see the same ends, so they get the same bits.
 inline PrismPoint point_at_zero(const PrismPoint& a, double height_a, const PrismPoint& b, double height_b) {
-  const double span = height_a - height_b;
-  if (height_a <= -height_b) return a + (height_a / span) * (b - a);
-  return b + (-height_b / span) * (a - b);
+  const double difference = height_a - height_b;
+  if (height_a <= -height_b) return a + (height_a / difference) * (b - a);
+  return b + (-height_b / difference) * (a - b);
 }
 
 /// Cuts away where the linear function is negative. Along the border of a convex polygon the function rises and falls

@@ -11,15 +11,15 @@ namespace pcm::fast {
 /// What the search along a line came upon, for whoever looks at the same line again.
 struct LineTrace {
   double radius = 0;               ///< wanted: faces this near to the line belong to the trace as well, m
-  std::vector<Index> slave_faces;  ///< holds every face of the slave that near, up to `slave_reach` along the line
-  double slave_reach = 0;          ///< m
+  std::vector<Index> slave_faces;  ///< holds every face of the slave that near, up to `slave_searched` along the line
+  double slave_searched = 0;       ///< m
   std::vector<Index> own_faces;    ///< the same for the master's other faces
-  double own_reach = 0;            ///< m
+  double own_searched = 0;         ///< m
 
   void clear() {
     slave_faces.clear();
     own_faces.clear();
-    slave_reach = own_reach = 0;
+    slave_searched = own_searched = 0;
   }
 };
 

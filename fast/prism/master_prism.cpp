@@ -108,16 +108,16 @@ PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) con
   return point;
 }
 
-TreePrism::TreePrism(const MasterPrism& prism, double slack)
-    : down_(-prism.face().n_Me), top_(down_.dot(prism.p0_Me())), slack_(slack) {
+TreePrism::TreePrism(const MasterPrism& prism, double box_error)
+    : down_(-prism.face().n_Me), top_(down_.dot(prism.p0_Me())), box_error_(box_error) {
   for (std::size_t k = 0; k < 3; ++k) {
     inward_[k] = prism.inward_Me(k) / prism.inward_length(k);
     offset_[k] = inward_[k].dot(prism.face().points_Me[k]);
   }
 }
 
-TreePrism::TreePrism(const MasterPrism& prism, double slack, const Eigen::Matrix3d& A, const Eigen::Vector3d& r_Me)
-    : TreePrism(prism, slack) {
+TreePrism::TreePrism(const MasterPrism& prism, double box_error, const Eigen::Matrix3d& A, const Eigen::Vector3d& r_Me)
+    : TreePrism(prism, box_error) {
   for (std::size_t k = 0; k < 3; ++k) {
     offset_[k] = inward_[k].dot(prism.face().points_Me[k] - r_Me);
     inward_[k] = A.transpose() * inward_[k];

@@ -44,11 +44,11 @@ class MasterPrism {
   Eigen::Vector3d weights(const Eigen::Vector3d& x_Me) const { return products(x_Me).head<3>(); }
 
   /// How far lines through the corners of a face, seen by the prism at these, may be off from each other, where no
-  /// |coordinate| exceeds `reach`. No distance from p0 is greater than 4 reach. What is common to all weights, a
-  /// relative error of 2^-30, makes no sliver.
-  Uncertainty uncertainty(const std::array<PrismPoint, 3>& corners, double reach) const {
+  /// |coordinate| exceeds `max_coordinate`. No distance from p0 is greater than 4 times that. What is common to all
+  /// weights, a relative error of 2^-30, makes no sliver.
+  Uncertainty uncertainty(const std::array<PrismPoint, 3>& corners, double max_coordinate) const {
     const double farthest = std::max({place_error(corners[0]), place_error(corners[1]), place_error(corners[2])});
-    const double error = std::min(farthest, kPlaceError * (4 * reach));
+    const double error = std::min(farthest, kPlaceError * (4 * max_coordinate));
     return {error * inward_length_[2], error * inward_length_[0]};
   }
 
@@ -111,18 +111,18 @@ class MasterPrism {
 /// A master prism in the frame of a surface's tree: half spaces direction . x >= offset.
 class TreePrism {
  public:
-  /// In Me. Boxes grow by `slack` before they are tested, m.
-  TreePrism(const MasterPrism& prism, double slack);
+  /// In Me. Boxes grow by `box_error` before they are tested, m.
+  TreePrism(const MasterPrism& prism, double box_error);
   /// In the frame whose points x are at A x + r in Me. No inverse of A is taken, so that it need not be orthogonal.
-  TreePrism(const MasterPrism& prism, double slack, const Eigen::Matrix3d& A, const Eigen::Vector3d& r_Me);
+  TreePrism(const MasterPrism& prism, double box_error, const Eigen::Matrix3d& A, const Eigen::Vector3d& r_Me);
 
-  /// False only where no point of the box, grown by the slack, lies in the prism at a depth from 0 to `deepest`.
+  /// False only where no point of the box, grown by the box error, lies in the prism at a depth from 0 to `deepest`.
   bool may_meet(const Box& box, double deepest) const {
     const double depth = down_.dot(box.centre) - top_;
-    const double reach = down_.cwiseAbs().dot(box.half) + slack_;
-    if (depth + reach < 0 || depth - reach > deepest) return false;
+    const double half_extent = down_.cwiseAbs().dot(box.half) + box_error_;
+    if (depth + half_extent < 0 || depth - half_extent > deepest) return false;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (inward_[k].dot(box.centre) + inward_[k].cwiseAbs().dot(box.half) + slack_ < offset_[k]) return false;
+      if (inward_[k].dot(box.centre) + inward_[k].cwiseAbs().dot(box.half) + box_error_ < offset_[k]) return false;
     }
     return true;
   }
@@ -131,14 +131,14 @@ class TreePrism {
   const std::array<double, 3>& offset() const { return offset_; }
   const Eigen::Vector3d& down() const { return down_; }
   double top() const { return top_; }
-  double slack() const { return slack_; }
+  double box_error() const { return box_error_; }
 
  private:
   std::array<Eigen::Vector3d, 3> inward_;  ///< of unit length in Me
   std::array<double, 3> offset_;           ///< m
   Eigen::Vector3d down_;                   ///< -n
   double top_;                             ///< m
-  double slack_;                           ///< m
+  double box_error_;                       ///< m
 };
 
 /// ((f1 - f0) x (f2 - f0)) . (x - f0): positive where x is above the plane of f, 0 where it lies in it, exactly; off by

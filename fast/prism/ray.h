@@ -34,14 +34,14 @@ struct Ray {
       : origin(barycentre), direction(-face.n_Me), direction_error(normal_error(face)) {}
 };
 
-/// A ray in the frame of a tree; boxes grow by `slack` before they are tested.
+/// A ray in the frame of a tree; boxes grow by `box_error` before they are tested.
 struct TreeRay {
   Eigen::Vector3d origin;
   Eigen::Vector3d inverse;  ///< of the direction's components; those near 0 count as 2^-500, which moves no point
-  double slack;
+  double box_error;
 
-  TreeRay(const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& direction, double box_slack)
-      : origin(ray_origin), slack(box_slack) {
+  TreeRay(const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& direction, double error)
+      : origin(ray_origin), box_error(error) {
     for (int k = 0; k < 3; ++k) {
       inverse[k] = 1 / std::copysign(std::max(std::abs(direction[k]), 0x1p-500), direction[k]);
     }
@@ -52,7 +52,7 @@ struct TreeRay {
     double first = 0, last = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
       const double middle = box.centre[k] - origin[k];
-      const double width = box.half[k] + slack;
+      const double width = box.half[k] + box_error;
       const double t0 = (middle - width) * inverse[k], t1 = (middle + width) * inverse[k];
       first = std::max(first, std::min(t0, t1));
       last = std::min(last, std::max(t0, t1));

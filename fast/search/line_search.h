@@ -32,8 +32,8 @@ double search_along(const WideTree& tree, const WideRay& ray, const double& limi
                     LineNodes& open, WorkCounters& work, const Visit& visit) {
   // Entries are never too great; a limit rounded to nearest may be too small by an ulp.
   const auto beyond = [&](float entry) { return entry * tree.unit() > limit * (1 + 0x1p-20); };
-  double reach = std::numeric_limits<double>::infinity();
-  const auto pass_by = [&](float entry) { reach = std::fmin(reach, entry * tree.unit()); };
+  double searched = std::numeric_limits<double>::infinity();
+  const auto pass_by = [&](float entry) { searched = std::fmin(searched, entry * tree.unit()); };
   open.assign(1, {0, 0});
   while (!open.empty()) {
     const auto [entry, index] = open.back();
@@ -70,7 +70,7 @@ double search_along(const WideTree& tree, const WideRay& ray, const double& limi
       }
     }
   }
-  return reach;
+  return searched;
 }
 
 }  // namespace pcm::fast

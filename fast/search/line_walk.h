@@ -18,18 +18,18 @@ namespace pcm::fast {
 /// most 2 M |a|: 20 u M |a|. Likewise Y. Of D's two products each is at most |a| |b| W^2 and off by 40 u M |a| |b| W
 /// and two roundings: 88 u M |a| |b| W for both. 128 pays for rounding the bound itself. Underflow costs nothing beside
 /// that where M |a| and M |b| exceed 2^-500 and the bound 2^-900; where anything overflows it is infinite.
-class AcrossLine {
+class LineCoordinates {
  public:
   struct Point {
     double x, y, width;
   };
 
   /// `a` and `b`: |a| and |b|, each within a few roundings.
-  AcrossLine(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double a, double b,
-             double reach)
+  LineCoordinates(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double a, double b,
+                  double max_coordinate)
       : C_(barycentre), a_(p[1] - p[0]), b_(p[2] - p[0]) {
-    room_ = 128 * 0x1p-53 * reach * a * b;
-    usable_ = reach * a > 0x1p-500 && reach * b > 0x1p-500;
+    error_per_width_ = 128 * 0x1p-53 * max_coordinate * a * b;
+    usable_ = max_coordinate * a > 0x1p-500 && max_coordinate * b > 0x1p-500;
   }
 
   /// Whether numbers are neither so large nor so small that the bound fails.
@@ -41,11 +41,11 @@ class AcrossLine {
   }
 
   /// What |D| of edges between points no wider than `width` must exceed for its sign to be sure.
-  double room(double width) const { return room_ * width + 0x1p-900; }
+  double error(double width) const { return error_per_width_ * width + 0x1p-900; }
 
  private:
   Eigen::Vector3d C_, a_, b_;
-  double room_;
+  double error_per_width_;
   bool usable_;
 };
 
@@ -53,27 +53,27 @@ class AcrossLine {
 /// the line surely passes through the face's interior, leaving the body there: that face. -1 where it can't be told,
 /// where a border or a face turned away is met, or after too many steps. A neighbour has the edge the other way round,
 /// which changes D's sign and no other bit: one vertex and two edges are new with each step.
-inline Index walk_to_face_left(PosedSurface& posed, const AcrossLine& line, Index start, WorkCounters& work) {
+inline Index walk_to_face_left(PosedSurface& posed, const LineCoordinates& line, Index start, WorkCounters& work) {
   constexpr int kMostSteps = 32;
   const PreparedSurface& surface = posed.surface();
   const auto see = [&](Index v) { return line.see(posed.vertex_Me(v, work)); };
-  const auto side = [](const AcrossLine::Point& from, const AcrossLine::Point& to) {
+  const auto side = [](const LineCoordinates::Point& from, const LineCoordinates::Point& to) {
     return from.x * to.y - from.y * to.x;
   };
   const Triangle& corners = surface.face(start);
   // Edge k runs from corner k on; corner 0 is the face's corner `first`.
-  std::array<AcrossLine::Point, 3> x{see(corners[0]), see(corners[1]), see(corners[2])};
+  std::array<LineCoordinates::Point, 3> x{see(corners[0]), see(corners[1]), see(corners[2])};
   std::array<double, 3> D{side(x[0], x[1]), side(x[1], x[2]), side(x[2], x[0])};
   Index face = start;
   std::size_t first = 0;
   for (int step = 0; step < kMostSteps; ++step) {
     work.predicates += step == 0 ? 3 : 2;
-    const double room = line.room(std::max({x[0].width, x[1].width, x[2].width}));
+    const double error = line.error(std::max({x[0].width, x[1].width, x[2].width}));
     // D0 + D1 + D2 = N . N_f: all are negative where the line leaves through f.
     std::size_t worst = D[1] > D[0] ? 1 : 0;
     if (D[2] > D[worst]) worst = 2;
-    if (D[worst] < -room) return face;
-    if (!(D[worst] > room) || !(D[0] + D[1] + D[2] < 0)) return -1;
+    if (D[worst] < -error) return face;
+    if (!(D[worst] > error) || !(D[0] + D[1] + D[2] < 0)) return -1;
     const std::size_t over = (first + worst) % 3;
     const Index edge = surface.edges_of(face)[over];
     const Index beyond = surface.neighbours_of(face)[over];

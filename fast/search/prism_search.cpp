@@ -9,11 +9,11 @@
 
 namespace pcm::fast {
 
-TreePrism prism_in_tree(const PosedPair& posed, Side side, const MasterPrism& prism, double room) {
+TreePrism prism_in_tree(const PosedPair& posed, Side side, const MasterPrism& prism, double wider_by) {
   const Placement& placement = posed.placement;
-  // A box's point is off by the slack along each of three axes.
-  const double slack = 4 * placement.slack(side) + farthest_off(prism, placement) + room;
-  return side == Side::E ? TreePrism(prism, slack) : TreePrism(prism, slack, placement.A, placement.r_Me);
+  // A box's point is off by the position error along each of three axes.
+  const double box_error = 4 * placement.position_error(side) + farthest_off(prism, placement) + wider_by;
+  return side == Side::E ? TreePrism(prism, box_error) : TreePrism(prism, box_error, placement.A, placement.r_Me);
 }
 
 void list_faces_in_prism(PosedPair& posed, Side side, const TreePrism& prism, double deepest, std::vector<Index>& open,

@@ -6,25 +6,16 @@
 #pragma once
 
 #include "fast/simd/elements.h"
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
+#include "fast/simd/vector_types.h"
 
 namespace pcm::fast {
 
 namespace {
 
-typedef double Double4 __attribute__((vector_size(32)));
-typedef std::int64_t Long4 __attribute__((vector_size(32)));
-
-struct Vector4 {
-  Double4 x, y, z;
-};
+using Vector4 = WideVector<Double4>;
 
 inline Double4 load(const DoubleLanes& lanes) {
-  Double4 result;
-  __builtin_memcpy(&result, lanes.value.data(), sizeof result);
-  return result;
+  return load_lanes<Double4>(lanes.value);
 }
 inline Vector4 load(const VectorLanes& lanes) {
   return {load(lanes.component[0]), load(lanes.component[1]), load(lanes.component[2])};
@@ -49,13 +40,6 @@ inline Double4 four(double value) {
 inline Vector4 four(const std::array<double, 3>& v) {
   return {four(v[0]), four(v[1]), four(v[2])};
 }
-inline Double4 absolute(Double4 a) {
-  Long4 bits;
-  __builtin_memcpy(&bits, &a, sizeof bits);
-  bits &= 0x7fffffffffffffff;
-  __builtin_memcpy(&a, &bits, sizeof bits);
-  return a;
-}
 inline Double4 greatest(const Double4& a, const Double4& b) {
   return a < b ? b : a;
 }
@@ -78,50 +62,15 @@ inline Double4 root(Double4 a) {
 #endif
   return a;
 }
-inline LaneBits lanes_of(const Long4& condition) {
-#if defined(__AVX__)
-  __m256d vector;
-  __builtin_memcpy(&vector, &condition, sizeof vector);
-  return static_cast<LaneBits>(_mm256_movemask_pd(vector));
-#elif defined(__SSE2__)
-  __m128d halves[2];
-  __builtin_memcpy(halves, &condition, sizeof halves);
-  return static_cast<LaneBits>(_mm_movemask_pd(halves[0]) | (_mm_movemask_pd(halves[1]) << 2));
-#else
-  LaneBits bits = 0;
-  for (unsigned i = 0; i < kElementLanes; ++i) bits |= static_cast<LaneBits>(condition[i] & 1) << i;
-  return bits;
-#endif
-}
-
-inline Vector4 operator+(const Vector4& a, const Vector4& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vector4 operator-(const Vector4& a, const Vector4& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
 inline Vector4 operator-(const Vector4& a) {
   return {-a.x, -a.y, -a.z};
-}
-inline Vector4 operator*(const Double4& factor, const Vector4& a) {
-  return {factor * a.x, factor * a.y, factor * a.z};
 }
 inline Vector4 operator/(const Vector4& a, const Double4& divisor) {
   return {a.x / divisor, a.y / divisor, a.z / divisor};
 }
-inline Double4 dot(const Vector4& a, const Vector4& b) {
-  return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-inline Vector4 cross(const Vector4& a, const Vector4& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 inline Double4 norm_1(const Vector4& a) {
   return (absolute(a.x) + absolute(a.y)) + absolute(a.z);
 }
-inline Vector4 choice(const Long4& condition, const Vector4& a, const Vector4& b) {
-  return {condition ? a.x : b.x, condition ? a.y : b.y, condition ? a.z : b.z};
-}
-
 /// `length` of fast/base/geometry.h where no scaling is needed.
 struct Length {
   Double4 value;
@@ -180,7 +129,7 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   const Double4 thickness{*lanes.thickness[0], *lanes.thickness[1], *lanes.thickness[2], *lanes.thickness[3]};
   const Double4 farthest = distance + four(limits.error);
   const Long4 left = fair & (distance > four(limits.error));
-  const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_reach);
+  const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_max_coordinate);
   const Long4 thick = (farthest < thickness) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
                                                 four(limits.thick_area) * load(lanes.area));
   DecidedLanes decided;

@@ -3,26 +3,22 @@
 #include "fast/simd/element_sets.h"
 
 #include "fast/simd/element_kernels.h"
+#include "fast/simd/instruction_set.h"
 
 namespace pcm::fast {
 
-#if defined(PCM_WITH_AVX2)
-extern const WideElements kWideElementsAvx2;
-#endif
+extern const WideElements kWideElementsAvx2;  // where kWithAvx2
 
 std::array<const WideElements*, 2> all_wide_elements() {
-  std::array<const WideElements*, 2> sets{&kElements, nullptr};
-#if defined(PCM_WITH_AVX2)
-  if (__builtin_cpu_supports("avx2")) sets[1] = &kWideElementsAvx2;
-#endif
-  return sets;
+  if constexpr (kWithAvx2) {
+    return runnable_sets(kElements, kWideElementsAvx2);
+  } else {
+    return {&kElements, nullptr};
+  }
 }
 
 const WideElements& fastest_wide_elements() {
-  static const WideElements& fastest = []() -> const WideElements& {
-    const auto [portable, wide] = all_wide_elements();
-    return wide != nullptr ? *wide : *portable;
-  }();
+  static const WideElements& fastest = fastest_set(all_wide_elements());
   return fastest;
 }
 

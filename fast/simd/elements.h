@@ -62,11 +62,11 @@ struct ElementLanes {
 
 /// What `decide` compares with.
 struct DecisionLimits {
-  double least_share = 0;  ///< of two sides' product, that a slave face's area exceeds
-  double slave_reach = 0;  ///< unit of Clearance::beneath, m
-  double error = 0;        ///< of distances, m
-  double thick_edges = 0;  ///< the thickness of a master face holds where this times both sides is less than
-  double thick_area = 0;   ///< this times its area
+  double least_share = 0;           ///< of two sides' product, that a slave face's area exceeds
+  double slave_max_coordinate = 0;  ///< unit of Clearance::beneath, m
+  double error = 0;                 ///< of distances, m
+  double thick_edges = 0;           ///< the thickness of a master face holds where this times both sides is less than
+  double thick_area = 0;            ///< this times its area
   std::array<double, 2> cone_cosine_square{};
 };
 
@@ -78,7 +78,7 @@ struct DecidedLanes {
   LaneBits nearest_known = 0;  ///< its depth is in `depth`; else two corners of f are about as near to the barycentre
 };
 
-/// The law and the motion as `force` takes them, see fast/engine/contact_force.h.
+/// The law and the motion as `force` takes them, see fast/force/force_problem.h.
 struct ForceLimits {
   ContactLaw law;
   double c_l = 0;

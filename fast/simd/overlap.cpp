@@ -28,15 +28,16 @@ WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placem
   }
   const double exact_scale = F.unit() / E.unit();
   scale = static_cast<float>(exact_scale);
-  const double reach = E.radius() + exact_scale * F.radius();
+  const double radii = E.radius() + exact_scale * F.radius();
   constexpr double kV = 0x1p-24;
   constexpr double kUp = 1 + 0x1p-20;  // pays for rounding to single precision
-  const double in_double_E = 2 * placement.slack_E / E.unit(), in_double_F = 2 * placement.slack_F / E.unit();
-  slack_E = static_cast<float>(kUp * (64 * kV * reach + in_double_E));
-  slack_F = static_cast<float>(kUp * (64 * kV * reach + in_double_F));
-  const double tilt = 2 * in_double_E / (WideTree::kLeastHeight * exact_scale) * 2 * reach;
-  plane_slack = static_cast<float>(kUp * (128 * kV * reach + 2 * in_double_E + tilt));
-  edge_slack = exact_scale < 0x1p30 ? static_cast<float>(kUp * (32 * kV * reach + 2 * in_double_E))
+  const double in_double_E = 2 * placement.position_error_E / E.unit(),
+               in_double_F = 2 * placement.position_error_F / E.unit();
+  box_error_E = static_cast<float>(kUp * (64 * kV * radii + in_double_E));
+  box_error_F = static_cast<float>(kUp * (64 * kV * radii + in_double_F));
+  const double tilt = 2 * in_double_E / (WideTree::kLeastHeight * exact_scale) * 2 * radii;
+  plane_error = static_cast<float>(kUp * (128 * kV * radii + 2 * in_double_E + tilt));
+  edge_error = exact_scale < 0x1p30 ? static_cast<float>(kUp * (32 * kV * radii + 2 * in_double_E))
                                     : std::numeric_limits<float>::infinity();
 }
 
@@ -49,14 +50,14 @@ WideRay::WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const 
     direction[k] = static_cast<float>(ray_direction[axis]);
     inverse[k] = 1 / std::copysign(std::max(std::abs(direction[k]), 0x1p-60F), direction[k]);
   }
-  slack = static_cast<float>((1 + 0x1p-20) *
-                             (64 * 0x1p-24 * (tree.radius() + from_tree.lpNorm<1>()) + 2 * distance / tree.unit()));
+  box_error = static_cast<float>((1 + 0x1p-20) *
+                                 (64 * 0x1p-24 * (tree.radius() + from_tree.lpNorm<1>()) + 2 * distance / tree.unit()));
 }
 
 WidePrism::WidePrism(const WideTree& tree, const TreePrism& prism, double deepest_depth) {
   constexpr double kUp = 1 + 0x1p-20;
-  const auto slack = [&](double x) {
-    return kUp * (16 * 0x1p-24 * (tree.radius() + std::abs(x)) + prism.slack() / tree.unit());
+  const auto error = [&](double x) {
+    return kUp * (16 * 0x1p-24 * (tree.radius() + std::abs(x)) + prism.box_error() / tree.unit());
   };
   for (std::size_t k = 0; k < 4; ++k) {
     const Eigen::Vector3d& direction = k < 3 ? prism.inward()[k] : prism.down();
@@ -65,10 +66,10 @@ WidePrism::WidePrism(const WideTree& tree, const TreePrism& prism, double deepes
       axis[k][i] = static_cast<float>(direction[static_cast<Eigen::Index>(i)]);
       axis_absolute[k][i] = std::abs(axis[k][i]);
     }
-    offset[k] = static_cast<float>(from_tree - slack(from_tree));
+    offset[k] = static_cast<float>(from_tree - error(from_tree));
     if (k < 3) continue;
     const double end = from_tree + deepest_depth / tree.unit();
-    deepest = std::abs(end) < kFarAway ? static_cast<float>(end + slack(end)) : std::numeric_limits<float>::infinity();
+    deepest = std::abs(end) < kFarAway ? static_cast<float>(end + error(end)) : std::numeric_limits<float>::infinity();
   }
 }
 

@@ -32,10 +32,10 @@ struct WidePose {
   std::array<std::array<float, 3>, 3> rotation_absolute{};
   std::array<float, 3> shift{};
   float scale = 1;        ///< F's unit over E's
-  float slack_E = 0;      ///< of boxes along E's axes
-  float slack_F = 0;      ///< along F's
-  float plane_slack = 0;  ///< a point this far from a plane, or farther, surely is on that side
-  float edge_slack = 0;   ///< delta above; infinite where products of three lengths might overflow
+  float box_error_E = 0;  ///< of boxes along E's axes
+  float box_error_F = 0;  ///< along F's
+  float plane_error = 0;  ///< a point this far from a plane, or farther, surely is on that side
+  float edge_error = 0;   ///< delta above; infinite where products of three lengths might overflow
 
   WidePose() = default;
   WidePose(const WideTree& E, const WideTree& F, const Placement& placement);
@@ -52,7 +52,7 @@ struct WideRay {
   std::array<float, 3> origin{};
   std::array<float, 3> direction{};
   std::array<float, 3> inverse{};  ///< of the direction's components; those near 0 count as 2^-60
-  float slack = 0;
+  float box_error = 0;
 
   /// Origin and direction in the frame of the tree's surface, `distance` in m.
   WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& ray_direction,
@@ -67,8 +67,8 @@ struct WideRay {
 struct WidePrism {
   std::array<std::array<float, 3>, 4> axis{};  ///< inward from the three sides, then downward
   std::array<std::array<float, 3>, 4> axis_absolute{};
-  std::array<float, 4> offset{};  ///< less the slack
-  float deepest = 0;              ///< greatest axis . x of the last, with the slack
+  std::array<float, 4> offset{};  ///< less its error
+  float deepest = 0;              ///< greatest axis . x of the last, with its error
 
   /// `deepest` in m.
   WidePrism(const WideTree& tree, const TreePrism& prism, double deepest_depth);

@@ -2,27 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/simd/overlap_sets.h"
 
+#include "fast/simd/instruction_set.h"
 #include "fast/simd/overlap_kernels.h"
 
 namespace pcm::fast {
 
-#if defined(PCM_WITH_AVX2)
-extern const WideTests kWideTestsAvx2;
-#endif
+extern const WideTests kWideTestsAvx2;  // where kWithAvx2
 
 std::array<const WideTests*, 2> all_wide_tests() {
-  std::array<const WideTests*, 2> sets{&kTests, nullptr};
-#if defined(PCM_WITH_AVX2)
-  if (__builtin_cpu_supports("avx2")) sets[1] = &kWideTestsAvx2;
-#endif
-  return sets;
+  if constexpr (kWithAvx2) {
+    return runnable_sets(kTests, kWideTestsAvx2);
+  } else {
+    return {&kTests, nullptr};
+  }
 }
 
 const WideTests& fastest_wide_tests() {
-  static const WideTests& fastest = []() -> const WideTests& {
-    const auto [portable, wide] = all_wide_tests();
-    return wide != nullptr ? *wide : *portable;
-  }();
+  static const WideTests& fastest = fastest_set(all_wide_tests());
   return fastest;
 }
 

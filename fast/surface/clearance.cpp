@@ -16,25 +16,25 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Let m = 2^-30 of the reach be how far coordinates may be moved, e = 2 m how far points, and h the face's least
-// height. The face's normal and the inward normals of its sides then turn by less than 2 e / h each, being moved at
-// both ends. What `Region` measures of a moved point x is a depth, n . (x - p), or a distance from a side's plane, that
-// plus T times the depth: both change by less than 8 e + 16 e / h |x - p|, while 16 e / h is small.
-constexpr double kMoved = 0x1p-26;        ///< 8 e, relative to the reach
-constexpr double kGreatestTurn = 0x1p-8;  ///< 16 e / h
+// Let m = 2^-30 of the greatest coordinate be how far coordinates may be moved, e = 2 m how far points, and h the
+// face's least height. The face's normal and the inward normals of its sides then turn by less than 2 e / h each, being
+// moved at both ends. What `Region` measures of a moved point x is a depth, n . (x - p), or a distance from a side's
+// plane, that plus T times the depth: both change by less than 8 e + 16 e / h |x - p|, while 16 e / h is small.
+constexpr double kPositionError = 0x1p-26;  ///< 8 e, relative to the greatest coordinate
+constexpr double kGreatestTurn = 0x1p-8;    ///< 16 e / h
 
 /// T of both cones. What K is wider by than the cone, 1 / 32 of the depth, pays for planes that are moved and tilted.
 constexpr std::array<double, 2> kTangent{0.81, 1.2};
 static_assert(kConeCosine[0] * kConeCosine[0] * (1 + (kTangent[0] - 0x1p-5) * (kTangent[0] - 0x1p-5)) > 1);
 static_assert(kConeCosine[1] * kConeCosine[1] * (1 + (kTangent[1] - 0x1p-5) * (kTangent[1] - 0x1p-5)) > 1);
 
-/// A clearance that is great enough, relative to the reach.
+/// A clearance that is great enough, relative to the greatest coordinate.
 constexpr double kFar = 0.25;
 
 /// A point as K sees it.
 struct RegionPoint {
   double depth;                  ///< beneath the face
-  double depth_room;             ///< how far that may be off
+  double depth_error;            ///< how far that may be off
   std::array<double, 6> inside;  ///< of each of K's planes; negative outside
   double inside_room;
 };
@@ -43,9 +43,9 @@ struct RegionPoint {
 class Region {
  public:
   /// `down` is a unit vector along the face's normal or against it.
-  Region(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& down, double tangent, double moved,
+  Region(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& down, double tangent, double position_error,
          double turn)
-      : p0_(p[0]), down_(down), down_absolute_(down.cwiseAbs()), moved_(moved), turn_(turn) {
+      : p0_(p[0]), down_(down), down_absolute_(down.cwiseAbs()), position_error_(position_error), turn_(turn) {
     const Eigen::Vector3d N = (p[1] - p[0]).cross(p[2] - p[0]);
     std::array<Eigen::Vector3d, 3> inward;
     for (std::size_t k = 0; k < 3; ++k) inward[k] = N.cross(p[(k + 1) % 3] - p[k]).normalized();
@@ -62,8 +62,8 @@ class Region {
     const Eigen::Vector3d from_p0 = x - p0_;
     RegionPoint sight;
     sight.depth = down_.dot(from_p0);
-    sight.depth_room = moved_ + turn_ * from_p0.lpNorm<1>();
-    sight.inside_room = sight.depth_room + std::abs(sight.depth) / 32;
+    sight.depth_error = position_error_ + turn_ * from_p0.lpNorm<1>();
+    sight.inside_room = sight.depth_error + std::abs(sight.depth) / 32;
     for (std::size_t k = 0; k < axis_.size(); ++k) sight.inside[k] = axis_[k].dot(from_p0) - offset_[k];
     return sight;
   }
@@ -71,20 +71,20 @@ class Region {
   /// A lower bound of the depth of the box's points in K; infinite where it has none.
   double least_depth(const Box& box) const {
     const Eigen::Vector3d from_p0 = box.centre - p0_;
-    const double depth_room = moved_ + turn_ * (from_p0.lpNorm<1>() + box.half.lpNorm<1>());
+    const double depth_error = position_error_ + turn_ * (from_p0.lpNorm<1>() + box.half.lpNorm<1>());
     const double depth = down_.dot(from_p0), depth_range = down_absolute_.dot(box.half);
-    if (depth + depth_range < -depth_room) return kInfinity;
-    const double inside_room = depth_room + (std::abs(depth) + depth_range) / 32;
+    if (depth + depth_range < -depth_error) return kInfinity;
+    const double inside_room = depth_error + (std::abs(depth) + depth_range) / 32;
     for (std::size_t k = 0; k < axis_.size(); ++k) {
       if (axis_[k].dot(from_p0) - offset_[k] + axis_absolute_[k].dot(box.half) < -inside_room) return kInfinity;
     }
-    return std::max(depth - depth_range - depth_room, 0.0);
+    return std::max(depth - depth_range - depth_error, 0.0);
   }
 
  private:
   Eigen::Vector3d p0_;
   Eigen::Vector3d down_, down_absolute_;
-  double moved_;
+  double position_error_;
   double turn_;
   // Planes that hold all of K: through side k, that is corners k and k + 1, and number 3 + k through corner k, as
   // inward as both sides there.
@@ -103,7 +103,7 @@ bool is_parted(const std::array<RegionPoint, 3>& corners, const std::array<bool,
     }
     return true;
   };
-  if (all_others([](const RegionPoint& x) { return x.depth < -x.depth_room; })) return true;
+  if (all_others([](const RegionPoint& x) { return x.depth < -x.depth_error; })) return true;
   return std::any_of(planes.begin(), planes.end(), [&](std::size_t plane) {
     return all_others([plane](const RegionPoint& x) { return x.inside[plane] < -x.inside_room; });
   });
@@ -125,7 +125,7 @@ double least_depth(const Region& region, const PreparedSurface& surface, const T
   if (number == 0) {
     if (is_parted(corners, is_shared, {0, 1, 2, 3, 4, 5})) return kInfinity;
     double least = kInfinity;
-    for (const RegionPoint& corner : corners) least = std::min(least, corner.depth - corner.depth_room);
+    for (const RegionPoint& corner : corners) least = std::min(least, corner.depth - corner.depth_error);
     return std::max(least, 0.0);
   }
   bool parted = false;
@@ -178,8 +178,8 @@ float rounded_down(double x) {
 }  // namespace
 
 std::vector<Clearance> clearances(const PreparedSurface& surface) {
-  const double reach = surface.reach.maxCoeff();
-  const double moved = kMoved * reach;
+  const double max_coordinate = surface.max_coordinates.maxCoeff();
+  const double position_error = kPositionError * max_coordinate;
   std::vector<Clearance> result(surface.mesh.faces.size());
   std::vector<std::pair<double, Index>> open;
   for (Index face = 0; face < static_cast<Index>(result.size()); ++face) {
@@ -188,19 +188,19 @@ std::vector<Clearance> clearances(const PreparedSurface& surface) {
                                            surface.vertex(triangle[2])};
     const double longest = std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
     const Eigen::Vector3d N = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double turn = 2 * moved * longest / N.norm();
+    const double turn = 2 * position_error * longest / N.norm();
     if (!(turn < kGreatestTurn)) continue;
     const Eigen::Vector3d n = N.normalized();
     const auto least_depth_of = [&](const Eigen::Vector3d& down, std::size_t cone, double enough) {
-      return least_depth_in({p, down, kTangent[cone], moved + turn * longest, turn}, surface, face, enough,
-                            kFar * reach, open);
+      return least_depth_in({p, down, kTangent[cone], position_error + turn * longest, turn}, surface, face, enough,
+                            kFar * max_coordinate, open);
     };
     Clearance& clearance = result[static_cast<std::size_t>(face)];
     // What is clear of the wide cone is clear of the narrow one; where that is far, the difference hardly counts.
     double depth = least_depth_of(-n, 1, 0);
-    clearance.beneath[1] = rounded_down(depth / reach);
-    if (depth < kFar * reach) depth = least_depth_of(-n, 0, 0);
-    clearance.beneath[0] = rounded_down(depth / reach);
+    clearance.beneath[1] = rounded_down(depth / max_coordinate);
+    if (depth < kFar * max_coordinate) depth = least_depth_of(-n, 0, 0);
+    clearance.beneath[0] = rounded_down(depth / max_coordinate);
     clearance.above[1] = least_depth_of(n, 1, kInfinity) == kInfinity;
     clearance.above[0] = clearance.above[1] || least_depth_of(n, 0, kInfinity) == kInfinity;
   }

@@ -13,7 +13,8 @@ namespace pcm::fast {
 /// narrow one, whose clearance is greater, or else the wide one.
 inline constexpr std::array<double, 2> kConeCosine{0.79, 0.652};
 
-/// How far any coordinate of a surface's vertices may be moved, relative to its reach, with its clearances still true.
+/// How far any coordinate of a surface's vertices may be moved, relative to its greatest one, with its clearances still
+/// true.
 inline constexpr double kClearanceTolerance = 0x1p-30;
 
 /// The clearances of all faces. A steep line through a face stays within a cone about the normal, over all of the

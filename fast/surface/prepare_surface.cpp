@@ -119,19 +119,20 @@ void require_countable(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Eigen::Vector3d reach_of(const TriangleMesh& mesh) {
-  Eigen::Vector3d reach = Eigen::Vector3d::Zero();
+Eigen::Vector3d max_coordinates_of(const TriangleMesh& mesh) {
+  Eigen::Vector3d greatest = Eigen::Vector3d::Zero();
   for (const Triangle& triangle : mesh.faces) {
-    for (const Index v : triangle) reach = reach.cwiseMax(mesh.vertices[static_cast<std::size_t>(v)].cwiseAbs());
+    for (const Index v : triangle) greatest = greatest.cwiseMax(mesh.vertices[static_cast<std::size_t>(v)].cwiseAbs());
   }
-  return reach;
+  return greatest;
 }
 
-std::string out_of_range(double reach) {
-  if (reach >= kLeastReach && reach <= kGreatestReach) return {};
+std::string out_of_range(double max_coordinate) {
+  if (max_coordinate >= kLeastMaxCoordinate && max_coordinate <= kGreatestCoordinate) return {};
   std::ostringstream why;
-  why << "its greatest |coordinate| is " << reach << " m, not between 2^-300 and 2^300 (5e-91 and 2e90); choose a "
-      << (reach < 1 ? "smaller" : "larger") << " unit of length";
+  why << "its greatest |coordinate| is " << max_coordinate
+      << " m, not between 2^-300 and 2^300 (5e-91 and 2e90); choose a " << (max_coordinate < 1 ? "smaller" : "larger")
+      << " unit of length";
   return why.str();
 }
 
@@ -139,8 +140,8 @@ std::string out_of_range(double reach) {
   require_fit(mesh);
   require_countable(mesh);
   PreparedSurface surface;
-  surface.reach = reach_of(mesh);
-  if (const std::string why = out_of_range(surface.reach.maxCoeff()); !why.empty()) refuse(mesh, why);
+  surface.max_coordinates = max_coordinates_of(mesh);
+  if (const std::string why = out_of_range(surface.max_coordinates.maxCoeff()); !why.empty()) refuse(mesh, why);
   surface.mesh = std::move(mesh);
   connect_edges(surface);
   surface.vertex_edges = incidence(surface.mesh.vertices.size(), [&surface](auto&& pair) {

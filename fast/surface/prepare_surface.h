@@ -13,9 +13,9 @@ namespace pcm::fast {
 PreparedSurface prepare_surface(TriangleMesh mesh);
 
 /// Greatest |coordinate| of the faces' vertices along each axis, m.
-Eigen::Vector3d reach_of(const TriangleMesh& mesh);
+Eigen::Vector3d max_coordinates_of(const TriangleMesh& mesh);
 
-/// Why the engine takes no surface whose greatest |coordinate| is `reach`, m; empty where it does.
-std::string out_of_range(double reach);
+/// Why the engine takes no surface whose greatest |coordinate| is `max_coordinate`, m; empty where it does.
+std::string out_of_range(double max_coordinate);
 
 }  // namespace pcm::fast

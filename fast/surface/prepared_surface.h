@@ -34,7 +34,7 @@ struct Incidence {
 /// that passes through the face's interior, within one of two cones about its normal, meets no other face nearer than
 /// that.
 struct Clearance {
-  std::array<float, 2> beneath{};  ///< on the side against the normal, relative to the reach; 0: nothing is known
+  std::array<float, 2> beneath{};  ///< against the normal, relative to the greatest coordinate; 0: nothing is known
   std::array<bool, 2> above{};     ///< whether nothing is met on the side of the normal, however far
 };
 
@@ -70,8 +70,8 @@ struct PreparedSurface {
   std::vector<Box> component_boxes;
   bool closed = true;  ///< no border edge at all (rule: a surface is open as a whole)
   BoxTree tree;
-  WideTree wide_tree;                               ///< the same boxes, eight at once
-  Eigen::Vector3d reach = Eigen::Vector3d::Zero();  ///< greatest |coordinate| along each axis, m
+  WideTree wide_tree;                                         ///< the same boxes, eight at once
+  Eigen::Vector3d max_coordinates = Eigen::Vector3d::Zero();  ///< greatest |coordinate| along each axis, m
   /// Lower bound of the distance from each face's barycentre along its inward normal to the next face of the same
   /// surface, m; see fast/surface/thickness.h.
   std::vector<double> thickness;

@@ -58,8 +58,8 @@ double least_distance(const Ray& ray, const FaceGeometry& f, double tolerance) {
   }
   const double distance = f.n_Me.dot(from_origin[0]) / cosine;
   // A quarter for the line, a quarter for the plane.
-  const double margin = 4 / kSteep * tolerance;
-  return distance < -margin ? kInfinity : distance - margin;
+  const double error = 4 / kSteep * tolerance;
+  return distance < -error ? kInfinity : distance - error;
 }
 
 /// How deep beneath the master face any part of f begins that the prism, wider by `tolerance` on all sides, has in it.
@@ -211,9 +211,9 @@ bool all_lie_beside(const MasterPrism& prism, VertexSights& sights, const Prepar
     std::array<bool, 3> beside{true, true, true};  // By weight; each is 0 on a side.
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t weight = 0; weight < 3; ++weight) {
-        const double margin = tolerance * prism.inward_length((weight + 1) % 3);
+        const double error = tolerance * prism.inward_length((weight + 1) % 3);
         const double w = seen.corners[k][static_cast<Index>(weight)];
-        beside[weight] = beside[weight] && (seen.shared[k] >= 0 ? w == 0 : w < -margin);
+        beside[weight] = beside[weight] && (seen.shared[k] >= 0 ? w == 0 : w < -error);
       }
     }
     if (!(beside[0] || beside[1] || beside[2])) return false;
@@ -233,13 +233,13 @@ bool is_beside_at_corners(const MasterPrism& prism, const PreparedSurface& surfa
 }  // namespace
 
 std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface) {
-  const double tolerance = kThicknessTolerance * surface.reach.maxCoeff();
+  const double tolerance = kThicknessTolerance * surface.max_coordinates.maxCoeff();
   std::vector<double> bounds(surface.mesh.faces.size(), 0.0);
   std::vector<Index> open;
   for (Index face = 0; face < static_cast<Index>(bounds.size()); ++face) {
     const FaceGeometry geometry(points_of(surface, face));
     const Ray ray(geometry, geometry.barycentre_Me());
-    if (!(8 * surface.reach.maxCoeff() * ray.direction_error < tolerance)) continue;
+    if (!(8 * surface.max_coordinates.maxCoeff() * ray.direction_error < tolerance)) continue;
     const TreeRay tree_ray(ray.origin, ray.direction, 2 * tolerance);
     double nearest = kInfinity;
     open.assign(1, 0);
@@ -261,7 +261,7 @@ std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface) {
 }
 
 ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface) {
-  const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
+  const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
   const std::vector<double> zeros(surface.mesh.faces.size(), 0.0);
   ThicknessEverywhere bounds{zeros, zeros, zeros};
   std::vector<Index> open;
@@ -311,7 +311,7 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
 }
 
 std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface) {
-  const double tolerance = 2 * kThicknessTolerance * surface.reach.maxCoeff();
+  const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
   std::vector<bool> clear(surface.mesh.faces.size(), false);
   VertexSights sights(surface);
   for (Index face = 0; face < static_cast<Index>(clear.size()); ++face) {

@@ -10,14 +10,14 @@
 
 namespace pcm::fast {
 
-/// How far a face's penetration line may be off, relative to the surface's reach, with its thickness still a lower
-/// bound: the filter allows for poses that are rounded up to this.
+/// How far a face's penetration line may be off, relative to the surface's greatest coordinate, with its thickness
+/// still a lower bound: the filter allows for poses that are rounded up to this.
 inline constexpr double kThicknessTolerance = 0x1p-30;
 
 /// For each face a lower bound of the distance from its barycentre along its inward normal to the next face of the same
 /// surface, m; infinite where there is none (PCM section 6). It holds for every line off the true one by less than
-/// kThicknessTolerance times the reach, 0 where that can't be told. It serves as a filter only: a penetration below it
-/// needs no search of the master's own faces. O(n log n).
+/// kThicknessTolerance times the greatest coordinate, 0 where that can't be told. It serves as a filter only: a
+/// penetration below it needs no search of the master's own faces. O(n log n).
 std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface);
 
 /// Lower bounds of the same distance over all points of each face. O(n log n).
@@ -29,14 +29,15 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
 std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface);
 
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for
-/// `moved`, m, which turns its normal by at most twice that over its edges' heights.
-inline bool thickness_holds(const PreparedSurface& surface, double moved, const FaceGeometry& face) {
+/// `vertex_error`, m, which turns its normal by at most twice that over its edges' heights.
+inline bool thickness_holds(const PreparedSurface& surface, double vertex_error, const FaceGeometry& face) {
   const Ray ray(face, face.points_Me[0]);
   const auto& p = face.points_Me;
   const double edges = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
-  const double reach = surface.reach.maxCoeff();
-  const double line_error = moved + 8 * reach * (ray.direction_error + moved * edges / face.area);
-  return line_error < kThicknessTolerance * reach;
+  const double max_coordinate = surface.max_coordinates.maxCoeff();
+  const double line_error =
+      vertex_error + 8 * max_coordinate * (ray.direction_error + vertex_error * edges / face.area);
+  return line_error < kThicknessTolerance * max_coordinate;
 }
 
 }  // namespace pcm::fast

@@ -78,9 +78,9 @@ WideTree::WideTree(const TriangleMesh& mesh, const BoxTree& tree) {
   const Box& hull = tree.root().box;
   origin_ = hull.centre;
   // The sum of the half widths bounds |x| + |y| + |z|; half an ulp of it is lost in each.
-  const double reach = hull.half.sum() * (1 + 0x1p-40);
-  unit_ = std::ldexp(1.0, std::ilogb(reach) + 1);
-  radius_ = reach / unit_;
+  const double radius = hull.half.sum() * (1 + 0x1p-40);
+  unit_ = std::ldexp(1.0, std::ilogb(radius) + 1);
+  radius_ = radius / unit_;
 
   struct Open {
     Index node;    ///< of this tree

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/lines/face_lines.h"
-#include "reference/pose/orientation.h"
+#include "reference/predicates/orientation.h"
 
 /// A face e cut into convex cells by the other surface, and how often that winds about each.
 ///

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/lines/face_lines.h"
-#include "reference/pose/orientation.h"
+#include "reference/predicates/orientation.h"
 
 namespace pcm::reference {
 

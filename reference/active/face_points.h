@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "reference/active/clipped_areas.h"
+#include "reference/active/inside_areas.h"
 #include "reference/lines/face_lines.h"
 #include "reference/pose/converted_pose.h"
 
-/// The cells of a clipped face in numbers of any kind with division.
+/// The cells of a face's part inside in numbers of any kind with division.
 namespace pcm::reference {
 
 /// A point of a face: its second and third barycentric coordinate; all three sum up to 1.
@@ -26,21 +26,21 @@ T share_of(const FacePoint<T>& a, const FacePoint<T>& b, const FacePoint<T>& c, 
   return half * ((b.x1 - a.x1) * (c.x2 - a.x2) - (b.x2 - a.x2) * (c.x1 - a.x1));
 }
 
-/// Lines and points of one clipped face, in numbers of kind T.
+/// Lines and points of one face's part inside, in numbers of kind T.
 template <class T>
 class FacePoints {
  public:
-  /// Pose and clip must outlive this.
-  FacePoints(ConvertedPose<T>& pose, Side side, const FaceClip& clip)
+  /// Pose and part must outlive this.
+  FacePoints(ConvertedPose<T>& pose, Side side, const InsidePart& part)
       : pose_(pose),
         side_(side),
-        clip_(clip),
-        p_(pose.corners(side, clip.face)),
-        lines_(3 + clip.planes.size() + clip.crossings.size()),
-        places_(clip.crossings.size()),
-        points_(clip.crossings.size()) {}
+        part_(part),
+        p_(pose.corners(side, part.face)),
+        lines_(3 + part.planes.size() + part.crossings.size()),
+        places_(part.crossings.size()),
+        points_(part.crossings.size()) {}
 
-  std::vector<FacePoint<T>> corners(const ClippedCell& cell) {
+  std::vector<FacePoint<T>> corners(const InsideCell& cell) {
     std::vector<FacePoint<T>> corners;
     corners.reserve(cell.corners.size());
     for (const LineMeeting& m : cell.corners)
@@ -49,7 +49,7 @@ class FacePoints {
   }
 
  private:
-  std::size_t first_ray() const { return 3 + clip_.planes.size(); }
+  std::size_t first_ray() const { return 3 + part_.planes.size(); }
 
   static FacePoint<T> normalised(const Vec3<T>& x) {
     const T sum = x.x + x.y + x.z;
@@ -69,19 +69,19 @@ class FacePoints {
     if (i < 3)
       known = own_line(static_cast<Index>(i), zero, pose_.number(1.0));
     else if (i < first_ray())
-      known = line_of_plane(pose_.corners(other(side_), clip_.planes[i - 3]), p_);
+      known = line_of_plane(pose_.corners(other(side_), part_.planes[i - 3]), p_);
     else
-      known = line_through_corner(clip_.apex, place(i - first_ray()), zero);
+      known = line_through_corner(part_.apex, place(i - first_ray()), zero);
     return *known;
   }
 
   const Vec3<T>& place(std::size_t crossing) {
     std::optional<Vec3<T>>& known = places_[crossing];
     if (known) return *known;
-    const CrossingId& id = clip_.crossings[crossing];
+    const CrossingId& id = part_.crossings[crossing];
     if (id.edge_side == side_) {
-      const auto plane = std::find(clip_.planes.begin(), clip_.planes.end(), id.face) - clip_.planes.begin();
-      const int own = own_line_of_edge(pose_.pose().face(side_, clip_.face), id.edge);
+      const auto plane = std::find(part_.planes.begin(), part_.planes.end(), id.face) - part_.planes.begin();
+      const int own = own_line_of_edge(pose_.pose().face(side_, part_.face), id.edge);
       known = cross(line(own), line(3 + plane));
     } else {
       known = point_of_line(pose_.point({id.edge_side, id.edge[0]}), pose_.point({id.edge_side, id.edge[1]}), p_);
@@ -91,7 +91,7 @@ class FacePoints {
 
   ConvertedPose<T>& pose_;
   Side side_;
-  const FaceClip& clip_;
+  const InsidePart& part_;
   std::array<Vec3<T>, 3> p_;
   std::vector<std::optional<Vec3<T>>> lines_;
   std::vector<std::optional<Vec3<T>>> places_;  ///< of crossings
@@ -100,9 +100,9 @@ class FacePoints {
 
 /// Calls triangle(winding, a, b, c) for triangles that make up the cells of a face, counterclockwise.
 template <class T, class Visit>
-void for_each_triangle(ConvertedPose<T>& pose, Side side, const FaceClip& clip, const Visit& triangle) {
-  FacePoints<T> points(pose, side, clip);
-  for (const ClippedCell& cell : clip.cells) {
+void for_each_triangle(ConvertedPose<T>& pose, Side side, const InsidePart& part, const Visit& triangle) {
+  FacePoints<T> points(pose, side, part);
+  for (const InsideCell& cell : part.cells) {
     const std::vector<FacePoint<T>> x = points.corners(cell);
     for (std::size_t i = 2; i < x.size(); ++i) triangle(cell.winding, x[0], x[i - 1], x[i]);
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/active/active_areas.h"
-#include "reference/active/clipped_areas.h"
+#include "reference/active/inside_areas.h"
 #include "reference/combinatorics/proximity.h"
 #include "reference/crossings/crossings.h"
 #include "reference/crossings/polygons.h"
@@ -21,8 +21,8 @@ struct Combinatorics {
   ActiveFaces E, F;
 
   const ActiveFaces& of(Side side) const { return side == Side::E ? E : F; }
-  ClippedAreas clip(const ExactPose& pose) const {
-    return clip_active_areas(pose, near->candidates(), crossings, E, F, near->columns(Side::E), near->columns(Side::F));
+  InsideAreas inside_areas(const ExactPose& pose) const {
+    return find_inside_areas(pose, near->candidates(), crossings, E, F, near->columns(Side::E), near->columns(Side::F));
   }
 };
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/crossings/candidates.h"
-#include "reference/pose/orientation.h"
+#include "reference/predicates/orientation.h"
 
 namespace pcm::reference {
 

@@ -65,7 +65,7 @@ struct Hit {
 Hit find_first_hit(PenetrationLine& line, Side slave, const BoxTree& tree) {
   std::vector<Hit> hits;
   Hit first;  // to begin with, the one whose q surely is small: then the comparisons with it are easy ones
-  tree.look_along([&line](const Box& box) { return line.reach(box); },
+  tree.look_along([&line](const Box& box) { return line.begin_of(box); },
                   [&](Index face) {
                     const Meeting meeting = line.meets(slave, face);
                     if (!meeting.met) return first.within;
@@ -84,7 +84,7 @@ Hit find_first_hit(PenetrationLine& line, Side slave, const BoxTree& tree) {
 /// Whether another face of the master is met strictly before the slave face.
 bool leaves_master_first(PenetrationLine& line, Side slave, const Hit& hit, const BoxTree& tree) {
   bool left = false;
-  tree.look_along([&line](const Box& box) { return line.reach(box); },
+  tree.look_along([&line](const Box& box) { return line.begin_of(box); },
                   [&](Index face) {
                     left = face != line.face() && line.meets(line.master(), face).met &&
                            line.compare(line.master(), face, slave, hit.face) < 0;
@@ -112,7 +112,7 @@ Load look_along(PenetrationLine& line, Side slave, const Proximity& near) {
 /// than it enters.
 int winding_about_barycentre(PenetrationLine line, Side slave, const BoxTree& tree) {
   int winding = 0;
-  tree.look_along([&line](const Box& box) { return line.reach(box); },
+  tree.look_along([&line](const Box& box) { return line.begin_of(box); },
                   [&](Index face) {
                     const Meeting meeting = line.meets(slave, face);
                     if (meeting.met) winding -= meeting.facing;

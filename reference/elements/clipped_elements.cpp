@@ -24,7 +24,7 @@ struct Column {
 /// Ascending; all faces that may have a point in the column.
 std::vector<Index> faces_in(const Column& column, const Vec3<Interval>& N, const BoxTree& tree) {
   std::vector<Index> faces;
-  tree.look_along([&](const Box& box) { return reach(column.top, N, box); },
+  tree.look_along([&](const Box& box) { return begin_of(column.top, N, box); },
                   [&](Index face) {
                     faces.push_back(face);
                     return column.depth;

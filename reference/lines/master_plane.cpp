@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/pose/orientation.h"
+#include "reference/predicates/orientation.h"
 
 namespace pcm::reference {
 namespace {

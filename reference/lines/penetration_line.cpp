@@ -155,7 +155,7 @@ int PenetrationLine::compare(Side side_a, Index face_a, Side side_b, Index face_
   return -sign_of(slope(line, a)) * sign_of(slope(line, b)) * sign_of(height_above(line, a, b));
 }
 
-double reach(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box) {
+double begin_of(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box) {
   // All comparisons are such that an overflow, which leaves no number, leaves the box in question.
   double least = 0, greatest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
@@ -173,9 +173,9 @@ double reach(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box
   return least;
 }
 
-double PenetrationLine::reach(const Box& box) const {
+double PenetrationLine::begin_of(const Box& box) const {
   const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
-  return reference::reach(C_, enclosed_.N, box);
+  return reference::begin_of(C_, enclosed_.N, box);
 }
 
 double PenetrationLine::farthest(Side side, Index face) const {

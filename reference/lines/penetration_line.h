@@ -53,7 +53,7 @@ struct Meeting {
 
 /// A lower bound of the q >= 0 at which x - q N may be in the box for an x in `from`; negative where it surely misses
 /// it. To be called while the rounding mode is upward.
-double reach(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box);
+double begin_of(const Vec3<Interval>& from, const Vec3<Interval>& N, const Box& box);
 
 /// The penetration line of one master face. How it passes a face's edges is told by permuted inner products of Pluecker
 /// coordinates; where these do not tell, the point where it meets the face's plane, explicitly, with its barycentric
@@ -76,7 +76,7 @@ class PenetrationLine {
 
   /// A lower bound of the q >= 0 at which the line may be in the box, for all vertices within their rounding boxes;
   /// negative where it surely misses it.
-  double reach(const Box& box) const;
+  double begin_of(const Box& box) const;
 
   /// An upper bound of the q at which the line meets the face's plane, for all vertices within their rounding boxes.
   double farthest(Side side, Index face) const;

@@ -42,11 +42,12 @@ class BoxTree {
                });
   }
 
-  /// Visits the boxes that may hold what is looked for, nearer ones first where the tree tells. `reach(box)` is a lower
-  /// bound of the distance at which the box begins, negative where it need not be looked at; it must not be greater for
-  /// a box around another. `visit(index)` returns the greatest distance still of interest, less than 0 to stop.
-  template <class Reach, class Visit>
-  void look_along(const Reach& reach, const Visit& visit) const {
+  /// Visits the boxes that may hold what is looked for, nearer ones first where the tree tells. `begin_of(box)` is a
+  /// lower bound of the distance at which the box begins, negative where it need not be looked at; it must not be
+  /// greater for a box around another. `visit(index)` returns the greatest distance still of interest, less than 0 to
+  /// stop.
+  template <class BeginOf, class Visit>
+  void look_along(const BeginOf& begin_of, const Visit& visit) const {
     struct Waiting {
       double from;
       Index node;
@@ -54,7 +55,7 @@ class BoxTree {
     double limit = std::numeric_limits<double>::infinity();
     std::vector<Waiting> waiting;
     const auto enter = [&](Index node) {
-      const double from = reach(nodes_[node].box);
+      const double from = begin_of(nodes_[node].box);
       if (from >= 0 && from <= limit) waiting.push_back({from, node});
     };
     if (!nodes_.empty()) enter(0);

@@ -65,7 +65,7 @@ class ExactPose {
     return true_F_[v.index];
   }
 
-  /// A box that holds the vertex as both problems have it: the room its rounding has.
+  /// A box that holds the vertex as both problems have it, and whatever its rounding may make of it.
   Box rounding_box(Vertex v) const {
     if (v.side == Side::E) return {surface_E_.mesh.vertices[v.index], surface_E_.mesh.vertices[v.index]};
     Box box = true_F_[v.index];

@@ -19,21 +19,21 @@ Vec3<Rational> triangle_moment(const Vec3<Rational>& o, const Vec3<Rational>& p,
   return Rational(share / Rational(3)) * (o + p + q);
 }
 
-/// Adds the fluxes of x n_x, y n_y, z n_z through a face's clipped part: component by component, N times its moment.
-void add_fluxes(const ClippedAreas& areas, Side side, const FaceClip& clip, ConvertedPose<Rational>& pose,
+/// Adds the fluxes of x n_x, y n_y, z n_z through a face's part inside: component by component, N times its moment.
+void add_fluxes(const InsideAreas& areas, Side side, const InsidePart& part, ConvertedPose<Rational>& pose,
                 Vec3<Rational>& fluxes) {
-  if (!clip.has_area) return;
-  const std::array<Vec3<Rational>, 3> p = pose.corners(side, clip.face);
+  if (!part.has_area) return;
+  const std::array<Vec3<Rational>, 3> p = pose.corners(side, part.face);
   const Vec3<Rational> v1 = p[1] - p[0], v2 = p[2] - p[0], normal = cross(v1, v2);
   Vec3<Rational> moment{0, 0, 0};
   using Point = FacePoint<Rational>;
-  for_each_triangle(pose, side, clip, [&](int winding, const Point& a, const Point& b, const Point& c) {
+  for_each_triangle(pose, side, part, [&](int winding, const Point& a, const Point& b, const Point& c) {
     const Rational share = Rational(winding) * share_of(a, b, c, Rational(1, 2));
     const Rational x1 = (a.x1 + b.x1 + c.x1) / Rational(3), x2 = (a.x2 + b.x2 + c.x2) / Rational(3);
     moment = moment + share * (p[0] + x1 * v1 + x2 * v2);
   });
   if (side == Side::F)
-    for (const Index i : clip.overlaps) {
+    for (const Index i : part.overlaps) {
       if (!areas.overlaps[i].equal_normals) continue;
       const std::vector<Vec3<Rational>>& polygon = areas.overlaps[i].polygon;
       for (std::size_t j = 1; j + 1 < polygon.size(); ++j)
@@ -56,7 +56,7 @@ Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh
   if (!identities.applicable) return identities;
 
   const ExactPose exact_pose(problem, E, F, pose_doubles);
-  const ClippedAreas areas = find_combinatorics(exact_pose).clip(exact_pose);
+  const InsideAreas areas = find_combinatorics(exact_pose).inside_areas(exact_pose);
   ConvertedPose<Rational> pose(exact_pose);
   Vec3<Rational> sum{0, 0, 0}, limit_sum{0, 0, 0}, fluxes{0, 0, 0};
   Rational limit_volume = 0;
@@ -65,7 +65,7 @@ Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh
     sum = sum + vector_area(faces, pose);
     limit_sum = limit_sum + vector_area(faces, pose, &Shares<Rational>::limit);
     limit_volume += flux_third(faces, pose.zero(), pose, &Shares<Rational>::limit);
-    for (const FaceClip& clip : side == Side::E ? areas.E : areas.F) add_fluxes(areas, side, clip, pose, fluxes);
+    for (const InsidePart& part : side == Side::E ? areas.E : areas.F) add_fluxes(areas, side, part, pose, fluxes);
   }
   identities.vector_areas_cancel = sum.x == 0 && sum.y == 0 && sum.z == 0;
   identities.fluxes_agree = fluxes.x == fluxes.y && fluxes.y == fluxes.z;

@@ -39,12 +39,12 @@ inline const std::vector<Part>& parts() {
         {"scene.h", "engine"}}},
       // The oracle's own facade lies beside its rooms; the proofs ask it.
       {"reference",
-       {"vocabulary", "numbers", "pose", "crossings", "lines", "active", "combinatorics", "elements", "force", "",
-        "proofs"},
+       {"vocabulary", "numbers", "pose", "predicates", "crossings", "lines", "active", "combinatorics", "elements",
+        "force", "", "proofs"},
        {}},
       {"compare",
-       {"io", "bodies", "poses", "verify", "published", "opponents", "known_answers", "error_budget", "motion", "bench",
-        "cli"},
+       {"io", "bodies", "poses", "verify", "published", "wrong_answers", "known_answers", "error_budget", "motion",
+        "bench", "cli"},
        {}},
       {"simulate", {"record", "page"}, {}},
   };

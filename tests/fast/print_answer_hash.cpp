@@ -1,16 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints a hash over every bit of the engine's answers at some thousand poses, a line for each scheme and law: what
-// must not differ between builds for different instructions (`./run check`), and a quick way to see what a change
-// leaves as it was.
+// Prints hashes over every bit of the engine's answers, bounds included: what must not differ between builds for
+// different instructions (`./run check`), and a quick way to see what a change leaves as it was. First 13,440 answers
+// with all figures, a line for each scheme and law; then 16,128 at the poses of `pcm verify`, a line for each scheme
+// and stratum, over all modes and everything that may be wanted.
 #include <bit>
 #include <cinttypes>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <random>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "compare/poses/pairs.h"
+#include "compare/poses/strata.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
@@ -96,6 +102,14 @@ void add(Hash& hash, const Contact& contact) {
   if (contact.bound) add(hash, *contact.bound);
 }
 
+/// The answer's lists, which a hash over their entries alone would not keep apart.
+void add_lengths(Hash& hash, const Contact& contact) {
+  for (const std::size_t length :
+       {contact.crossings.size(), contact.polygons.size(), contact.E.intersected.size(), contact.E.inner.size(),
+        contact.F.intersected.size(), contact.F.inner.size(), contact.elements.size()})
+    hash.add(std::uint64_t{length});
+}
+
 /// Draws with correctly rounded operations alone, so that all builds draw the same.
 class Draw {
  public:
@@ -133,8 +147,8 @@ class Draw {
 
 struct Pair {
   TriangleMesh E, F;
-  double reach;  ///< of offsets drawn, m
-  int poses;     ///< of each kind
+  double extent;  ///< of offsets drawn, m
+  int poses;      ///< of each kind
 };
 
 std::vector<Pair> pairs() {
@@ -165,6 +179,10 @@ std::vector<Law> laws() {
   return {{"elastic", elastic}, {"damped, friction", whole}, {"damped, friction, clamped", clamped}};
 }
 
+const char* name(Scheme scheme) {
+  return scheme == Scheme::clipped ? "clipped" : "barycentric";
+}
+
 struct Tally {
   Hash hash;
   int answers = 0;
@@ -177,7 +195,7 @@ void add_pair(const Pair& pair, const ContactLaw& law, Scheme scheme, Workspace&
   for (int i = 0; i < 2 * pair.poses; ++i) {
     const bool generic = i % 2 == 0;
     const Pose pose{generic ? draw.rotation() : Eigen::Matrix3d::Identity(),
-                    generic ? draw.vector(pair.reach) : draw.lattice_vector()};
+                    generic ? draw.vector(pair.extent) : draw.lattice_vector()};
     const Velocity velocity{draw.vector(1), draw.vector(2)};
     Wanted wanted;
     wanted.bound = i % 4 >= 2;
@@ -194,8 +212,77 @@ void print_hashes() {
     for (const Law& law : laws()) {
       Tally tally;
       for (const Pair& pair : pairs()) add_pair(pair, law.law, scheme, workspace, tally);
-      std::printf("%016" PRIx64 "  %s, %s: %d answers, %" PRId64 " elements\n", tally.hash.value(),
-                  scheme == Scheme::clipped ? "clipped" : "barycentric", law.name, tally.answers, tally.elements);
+      std::printf("%016" PRIx64 "  %s, %s: %d answers, %" PRId64 " elements\n", tally.hash.value(), name(scheme),
+                  law.name, tally.answers, tally.elements);
+    }
+  }
+}
+
+/// Every subset of what may be wanted, by number.
+constexpr int kAllWanted = 64;
+Wanted wanted_by_number(int number) {
+  const auto bit = [number](int i) { return (number >> i & 1) != 0; };
+  return {
+      .polygons = bit(0), .areas = bit(1), .force = bit(2), .elements = bit(3), .bound = bit(4), .statistics = bit(5)};
+}
+
+/// Of the pairs that `pcm verify` has, with their laws: smooth ones and ones on a grid, of genus 1, open, with a
+/// cavity, and wound about twice.
+std::vector<compare::SurfacePair> stratum_pairs() {
+  std::vector<std::string> missing;
+  std::vector<compare::SurfacePair> pairs;
+  for (compare::SurfacePair& pair : compare::built_in_pairs({}, missing))
+    for (const std::string_view wanted : {"bubble-bubble", "gridded cubes", "small icospheres", "small tori",
+                                          "cube-tray", "hollow cube-cube", "pentagram-cube"})
+      if (pair.name == wanted) pairs.push_back(std::move(pair));
+  return pairs;
+}
+
+/// A pair as a stratum sees it, with each body as master and both. Features refer to the pair's meshes.
+struct StratumPair {
+  StratumPair(const compare::SurfacePair& pair, compare::Stratum stratum, Scheme scheme)
+      : nested(stratum == compare::Stratum::nested ? compare::nested_meshes(pair.E, pair.F) : std::nullopt),
+        features(stratum == compare::Stratum::nested ? compare::FeaturePair(nested.value())
+                                                     : compare::FeaturePair(pair.E, pair.F)) {
+    const Surface E(features.E.mesh), F(features.F.mesh);
+    for (const Mode mode : {Mode::E, Mode::F, Mode::both}) by_mode.emplace_back(E, F, pair.law, mode, scheme);
+  }
+  StratumPair(const StratumPair&) = delete;
+  StratumPair& operator=(const StratumPair&) = delete;
+
+  std::optional<compare::NestedMeshes> nested;
+  compare::FeaturePair features;
+  std::vector<Pairing> by_mode;
+};
+
+/// A pose of the stratum for each subset of what may be wanted, answered in each mode.
+void add_stratum_pair(const compare::SurfacePair& pair, compare::Stratum stratum, Scheme scheme, std::uint64_t number,
+                      Workspace& workspace, Tally& tally) {
+  const StratumPair prepared(pair, stratum, scheme);
+  for (int i = 0; i < kAllWanted; ++i) {
+    const compare::PoseRandom random(2003, static_cast<std::uint64_t>(stratum), number, static_cast<std::uint64_t>(i));
+    const compare::DrawnPose drawn = compare::draw_pose(stratum, prepared.features, random);
+    for (const Pairing& pairing : prepared.by_mode) {
+      const Contact& contact = evaluate(pairing, drawn.pose, drawn.velocity, wanted_by_number(i), workspace);
+      add_lengths(tally.hash, contact);
+      add(tally.hash, contact);
+      ++tally.answers;
+      tally.elements += contact.element_count;
+    }
+  }
+}
+
+void print_stratum_hashes() {
+  const std::vector<compare::SurfacePair> pairs = stratum_pairs();
+  Workspace workspace;
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    for (const compare::Stratum stratum : compare::kStrata) {
+      Tally tally;
+      std::uint64_t number = 0;
+      for (const compare::SurfacePair& pair : pairs)
+        add_stratum_pair(pair, stratum, scheme, number++, workspace, tally);
+      std::printf("%016" PRIx64 "  %s, %s: %d answers, %" PRId64 " elements\n", tally.hash.value(), name(scheme),
+                  compare::name(stratum).data(), tally.answers, tally.elements);
     }
   }
 }
@@ -205,4 +292,5 @@ void print_hashes() {
 
 int main() {
   pcm::fast::print_hashes();
+  pcm::fast::print_stratum_hashes();
 }

@@ -118,9 +118,9 @@ Load load_of(const Scene& scene, const Element& element, const ContactLaw& law, 
 /// The oracle's double is that nearest to a number known to 150 digits of `scale`; either neighbour where those do not
 /// tell (ties are told apart elsewhere), and nothing but zero where they are zeros.
 void expect_nearest(const Real& value, const Real& scale, double oracle) {
-  const Real room = scale * pow(Real(10), -150);
-  const double below = Real(value - room).convert_to<double>(), above = Real(value + room).convert_to<double>();
-  if (abs(value) <= room) {
+  const Real error = scale * pow(Real(10), -150);
+  const double below = Real(value - error).convert_to<double>(), above = Real(value + error).convert_to<double>();
+  if (abs(value) <= error) {
     EXPECT_EQ(oracle, 0);
   } else {
     EXPECT_TRUE(oracle == below || oracle == above) << oracle << " instead of " << below;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// check() against CGAL's own tests of polygon soups and surfaces, on bodies damaged at random.
+// check() against CGAL's own tests of polygon soups and surfaces, on bodies damaged at random and on real surfaces.
 //
 // Both sides speak of these, and must agree in them exactly, face by face and edge by edge:
 //   a vertex twice in a face, faces on one line, vertices of equal coordinates, unused vertices, edges of more than two
@@ -35,6 +35,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <random>
@@ -47,6 +48,7 @@
 #include "meshes/generate/degenerate/lattice_tetrahedra.h"
 #include "meshes/generate/round.h"
 #include "pcm/check.h"
+#include "pcm/read_mesh.h"
 #include "pcm/write_obj.h"
 
 namespace pcm {
@@ -530,6 +532,35 @@ TEST(MeshFitness, OfDamagedBodiesIsThatOfCgal) {
         "orientation of a surface that crosses itself compared by volume", "fit though it crosses itself"})
     EXPECT_GE(tally[outcome], 100) << outcome;
   EXPECT_GE(tally["orientation compared"], kMeshes / 5);
+}
+
+/// The surfaces of libcgal-demo: also those that are open, cracked, shuffled or inside out.
+TEST(MeshFitness, OfRealSurfacesIsThatOfCgal) {
+  const std::filesystem::path folder = PCM_REAL_SURFACES_DIR;
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no real surfaces in " << folder << ": ./run fetches them";
+  constexpr std::size_t kMostFaces = 35000;  // more take CGAL longer than they show
+  Tally tally;
+  int compared = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    if (file.path().extension() != ".off") continue;
+    // This one has more lines than its header counts.
+    if (file.path().filename() == "prim.off") continue;
+    SCOPED_TRACE(file.path().filename().string());
+    const TriangleMesh mesh = read_mesh(file.path());
+    if (mesh.faces.size() > kMostFaces) continue;
+    compare(mesh, tally);
+    ++compared;
+  }
+  std::cout << compared << " surfaces\n";
+  for (const auto& [outcome, count] : tally) std::cout << count << ' ' << outcome << '\n';
+
+  EXPECT_GE(compared, 100);
+  for (const char* outcome :
+       {"fit and closed", "fit and open", "only face of zero area", "only duplicate vertex", "only pinched vertex",
+        "only inconsistent orientation", "only inside out", "possible cavity", "unused vertex", "border",
+        "wrong way at level 0", "several closed components, all the right way",
+        "orientation of a surface that crosses itself compared by volume", "fit though it crosses itself"})
+    EXPECT_GE(tally[outcome], 1) << outcome;
 }
 
 }  // namespace

@@ -8,6 +8,10 @@
 
 namespace pcm {
 
+/// The formats that `read_mesh` reads, as help texts and messages list them: by extension, and by name.
+inline constexpr const char* kMeshExtensions = ".obj or .off";
+inline constexpr const char* kMeshFormats = "OBJ or OFF";
+
 /// Reads a surface in the format its extension names, in capitals or not: .obj (read_obj.h) or .off (read_off.h).
 /// Throws BadInput where the reader does and for any other extension.
 TriangleMesh read_mesh(const std::filesystem::path& path);

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "compare/opponents/subject.h"
 #include "compare/poses/pairs.h"
+#include "compare/wrong_answers/tested_engine.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
@@ -29,11 +29,11 @@ class Trio {
       : oracle_(mesh_E, mesh_F, verification_law(0, mesh_E, mesh_F), mode) {
     const ContactLaw law = verification_law(0, mesh_E, mesh_F);
     for (const Engine engine : kEngines)
-      subjects_.push_back(make_subject(engine, mesh_E, mesh_F, law, mode, Scheme::barycentric));
+      tested_.push_back(make_tested_engine(engine, mesh_E, mesh_F, law, mode, Scheme::barycentric));
   }
 
   fast::Contact ask(Engine engine, const Pose& pose, const Velocity& velocity = {}) {
-    return subjects_[static_cast<std::size_t>(engine)]->evaluate(pose, velocity, {}, workspace_);
+    return tested_[static_cast<std::size_t>(engine)]->evaluate(pose, velocity, {}, workspace_);
   }
   reference::Answer truth(const Pose& pose, const Velocity& velocity = {}) const {
     return oracle_.answer(reference::Problem::rounded, pose, velocity);
@@ -41,8 +41,8 @@ class Trio {
 
  private:
   reference::Oracle oracle_;
-  std::vector<std::unique_ptr<const Subject>> subjects_;
-  SubjectWorkspace workspace_;
+  std::vector<std::unique_ptr<const TestedEngine>> tested_;
+  TestedEngineWorkspace workspace_;
 };
 
 Pose at(const Eigen::Vector3d& r) {
@@ -171,15 +171,15 @@ TEST(PublishedAlgorithms, AnAnswerDoesNotDependOnTheOneBefore) {
 TEST(PublishedAlgorithms, RefuseWhatTheyDoNotKnow) {
   const TriangleMesh box = generate::gridded_box(1, 1);
   for (const Engine published : kPublished) {
-    EXPECT_THROW(make_subject(published, box, box, {}, Mode::E, Scheme::clipped), BadInput);
-    const auto subject = make_subject(published, box, box, {}, Mode::E, Scheme::barycentric);
-    SubjectWorkspace workspace;
+    EXPECT_THROW(make_tested_engine(published, box, box, {}, Mode::E, Scheme::clipped), BadInput);
+    const auto tested = make_tested_engine(published, box, box, {}, Mode::E, Scheme::barycentric);
+    TestedEngineWorkspace workspace;
     Wanted wanted;
     wanted.bound = true;
-    EXPECT_THROW(subject->evaluate({}, {}, wanted, workspace), BadInput);
+    EXPECT_THROW(tested->evaluate({}, {}, wanted, workspace), BadInput);
     Pose mirror;
     mirror.A(0, 0) = -1;
-    EXPECT_THROW(subject->evaluate(mirror, {}, {}, workspace), BadInput);
+    EXPECT_THROW(tested->evaluate(mirror, {}, {}, workspace), BadInput);
   }
   EXPECT_THROW(engine_named("published"), BadInput);
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "compare/verify/paths.h"
+#include "compare/verify/call_routes.h"
 
 namespace pcm::compare {
 
@@ -16,24 +16,24 @@ class AlteringSeam final : public EngineSeam {
   /// Alters an answer; false where it has nothing to alter, or where altering changes nothing.
   using Alteration = std::function<bool(fast::Contact&)>;
 
-  /// On one path, or on all of them alike.
-  explicit AlteringSeam(Alteration alter, std::optional<Path> only = std::nullopt)
+  /// On one route, or on all of them alike.
+  explicit AlteringSeam(Alteration alter, std::optional<Route> only = std::nullopt)
       : alter_(std::move(alter)), only_(only) {}
 
   const fast::Contact& evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                                 const Ask& ask, fast::Workspace& workspace) const override {
-    return altered(ask.path, EngineSeam::evaluate(pairing, pose, velocity, ask, workspace));
+    return altered(ask.route, EngineSeam::evaluate(pairing, pose, velocity, ask, workspace));
   }
   const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const override {
-    return altered(Path::scene, EngineSeam::evaluate_in(scene, workspace));
+    return altered(Route::scene, EngineSeam::evaluate_in(scene, workspace));
   }
 
   /// Whether anything was altered since the last call.
   bool take_altered() const { return std::exchange(has_altered_, false); }
 
  private:
-  const fast::Contact& altered(Path path, const fast::Contact& answer) const {
-    if (only_ && path != *only_) return answer;
+  const fast::Contact& altered(Route route, const fast::Contact& answer) const {
+    if (only_ && route != *only_) return answer;
     answer_ = answer;
     if (!alter_(answer_)) return answer;
     has_altered_ = true;
@@ -41,7 +41,7 @@ class AlteringSeam final : public EngineSeam {
   }
 
   Alteration alter_;
-  std::optional<Path> only_;
+  std::optional<Route> only_;
   mutable fast::Contact answer_;
   mutable bool has_altered_ = false;
 };

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "compare/verify/disagreement_kind.h"
 #include "compare/verify/held_pairing.h"
-#include "compare/verify/kind.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/hard_bodies.h"
 #include "meshes/generate/round.h"

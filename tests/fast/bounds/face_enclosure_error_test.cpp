@@ -258,7 +258,7 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
       ASSERT_GE(mpq_class(f.box.high_t), c[2]) << trial;
       ASSERT_LE(c[3], mpq_class(f.greatest)) << trial;
     }
-    find_side_shifts(error, f);
+    find_side_errors(error, f);
     if (f.facing == 0) {
       ++greatest.edgewise;
       FaceEnclosure carrier = f;
@@ -294,12 +294,13 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
       const mpq_class side_s = computed[next][1] - computed[k][1], side_t = computed[next][2] - computed[k][2];
       for (const Seen& c : side) {
         const mpq_class off = side_s * (c[2] - computed[k][2]) - side_t * (c[1] - computed[k][1]);
-        ASSERT_LE(abs(off), mpq_class(f.side_shift[k] * (1 + 1e-12))) << trial;
-        const double by_shift =
-            mpq_class(abs(side_s) * mpq_class(f.shift.t) + abs(side_t) * mpq_class(f.shift.s)).get_d();
-        ASSERT_LE(abs(off), mpq_class(by_shift * (1 + 1e-12))) << trial;
-        greatest.side = std::max(greatest.side, ratio(off, f.side_shift[k]));
-        greatest.shift = std::max(greatest.shift, ratio(off, by_shift));
+        ASSERT_LE(abs(off), mpq_class(f.side_error[k] * (1 + 1e-12))) << trial;
+        const double by_position_error =
+            mpq_class(abs(side_s) * mpq_class(f.position_error.t) + abs(side_t) * mpq_class(f.position_error.s))
+                .get_d();
+        ASSERT_LE(abs(off), mpq_class(by_position_error * (1 + 1e-12))) << trial;
+        greatest.side = std::max(greatest.side, ratio(off, f.side_error[k]));
+        greatest.shift = std::max(greatest.shift, ratio(off, by_position_error));
       }
     }
     // What is computed of it.
@@ -307,14 +308,14 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
     if (!project_face({0, 1, 2}, corners, projected)) continue;
     for (int i = 0; i < projected.seen.count; ++i) {
       const PrismPoint& c = projected.seen[i];
-      ASSERT_GE(c[kS], -f.cut_shift.s) << trial;
-      ASSERT_GE(c[kT], -f.cut_shift.t) << trial;
+      ASSERT_GE(c[kS], -f.cut_error.s) << trial;
+      ASSERT_GE(c[kT], -f.cut_error.t) << trial;
       // A polygon cut out of a triangle lies within it.
       for (std::size_t k = 0; k < 3; ++k) {
         const mpq_class inward = cross_of(computed[k], computed[(k + 1) % 3], as_exact(c));
         ASSERT_GE(inward, mpq_class(-f.side_cuts[k])) << trial << " " << i;
       }
-      ASSERT_GE(1 - c[kS] - c[kT], -(f.third_side_shift + f.cut_shift.s + f.cut_shift.t)) << trial;
+      ASSERT_GE(1 - c[kS] - c[kT], -(f.third_side_error + f.cut_error.s + f.cut_error.t)) << trial;
       // Where the exact face is not, nothing is said of its plane.
       const Seen here = as_exact(c);
       bool covered = true;

@@ -51,16 +51,16 @@ FaceEnclosure draw_face(Draw& draw, double shift, Index first_vertex) {
   f.face = first_vertex;
   f.facing = -1;
   f.vertices = {first_vertex, first_vertex + 1, first_vertex + 2};
-  f.shift = f.vertex_shift = f.corner_shift = {shift, shift, shift};
+  f.position_error = f.vertex_error = f.corner_error = {shift, shift, shift};
   f.depth = plane_of(f.corners);
-  f.relative_noise = f.crossing_noise = 0;
+  f.relative_rounding = f.crossing_rounding = 0;
   f.hinge_depth = 0;
   f.knows_sides = true;
   f.depth_error = f.field_error = shift * (1 + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
   f.greatest = 3;
   for (std::size_t k = 0; k < 3; ++k) {
     const PrismPoint side = f.corners[(k + 1) % 3] - f.corners[k];
-    f.side_shift[k] = shift * (std::abs(side[kS]) + std::abs(side[kT]));
+    f.side_error[k] = shift * (std::abs(side[kS]) + std::abs(side[kT]));
     f.side_cuts[k] = 0;
     f.fixed[k] = false;
   }
@@ -131,7 +131,7 @@ TEST(FaceEnclosure, SidesOfFacesNotMuchLargerThanTheirShiftPassOverNoMoreThanThe
     f.box = {0, 1, 0, 1};
     for (std::size_t k = 0; k < 3; ++k) {
       const PrismPoint side = f.corners[(k + 1) % 3] - f.corners[k];
-      f.side_shift[k] = kShift * (std::abs(side[kS]) + std::abs(side[kT]));
+      f.side_error[k] = kShift * (std::abs(side[kS]) + std::abs(side[kT]));
     }
     std::array<PrismPoint, 3> moved = shifted(f, kShift, draw);
     if (triangle_area(moved) < 0) std::swap(moved[1], moved[2]);
@@ -169,9 +169,9 @@ TEST(FaceEnclosure, ZeroStripHoldsWhatAnErrorOfTheFunctionDecides) {
     const ZeroStrip strip = zero_strip(function, {error, error}, box);
     ASSERT_LE(between, strip.area + 1e-12);
     if (strip.area > 1e-6) greatest = std::max(greatest, between / strip.area);
-    const double least = std::abs(function.middle(box)) - function.reach(box);
+    const double least = std::abs(function.middle(box)) - function.half_range(box);
     EXPECT_EQ(strip.area > 0, least <= error);
-    EXPECT_EQ(strip.everywhere, std::abs(function.middle(box)) + function.reach(box) <= error);
+    EXPECT_EQ(strip.everywhere, std::abs(function.middle(box)) + function.half_range(box) <= error);
   }
   EXPECT_GE(greatest, 0.9);
 }
@@ -202,7 +202,8 @@ LinearDepth draw_change(Draw& draw, double most, const BoxST& box) {
   const auto pick = [&draw] { return draw.unit() > 0 ? draw.end() : 0.0; };
   LinearDepth change{pick(), 0.5 * (box.low_s + box.high_s), 0.5 * (box.low_t + box.high_t), pick() / box.width_s(),
                      pick() / box.width_t()};
-  const double greatest = std::abs(change.middle(box)) + change.reach(box), scale = greatest > 0 ? most / greatest : 0;
+  const double greatest = std::abs(change.middle(box)) + change.half_range(box),
+               scale = greatest > 0 ? most / greatest : 0;
   return {scale * change.value, change.s_0, change.t_0, scale * change.per_s, scale * change.per_t};
 }
 
@@ -299,7 +300,7 @@ TEST(FaceEnclosure, GreatestAreaHoldsWhatAFaceMayCoverOfTheMaster) {
     for (PrismPoint& c : f.corners) {
       c = point(size * squeeze * c[kS], size * c[kT] + (trial % 4 - 1.5) * 0.1, c[kDepth] - 0.2 * (trial % 5));
     }
-    f.cut_shift = {0, 0, 0};
+    f.cut_error = {0, 0, 0};
     f.box = {0, 1, 0, 1};
     const std::array<PrismPoint, 3> moved = shifted(f, kShift, draw);
     ConvexPolygon part;

@@ -68,7 +68,7 @@ struct ExactMap {
 struct Ratios {
   double weight = 0, depth = 0;
 
-  void expect(const ExactPoint& off, const PrismShift& bound) {
+  void expect(const ExactPoint& off, const PrismPositionError& bound) {
     EXPECT_LE(std::abs(off.s_error), bound.s);
     EXPECT_LE(std::abs(off.t_error), bound.t);
     EXPECT_LE(std::abs(off.depth_error), bound.depth);
@@ -110,8 +110,9 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
     const Eigen::Vector3d rounding_F = Eigen::Vector3d::Constant(regime.stir_F);
     const FaceError face(geometry, rounding_E);
     const PrismError error(prism, face, master, rounding_E, rounding_E.cwiseMax(rounding_F));
-    const PrismShift vertices = error.of_vertices(error.noise({x, x, x}, {seen, seen, seen}, {}), rounding_F);
-    const PrismShift frame = error.of_frame(regime.depth);
+    const PrismPositionError vertices =
+        error.of_vertices(error.rounding({x, x, x}, {seen, seen, seen}, {}), rounding_F);
+    const PrismPositionError frame = error.of_frame(regime.depth);
     const std::array<RationalVector, 3> true_p{stirred(p[0], regime.stir_E, random),
                                                stirred(p[1], regime.stir_E, random),
                                                stirred(p[2], regime.stir_E, random)};
@@ -124,11 +125,11 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
     const double function_off =
         std::abs(function.per_s * off.s_error + function.per_t * off.t_error + function.per_depth * off.depth_error);
     const double function_bound =
-        error.of_function(function, regime.depth, error.noise({x, x, x}, {seen, seen, seen}, {}), rounding_F);
+        error.of_function(function, regime.depth, error.rounding({x, x, x}, {seen, seen, seen}, {}), rounding_F);
     EXPECT_LE(function_off, function_bound * (1 + 1e-12));
     function_ratio = std::max(function_ratio, function_off / function_bound);
     const double third_off = std::abs(mpq_class(mpq_class(seen[0]) + seen[kS] + seen[kT] - 1).get_d());
-    const double third_bound = error.of_third_weight(regime.depth, error.noise({x, x, x}, {seen, seen, seen}, {}));
+    const double third_bound = error.of_third_weight(regime.depth, error.rounding({x, x, x}, {seen, seen, seen}, {}));
     EXPECT_LE(third_off, third_bound);
     third_ratio = std::max(third_ratio, third_off / third_bound);
     // The second step alone, and the first alone, for which x may be anywhere.
@@ -140,7 +141,7 @@ TEST_P(PrismErrorOf, HoldsAndIsNotLoose) {
     of_vertices.expect(
         {mpq_class(far_map.weights[0] - far_seen[kS]).get_d(), mpq_class(far_map.weights[1] - far_seen[kT]).get_d(),
          mpq_class(far_map.depth - far_seen[kDepth]).get_d()},
-        error.of_vertices(error.noise({far, far, far}, {far_seen, far_seen, far_seen}, {}), rounding_F));
+        error.of_vertices(error.rounding({far, far, far}, {far_seen, far_seen, far_seen}, {}), rounding_F));
   }
   std::printf(
       "  %s: greatest error over its bound, weights and depth: both %.3f %.3f, vertices %.3f %.3f, frame %.3f %.3f\n",

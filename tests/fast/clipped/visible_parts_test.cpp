@@ -40,9 +40,9 @@ struct Placed {
 /// Area in (s, t) of what g leaves of f.
 double area_left(const Placed& f, const Placed& g) {
   std::vector<ConvexPolygon> parts{f.projected.seen}, remaining;
-  Neglect neglect;
+  ClippingError clipping_error;
   WorkCounters work;
-  subtract_hidden(f.face(), g.face(), parts, remaining, neglect, work);
+  subtract_hidden(f.face(), g.face(), parts, remaining, clipping_error, work);
   double area = 0;
   for (const ConvexPolygon& part : parts) area += 0.5 * twice_area(part);
   return area;

@@ -52,7 +52,7 @@ class WideElementsAt : public testing::TestWithParam<double> {
   DecisionLimits limits() const {
     DecisionLimits limits;
     limits.least_share = 0x1p-10;
-    limits.slave_reach = GetParam();
+    limits.slave_max_coordinate = GetParam();
     limits.error = 0x1p-30 * GetParam();
     limits.thick_edges = 0x1p-40;
     limits.thick_area = 1 / GetParam();

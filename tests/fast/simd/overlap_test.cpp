@@ -151,7 +151,7 @@ TEST_P(WideTestsOn, LinesMeetWhatIsSureAndMissWhatIsNotPossible) {
       const PenetrationLine line(geometry.points_Me[0], geometry.points_Me[1], geometry.points_Me[2]);
       const WideRay wide(tree, placement.to_frame_of(side, ray.origin),
                          placement.direction_in_frame_of(side, ray.direction),
-                         placement.slack(side) + 8 * placement.reach * ray.direction_error);
+                         placement.position_error(side) + 8 * placement.max_coordinate * ray.direction_error);
       std::set<Index> visited;
       LineNodes open;
       const double limit = std::numeric_limits<double>::infinity();
@@ -184,11 +184,11 @@ TEST_P(WideTestsOn, PrismsMeetEveryBoxThatDoublePrecisionFinds) {
       const FaceGeometry geometry(posed[1 - slave].face_Me(static_cast<Index>(m), work));
       if (!(geometry.area > 0)) continue;
       const MasterPrism prism(geometry);
-      const double slack = 4 * placement.slack(slave == 0 ? Side::E : Side::F);
+      const double box_error = 4 * placement.position_error(slave == 0 ? Side::E : Side::F);
       const TreePrism tree_prism =
-          slave == 0 ? TreePrism(prism, slack) : TreePrism(prism, slack, placement.A, placement.r_Me);
+          slave == 0 ? TreePrism(prism, box_error) : TreePrism(prism, box_error, placement.A, placement.r_Me);
       const double infinity = std::numeric_limits<double>::infinity();
-      for (const double deepest : {infinity, 0.1 * surface(slave).reach.maxCoeff()}) {
+      for (const double deepest : {infinity, 0.1 * surface(slave).max_coordinates.maxCoeff()}) {
         const WidePrism wide(tree, tree_prism, deepest);
         for (Index i = 0; i < tree.nodes(); ++i) {
           const WideNode& node = tree.node(i);
@@ -212,7 +212,7 @@ TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
   if (wide == nullptr) GTEST_SKIP() << "this processor or build has no wide instructions";
   const WideTree &tree_E = E.data().wide_tree, &tree_F = F.data().wide_tree;
   const WidePose pose(tree_E, tree_F, placement);
-  const WideRay ray(tree_E, placement.r_Me, Eigen::Vector3d(0.48, -0.6, 0.64), placement.slack_E);
+  const WideRay ray(tree_E, placement.r_Me, Eigen::Vector3d(0.48, -0.6, 0.64), placement.position_error_E);
   for (Index i = 0; i < tree_E.nodes(); ++i) {
     const WideNode& e = tree_E.node(i);
     Lanes entry, wide_entry;

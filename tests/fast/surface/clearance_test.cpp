@@ -42,7 +42,7 @@ void expect_lines_clear(const TriangleMesh& mesh, unsigned seed) {
   SCOPED_TRACE(mesh.name + ", seed " + std::to_string(seed));
   const Surface surface(mesh);
   const PreparedSurface& data = surface.data();
-  const double reach = data.reach.maxCoeff();
+  const double max_coordinate = data.max_coordinates.maxCoeff();
   std::mt19937 random(seed);
   std::uniform_real_distribution<> uniform;
   for (int i = 0; i < 2000; ++i) {
@@ -58,7 +58,7 @@ void expect_lines_clear(const TriangleMesh& mesh, unsigned seed) {
         Eigen::AngleAxisd(6.283 * uniform(random), n) * (Eigen::AngleAxisd(angle, across) * n).eval();
     const Line up((1 - s) * p[0] + s * ((1 - t) * p[1] + t * p[2]), tilted);
     const Clearance& clearance = data.clearance[static_cast<std::size_t>(face)];
-    const double beneath = static_cast<double>(clearance.beneath[cone]) * reach;
+    const double beneath = static_cast<double>(clearance.beneath[cone]) * max_coordinate;
     for (Index other = 0; other < static_cast<Index>(mesh.faces.size()); ++other) {
       if (other == face) continue;
       const double met = passage(up, points_of(data, other));

@@ -28,16 +28,16 @@ std::map<Index, std::vector<FaceSegment>> segments_on(Side side, const Crossings
 
 Rational area_of(const std::vector<FaceCell>& cells, const FaceLines& lines, Side side, Index face,
                  const ExactPose& exact_pose) {
-  FaceClip clip;
-  clip.face = face;
-  clip.apex = lines.apex();
-  clip.planes = lines.faces();
-  clip.crossings = lines.crossings();
-  for (const FaceCell& cell : cells) clip.cells.push_back({1, cell.corners});
+  InsidePart part;
+  part.face = face;
+  part.apex = lines.apex();
+  part.planes = lines.faces();
+  part.crossings = lines.crossings();
+  for (const FaceCell& cell : cells) part.cells.push_back({1, cell.corners});
   ConvertedPose<Rational> pose(exact_pose);
   Rational sum = 0;
   using Point = FacePoint<Rational>;
-  for_each_triangle(pose, side, clip, [&](int, const Point& a, const Point& b, const Point& c) {
+  for_each_triangle(pose, side, part, [&](int, const Point& a, const Point& b, const Point& c) {
     const Rational share = share_of(a, b, c, Rational(1, 2));
     EXPECT_GT(share, 0);
     sum += share;

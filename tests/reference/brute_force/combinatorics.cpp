@@ -40,23 +40,23 @@ Combinatorics combinatorics_of(const Answer& answer) {
       answer, [](const Polygon& polygon) -> const auto& { return polygon.points; });
 }
 
-std::string difference(const Combinatorics& truth, const Combinatorics& subject) {
+std::string difference(const Combinatorics& truth, const Combinatorics& subj) {
   std::string result;
   const auto compare = [&](const char* what, const std::string& expected, const std::string& found) {
     if (expected != found) result += std::string(what) + ": twin" + expected + "\n   against" + found + '\n';
   };
-  compare("touching", text(Index{truth.touching}), text(Index{subject.touching}));
-  compare("nested", text(Index{truth.nested}), text(Index{subject.nested}));
-  compare("ambiguous", text(Index{truth.ambiguous}), text(Index{subject.ambiguous}));
-  compare("patches", text(truth.patches), text(subject.patches));
-  compare("undefined areas", text(truth.undefined_areas), text(subject.undefined_areas));
-  compare("too deep", text(truth.too_deep), text(subject.too_deep));
-  compare("polygons", text(truth.polygons), text(subject.polygons));
-  compare("intersected faces of E", text(truth.intersected[0]), text(subject.intersected[0]));
-  compare("intersected faces of F", text(truth.intersected[1]), text(subject.intersected[1]));
-  compare("inner faces of E", text(truth.inner[0]), text(subject.inner[0]));
-  compare("inner faces of F", text(truth.inner[1]), text(subject.inner[1]));
-  compare("elements", text(truth.elements), text(subject.elements));
+  compare("touching", text(Index{truth.touching}), text(Index{subj.touching}));
+  compare("nested", text(Index{truth.nested}), text(Index{subj.nested}));
+  compare("ambiguous", text(Index{truth.ambiguous}), text(Index{subj.ambiguous}));
+  compare("patches", text(truth.patches), text(subj.patches));
+  compare("undefined areas", text(truth.undefined_areas), text(subj.undefined_areas));
+  compare("too deep", text(truth.too_deep), text(subj.too_deep));
+  compare("polygons", text(truth.polygons), text(subj.polygons));
+  compare("intersected faces of E", text(truth.intersected[0]), text(subj.intersected[0]));
+  compare("intersected faces of F", text(truth.intersected[1]), text(subj.intersected[1]));
+  compare("inner faces of E", text(truth.inner[0]), text(subj.inner[0]));
+  compare("inner faces of F", text(truth.inner[1]), text(subj.inner[1]));
+  compare("elements", text(truth.elements), text(subj.elements));
   return result;
 }
 

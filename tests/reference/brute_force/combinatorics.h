@@ -50,6 +50,6 @@ Combinatorics combinatorics_of(const AnyAnswer& answer, const CrossingsOf& cross
 Combinatorics combinatorics_of(const Answer& answer);
 
 /// What differs, a line each; empty where nothing does.
-std::string difference(const Combinatorics& truth, const Combinatorics& subject);
+std::string difference(const Combinatorics& truth, const Combinatorics& subj);
 
 }  // namespace pcm::brute_force

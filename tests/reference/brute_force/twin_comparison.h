@@ -13,7 +13,7 @@
 #include "tests/reference/brute_force/trials.h"
 
 /// The poses on which oracle and engine are held against the twin. A test brings what it compares: a function of E, F
-/// and pose that holds its subject against the twin and returns the twin's answer to the rounded problem.
+/// and pose that holds what is tested against the twin and returns the twin's answer to the rounded problem.
 namespace pcm::brute_force {
 
 /// How much of what is compared was there at all, in poses.

@@ -163,10 +163,10 @@ TriangleMesh centred(TriangleMesh mesh) {
 }
 
 TEST(Corefinement, AgreesOnRealSurfaces) {
-  const std::filesystem::path folder = PCM_REAL_MESHES_DIR;
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the real surfaces are not installed at " << folder;
-  for (const char* name : {"star_cgal", "bone_patella_r", "part_cgal", "double_torus_cgal", "bmw_e90_hull"}) {
-    const TriangleMesh mesh = centred(read_mesh(folder / (std::string(name) + ".obj")));
+  const std::filesystem::path folder = PCM_REAL_SURFACES_DIR;
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no real surfaces in " << folder << ": ./run fetches them";
+  for (const char* name : {"star", "part", "double-torus-example", "oblong", "rotor", "spool"}) {
+    const TriangleMesh mesh = centred(read_mesh(folder / (std::string(name) + ".off")));
     compare_all_pairs({mesh}, 3);
     compare_on(mesh, generate::icosphere(0.6 * radius(mesh), 2), generic_pose(100, 0.3 * radius(mesh)));
   }

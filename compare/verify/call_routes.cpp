@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verify/call_routes.h"
+
+#include <array>
+#include <bit>
+#include <limits>
+#include <string>
+
+#include "compare/verify/bound_arithmetic.h"
+#include "compare/verify/contact_fields.h"
+#include "compare/verify/wanted_presets.h"
+#include "fast/base/geometry.h"
+
+namespace pcm::compare {
+namespace {
+
+/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): every bit of the result depends on every bit of x.
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+/// What the bits drawn at a state are for.
+enum class Draw : std::uint64_t { ask = 1, scene_ask, bodies, turn };
+
+/// 64 bits that depend on all bits of a state's doubles: those of coarse ones are in the upper half alone.
+std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) {
+  std::uint64_t hash = 0;
+  const auto mix = [&hash](double x) { hash = mixed(hash + 0x9e3779b97f4a7c15 + std::bit_cast<std::uint64_t>(x)); };
+  for (int k = 0; k < 9; ++k) mix(pose.A(k / 3, k % 3));
+  for (const Eigen::Vector3d* v : {&pose.r, &velocity.v, &velocity.w})
+    for (int k = 0; k < 3; ++k) mix((*v)[k]);
+  return mixed(hash + static_cast<std::uint64_t>(purpose));
+}
+
+/// Fourteen switches from as many bits.
+Ask drawn_ask(Route route, std::uint64_t bits) {
+  Ask ask{route, {}, {}};
+  const auto next = [&bits] {
+    const bool bit = (bits & 1) != 0;
+    bits >>= 1;
+    return bit;
+  };
+  for (bool* wanted : {&ask.wanted.polygons, &ask.wanted.areas, &ask.wanted.force, &ask.wanted.elements,
+                       &ask.wanted.bound, &ask.wanted.statistics})
+    *wanted = next();
+  for (bool* saving :
+       {&ask.savings.broad_phase, &ask.savings.certificates, &ask.savings.first_crossing, &ask.savings.lazy_vertices,
+        &ask.savings.one_sided, &ask.savings.velocities, &ask.savings.only_wanted, &ask.savings.filters})
+    *saving = next();
+  return ask;
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+template <class Derived>
+bool same_bits(const Eigen::MatrixBase<Derived>& a, const Eigen::MatrixBase<Derived>& b) {
+  for (Eigen::Index k = 0; k < a.size(); ++k)
+    if (!same_bits(a.derived().data()[k], b.derived().data()[k])) return false;
+  return true;
+}
+
+void hold_route(Route route, const fast::Contact& whole, const fast::Contact& answer, const Wanted& wanted,
+                Checks& checks) {
+  checks.checked(Kind::paths);
+  if (const std::string difference = difference_in_bits(whole, answer, wanted); !difference.empty())
+    checks.add(Kind::paths, "{}: {}", name(route), difference);
+}
+
+/// One of the 24 rotations that turn axes onto axes: products with it are exact.
+Eigen::Matrix3d turn_of_axes(std::uint64_t which) {
+  const auto first = static_cast<Eigen::Index>(which % 3),
+             second = (first + 1 + static_cast<Eigen::Index>(which / 3 % 2)) % 3;
+  const Eigen::Vector3d x = (which / 6 % 2 == 0 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(first);
+  const Eigen::Vector3d y = (which / 12 % 2 == 0 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(second);
+  Eigen::Matrix3d A;
+  A << x, y, x.cross(y);
+  return A;
+}
+
+/// Both bodies where they are to each other at the given state, each moving by half of it: E turned by turns of the
+/// axes Q, at -Q r / 2 with velocity -Q v / 2, F at Q r / 2 with Q v / 2. Differences of these are exact. Where E
+/// spins, too, by -Q w / 2, F's velocity is that at its marker besides.
+struct TwoBodies {
+  fast::BodyState E, F;
+  Eigen::Vector3d carried_W = Eigen::Vector3d::Zero();  ///< velocity at F's marker by E's spin, m/s
+
+  TwoBodies(const Pose& pose, const Velocity& velocity) {
+    const std::uint64_t bits = bits_of(pose, velocity, Draw::bodies);
+    const Eigen::Matrix3d Q = turn_of_axes(bits % 24);
+    const bool spins = bits / 24 % 2 == 0;
+    E.pose = {Q, -0.5 * (Q * pose.r)};
+    F.pose = {Q * pose.A, 0.5 * (Q * pose.r)};
+    E.velocity.v = -0.5 * (Q * velocity.v);
+    F.velocity = {0.5 * (Q * velocity.v), Q * velocity.w};
+    if (!spins) return;
+    E.velocity.w = -0.5 * (Q * velocity.w);
+    F.velocity.w = 0.5 * (Q * velocity.w);
+    carried_W = E.velocity.w.cross(F.pose.r - E.pose.r);
+    F.velocity.v += carried_W;
+  }
+};
+
+/// A turn about one of the six half axes by the angle 2^-13, orthogonal but for roundings.
+Eigen::Matrix3d small_turn(std::uint64_t which) {
+  constexpr double t = 0x1p-14;  // The tangent of half the angle.
+  const auto axis = static_cast<Eigen::Index>(which % 3), second = (axis + 1) % 3, third = (axis + 2) % 3;
+  const double sine = (which / 3 % 2 == 0 ? 1.0 : -1.0) * (2 * t / (1 + t * t));
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R(second, second) = R(third, third) = (1 - t * t) / (1 + t * t);
+  R(third, second) = sine;
+  R(second, third) = -sine;
+  return R;
+}
+
+/// Holds a scene's answer against `whole`, the one to everything and a bound. A step on the way makes the scene look
+/// for a certificate where the bodies are apart, and use it where it still holds. F is moved and turned about its
+/// marker on the way: where it lies far off that, the turn moves it by more than the step.
+void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                const Ask& ask, const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks) {
+  fast::Scene scene(ask.savings);
+  scene.add_body(pairing.surface_E());
+  scene.add_body(pairing.surface_F());
+  scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), ask.wanted);
+  const TwoBodies bodies(pose, velocity);
+  fast::BodyState nearby = bodies.F;
+  nearby.pose.A = small_turn(bits_of(pose, velocity, Draw::turn) % 6) * nearby.pose.A;
+  nearby.pose.r.x() += step;
+  scene.move({bodies.E, nearby});
+  // Nearby the force may be beyond all doubles; what is asked is the place itself.
+  try {
+    scene.evaluate(0, workspace);
+  } catch (const std::exception&) {
+  }
+  scene.move({bodies.E, bodies.F});
+  const Pose relative = scene.relative_pose(0);
+  const Velocity motion = scene.relative_velocity(0);
+  // Halves of the smallest doubles are rounded. Each of three sums rounds the velocity where E spins.
+  constexpr double kLeast = 2 * std::numeric_limits<double>::denorm_min();
+  const double carried = bodies.carried_W.cwiseAbs().maxCoeff();
+  const double rounding = carried == 0 ? 0 : 4 * kRoundoff * (velocity.v.cwiseAbs().maxCoeff() + carried);
+  if (relative.A != pose.A || !((relative.r - pose.r).cwiseAbs().maxCoeff() <= kLeast) ||
+      !((motion.v - velocity.v).cwiseAbs().maxCoeff() <= rounding + kLeast) ||
+      !((motion.w - velocity.w).cwiseAbs().maxCoeff() <= kLeast)) {
+    checks.add(Kind::paths, "{}: relative pose or velocity of two moving bodies is another", name(Route::scene));
+    return;
+  }
+  if (same_bits(relative.A, pose.A) && same_bits(relative.r, pose.r) && same_bits(motion.v, velocity.v) &&
+      same_bits(motion.w, velocity.w)) {
+    hold_route(Route::scene, whole, seam.evaluate_in(scene, workspace), ask.wanted, checks);
+    return;
+  }
+  Ask everything{Route::plain, {}, {}};
+  everything.wanted.bound = ask.wanted.bound;
+  const fast::Contact there = seam.evaluate(pairing, relative, motion, everything, workspace);
+  hold_route(Route::scene, there, seam.evaluate_in(scene, workspace), ask.wanted, checks);
+}
+
+}  // namespace
+
+std::string_view name(Route route) {
+  constexpr std::array<std::string_view, 6> kNames = {"plain", "bounded", "force", "touch", "drawn", "scene"};
+  return kNames[static_cast<std::size_t>(route)];
+}
+
+std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity) {
+  Wanted with_bound;
+  with_bound.bound = true;
+  return {{Route::plain, {}, {}},
+          {Route::bounded, with_bound, {}},
+          {Route::force, kForceOnly, {}},
+          {Route::touch, kTouchOnly, {}},
+          drawn_ask(Route::drawn, bits_of(pose, velocity, Draw::ask))};
+}
+
+const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                                          const Ask& ask, fast::Workspace& workspace) const {
+  return fast::evaluate(pairing, pose, velocity, ask.wanted, workspace, ask.savings);
+}
+
+std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity) {
+  return {{Route::scene, {}, {}}, drawn_ask(Route::scene, bits_of(pose, velocity, Draw::scene_ask))};
+}
+
+bool is_pose_for_scenes(const Pose& pose) {
+  // Less what the product with a turn rounds.
+  constexpr double kSkew = (1 - 0x1p-10) * 1e-10;
+  return fast::orthogonality_error(pose.A) <= kSkew;
+}
+
+const fast::Contact& EngineSeam::evaluate_for_draw(const fast::Pairing& pairing, const Pose& pose,
+                                                   const Velocity& velocity, const Wanted& wanted,
+                                                   fast::Workspace& workspace) const {
+  return fast::evaluate(pairing, pose, velocity, wanted, workspace);
+}
+
+const fast::Contact& EngineSeam::evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const {
+  return scene.evaluate(0, workspace);
+}
+
+const EngineSeam& EngineSeam::none() {
+  static const EngineSeam passes;
+  return passes;
+}
+
+void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                 const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
+                 const std::function<void(const fast::Contact&)>& on_bound) {
+  fast::Contact expected = whole;
+  for (const Ask& ask : asks_at(pose, velocity)) {
+    if (ask.route == Route::plain) continue;
+    const fast::Contact& answer = seam.evaluate(pairing, pose, velocity, ask, workspace);
+    hold_route(ask.route, expected, answer, ask.wanted, checks);
+    if (ask.route != Route::bounded) continue;
+    expected.bound = answer.bound;  // others that have a bound have this one
+    on_bound(answer);
+  }
+  if (!is_pose_for_scenes(pose)) return;
+  for (const Ask& ask : scene_asks_at(pose, velocity))
+    hold_scene(seam, pairing, pose, velocity, ask, expected, step, workspace, checks);
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/engine/force_by_scheme.h"
+
+namespace pcm::fast {
+
+namespace {
+
+MasterForce sum_elements(const Intersection& intersection, Scheme scheme, Side master, const ForceProblem& problem,
+                         ForceScratch& scratch, ElementRecord& record) {
+  return scheme == Scheme::clipped
+             ? sum_clipped_elements(intersection, master, problem, scratch.clipped, record)
+             : sum_barycentric_elements(intersection, master, problem, scratch.barycentric, record);
+}
+
+PairingForce sum_bounded_elements(const Intersection& intersection, Scheme scheme, Side master,
+                                  const ForceProblem& problem, ForceScratch& scratch, ElementRecord& record) {
+  MasterBound bound(intersection, master, problem, scratch.undecided);
+  const MasterForce total =
+      scheme == Scheme::clipped
+          ? sum_bounded_clipped_elements(intersection, problem, scratch.clipped.face, scratch.clipped_bound, bound,
+                                         record)
+          : sum_bounded_barycentric_elements(intersection, problem, scratch.barycentric_bound, bound, record);
+  return {total, bound.result()};
+}
+
+}  // namespace
+
+PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
+                           bool with_bound, ForceScratch& scratch, ElementRecord& record) {
+  record.clear();
+  const auto of_master = [&](Side master) -> PairingForce {
+    if (with_bound) return sum_bounded_elements(intersection, scheme, master, problem, scratch, record);
+    return {sum_elements(intersection, scheme, master, problem, scratch, record), std::nullopt};
+  };
+  PairingForce result;
+  if (mode == Mode::both) {
+    const PairingForce on_E = of_master(Side::E);
+    const PairingForce on_F = of_master(Side::F);
+    result.total = mean(on_E.total, on_F.total);
+    if (with_bound) result.bound = mean_bound(*on_E.bound, *on_F.bound, result.total);
+  } else {
+    result = of_master(mode == Mode::E ? Side::E : Side::F);
+  }
+  require_finite(result.total);
+  return result;
+}
+
+void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
+                            ForceScratch& scratch) {
+  if (mode == Mode::both) return;
+  ForceProblem unheard = problem;
+  unheard.keep_elements = unheard.with_statistics = false;
+  ElementRecord none;
+  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, unheard, scratch, none);
+}
+
+}  // namespace pcm::fast
