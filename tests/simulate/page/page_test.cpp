@@ -127,6 +127,7 @@ TEST(Page, HoldsTheSurfaces) {
   EXPECT_EQ(surface["name"], "two");
   EXPECT_EQ(surface["colour"], json({250, 251, 252}));
   EXPECT_EQ(numbers(surface["vertices"]), as_floats({0.1, 0.2, 0.3, 1.1, 0.25, 0.35, 0.15, 1.2, 0.4, 0.17, 0.27, 1.3}));
+  EXPECT_EQ(surface["faces"]["type"], "Uint16") << "as short as can be";
   EXPECT_EQ(numbers(surface["faces"]), (std::vector<double>{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}));
   EXPECT_EQ(data["pairings"][1], json({{"name", "q"}, {"surfaces", {1, 0}}}));
 }
