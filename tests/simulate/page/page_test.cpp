@@ -140,7 +140,8 @@ TEST(Page, HoldsThePosesOfEveryFrame) {
   // Half of the angle whose cosine is 0.96 and whose sine is 0.28, about x.
   const double half = std::atan2(0.28, 0.96) / 2;
   const std::vector<double> expected{std::sin(half), 0, 0, std::cos(half), 12.1, 20.2, 30.3};
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(poses[5 * 7 + i], expected[i], 2e-6) << i;
+  // The last of six.
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(poses[35 + i], expected[i], 2e-6) << i;
 }
 
 TEST(Page, HoldsTheElementsInRunsOfOneMaster) {
