@@ -99,7 +99,9 @@
   let last;
   const tick = stamp => {
     if (!isPlaying) return;
-    if (last !== undefined) moveTo(now + (stamp - last) / 1000 * Number(byId("speed").value));
+    // Where the page was hidden for long, it goes on from where it was.
+    const passed = last === undefined ? 0 : Math.min(1, (stamp - last) / 1000);
+    moveTo(now + passed * Number(byId("speed").value));
     last = stamp;
     if (now >= end) setPlaying(false); else requestAnimationFrame(tick);
   };

@@ -99,6 +99,8 @@ TEST_F(PageInBrowser, PlaysAndPausesByButtonAndSpaceBar) {
   EXPECT_EQ(text_of("#play"), "Play");
   browser.press(" ");  // from the beginning again
   EXPECT_TRUE(browser.wait_until("pcmTime > 0 && pcmTime < 1")) << time();
+  browser.press(" ");
+  EXPECT_EQ(text_of("#play"), "Play");
 }
 
 TEST_F(PageInBrowser, PlaysAtTheSpeedChosen) {

@@ -127,6 +127,7 @@ TEST(Page, HoldsTheSurfaces) {
   EXPECT_EQ(surface["name"], "two");
   EXPECT_EQ(surface["colour"], json({250, 251, 252}));
   EXPECT_EQ(numbers(surface["vertices"]), as_floats({0.1, 0.2, 0.3, 1.1, 0.25, 0.35, 0.15, 1.2, 0.4, 0.17, 0.27, 1.3}));
+  EXPECT_EQ(surface["faces"]["type"], "Uint16") << "as short as can be";
   EXPECT_EQ(numbers(surface["faces"]), (std::vector<double>{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}));
   EXPECT_EQ(data["pairings"][1], json({{"name", "q"}, {"surfaces", {1, 0}}}));
 }
@@ -139,7 +140,8 @@ TEST(Page, HoldsThePosesOfEveryFrame) {
   // Half of the angle whose cosine is 0.96 and whose sine is 0.28, about x.
   const double half = std::atan2(0.28, 0.96) / 2;
   const std::vector<double> expected{std::sin(half), 0, 0, std::cos(half), 12.1, 20.2, 30.3};
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(poses[5 * 7 + i], expected[i], 2e-6) << i;
+  // The last of six.
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(poses[35 + i], expected[i], 2e-6) << i;
 }
 
 TEST(Page, HoldsTheElementsInRunsOfOneMaster) {
