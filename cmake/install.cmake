@@ -11,6 +11,11 @@ install(
 install(FILES LICENSES/BSD-3-Clause.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})  # the licence of all that is installed
 
 set(pcm_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pcm)
+if(TARGET pcm_simbody)
+  install(TARGETS pcm_simbody EXPORT pcm-simbody-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(DIRECTORY simbody/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+  install(EXPORT pcm-simbody-targets NAMESPACE pcm:: DESTINATION ${pcm_package_folder})
+endif()
 install(EXPORT pcm-targets NAMESPACE pcm:: DESTINATION ${pcm_package_folder})
 configure_package_config_file(cmake/pcm-config.cmake.in cmake/pcm-config.cmake INSTALL_DESTINATION ${pcm_package_folder})
 # Until 1.0 a minor version may break callers.

@@ -3,43 +3,30 @@
 #include "simulate/scenes/mass_properties.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 
+#include "meshes/generate/solid_moments.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::simulate {
 
-// Of the tetrahedron (0, a, b, c) with volume V = det(a, b, c) / 6: the integral of x is V (a + b + c) / 4, that of x
-// x^T is V / 20 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
 MassProperties solid_of_density_1(const std::vector<PlacedMesh>& surfaces) {
-  double volume = 0;
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d apex = Eigen::Vector3d::Zero();
-  bool has_apex = false;
-  for (const PlacedMesh& surface : surfaces) {
-    const auto corner = [&surface](Index vertex) -> Eigen::Vector3d {
-      return surface.at_B.R * surface.mesh->vertices[static_cast<std::size_t>(vertex)] + surface.at_B.p;
-    };
-    // Near the surfaces, so that little cancels.
-    if (!has_apex) apex = corner(surface.mesh->faces.front()[0]);
-    has_apex = true;
-    for (const auto& face : surface.mesh->faces) {
-      const Eigen::Vector3d a = corner(face[0]) - apex, b = corner(face[1]) - apex, c = corner(face[2]) - apex;
-      const Eigen::Vector3d s = a + b + c;
-      const double V = a.dot(b.cross(c)) / 6;
-      volume += V;
-      first += V / 4 * s;
-      second += V / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
-    }
-  }
-  if (!(volume > 0)) throw BadInput("no solid: the volume within the body's surfaces is not positive");
-  const Eigen::Vector3d centre = first / volume;
-  const Eigen::Matrix3d about_centre = second - volume * centre * centre.transpose();
   MassProperties solid;
-  solid.mass = volume;
-  solid.centre_B = apex + centre;
-  solid.inertia_B = about_centre.trace() * Eigen::Matrix3d::Identity() - about_centre;
+  std::vector<MassProperties> parts;
+  for (const PlacedMesh& surface : surfaces) {
+    const generate::SolidMoments moments = generate::solid_moments(*surface.mesh);
+    const Eigen::Matrix3d& R = surface.at_B.R;
+    parts.push_back({moments.volume, R * moments.centroid + surface.at_B.p,
+                     moments.volume * (R * moments.unit_inertia * R.transpose())});
+    solid.mass += parts.back().mass;
+    solid.centre_B += parts.back().mass * parts.back().centre_B;
+  }
+  if (!(solid.mass > 0)) throw BadInput("no solid: the volume within the body's surfaces is not positive");
+  solid.centre_B /= solid.mass;
+  for (const MassProperties& part : parts) {
+    const Eigen::Vector3d d = part.centre_B - solid.centre_B;
+    solid.inertia_B +=
+        part.inertia_B + part.mass * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());  // Steiner
+  }
   return solid;
 }
 

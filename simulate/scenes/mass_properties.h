@@ -14,8 +14,8 @@ struct PlacedMesh {
   Placement at_B;
 };
 
-/// Mass properties of the solid of density 1 that closed, outward oriented surfaces bound, as if none overlapped:
-/// integrals over the tetrahedra that their faces form with a vertex. Throws BadInput where the volume is not positive.
+/// Mass properties of the solid of density 1 that closed, outward oriented surfaces bound, as if none overlapped.
+/// Throws BadInput where the volume is not positive.
 MassProperties solid_of_density_1(const std::vector<PlacedMesh>& surfaces);
 
 /// Why no rigid body has these principal moments of inertia; empty if one may: all positive, none greater than the

@@ -192,7 +192,8 @@ TEST(Architecture, SimulateIncludesNoTestsAndNotTheOracle) {
 }
 
 TEST(Architecture, OnlyTestsIncludeSimulate) {
-  for (const std::string part : {"meshes", "fast", "reference", "compare"}) expect_no_include(part, {"simulate/"});
+  for (const std::string part : {"meshes", "fast", "reference", "compare", "simbody"})
+    expect_no_include(part, {"simulate/"});
 }
 
 TEST(Architecture, TheInputsHoldNoAlgorithm) {
@@ -204,8 +205,9 @@ TEST(Architecture, TheInputsHoldNoAlgorithm) {
 }
 
 TEST(Architecture, EverySourceNamesItsLicence) {
-  for (const std::string room : {"meshes", "fast", "reference", "compare", "simulate", "tests"}) {
-    const std::string licence = room == "meshes" || room == "fast" ? "BSD-3-Clause" : "GPL-3.0-or-later";
+  for (const std::string room : {"meshes", "fast", "simbody", "reference", "compare", "simulate", "tests"}) {
+    const std::string licence =
+        room == "meshes" || room == "fast" || room == "simbody" ? "BSD-3-Clause" : "GPL-3.0-or-later";
     for (const fs::path& source : sources_of(room)) {
       std::ifstream in{source};
       std::string first;

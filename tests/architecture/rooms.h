@@ -46,7 +46,8 @@ inline const std::vector<Part>& parts() {
        {"io", "bodies", "poses", "verify", "published", "wrong_answers", "known_answers", "error_budget", "motion",
         "bench", "cli"},
        {}},
-      {"simulate", {"record", "page"}, {}},
+      {"simbody", {""}, {{"simbody.h", ""}}},
+      {"simulate", {"integrators", "scenes", "model", "run", "record", "page", "cli"}, {}},
   };
   return all;
 }

@@ -90,7 +90,7 @@ class ContactForces : public SimTK::Force::Custom {
   void visit_elements(const SimTK::State& state, const Visit& visit) const;
 
   /// Of all pairings, J; Stage::Position is enough. Simbody counts it as potential energy. In the strict sense it is no
-  /// potential of the force: docs/energy.md.
+  /// potential of the force: docs/energy_and_jumps.md.
   double elastic_energy(const SimTK::State& state) const;
 
   /// Keeps the answers at this state until the next call. Pairings whose relative pose and velocity are the same bits
