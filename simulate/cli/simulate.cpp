@@ -29,13 +29,13 @@ namespace {
 using compare::Exit;
 
 struct SimulateOptions {
-  std::string scene, out, method, duration, relative, absolute, greatest_step;
+  std::string scene, out, method, duration, relative, absolute, greatest_step, spectrum;
   bool schema = false, print = false;
 };
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadInput(file.string() + ": can't be read; built in are: bubbles, pedestrian");
+  if (!in) throw BadInput(file.string() + ": can't be read; built in are: bubbles, pedestrian, creep");
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
@@ -62,8 +62,8 @@ void apply(const SimulateOptions& options, Scene& scene) {
 
 /// A run is known by its scene and by what the command line changes in it.
 std::string identity(const std::string& text, const SimulateOptions& options) {
-  return text + fmt::format("\n// {} {} {} {} {}\n", options.method, options.duration, options.relative,
-                            options.absolute, options.greatest_step);
+  return text + fmt::format("\n// {} {} {} {} {} {}\n", options.method, options.duration, options.relative,
+                            options.absolute, options.greatest_step, options.spectrum);
 }
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -105,6 +105,9 @@ Exit simulate(const SimulateOptions& options) {
   std::string notice;
   RecordedRun run(scene, identity(text, options), folder, notice);
   if (!notice.empty()) compare::complain(notice);
+  if (!options.spectrum.empty())
+    run.simulation().compute_spectrum_every(
+        static_cast<std::int64_t>(compare::whole_number("--spectrum", options.spectrum, 1, 1000000000)));
   std::signal(SIGINT, [](int) { interrupted = 1; });
   bool finished = false;
   {
@@ -135,7 +138,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
       "  pcm simulate pedestrian --integrator bdf\n"
       "  pcm simulate bubbles --print > mine.json\n"
       "  pcm simulate mine.json --out mine --integrator bdf");
-  command->add_option("SCENE", options->scene, "bubbles, pedestrian, or a scene file");
+  command->add_option("SCENE", options->scene, "bubbles, pedestrian, creep, or a scene file");
   command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
   command->add_option("--integrator", options->method,
                       "adams, bdf, ida, dormand_prince or esdirk, in place of the scene's");
@@ -143,6 +146,8 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("--relative-tolerance", options->relative, "In place of the scene's");
   command->add_option("--absolute-tolerance", options->absolute, "In m, rad, m/s and rad/s, in place of the scene's");
   command->add_option("--greatest-step", options->greatest_step, "In s, in place of the scene's");
+  command->add_option("--spectrum", options->spectrum,
+                      "Every so many steps also the eigenvalues of df/dy, in spectrum.csv");
   command->add_flag("--print", options->print, "Print the scene and run nothing");
   command->add_flag("--schema", options->schema, "Print the JSON schema of scene files");
   command->callback([options, &run] { run = [options] { return simulate(*options); }; });

@@ -183,9 +183,9 @@ class Arkode final : public Solver {
     // seen before: in linear stretches that is so good that a step changed by 5 % to meet t_end was accepted after one
     // iteration with 1e5 times the error allowed. Factorising is cheap beside a derivative.
     ARKStepSetDeltaGammaMax(arkode, 1e-12);
-    // Nor is a rate of convergence taken over from stage to stage: behind a kink (a bumper met, a contact closed) the old
-    // rate says that one iteration with the old Jacobian is enough, when it is not. With 1 in place of 0.3 an iteration
-    // is good where its own change is small enough.
+    // Nor is a rate of convergence taken over from stage to stage: behind a kink (a bumper met, a contact closed) the
+    // old rate says that one iteration with the old Jacobian is enough, when it is not. With 1 in place of 0.3 an
+    // iteration is good where its own change is small enough.
     ARKStepSetNonlinCRDown(arkode, 1);
   }
 

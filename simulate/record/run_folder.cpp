@@ -166,7 +166,7 @@ RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const
 }
 
 std::vector<std::filesystem::path> RunFolder::tables() const {
-  std::vector<std::filesystem::path> files{"steps.csv", "series.csv", "states.csv"};
+  std::vector<std::filesystem::path> files{"steps.csv", "series.csv", "states.csv", "spectrum.csv"};
   for (std::size_t p = 0; p < poses_.size(); ++p) files.push_back(fmt::format("trajectory/{}.poses", p));
   return files;
 }
@@ -174,7 +174,7 @@ std::vector<std::filesystem::path> RunFolder::tables() const {
 void RunFolder::open_tables(bool append) {
   const std::vector<std::filesystem::path> files = tables();
   for (std::size_t i = 0; i < files.size(); ++i) {
-    std::ofstream& out = i == 0 ? steps_ : i == 1 ? series_ : i == 2 ? states_ : poses_[i - 3];
+    std::ofstream& out = i == 0 ? steps_ : i == 1 ? series_ : i == 2 ? states_ : i == 3 ? spectrum_ : poses_[i - 4];
     out = std::ofstream(folder_ / files[i], std::ios::binary | (append ? std::ios::app : std::ios::trunc));
     if (!out) throw BadInput((folder_ / files[i]).string() + ": can't be written");
   }
@@ -225,6 +225,7 @@ void RunFolder::begin(Eigen::Index size) {
   steps_ << "t,size,order,error_test_failures,nonlinear_failures,not_here,not_finite,elements,entered,left,too_deep\n";
   series_ << series_header(scene_);
   states_ << states_header(size);
+  spectrum_ << "t,size,least_real,greatest_imaginary,radius\n";
 }
 
 void RunFolder::write_trajectory_index() const {
@@ -264,6 +265,10 @@ void RunFolder::add_step(const SimulatedStep& step) {
     if (pairing.touching) poses_[p] << pose_line(pairing);
   }
   series_ << '\n';
+  if (step.spectrum) {
+    spectrum_ << fmt::format("{},{},{},{},{}\n", step.step.t, step.step.size, step.spectrum->least_real,
+                             step.spectrum->greatest_imaginary, step.spectrum->radius);
+  }
 }
 
 void RunFolder::add_state(double t, const Eigen::VectorXd& y) {
@@ -282,10 +287,10 @@ void RunFolder::keep(const KeptRun& run) {
   json["energy_at_start"] = bits(run.checkpoint.energy_at_start);
   json["cost"] = to_json(run.cost);
   json["finished"] = run.finished;
-  for (std::ofstream* out : {&steps_, &series_, &states_}) out->flush();
+  for (std::ofstream* out : {&steps_, &series_, &states_, &spectrum_}) out->flush();
   for (std::ofstream& out : poses_) out.flush();
   const bool all_written =
-      steps_ && series_ && states_ &&
+      steps_ && series_ && states_ && spectrum_ &&
       std::all_of(poses_.begin(), poses_.end(), [](const std::ofstream& out) { return bool(out); });
   if (!all_written) throw BadInput(folder_.string() + ": can't be written to; is the disk full?");
   for (const std::filesystem::path& table : tables())

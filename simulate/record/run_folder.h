@@ -37,6 +37,7 @@ struct KeptRun {
 ///   steps.csv               a line an accepted step
 ///   series.csv              a line an accepted step: energies, loads and statistics of the pairings
 ///   states.csv              coordinates and speeds at the output's interval
+///   spectrum.csv            a line a spectrum that was asked for
 ///   trajectory/             surfaces and poses of the pairings, for `pcm verify --trajectory`
 ///   checkpoint.json         where the run goes on from
 ///
@@ -71,7 +72,7 @@ class RunFolder {
   std::filesystem::path folder_;
   std::string scene_text_;
   const Scene& scene_;
-  std::ofstream steps_, series_, states_;
+  std::ofstream steps_, series_, states_, spectrum_;
   std::vector<std::ofstream> poses_;  ///< by pairing
 };
 

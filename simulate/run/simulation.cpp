@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/run/simulation.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -95,6 +96,7 @@ void Simulation::start(const Checkpoint& checkpoint) {
 }
 
 void Simulation::begin_segment(double t, const Eigen::VectorXd& y) {
+  steps_since_checkpoint_ = 0;
   const Eigen::VectorXd unit = model_.normalised(y);
   integrator_->start(t, unit);
   Observation now = model_.observe(t, unit);
@@ -127,6 +129,22 @@ const Work& Simulation::work() const {
   return integrator_->work();
 }
 
+// Difference quotients over changes of 1e-8 m, rad, m/s or rad/s: far below any slip velocity, far above rounding.
+std::optional<Spectrum> Simulation::spectrum(double t, const Eigen::VectorXd& y) {
+  Eigen::VectorXd dydt(y.size());
+  Eigen::MatrixXd J(y.size(), y.size());
+  const auto derivative = [this](double at, const Eigen::VectorXd& changed, Eigen::VectorXd& slope) {
+    return model_.derivative(at, changed, slope);
+  };
+  if (derivative(t, y, dydt) == Evaluation::not_here) return std::nullopt;
+  model_.remember(t, y);
+  const Eigen::VectorXd absolute = Eigen::VectorXd::Constant(y.size(), 1e-7);  // a tenth of it is the change
+  if (difference_quotients(derivative, absolute, t, y, dydt, J) == Evaluation::not_here) return std::nullopt;
+  const Eigen::VectorXcd eigenvalues = J.eigenvalues();
+  return Spectrum{eigenvalues.real().minCoeff(), eigenvalues.imag().cwiseAbs().maxCoeff(),
+                  eigenvalues.cwiseAbs().maxCoeff()};
+}
+
 SimulatedStep Simulation::step() {
   if (at_checkpoint()) {
     ++segment_;
@@ -150,6 +168,9 @@ SimulatedStep Simulation::step() {
   result.entered = missing_from(elements_, now);
   result.left = missing_from(now, elements_);
   elements_ = std::move(now);
+  ++steps_since_checkpoint_;
+  if (spectrum_interval_ > 0 && steps_since_checkpoint_ % spectrum_interval_ == 0)
+    result.spectrum = spectrum(end, integrator_->y());
   for (const PairingObservation& pairing : result.observation.pairings) result.too_deep += pairing.too_deep;
   return result;
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "simulate/integrators/integrator.h"
@@ -22,6 +24,13 @@ struct EnergyFlow {
   double lost() const { return damping + friction + joints - motions; }
 };
 
+/// Eigenvalues of df/dy, 1/s: how stiff the equations are, and how they oscillate.
+struct Spectrum {
+  double least_real = 0;          ///< the most negative real part
+  double greatest_imaginary = 0;  ///< the greatest absolute imaginary part
+  double radius = 0;              ///< the greatest absolute value
+};
+
 /// One accepted step and the state at its end.
 struct SimulatedStep {
   Step step;
@@ -31,6 +40,7 @@ struct SimulatedStep {
   Index too_deep = 0;  ///< faces without a force, over all pairings
   Observation observation;
   EnergyFlow flow;
+  std::optional<Spectrum> spectrum;  ///< where it was asked for
 };
 
 /// A scene in motion. Between checkpoints one integrator is alive; at each it starts anew, interrupted or not, so that
@@ -70,8 +80,13 @@ class Simulation {
   /// Processor time of the integrator's steps so far, what is looked at beside them left out, s.
   double integration_seconds() const { return integration_seconds_; }
 
+  /// From now on the spectrum at the end of every `steps`-th step since the last checkpoint; 0: of none. It takes a
+  /// derivative for each component of the state, which Work does not count.
+  void compute_spectrum_every(std::int64_t steps) { spectrum_interval_ = steps; }
+
  private:
   double next_checkpoint() const;
+  std::optional<Spectrum> spectrum(double t, const Eigen::VectorXd& y);
   void begin_segment(double t, const Eigen::VectorXd& y);
 
   Scene scene_;
@@ -82,6 +97,8 @@ class Simulation {
   Powers powers_;                          ///< at t()
   std::vector<ObservedElement> elements_;  ///< at t()
   std::int64_t segment_ = 0;               ///< checkpoints passed
+  std::int64_t steps_since_checkpoint_ = 0;
+  std::int64_t spectrum_interval_ = 0;
   double integration_seconds_ = 0;
 };
 

@@ -7,9 +7,11 @@ namespace pcm::simulate {
 // Of the files beside this one (cmake/embed_text.cmake).
 std::string_view bubbles_scene();
 std::string_view pedestrian_scene();
+std::string_view creep_scene();
 
 const std::vector<BuiltInScene>& built_in_scenes() {
-  static const std::vector<BuiltInScene> scenes{{"bubbles", bubbles_scene()}, {"pedestrian", pedestrian_scene()}};
+  static const std::vector<BuiltInScene> scenes{
+      {"bubbles", bubbles_scene()}, {"pedestrian", pedestrian_scene()}, {"creep", creep_scene()}};
   return scenes;
 }
 
