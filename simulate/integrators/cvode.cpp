@@ -29,7 +29,9 @@ class Cvode final : public Solver {
     require(CVodeInit(cvode, derivative_callback, t, state_.get()) == CV_SUCCESS, "CVodeInit");
     require(CVodeSVtolerances(cvode, control.relative, absolute_.get()) == CV_SUCCESS, "CVodeSVtolerances");
     CVodeSetUserData(cvode, &callbacks_);
-    CVodeSetMaxNonlinIters(memory_.get(), 7);
+    // In place of 3: at the passage from slip to stick Newton's iteration meets a kink, and a few iterations more cost
+    // less than the Jacobian, a derivative a column, that a failure asks for (docs/slow_phase.md).
+    CVodeSetMaxNonlinIters(cvode, 7);
     CVodeSetMaxErrTestFails(cvode, kMostFailuresInAStep);
     CVodeSetMaxConvFails(cvode, kMostFailuresInAStep);
     if (std::isfinite(control.greatest_step)) CVodeSetMaxStep(cvode, control.greatest_step);
