@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mutex>
-#include <ostream>
 #include <utility>
 
 #include "pcm/scene.h"
@@ -24,14 +23,6 @@ bool same(const fast::BodyState& a, const fast::BodyState& b) {
 
 using Answers = std::vector<PairingAnswer>;
 
-/// Simbody prints cached values for debugging.
-struct CachedAnswers {
-  Answers answers;
-  friend std::ostream& operator<<(std::ostream& out, const CachedAnswers& cached) {
-    return out << cached.answers.size() << " contact pairings";
-  }
-};
-
 /// Nothing but force and torque: what the equations of motion need.
 constexpr Wanted kLoad{false, false, true, false, false, false};
 /// Elements, for their energy.
@@ -46,7 +37,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
 
   // Of Simbody.
   void realizeTopology(SimTK::State& state) const override {
-    cache_ = forces_.allocateLazyCacheEntry(state, SimTK::Stage::Velocity, new SimTK::Value<CachedAnswers>());
+    cache_ = forces_.allocateLazyCacheEntry(state, SimTK::Stage::Velocity, new SimTK::Value<Answers>());
   }
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
                  SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
@@ -77,7 +68,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
 
   const Carrier& carrier(Index surface) const { return carriers_[static_cast<std::size_t>(surface)]; }
   const SimTK::MobilizedBody& body(Index surface) const { return matter_.getMobilizedBody(carrier(surface).body); }
-  SimTK::Transform X_GS(const SimTK::State& state, Index surface) const {
+  SimTK::Transform surface_in_ground(const SimTK::State& state, Index surface) const {
     return body(surface).getBodyTransform(state) * carrier(surface).X_BS;
   }
   fast::BodyState body_state(const SimTK::State& state, Index surface, bool moving) const;
@@ -121,7 +112,7 @@ Index ContactForces::Implementation::add_pairing(Index surface_E, Index surface_
 
 fast::BodyState ContactForces::Implementation::body_state(const SimTK::State& state, Index surface, bool moving) const {
   const SimTK::MobilizedBody& carrying = body(surface);
-  const SimTK::Transform X = X_GS(state, surface);
+  const SimTK::Transform X = surface_in_ground(state, surface);
   fast::BodyState result;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column) result.pose.A(row, column) = X.R().asMat33()(row, column);
@@ -142,7 +133,7 @@ void ContactForces::Implementation::move_scene(fast::Scene& scene, const SimTK::
 PairingAnswer ContactForces::Implementation::answer(const SimTK::State& state, Index pairing) const {
   const Ends& ends = ends_[static_cast<std::size_t>(pairing)];
   const fast::Contact& contact = scene_.evaluate(pairing, workspace_);
-  const SimTK::Transform X_GE = X_GS(state, ends.E);
+  const SimTK::Transform X_GE = surface_in_ground(state, ends.E);
   PairingAnswer result;
   result.touching = contact.touching;
   result.nested = contact.nested;
@@ -153,7 +144,7 @@ PairingAnswer ContactForces::Implementation::answer(const SimTK::State& state, I
   result.max_penetration = contact.max_penetration;
   result.force_G = X_GE.R() * to_simtk(contact.force_Me);
   result.torque_G = X_GE.R() * to_simtk(contact.torque_Me);
-  result.origin_of_F_G = X_GS(state, ends.F).p();
+  result.origin_of_F_G = surface_in_ground(state, ends.F).p();
   return result;
 }
 
@@ -183,10 +174,10 @@ Answers ContactForces::Implementation::compute(const SimTK::State& state) const 
 const Answers& ContactForces::Implementation::answers(const SimTK::State& state) const {
   if (!forces_.isCacheValueRealized(state, cache_)) {
     const std::lock_guard<std::mutex> lock(asking_);
-    SimTK::Value<CachedAnswers>::updDowncast(forces_.updCacheEntry(state, cache_)).upd().answers = compute(state);
+    SimTK::Value<Answers>::updDowncast(forces_.updCacheEntry(state, cache_)).upd() = compute(state);
     forces_.markCacheValueRealized(state, cache_);
   }
-  return SimTK::Value<CachedAnswers>::downcast(forces_.getCacheEntry(state, cache_)).get().answers;
+  return SimTK::Value<Answers>::downcast(forces_.getCacheEntry(state, cache_)).get();
 }
 
 void ContactForces::Implementation::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,

@@ -18,6 +18,7 @@
 #include "compare/cli/programs.h"
 #include "pcm/bad_input.h"
 #include "simulate/page/page.h"
+#include "simulate/paraview/vtp_series.h"
 #include "simulate/record/recording_of_run.h"
 #include "simulate/record/run_tables.h"
 #include "simulate/record/simulate.h"
@@ -30,7 +31,7 @@ using compare::Exit;
 
 struct SimulateOptions {
   std::string scene, out, method, duration, relative, absolute, greatest_step, spectrum;
-  bool schema = false, print = false;
+  bool paraview = false, schema = false, print = false;
 };
 
 std::string read_text(const std::filesystem::path& file) {
@@ -116,7 +117,9 @@ Exit simulate(const SimulateOptions& options) {
   }
   const std::string tables =
       cost_table(options.scene, scene, run.kept()) + "\n" + energy_table(run.kept(), run.observe().energies);
-  write_page(folder / "page.html", recording_of_run(folder, scene, run.simulation().model()));
+  const Recording recording = recording_of_run(folder, scene, run.simulation().model());
+  write_page(folder / "page.html", recording);
+  if (options.paraview) write_vtp_series(folder / "paraview", recording);
   std::ofstream(folder / "tables.md") << "# " << scene.title << "\n\n" << tables;
   std::cout << tables << "\npage: " << (folder / "page.html").string() << '\n';
   if (!finished)
@@ -148,6 +151,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("--greatest-step", options->greatest_step, "In s, in place of the scene's");
   command->add_option("--spectrum", options->spectrum,
                       "Every so many steps also the eigenvalues of df/dy, in spectrum.csv");
+  command->add_flag("--paraview", options->paraview, "Also write the frames for ParaView: paraview/frames.pvd");
   command->add_flag("--print", options->print, "Print the scene and run nothing");
   command->add_flag("--schema", options->schema, "Print the JSON schema of scene files");
   command->callback([options, &run] { run = [options] { return simulate(*options); }; });
