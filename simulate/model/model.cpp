@@ -164,7 +164,7 @@ void Model::Data::add_body(const Body& body) {
   SimTK::MobilizedBody& parent = carrier_of(body.joint.parent);
   SimTK::MobilizedBody added = mobilized(parent, body.joint, SimTK::Body::Rigid(to_simtk(body.mass)));
   if (body.joint.prescribed_speed) {
-    SimTK::Motion::Steady(added, *body.joint.prescribed_speed);
+    const SimTK::Motion::Steady motion(added, *body.joint.prescribed_speed);
     moves_by_prescription = true;
   }
   add_joint_forces(body.joint, added);
@@ -178,7 +178,7 @@ void Model::Data::add_joint_forces(const Joint& joint, const SimTK::MobilizedBod
                                                        : coordinate_count(joint.type);
     for (int i = 0; i < speeds; ++i) {
       const SimTK::MobilizerUIndex speed(i);
-      SimTK::Force::MobilityLinearDamper(forces, body, speed, joint.damping);
+      const SimTK::Force::MobilityLinearDamper damper(forces, body, speed, joint.damping);
       dampers.push_back({body.getMobilizedBodyIndex(), speed, joint.damping});
     }
   }
