@@ -8,7 +8,9 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -51,12 +53,16 @@ bool is_argument(const std::string& key) {
 /// Equal where poses, velocities and lines are, bit for bit.
 std::string bytes_of(const std::vector<RecordedState>& states) {
   std::string bytes;
-  for (const RecordedState& state : states)
-    bytes.append(reinterpret_cast<const char*>(state.pose.A.data()), sizeof(double) * 9)
-        .append(reinterpret_cast<const char*>(state.pose.r.data()), sizeof(double) * 3)
-        .append(reinterpret_cast<const char*>(state.velocity.v.data()), sizeof(double) * 3)
-        .append(reinterpret_cast<const char*>(state.velocity.w.data()), sizeof(double) * 3)
-        .append(reinterpret_cast<const char*>(&state.line), sizeof state.line);
+  const auto add = [&bytes](const auto& number) {
+    const auto chars = std::bit_cast<std::array<char, sizeof number>>(number);
+    bytes.append(chars.data(), chars.size());
+  };
+  for (const RecordedState& state : states) {
+    for (const double x : state.pose.A.reshaped()) add(x);
+    for (const Eigen::Vector3d& vector : {state.pose.r, state.velocity.v, state.velocity.w})
+      for (const double x : vector) add(x);
+    add(state.line);
+  }
   return bytes;
 }
 
