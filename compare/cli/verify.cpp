@@ -38,8 +38,7 @@ void write_cases(const fs::path& folder, const Verification& run) {
     const HeldPairing& held = run.held_pairing(cell, finding.pose);
     nlohmann::ordered_json engine, oracle;
     try {
-      const std::size_t mode = finding.cell % run.plan().modes.size();
-      const fast::Pairing pairing(held.engine(mode).surface_E(), held.engine(mode).surface_F(), posed.law, posed.mode,
+      const fast::Pairing pairing(held.engine().surface_E(), held.engine().surface_F(), posed.law, posed.mode,
                                   posed.scheme);
       engine = decided(fast::evaluate(pairing, posed.pose, posed.velocity, everything, workspace));
       reference::Inquiry inquiry(held.oracle(), posed.pose, posed.velocity, everything, posed.law, posed.scheme);
@@ -67,7 +66,7 @@ void write_tables(const fs::path& folder, const Verification& run) {
 Exit verify_poses(const VerifyOptions& options) {
   const int jobs = number_of_jobs(options);
   std::vector<std::string> notices;
-  VerificationPlan plan = plan_from(options, notices);
+  VerificationPlan plan = options.trajectory ? plan_from_trajectory(options, notices) : plan_from(options, notices);
   const std::optional<fs::path> folder = prepared_folder(options);
   std::optional<Interruptible> work(std::in_place, plan.poses);
   Verification run(std::move(plan));

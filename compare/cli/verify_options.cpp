@@ -23,9 +23,9 @@ bool asks_for_other_tables(const VerifyOptions& options) {
 
 void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act) {
   auto options = std::make_shared<VerifyOptions>();
-  options->poses = std::to_string(VerificationPlan().poses);
   options->seed = std::to_string(VerificationPlan().seed);
-  CLI::App* command = program.add_subcommand("verify", "Hold the engine against the oracle over randomized poses");
+  CLI::App* command =
+      program.add_subcommand("verify", "Hold the engine against the oracle over randomized or recorded poses");
   command->footer(fmt::format(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
       "jobs. A summary is printed; the tables by pair and stratum are written to --out. The last line printed is the\n"
@@ -44,6 +44,8 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "Known answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each "
       "case\n"
       "are written to --out.\n"
+      "Poses of a trajectory are asked under the law of their pairing; they are not generic, and no measure is "
+      "demanded.\n"
       "Examples:\n"
       "  pcm verify --poses 200000 --mode all --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
@@ -51,11 +53,15 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "  pcm verify --known-answers --out answers\n"
       "  pcm verify --error-budget --out budget\n"
       "  pcm verify --audits --out audits\n"
+      "  pcm verify --trajectory bubbles/trajectory/trajectory.json --out results\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17_both.json",
       kMostFindings));
-  command->add_option("--poses", options->poses, "How many poses in all (strata that no pair has leave theirs out)")
+  command
+      ->add_option("--poses", options->poses,
+                   "How many poses in all (strata that no pair has leave theirs out); of a trajectory, how many at "
+                   "most, spread evenly (default: all)")
       ->type_name("N")
-      ->capture_default_str();
+      ->default_str(std::to_string(VerificationPlan().poses));
   command->add_option("--seed", options->seed, "Seed of the random poses, a whole number")
       ->type_name("S")
       ->capture_default_str();
@@ -73,14 +79,15 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       ->allow_extra_args(false);
   command
       ->add_option("--mode", options->mode,
-                   "Whose faces are masters: E, F or both; all: each pose in these three modes")
+                   "Whose faces are masters: E, F or both; all: each pose in these three modes (default of a "
+                   "trajectory: as recorded)")
       ->check(CLI::IsMember({"E", "F", "both", "all"}))
-      ->capture_default_str();
+      ->default_str("both");
   command
       ->add_option(
           "--scheme", options->scheme,
           "How elements sample the penetration: barycentric, clipped, or both (default: every third pose in the "
-          "clipped scheme)")
+          "clipped scheme; of a trajectory as recorded, or one of the two)")
       ->check(CLI::IsMember({"barycentric", "clipped", "both"}));
   command
       ->add_option(
@@ -110,11 +117,20 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
                      "Instead: rounding, discretisation and geometry error of smooth bodies over resolutions (minutes)")
           ->excludes(known)
           ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  CLI::Option* audits =
+      command
+          ->add_flag(
+              "--audits", options->audits,
+              "Instead: work left over, tangential force and jumps of the elastic force over closed loops of poses")
+          ->excludes(known, budget)
+          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
   command
-      ->add_flag("--audits", options->audits,
-                 "Instead: work left over, tangential force and jumps of the elastic force over closed loops of poses")
-      ->excludes(known, budget)
-      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+      ->add_option("--trajectory", options->trajectory,
+                   "Hold the poses of this recorded trajectory (trajectory/trajectory.json of a folder of `pcm "
+                   "simulate`) instead of random ones")
+      ->type_name("FILE")
+      ->excludes(known, budget, audits)
+      ->excludes("--seed", "--strata", "--pair", "--engine", "--case");
   command->add_flag("--quick", options->quick,
                     "Known answers or error budget on coarser meshes only, audits in coarser steps");
   command->callback([options, &run, act] {

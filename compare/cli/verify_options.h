@@ -11,18 +11,20 @@
 
 namespace pcm::compare {
 
-/// The options of `pcm verify` as they were typed, or their defaults.
+/// The options of `pcm verify` as they were typed; those that are not given have their defaults, or nothing where what
+/// that means depends on others.
 struct VerifyOptions {
-  std::string poses;
+  std::optional<std::string> poses;
   std::string seed;
   std::vector<std::string> strata;
   std::vector<std::vector<std::string>> pairs;
-  std::string mode = "both";
-  std::optional<std::string> scheme;  ///< both, where it is not given
+  std::optional<std::string> mode;
+  std::optional<std::string> scheme;
   std::vector<std::string> engines;
   std::optional<std::string> jobs;
   std::optional<std::string> out;
   std::optional<std::string> case_file;
+  std::optional<std::string> trajectory;
   bool known_answers = false;
   bool error_budget = false;
   bool audits = false;
@@ -32,7 +34,8 @@ struct VerifyOptions {
 /// Adds the subcommand; `act` is what it does.
 void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act);
 
-/// Whether the options ask for other tables than those of random poses or a case file (verify_other_tables.h).
+/// Whether the options ask for other tables than those of random or recorded poses or a case file
+/// (verify_other_tables.h).
 bool asks_for_other_tables(const VerifyOptions& options);
 
 }  // namespace pcm::compare

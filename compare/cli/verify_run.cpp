@@ -14,6 +14,7 @@
 
 #include "compare/cli/surface_warnings.h"
 #include "compare/io/names.h"
+#include "compare/verify/trajectory.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -31,6 +32,24 @@ volatile std::sig_atomic_t interrupted = 0;
 void note_interrupt(int signal) {
   interrupted = 1;
   std::signal(signal, SIG_DFL);
+}
+
+std::int64_t number_of_poses(const std::string& text) {
+  return static_cast<std::int64_t>(whole_number("--poses", text, 1, kMostPoses));
+}
+
+HeldPairing::Modes modes_named(const std::string& word) {
+  return word == "all" ? HeldPairing::Modes{Mode::E, Mode::F, Mode::both} : HeldPairing::Modes{mode_named(word)};
+}
+
+/// Refuses pairs that are unfit for contact, and notes once what is odd about others.
+void note_warnings(const std::vector<SurfacePair>& pairs, std::vector<std::string>& notices) {
+  for (const SurfacePair& pair : pairs)
+    for (const TriangleMesh* mesh : {&pair.E, &pair.F}) {
+      const std::string warning = require_fit_or_warn(*mesh);
+      if (!warning.empty() && std::find(notices.begin(), notices.end(), warning) == notices.end())
+        notices.push_back(warning);
+    }
 }
 
 }  // namespace
@@ -62,10 +81,9 @@ int number_of_jobs(const VerifyOptions& options) {
 
 VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices) {
   VerificationPlan plan;
-  plan.poses = static_cast<std::int64_t>(whole_number("--poses", options.poses, 1, kMostPoses));
+  if (options.poses) plan.poses = number_of_poses(*options.poses);
   plan.seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
-  plan.modes = options.mode == "all" ? HeldPairing::Modes{Mode::E, Mode::F, Mode::both}
-                                     : HeldPairing::Modes{mode_named(options.mode)};
+  plan.modes = modes_named(options.mode.value_or("both"));
   plan.schemes = options.scheme && *options.scheme != "both" ? std::vector{scheme_named(*options.scheme)}
                                                              : std::vector{Scheme::barycentric, Scheme::clipped};
   plan.schemes_named = options.scheme.has_value();
@@ -82,19 +100,11 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
     if (std::find(plan.strata.begin(), plan.strata.end(), *stratum) == plan.strata.end())
       plan.strata.push_back(*stratum);
   }
-  for (const std::vector<std::string>& files : options.pairs) {
-    const SurfacePair& pair = plan.pairs.emplace_back(pair_from_files(files.at(0), files.at(1)));
-    for (const TriangleMesh* mesh : {&pair.E, &pair.F}) {
-      const std::string warning = require_fit_or_warn(*mesh);
-      if (!warning.empty() && std::find(notices.begin(), notices.end(), warning) == notices.end())
-        notices.push_back(warning);
-    }
-  }
+  for (const std::vector<std::string>& files : options.pairs)
+    plan.pairs.push_back(pair_from_files(files.at(0), files.at(1)));
+  note_warnings(plan.pairs, notices);
   if (!plan.pairs.empty()) {
-    // Two pairs of one name would draw the same random numbers and could not be told apart in the tables.
-    for (std::size_t i = 0; i < plan.pairs.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (plan.pairs[j].name == plan.pairs[i].name) plan.pairs[i].name += fmt::format(" ({})", i + 1);
+    tell_apart(plan.pairs);
     return plan;
   }
   std::vector<std::string> missing;
@@ -102,6 +112,18 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   if (!missing.empty())
     notices.push_back(
         fmt::format("skipped for want of the real surfaces of libcgal-demo: {}", fmt::join(missing, ", ")));
+  return plan;
+}
+
+VerificationPlan plan_from_trajectory(const VerifyOptions& options, std::vector<std::string>& notices) {
+  TrajectoryChoice choice;
+  if (options.poses) choice.poses = number_of_poses(*options.poses);
+  if (options.mode) choice.modes = modes_named(*options.mode);
+  if (options.scheme == "both")
+    throw BadInput("--scheme both: a recorded pose is asked in one scheme; name barycentric or clipped");
+  if (options.scheme) choice.scheme = scheme_named(*options.scheme);
+  VerificationPlan plan = read_trajectory(*options.trajectory, choice);
+  note_warnings(plan.pairs, notices);
   return plan;
 }
 

@@ -11,7 +11,7 @@
 #include "compare/cli/verify_options.h"
 #include "compare/verify/verify.h"
 
-/// What runs over random poses share, whoever is held against the oracle.
+/// What runs over poses share, whoever is held against the oracle.
 namespace pcm::compare {
 
 /// While it lives the first interrupt is only noted, and progress is shown on a terminal.
@@ -34,6 +34,9 @@ int number_of_jobs(const VerifyOptions& options);
 
 /// What the options ask for. `notices` gets lines on what is left out or odd.
 VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices);
+
+/// The same where they name a trajectory.
+VerificationPlan plan_from_trajectory(const VerifyOptions& options, std::vector<std::string>& notices);
 
 /// The folder that --out names, made if need be; none where it is not given. Throws BadInput where nothing can be
 /// written there.

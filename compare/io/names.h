@@ -21,6 +21,10 @@ inline std::string_view name(Scheme scheme) {
   return scheme == Scheme::barycentric ? "barycentric" : "clipped";
 }
 
+inline std::string_view name(DampingMode mode) {
+  return mode == DampingMode::no_tension ? "no-tension" : mode == DampingMode::full ? "full" : "compression";
+}
+
 /// The other way round, of words that an option allows.
 inline Mode mode_named(std::string_view word) {
   if (word == "F") return Mode::F;

@@ -42,6 +42,8 @@ class PosesFile {
 
   /// "file:line" of the last state, for messages.
   std::string place() const;
+  /// Its line, from 1.
+  std::int64_t line() const { return line_; }
 
  private:
   /// Puts the next line into text_, without its ending and its comment; false at the end.

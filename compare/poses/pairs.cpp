@@ -279,9 +279,19 @@ std::filesystem::path installed_real_surfaces() {
   return executable.parent_path().parent_path() / "cgal-demo" / "data" / "meshes";
 }
 
+std::string pair_name(const std::string& name_E, const std::string& name_F) {
+  return label(name_E) + "-" + label(name_F);
+}
+
+void tell_apart(std::vector<SurfacePair>& pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (pairs[j].name == pairs[i].name) pairs[i].name += " (" + std::to_string(i + 1) + ")";
+}
+
 SurfacePair pair_from_files(const std::filesystem::path& file_E, const std::filesystem::path& file_F) {
   SurfacePair pair;
-  pair.name = label(file_E.stem().string()) + "-" + label(file_F.stem().string());
+  pair.name = pair_name(file_E.stem().string(), file_F.stem().string());
   pair.E = read_mesh(file_E);
   pair.F = read_mesh(file_F);
   pair.file_E = file_E;

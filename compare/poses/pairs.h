@@ -67,6 +67,12 @@ std::vector<SurfacePair> built_in_pairs(const std::filesystem::path& real_surfac
 /// Where `./run` unpacks the real surfaces: beside the folder of the executable, wherever the program is called from.
 std::filesystem::path installed_real_surfaces();
 
+/// The name of a pair of surfaces with these names, fit for tables and for names of files.
+std::string pair_name(const std::string& name_E, const std::string& name_F);
+/// Renames pairs that have the name of one before them: they would draw the same random numbers, and could not be told
+/// apart in the tables.
+void tell_apart(std::vector<SurfacePair>& pairs);
+
 /// A pair read from two files (OBJ or OFF). Throws BadInput where a file is no surface.
 SurfacePair pair_from_files(const std::filesystem::path& file_E, const std::filesystem::path& file_F);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/poses/strata.h"
 
+#include <stdexcept>
+
 namespace pcm::compare {
 namespace {
 
@@ -35,6 +37,8 @@ std::string_view name(Stratum stratum) {
       return "degenerate";
     case Stratum::near_degenerate:
       return "near-degenerate";
+    case Stratum::trajectory:
+      return "trajectory";
   }
   return "";
 }
@@ -67,6 +71,8 @@ DrawnPose draw_pose(Stratum stratum, const FeaturePair& pair, PoseRandom random)
       drawn = detail::draw_degenerate(pair, random);
       detail::move_by_ulps(pair, random, drawn);
       break;
+    case Stratum::trajectory:
+      throw std::logic_error("poses of a trajectory are recorded, not drawn");
   }
   drawn.velocity = draw_velocity(pair.size(), random);
   return drawn;

@@ -23,8 +23,10 @@ enum class Stratum : std::uint8_t {
   nested,           ///< one body inside the other, no crossing
   degenerate,       ///< features coincide exactly
   near_degenerate,  ///< degenerate, then moved by 1 to 8 ulps
+  trajectory,       ///< not drawn: recorded by a simulation (compare/verify/trajectory.h)
 };
 
+/// Those that poses are drawn from.
 inline constexpr std::array kStrata = {Stratum::generic, Stratum::grazing,    Stratum::separated,
                                        Stratum::nested,  Stratum::degenerate, Stratum::near_degenerate};
 
@@ -72,6 +74,7 @@ struct FeaturePair {
 };
 
 /// Draws one pose. `random` must be fresh. Stratum nested asks for a pair made of `NestedMeshes`.
+/// Throws std::logic_error for `trajectory`.
 /// Cost: O(n) in the number of vertices.
 DrawnPose draw_pose(Stratum stratum, const FeaturePair& pair, PoseRandom random);
 

@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/case_file.h"
 
-#include <fmt/format.h>
-
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string_view>
 
+#include "compare/io/names.h"
 #include "compare/io/poses_file.h"
+#include "compare/io/question_json.h"
 #include "compare/io/sha256.h"
-#include "meshes/files/parse_number.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/read_mesh.h"
@@ -21,39 +17,12 @@
 namespace pcm::compare {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string hexadecimal(double x) {
-  return fmt::format("{:a}", x);
-}
-
-/// A finite number or "inf".
-double number(const Json& json) {
-  if (!json.is_string()) throw BadInput(json.dump() + " is no number in quotes, such as \"0x1.8p-3\"");
-  const auto word = json.get<std::string>();
-  if (word == "inf") return std::numeric_limits<double>::infinity();
-  const std::optional<double> value = parse_number(word);
-  if (!value) throw BadInput(in_quotes(word) + " is no number");
-  return *value;
-}
-
 Json to_json(const Eigen::Vector3d& x) {
   return {hexadecimal(x.x()), hexadecimal(x.y()), hexadecimal(x.z())};
 }
 
 Eigen::Vector3d vector(const Json& json) {
-  return {number(json.at(0)), number(json.at(1)), number(json.at(2))};
-}
-
-constexpr std::array<const char*, 2> kSchemes = {"barycentric", "clipped"};
-constexpr std::array<const char*, 3> kModes = {"E", "F", "both"};
-constexpr std::array<const char*, 3> kDampingModes = {"no-tension", "full", "compression"};
-
-template <std::size_t N>
-std::size_t position_of(const std::string& word, const std::array<const char*, N>& words) {
-  for (std::size_t k = 0; k < N; ++k)
-    if (word == words[k]) return k;
-  throw BadInput(fmt::format("'{}' is none of {}", word, fmt::join(words, ", ")));
+  return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
 }
 
 std::string read_bytes(const std::filesystem::path& path) {
@@ -101,36 +70,6 @@ TriangleMesh mesh_from(const Json& json, const std::filesystem::path& folder, st
     mesh.faces.push_back(face);
   }
   return mesh;
-}
-
-Json to_json(const ContactLaw& law) {
-  Json json;
-  json["stiffness"] = hexadecimal(law.stiffness);
-  if (law.layers) {
-    json["stiffness_E"] = hexadecimal(law.layers->c_E);
-    json["stiffness_F"] = hexadecimal(law.layers->c_F);
-  }
-  json["damping"] = hexadecimal(law.damping);
-  json["transition_depth"] = hexadecimal(law.transition_depth);
-  json["friction"] = hexadecimal(law.friction);
-  json["slip_velocity"] = hexadecimal(law.slip_velocity);
-  json["max_penetration"] = hexadecimal(law.max_penetration);
-  json["damping_mode"] = kDampingModes[static_cast<std::size_t>(law.damping_mode)];
-  return json;
-}
-
-ContactLaw law_from(const Json& json) {
-  ContactLaw law;
-  law.stiffness = number(json.at("stiffness"));
-  if (json.contains("stiffness_E"))
-    law.layers = LayerStiffness{number(json.at("stiffness_E")), number(json.at("stiffness_F"))};
-  law.damping = number(json.at("damping"));
-  law.transition_depth = number(json.at("transition_depth"));
-  law.friction = number(json.at("friction"));
-  law.slip_velocity = number(json.at("slip_velocity"));
-  law.max_penetration = number(json.at("max_penetration"));
-  law.damping_mode = static_cast<DampingMode>(position_of(json.at("damping_mode").get<std::string>(), kDampingModes));
-  return law;
 }
 
 template <typename Crossing>
@@ -208,9 +147,9 @@ std::string format_case(const Case& posed, const std::vector<Disagreement>& disa
   pose["v"] = to_json(posed.velocity.v);
   pose["w"] = to_json(posed.velocity.w);
   json["pose"] = pose;
-  json["law"] = to_json(posed.law);
-  json["scheme"] = kSchemes[static_cast<std::size_t>(posed.scheme)];
-  json["mode"] = kModes[static_cast<std::size_t>(posed.mode)];
+  json["law"] = law_json(posed.law);
+  json["scheme"] = std::string(name(posed.scheme));
+  json["mode"] = std::string(name(posed.mode));
   json["disagreements"] = Json::array();
   for (const Disagreement& d : disagreements) json["disagreements"].push_back({std::string(name(d.kind)), d.text});
   json["engine"] = engine;
@@ -229,7 +168,7 @@ Case read_case(const std::filesystem::path& path) {
     Case posed;
     posed.origin = json.at("origin").get<std::string>();
     for (int k = 0; k < 9; ++k)
-      posed.pose.A(k / 3, k % 3) = number(json.at("pose").at("A").at(static_cast<std::size_t>(k)));
+      posed.pose.A(k / 3, k % 3) = number_from(json.at("pose").at("A").at(static_cast<std::size_t>(k)));
     posed.pose.r = vector(json.at("pose").at("r"));
     posed.velocity.v = vector(json.at("pose").at("v"));
     posed.velocity.w = vector(json.at("pose").at("w"));
@@ -237,14 +176,13 @@ Case read_case(const std::filesystem::path& path) {
     if (!posed.pose.r.allFinite() || !posed.velocity.v.allFinite() || !posed.velocity.w.allFinite())
       throw BadInput("r, v or w of the pose is not finite");
     posed.law = law_from(json.at("law"));
-    posed.scheme = static_cast<Scheme>(position_of(json.at("scheme").get<std::string>(), kSchemes));
-    posed.mode = static_cast<Mode>(position_of(json.at("mode").get<std::string>(), kModes));
+    posed.scheme = scheme_from(json.at("scheme"));
+    posed.mode = mode_from(json.at("mode"));
     posed.E = mesh_from(json.at("E"), path.parent_path(), posed.file_E);
     posed.F = mesh_from(json.at("F"), path.parent_path(), posed.file_F);
     return posed;
   } catch (const nlohmann::json::exception& error) {
-    const std::string_view what = error.what();  // "[json.exception.NAME] what"
-    throw BadInput(path.string() + ": this is no case file of pcm: " + std::string(what.substr(what.find(']') + 2)));
+    throw BadInput(path.string() + ": this is no case file of pcm: " + description(error));
   } catch (const BadInput& error) {
     throw BadInput(path.string() + ": " + error.what());
   }

@@ -56,7 +56,7 @@ constexpr std::array kShownKinds = {Kind::touching,          Kind::polygon_count
 
 /// Whether the surfaces cross does not depend on the mode.
 std::int64_t touching_poses(const Verification& run) {
-  return run.total().touching / static_cast<std::int64_t>(run.plan().modes.size());
+  return run.total().touching / run.modes_per_pose();
 }
 
 double exact_fallback_rate(const Tally& tally) {
@@ -66,8 +66,8 @@ double exact_fallback_rate(const Tally& tally) {
 /// Each pose once, however many modes; strata that have such poses.
 std::map<Stratum, std::int64_t> poses_without_scene(const Verification& run) {
   std::map<Stratum, std::int64_t> poses;
-  for (const Cell& cell : run.cells())
-    if (cell.mode == run.plan().modes.front() && cell.without_scene > 0) poses[cell.stratum] += cell.without_scene;
+  for (std::size_t c = 0; c < run.cells().size(); c += static_cast<std::size_t>(run.modes_per_pose()))
+    if (const Cell& cell = run.cells()[c]; cell.without_scene > 0) poses[cell.stratum] += cell.without_scene;
   return poses;
 }
 
@@ -184,11 +184,11 @@ nlohmann::ordered_json verification_json(const Verification& run) {
   nlohmann::ordered_json json;
   json["verdict"] = {{"complete", run.finished()},
                      {"poses", run.poses_done()},
-                     {"modes", run.plan().modes.size()},
+                     {"modes", run.modes_per_pose()},
                      {"touching", touching_poses(run)},
                      {"disagreements", run.total().disagreeing},
                      {"verified", is_verified(run)}};
-  json["seed"] = run.plan().seed;
+  if (run.plan().recorded.empty()) json["seed"] = run.plan().seed;
   json["rows"] = nlohmann::ordered_json::array();
   for (const Row& row : rows(run)) {
     const Tally& t = row.tally;
@@ -256,8 +256,7 @@ Tally measured_poses(const Verification& run, std::optional<Scheme> scheme) {
 // Of few answers the greatest error is left out as well: one of them tells nothing of a percentile. Where a face hides
 // part of another, a strip as narrow as roundings may be the deepest thing seen, or not: so the greatest penetration
 // alone is held at another percentile.
-std::optional<MissedMeasure> missed_measure(const Verification& run) {
-  const Tally measured = measured_poses(run);
+std::optional<MissedMeasure> missed_measure(const Tally& measured) {
   std::optional<MissedMeasure> worst;
   for (std::size_t k = 0; k < kFirstBound; ++k) {
     const std::int64_t one_in = k == kPenetrationError ? 100 : 1000;
@@ -268,6 +267,10 @@ std::optional<MissedMeasure> missed_measure(const Verification& run) {
       worst = MissedMeasure{kErrorNames[k], error, k == kPenetrationError ? "99th" : "99.9th"};
   }
   return worst;
+}
+
+std::optional<MissedMeasure> missed_measure(const Verification& run) {
+  return missed_measure(measured_poses(run));
 }
 
 std::string without_scene_line(const Verification& run) {
@@ -288,7 +291,7 @@ bool is_verified(const Verification& run) {
 
 std::string verdict_line(const Verification& run) {
   const std::int64_t disagreeing = run.total().disagreeing;
-  const std::size_t modes = run.plan().modes.size();
+  const std::int64_t modes = run.modes_per_pose();
   const std::optional<MissedMeasure> missed = missed_measure(run);
   const char* verdict = is_verified(run)                      ? "verified"
                         : disagreeing == 0 && !run.finished() ? "unfinished"

@@ -36,6 +36,8 @@ struct MissedMeasure {
   double error = 0;
   std::string percentile;
 };
+std::optional<MissedMeasure> missed_measure(const Tally& measured);
+/// Of the poses that it is demanded of.
 std::optional<MissedMeasure> missed_measure(const Verification& run);
 
 /// How many poses no scene was asked about, and in which strata (call_routes.h); a line for people, empty where there

@@ -67,7 +67,8 @@ struct Group {
 /// What the generic poses of pairs that are not made to hurt are called.
 constexpr std::string_view kMeasured = "measured";
 
-/// Strata in each scheme, and of the generic ones once more those that the measure is demanded of.
+/// Strata in each scheme, and of the generic ones once more those that the measure is demanded of. Recorded poses are
+/// not generic.
 std::vector<Group> groups_of(const Verification& run) {
   std::vector<Group> groups;
   for (const StratumTally& t : run.by_stratum_scheme_and_mode()) {
@@ -76,6 +77,7 @@ std::vector<Group> groups_of(const Verification& run) {
     else
       groups.back().tally.merge(t.tally);
   }
+  if (!run.plan().recorded.empty()) return groups;
   for (const Scheme scheme : run.plan().schemes)
     groups.push_back({std::string(kMeasured), scheme, measured_poses(run, scheme)});
   return groups;
@@ -100,8 +102,7 @@ std::string widths_markdown(const Verification& run) {
       "## How wide the checks were\n\n"
       "A check holds a value of the engine to within a derived bound of the oracle's. Its width is that bound in units "
       "of what it holds; `exact` checks let nothing else pass. `measured`: the generic poses of pairs that are not "
-      "made "
-      "to hurt. `any`: checks that let anything pass; `wider`: finite, "
+      "made to hurt. `any`: checks that let anything pass; `wider`: finite, "
       "but wider than what they held; `of 0`: held 0 to within a bound that is not, so that they have no width.\n\n"
       "| stratum | scheme | check | checks | median | p99 | p99.9 | any | wider | of 0 |\n"
       "|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
@@ -156,8 +157,8 @@ std::string widths_summary(const Verification& run) {
     if (std::find(columns.begin(), columns.end(), group.stratum) == columns.end()) columns.push_back(group.stratum);
   std::string text =
       "\nHow wide the checks were: medians of their bounds in units of what they hold; `any`: let anything pass; "
-      "`wider`:\nthan what they held; `of 0`: held 0 to within a bound, so in no units; `measured`: as above, part of "
-      "generic\n";
+      "`wider`:\nthan what they held; `of 0`: held 0 to within a bound, so in no units";
+  text += run.plan().recorded.empty() ? "; `measured`: as above, part of generic\n" : "\n";
   text += fmt::format("{:<20}{:<12}{:>12}", "check", "scheme", "checks");
   for (const std::string& column : columns) text += fmt::format("{:>17}", column);
   text += fmt::format("{:>10}{:>10}{:>10}\n", "any", "wider", "of 0");

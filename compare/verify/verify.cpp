@@ -8,13 +8,16 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "compare/io/names.h"
 #include "compare/io/program_hash.h"
+#include "compare/io/question_json.h"
 #include "compare/io/sha256.h"
 #include "compare/verify/state_draw.h"
 #include "pcm/bad_input.h"
@@ -47,6 +50,22 @@ bool is_argument(const std::string& key) {
   return key != "format" && key != "build" && key != "pairs";
 }
 
+/// Equal where poses, velocities and lines are, bit for bit.
+std::string bytes_of(const std::vector<RecordedState>& states) {
+  std::string bytes;
+  const auto add = [&bytes](const auto& number) {
+    const auto chars = std::bit_cast<std::array<char, sizeof number>>(number);
+    bytes.append(chars.data(), chars.size());
+  };
+  for (const RecordedState& state : states) {
+    for (const double x : state.pose.A.reshaped()) add(x);
+    for (const Eigen::Vector3d& vector : {state.pose.r, state.velocity.v, state.velocity.w})
+      for (const double x : vector) add(x);
+    add(state.line);
+  }
+  return bytes;
+}
+
 /// The first of the names, and how many more there are.
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 8;
@@ -68,15 +87,31 @@ auto merged(const std::vector<Cell>& cells, const KeyOf& key_of) {
 Verification::~Verification() = default;
 
 Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
-    : plan_(std::move(plan)), seam_(&seam), held_pairings_(plan_.pairs.size()) {
+    : plan_(std::move(plan)),
+      modes_per_pose_(std::ssize(plan_.recorded.empty() ? plan_.modes : plan_.recorded.front().modes)),
+      seam_(&seam),
+      held_pairings_(plan_.pairs.size()) {
   if (plan_.build.empty()) plan_.build = program_hash();
+  prepare_pairings();
+  if (plan_.recorded.empty())
+    add_drawn_cells();
+  else
+    add_recorded_cells();
+  std::int64_t all = 0;
+  for (const Cell& cell : cells_) all += cell.poses;
+  batches_ = (all / modes_per_pose_ + kBatch - 1) / kBatch;
+}
+
+void Verification::prepare_pairings() {
   const bool wants_nested = std::find(plan_.strata.begin(), plan_.strata.end(), Stratum::nested) != plan_.strata.end();
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
+    if (!plan_.recorded.empty() && plan_.recorded[i].states.empty()) return;
+    const HeldPairing::Modes& modes = plan_.recorded.empty() ? plan_.modes : plan_.recorded[i].modes;
     try {
       const auto add = [&](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
         held_pairings_[i].usual.push_back(
-            std::make_unique<HeldPairing>(mesh_E, mesh_F, pair.law, plan_.modes, plan_.schemes.front()));
+            std::make_unique<HeldPairing>(mesh_E, mesh_F, pair.law, modes, plan_.schemes.front()));
       };
       add(pair.E, pair.F);
       for (const auto& [mesh_E, mesh_F] : pair.variants) add(mesh_E, mesh_F);
@@ -84,12 +119,14 @@ Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
       if (!wants_nested || !pair.for_all_strata || pair.faces() > kMostNestedFaces) return;
       if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
         held_pairings_[i].nested =
-            std::make_unique<HeldPairing>(std::move(*meshes), pair.law, plan_.modes, plan_.schemes.front());
+            std::make_unique<HeldPairing>(std::move(*meshes), pair.law, modes, plan_.schemes.front());
     } catch (const BadInput& error) {
       throw BadInput("pair " + pair.name + ": " + error.what());
     }
   });
+}
 
+void Verification::add_drawn_cells() {
   // Part k of a whole cut in the ratio of the weights: the difference of two rounded-down running sums.
   const auto part = [](std::int64_t whole, std::int64_t before, std::int64_t weight, std::int64_t all) {
     return whole * (before + weight) / all - whole * before / all;
@@ -139,12 +176,25 @@ Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
     add_cells(stratum, for_general, general);
     add_cells(stratum, poses - for_general, small);
   }
-  std::int64_t all = 0;
-  for (const Cell& cell : cells_) all += cell.poses;
-  all /= modes();
-  if (all == 0) throw BadInput("none of the strata asked for is to be had with these pairs");
-  batches_ = (all + kBatch - 1) / kBatch;
+  if (cells_.empty()) throw BadInput("none of the strata asked for is to be had with these pairs");
   say_what_gets_no_pose(fit);
+}
+
+void Verification::add_recorded_cells() {
+  std::size_t without = 0;
+  for (std::size_t k = 0; k < plan_.pairs.size(); ++k) {
+    const RecordedPoses& recorded = plan_.recorded[k];
+    const std::int64_t n = std::ssize(recorded.states);
+    for (const Mode mode : recorded.modes)
+      if (n > 0) cells_.push_back({k, Stratum::trajectory, recorded.scheme, mode, 0, n, 0, {}});
+    if (n > 0) continue;
+    ++without;
+    omissions_.push_back("pair " + plan_.pairs[k].name + " gets no pose: " +
+                         (recorded.in_file == 0 ? "none is recorded, for it never touched"
+                                                : fmt::format("{} poses are too few", plan_.poses)));
+  }
+  if (cells_.empty()) throw BadInput("no pose is recorded");
+  if (without > 0) without_poses_ = fmt::format("{} of {} pairs", without, plan_.pairs.size());
 }
 
 void Verification::say_what_gets_no_pose(const Fit& fit) {
@@ -179,7 +229,7 @@ void Verification::say_what_gets_no_pose(const Fit& fit) {
       unused.push_back(plan_.pairs[k].name);
       if (plan_.pairs_named) say("pair " + unused.back(), true, fit.pairs.contains(k));
     }
-  if (const std::int64_t empty = fit.cells - std::ssize(cells_) / modes(); empty > 0)
+  if (const std::int64_t empty = fit.cells - std::ssize(cells_) / modes_per_pose(); empty > 0)
     omissions_.push_back(
         fmt::format("{} of {} combinations of pair, stratum and scheme get no pose: {}", empty, fit.cells, too_few));
   if (unused.empty()) return;
@@ -191,7 +241,7 @@ void Verification::say_what_gets_no_pose(const Fit& fit) {
 std::int64_t Verification::poses_done() const {
   std::int64_t done = 0;
   for (const Cell& cell : cells_) done += cell.tally.poses;
-  return done / modes();
+  return done / modes_per_pose();
 }
 
 Tally Verification::total() const {
@@ -239,7 +289,9 @@ std::vector<StratumTally> Verification::by_stratum_scheme_and_mode() const {
 }
 
 std::string Verification::pose_name(const Cell& cell, std::int64_t pose) const {
-  return plan_.pairs[cell.pair].name + "/" + std::string(name(cell.stratum)) + "/" + std::to_string(pose) + "/" +
+  const RecordedState* const state = recorded(cell, pose);
+  const std::int64_t number = state == nullptr ? pose : state->line;
+  return plan_.pairs[cell.pair].name + "/" + std::string(name(cell.stratum)) + "/" + std::to_string(number) + "/" +
          std::string(name(cell.mode)) + (plan_.schemes.size() > 1 && cell.scheme == Scheme::clipped ? "/clipped" : "");
 }
 
@@ -249,13 +301,20 @@ const HeldPairing& Verification::held_pairing(const Cell& cell, std::int64_t pos
   return *pairings.usual[static_cast<std::size_t>(pose) % pairings.usual.size()];
 }
 
+const RecordedState* Verification::recorded(const Cell& cell, std::int64_t pose) const {
+  return plan_.recorded.empty() ? nullptr : &plan_.recorded[cell.pair].states[static_cast<std::size_t>(pose)];
+}
+
 DrawnPose Verification::draw(const Cell& cell, std::int64_t pose) const {
+  if (const RecordedState* const state = recorded(cell, pose)) return {state->pose, state->velocity, "recorded"};
   return draw_pose(cell.stratum, held_pairing(cell, pose).features(),
                    PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum),
                               stream_of(plan_.pairs[cell.pair].name), static_cast<std::uint64_t>(pose)));
 }
 
 HeldPairing::State Verification::asked(const Cell& cell, std::int64_t pose) const {
+  if (const RecordedState* const state = recorded(cell, pose))
+    return {state->pose, state->velocity, plan_.pairs[cell.pair].law, cell.scheme};
   const auto random = [&](Purpose purpose) {
     return PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum), stream_of(plan_.pairs[cell.pair].name),
                       static_cast<std::uint64_t>(pose), purpose);
@@ -264,14 +323,18 @@ HeldPairing::State Verification::asked(const Cell& cell, std::int64_t pose) cons
                     random(Purpose::velocity), *seam_);
 }
 
+std::string Verification::origin(const Cell& cell, std::int64_t pose) const {
+  if (const RecordedState* const state = recorded(cell, pose))
+    return fmt::format("{}:{}, {}", plan_.recorded[cell.pair].file.string(), state->line, pose_name(cell, pose));
+  return fmt::format("seed {}, {}, {}", plan_.seed, pose_name(cell, pose), draw(cell, pose).construction);
+}
+
 Case Verification::as_case(const Finding& finding) const {
   const Cell& cell = cells_[finding.cell];
   const SurfacePair& pair = plan_.pairs[cell.pair];
-  const DrawnPose drawn = draw(cell, finding.pose);
   const FeaturePair& meshes = held_pairing(cell, finding.pose).features();
   Case posed;
-  posed.origin = "seed " + std::to_string(plan_.seed) + ", " + pose_name(cell, finding.pose) + ", " +
-                 std::string(drawn.construction);
+  posed.origin = origin(cell, finding.pose);
   posed.E = meshes.E.mesh;
   posed.F = meshes.F.mesh;
   // The stratum nested scales meshes; they are then no longer those of the files.
@@ -299,7 +362,8 @@ Verification::Held Verification::hold(const Cell& cell, std::int64_t pose, fast:
   } catch (const std::exception& error) {
     PoseOutcome failed;
     failed.disagreements.push_back({Kind::failure, std::string("drawing the state: ") + error.what()});
-    return {std::vector<PoseOutcome>(plan_.modes.size(), failed), true};  // it says itself what was not asked
+    return {std::vector<PoseOutcome>(static_cast<std::size_t>(modes_per_pose_), failed),
+            true};  // it says itself what was not asked
   }
 }
 
@@ -310,7 +374,7 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
     std::int64_t pose = 0;
   };
   std::vector<Task> tasks;
-  for (std::size_t c = 0; c < cells_.size(); c += plan_.modes.size()) {
+  for (std::size_t c = 0; c < cells_.size(); c += static_cast<std::size_t>(modes_per_pose_)) {
     const std::int64_t n = cells_[c].poses, first = cells_[c].first;
     for (std::int64_t k = n * batches_done_ / batches_; k < n * (batches_done_ + 1) / batches_; ++k)
       tasks.push_back({c, first + k});
@@ -374,6 +438,14 @@ nlohmann::ordered_json Verification::identity() const {
     }
     json["pairs"].push_back({{"name", pair.name}, {"surfaces", surfaces}});
   }
+  for (std::size_t k = 0; k < plan_.recorded.size(); ++k) {
+    const RecordedPoses& recorded = plan_.recorded[k];
+    nlohmann::ordered_json& entry = json["pairs"][k];
+    for (const Mode mode : recorded.modes) entry["modes"].push_back(std::string(name(mode)));
+    entry["scheme"] = std::string(name(recorded.scheme));
+    entry["law"] = law_json(plan_.pairs[k].law);
+    entry["states"] = sha256(bytes_of(recorded.states));
+  }
   return json;
 }
 
@@ -392,7 +464,8 @@ bool Verification::same_arguments(const nlohmann::ordered_json& state) const {
 std::string Verification::difference_from(const nlohmann::ordered_json& state) const {
   const nlohmann::ordered_json& run = state.at("run");
   if (!run.contains("build") || run["build"] != plan_.build) return "of another build of pcm";
-  return run == identity() ? "" : "on other surfaces";
+  if (run == identity()) return "";
+  return plan_.recorded.empty() ? "on other surfaces" : "of another recording";
 }
 
 nlohmann::ordered_json Verification::state() const {

@@ -14,8 +14,23 @@
 #include "compare/verify/case_file.h"
 #include "compare/verify/held_pairing.h"
 
-/// The main job: engine against oracle over randomized poses of pairs and strata.
+/// The main job: engine against oracle over randomized poses of pairs and strata, or over recorded ones.
 namespace pcm::compare {
+
+struct RecordedState {
+  Pose pose;
+  Velocity velocity;
+  std::int64_t line = 0;  ///< of the file that it is from; names the pose
+};
+
+/// What a pair is asked in place of drawn poses, with the pair's own law.
+struct RecordedPoses {
+  HeldPairing::Modes modes;  ///< every pose is answered in each; as many for every pair of a plan
+  Scheme scheme = Scheme::barycentric;
+  std::filesystem::path file;
+  std::int64_t in_file = 0;  ///< how many poses the file has
+  std::vector<RecordedState> states;
+};
 
 /// What a run is; the same plan gives the same tables, whatever the number of threads.
 struct VerificationPlan {
@@ -26,6 +41,9 @@ struct VerificationPlan {
   /// With both, one pose in three is answered in the clipped scheme, the others in the barycentric one.
   std::vector<Scheme> schemes{Scheme::barycentric};
   std::vector<SurfacePair> pairs;
+  /// Of each pair, or empty: then poses are drawn. `poses`, `strata`, `modes` and `schemes` say what is in them
+  /// (read_trajectory), and no seed, no drawn law and no share of a pair has a part in the run.
+  std::vector<RecordedPoses> recorded;
   /// Asked for by name: each of these must then get a pose. What else gets none is an omission.
   bool strata_named = false, schemes_named = false, pairs_named = false;
   std::string build;  ///< which program answers; by default the hash of the one that runs
@@ -80,6 +98,8 @@ class Verification {
   ~Verification();
 
   const VerificationPlan& plan() const { return plan_; }
+  /// In how many modes each pose is answered: in all of the plan's, but recorded poses each in its pairing's own.
+  std::int64_t modes_per_pose() const { return modes_per_pose_; }
   const std::vector<Cell>& cells() const { return cells_; }
   const std::vector<Finding>& findings() const { return findings_; }
   /// Each pose once, in however many modes.
@@ -105,8 +125,8 @@ class Verification {
   const std::string& without_poses() const { return without_poses_; }
 
   /// Name of a pose in a scheme and mode, e.g. "bubble-bubble/generic/17/both" or, where the plan has both schemes,
-  /// "bubble-bubble/generic/17/both/clipped". Pair, stratum and number alone tell the poses of a plan apart. Here and
-  /// below `pose` is a number from cell.first on.
+  /// "bubble-bubble/generic/17/both/clipped". Pair, stratum and number alone tell the poses of a plan apart; the number
+  /// of a recorded pose is its line. Here and below `pose` is a number from cell.first on.
   std::string pose_name(const Cell& cell, std::int64_t pose) const;
   DrawnPose draw(const Cell& cell, std::int64_t pose) const;
   /// The drawn pose with the law and the scheme it is answered with. Throws DrawFailure where the engine breaks down.
@@ -152,12 +172,18 @@ class Verification {
     std::int64_t cells = 0;  ///< in one mode
   };
 
+  void prepare_pairings();
+  void add_drawn_cells();
+  void add_recorded_cells();
   void say_what_gets_no_pose(const Fit& fit);
+  /// None where poses are drawn.
+  const RecordedState* recorded(const Cell& cell, std::int64_t pose) const;
+  std::string origin(const Cell& cell, std::int64_t pose) const;
   Held hold(const Cell& cell, std::int64_t pose, fast::Workspace& workspace) const;
-  std::int64_t modes() const { return static_cast<std::int64_t>(plan_.modes.size()); }
   nlohmann::ordered_json identity() const;
 
   VerificationPlan plan_;
+  std::int64_t modes_per_pose_;
   const EngineSeam* seam_;
   std::vector<HeldPairings> held_pairings_;
   std::vector<Cell> cells_;

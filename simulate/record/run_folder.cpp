@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "compare/io/names.h"
 #include "compare/io/program_hash.h"
+#include "compare/io/question_json.h"
 #include "compare/io/sha256.h"
 #include "meshes/files/parse_number.h"
 #include "pcm/bad_input.h"
@@ -124,38 +125,6 @@ std::string pose_line(const PairingObservation& pairing) {
   return line;
 }
 
-const char* word(DampingMode mode) {
-  switch (mode) {
-    case DampingMode::no_tension:
-      return "no_tension";
-    case DampingMode::full:
-      return "full";
-    case DampingMode::compression:
-      return "compression";
-  }
-  return "";
-}
-
-const char* word(Mode mode) {
-  return mode == Mode::E ? "E" : mode == Mode::F ? "F" : "both";
-}
-
-Json to_json(const ContactLaw& law) {
-  Json json;
-  if (law.layers) {
-    json["layers"] = {bits(law.layers->c_E), bits(law.layers->c_F)};
-  } else {
-    json["stiffness"] = bits(law.stiffness);
-  }
-  json["damping"] = bits(law.damping);
-  json["transition_depth"] = bits(law.transition_depth);
-  json["friction"] = bits(law.friction);
-  json["slip_velocity"] = bits(law.slip_velocity);
-  if (std::isfinite(law.max_penetration)) json["max_penetration"] = bits(law.max_penetration);
-  json["damping_mode"] = word(law.damping_mode);
-  return json;
-}
-
 }  // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const Scene& scene)
@@ -242,9 +211,9 @@ void RunFolder::write_trajectory_index() const {
     const ScenePairing& pairing = scene_.pairings[p];
     pairings.push_back({{"E", pairing.E},
                         {"F", pairing.F},
-                        {"law", to_json(pairing.law)},
-                        {"mode", word(pairing.mode)},
-                        {"scheme", pairing.scheme == Scheme::clipped ? "clipped" : "barycentric"},
+                        {"law", compare::law_json(pairing.law)},
+                        {"mode", std::string(compare::name(pairing.mode))},
+                        {"scheme", std::string(compare::name(pairing.scheme))},
                         {"poses", fmt::format("{}.poses", p)}});
   }
   write_file(folder_ / "trajectory" / "trajectory.json", json.dump(1) + "\n");

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "compare/verify/trajectory.h"
 #include "simulate/record/simulate.h"
 #include "simulate/scenes/read_scene.h"
 #include "tests/meshes/expect_bad_input.h"
@@ -115,6 +116,26 @@ TEST(RecordedRun, StatesAreAtTheOutputsInterval) {
   const NumberTable states = read_number_table(folder / "states.csv");
   ASSERT_EQ(states.rows.size(), 81U);
   for (std::size_t n = 0; n < states.rows.size(); ++n) EXPECT_EQ(states.rows[n][0], 0.01 * static_cast<double>(n));
+}
+
+TEST(RecordedRun, TrajectoryIsOneThatPosesAreHeldFrom) {
+  const fs::path folder = empty_folder("trajectory");
+  ASSERT_TRUE(run_in(folder));
+  const compare::VerificationPlan plan = compare::read_trajectory(folder / "trajectory" / "trajectory.json");
+  const Scene scene = short_bubbles();
+  ASSERT_EQ(plan.pairs.size(), scene.pairings.size());
+  for (std::size_t p = 0; p < scene.pairings.size(); ++p) {
+    const ScenePairing& pairing = scene.pairings[p];
+    const TriangleMesh& mesh_E = scene.surfaces[static_cast<std::size_t>(pairing.E)].mesh;
+    EXPECT_EQ(plan.pairs[p].E.vertices, mesh_E.vertices);
+    EXPECT_EQ(plan.pairs[p].E.faces, mesh_E.faces);
+    EXPECT_EQ(plan.pairs[p].law.stiffness, pairing.law.stiffness);
+    EXPECT_EQ(plan.pairs[p].law.slip_velocity, pairing.law.slip_velocity);
+    EXPECT_EQ(plan.pairs[p].law.max_penetration, pairing.law.max_penetration);
+    EXPECT_EQ(plan.recorded[p].modes, compare::HeldPairing::Modes{pairing.mode});
+    EXPECT_EQ(plan.recorded[p].scheme, pairing.scheme);
+  }
+  EXPECT_GT(plan.poses, 100);
 }
 
 TEST(NumberTable, RefusesWhatIsNoNumberNamingTheLine) {

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compare/io/exact_json.h"
+#include "pcm/inputs.h"
+
+/// Numbers, law, mode and scheme of a question as JSON that reads back bit for bit: case files, recorded trajectories.
+/// Readers throw BadInput for what is none of these, and what the library throws for a key that is missing or of the
+/// wrong type.
+namespace pcm::compare {
+
+/// As C hexadecimal floating point, e.g. "0x1.8p-3", or "inf".
+std::string hexadecimal(double x);
+/// A finite number or "inf".
+double number_from(const Json& json);
+
+Json law_json(const ContactLaw& law);
+/// Values may be out of their ranges: whoever asks the question refuses them.
+ContactLaw law_from(const Json& json);
+
+Mode mode_from(const Json& json);
+Scheme scheme_from(const Json& json);
+
+/// What the library says is wrong, without its own name for it.
+std::string description(const nlohmann::json::exception& error);
+
+}  // namespace pcm::compare
