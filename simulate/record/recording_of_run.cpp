@@ -21,7 +21,8 @@ std::string pairing_name(const Scene& scene, std::size_t p) {
 /// As seen from a frame that moves along with the followed surface, without turning.
 Frame frame_at(double t, const Eigen::VectorXd& y, Model& model, const std::optional<Index>& follow) {
   const Observation now = model.observe(t, y);
-  const Eigen::Vector3d origin_G = follow ? now.surfaces_G[static_cast<std::size_t>(*follow)].r : Eigen::Vector3d(0, 0, 0);
+  const Eigen::Vector3d origin_G =
+      follow ? now.surfaces_G[static_cast<std::size_t>(*follow)].r : Eigen::Vector3d(0, 0, 0);
   Frame frame;
   frame.t = t;
   frame.poses_W = now.surfaces_G;

@@ -10,8 +10,8 @@
 
 namespace pcm::simulate {
 
-/// A kept run to be looked at, moving along with the surface that the scene follows: frames at the recorded states, which the model is asked about once more, and the series
-/// of its tables. Throws BadInput where a table can't be read.
+/// A kept run to be looked at, moving along with the surface that the scene follows: frames at the recorded states,
+/// which the model is asked about once more, and the series of its tables. Throws BadInput where a table can't be read.
 Recording recording_of_run(const std::filesystem::path& folder, const Scene& scene, Model& model);
 
 }  // namespace pcm::simulate

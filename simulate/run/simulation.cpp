@@ -56,6 +56,18 @@ void add_step(EnergyFlow& flow, double h, const Powers& begin, const Powers& mid
 
 }  // namespace
 
+double multiple_or_end(std::int64_t n, double interval, double end) {
+  const double t = static_cast<double>(n) * interval;
+  return std::abs(t - end) <= 1e-9 * interval ? end : t;
+}
+
+std::int64_t multiples_until(double t, double interval, double end) {
+  // The quotient is rounded too, by less than 1.
+  auto n = std::max(std::int64_t{1}, static_cast<std::int64_t>(t / interval)) - 1;
+  while (multiple_or_end(n + 1, interval, end) <= t) ++n;
+  return n;
+}
+
 Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
   DifferentialEquation equation;
   equation.size = model_.size();
@@ -90,7 +102,7 @@ void Simulation::start() {
 void Simulation::start(const Checkpoint& checkpoint) {
   flow_ = checkpoint.flow;
   energy_at_start_ = checkpoint.energy_at_start;
-  segment_ = std::llround(checkpoint.t / scene_.output.checkpoint_interval);
+  segment_ = multiples_until(checkpoint.t, scene_.output.checkpoint_interval, scene_.duration);
   begin_segment(checkpoint.t, checkpoint.y);
 }
 
@@ -104,7 +116,7 @@ void Simulation::begin_segment(double t, const Eigen::VectorXd& y) {
 }
 
 double Simulation::next_checkpoint() const {
-  return std::min(scene_.duration, static_cast<double>(segment_ + 1) * scene_.output.checkpoint_interval);
+  return std::min(scene_.duration, multiple_or_end(segment_ + 1, scene_.output.checkpoint_interval, scene_.duration));
 }
 
 double Simulation::t() const {

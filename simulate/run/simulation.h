@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,12 @@ struct SimulatedStep {
   Observation observation;
   EnergyFlow flow;
 };
+
+/// Number `n` of the instants at multiples of an interval, s. A multiple within a billionth of an interval of the end
+/// is the end itself: 3 times 0.1 rounds to more than 0.3, and 3 times 0.3 to less than 0.9.
+double multiple_or_end(std::int64_t n, double interval, double end);
+/// How many of these instants, numbered from 1 on, are at `t` or before it.
+std::int64_t multiples_until(double t, double interval, double end);
 
 /// A scene in motion. Between checkpoints one integrator is alive; at each it starts anew, interrupted or not, so that
 /// what follows depends on the checkpoint alone, bit for bit.
