@@ -155,6 +155,34 @@ TEST(Joints, FreeOneTurnsByEulersEquations) {
   EXPECT_LT((Vector3d(dydt.segment<3>(10)) + alpha.cross(c) + w.cross(w.cross(c))).norm(), 1e-13);
 }
 
+// A plate of 1 m thickness, turned with all that lies on it; a block 1 mm deep in it: 1000 N over 1 m^2.
+TEST(Observations, OfATurnedContactAreInGAndOnceInModeBoth) {
+  for (const char* mode : {"E", "F", "both"}) {
+    SCOPED_TRACE(mode);
+    const std::string placed = R"(, "rotation": {"axis": [1, 2, 2], "angle": 0.8}})";
+    Model model(parse_scene(R"({"laws": {"law": {"stiffness": 1e6}},
+      "ground": {"surfaces": [{"name": "floor", "make": "plate", "parameters": {"extent_x": 4, "extent_y": 4, "thickness": 1},
+                               "at": {"position": [0, 0, 0])" +
+                                placed + R"(}]},
+      "bodies": [{"name": "block", "mass": 1, "at": {"position": [0, 0, 0])" +
+                                placed + R"(,
+        "surfaces": [{"name": "block", "make": "box", "at": {"position": [0.1, 0.2, 0.499]}}]}],
+      "pairings": [{"E": "floor", "F": "block", "law": "law", "scheme": "clipped", "mode": ")" +
+                                mode + R"("}],
+      "duration": 1})",
+                            "test.json"));
+    const Observation now = model.observe(0, model.start());
+    const PairingObservation& pairing = now.pairings[0];
+    const Eigen::Matrix3d R = AngleAxisd(0.8, Vector3d(1, 2, 2).normalized()).toRotationMatrix();
+    EXPECT_LT((pairing.force_G - R * Vector3d(0, 0, -1000)).norm(), 1e-8);
+    EXPECT_LT((pairing.centre_of_pressure_G - R * Vector3d(0.1, 0.2, -5e-4)).norm(), 1e-8);
+    EXPECT_NEAR(pairing.normal_force, 1000, 1e-8);
+    EXPECT_NEAR(pairing.patch_area, 1, 1e-9);
+    EXPECT_GT(now.elements.size(), 1U);
+    for (const ObservedElement& e : now.elements) EXPECT_NEAR(e.pressure, 1000, 1e-6);
+  }
+}
+
 /// E = kinetic + gravity + elastic + bumpers changes at the rate that the powers tell.
 void expect_power_balance(const std::string& law, const std::string& pairing, const std::string& more_bodies = "") {
   Model model(parse_scene(R"({"laws": {"law": )" + law + R"(},
