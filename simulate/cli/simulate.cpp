@@ -37,6 +37,7 @@ struct SimulateOptions {
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw BadInput(file.string() + ": can't be read; built in are: bubbles, pedestrian, creep");
+  if (std::filesystem::is_directory(file)) throw BadInput(file.string() + ": is a folder, not a scene file");
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
@@ -59,12 +60,9 @@ void apply(const SimulateOptions& options, Scene& scene) {
   number("--relative-tolerance", options.relative, scene.integrator.relative_tolerance);
   number("--absolute-tolerance", options.absolute, scene.integrator.absolute_tolerance);
   number("--greatest-step", options.greatest_step, scene.integrator.greatest_step);
-}
-
-/// A run is known by its scene and by what the command line changes in it.
-std::string identity(const std::string& text, const SimulateOptions& options) {
-  return text + fmt::format("\n// {} {} {} {} {} {}\n", options.method, options.duration, options.relative,
-                            options.absolute, options.greatest_step, options.spectrum);
+  if (!options.spectrum.empty())
+    scene.output.spectrum_interval =
+        static_cast<std::int64_t>(compare::whole_number("--spectrum", options.spectrum, 1, 1000000000));
 }
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -104,27 +102,30 @@ Exit simulate(const SimulateOptions& options) {
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;
   std::string notice;
-  RecordedRun run(scene, identity(text, options), folder, notice);
+  RecordedRun run(scene, text, folder, notice);
   if (!notice.empty()) compare::complain(notice);
-  if (!options.spectrum.empty())
-    run.simulation().compute_spectrum_every(
-        static_cast<std::int64_t>(compare::whole_number("--spectrum", options.spectrum, 1, 1000000000)));
   std::signal(SIGINT, [](int) { interrupted = 1; });
   bool finished = false;
-  {
+  std::string failure;
+  try {
     ProgressLine line;
     finished = run.run([] { return interrupted != 0; }, [&line](const Progress& progress) { line.show(progress); });
+  } catch (const IntegrationFailure& error) {
+    failure = error.what();  // what there is up to then is shown all the same
   }
   const std::string tables =
       cost_table(options.scene, scene, run.kept()) + "\n" + energy_table(run.kept(), run.observe().energies);
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   write_page(folder / "page.html", recording);
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
-  std::ofstream(folder / "tables.md") << "# " << scene.title << "\n\n" << tables;
+  write_file(folder / "tables.md", "# " + (scene.title.empty() ? options.scene : scene.title) + "\n\n" + tables);
   std::cout << tables << "\npage: " << (folder / "page.html").string() << '\n';
-  if (!finished)
+  if (!failure.empty()) {
+    compare::complain(options.scene + ": " + failure + "; tables and page end there");
+  } else if (!finished) {
     compare::complain(
         fmt::format("interrupted at t = {:g} s; the same command goes on from there", run.kept().checkpoint.t));
+  }
   return finished ? Exit::success : Exit::negative;
 }
 

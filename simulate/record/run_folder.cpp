@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/record/run_folder.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,14 +29,45 @@ std::string bits(double value) {
   return fmt::format("{:a}", value);
 }
 
-double number_from(const std::string& text) {
-  const std::optional<double> number = parse_number(text);
-  if (!number) throw BadInput("'" + text + "' is no number");
+/// The checkpoint is not as it was written.
+struct Damaged {};
+
+double from_bits(const Json& json) {
+  const std::optional<double> number = parse_number(json.get<std::string>());
+  if (!number) throw Damaged();
   return *number;
 }
 
-double from_bits(const Json& json) {
-  return number_from(json.get<std::string>());
+/// A hash of all but itself.
+std::string checksum(Json checkpoint) {
+  checkpoint.erase("checksum");
+  return compare::sha256(checkpoint.dump());
+}
+
+/// What the command line may have changed in the scene as its file has it.
+Json settings(const Scene& scene) {
+  return {{"duration", scene.duration},
+          {"method", name(scene.integrator.method)},
+          {"relative_tolerance", scene.integrator.relative_tolerance},
+          {"absolute_tolerance", scene.integrator.absolute_tolerance},
+          {"greatest_step", scene.integrator.greatest_step},
+          {"spectrum_interval", scene.output.spectrum_interval}};
+}
+
+/// A hash of the scene's text, of what the command line changed, and of the surfaces, whose files may have changed.
+std::string scene_hash(const std::string& scene_text, const Scene& scene) {
+  std::string all = scene_text + settings(scene).dump();
+  for (const SceneSurface& surface : scene.surfaces) all += compare::sha256(surface.mesh);
+  return compare::sha256(all);
+}
+
+/// A hash of the program and of its shared library, the integrators. The system's libraries are not part of it.
+std::string build_hash() {
+  Dl_info library{};
+  if (dladdr(reinterpret_cast<void*>(&make_integrator), &library) == 0) return compare::program_hash();
+  static const std::string hash =
+      compare::sha256(compare::program_hash() + compare::program_hash_of(library.dli_fname));
+  return hash;
 }
 
 Json to_json(const Eigen::VectorXd& y) {
@@ -91,8 +123,9 @@ RunCost cost_from(const Json& json) {
   return cost;
 }
 
+}  // namespace
+
 void write_file(const std::filesystem::path& file, const std::string& text) {
-  // Beside it first: a reader finds the old one or the new one, whole.
   const std::filesystem::path unfinished = file.string() + ".new";
   std::ofstream out(unfinished, std::ios::binary);
   out << text;
@@ -100,6 +133,8 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
   if (!out) throw BadInput(unfinished.string() + ": can't be written");
   std::filesystem::rename(unfinished, file);
 }
+
+namespace {
 
 std::string series_header(const Scene& scene) {
   std::string header =
@@ -123,6 +158,10 @@ std::string pose_line(const PairingObservation& pairing) {
     for (int i = 0; i < 3; ++i) line += bits(v[i]) + (i < 2 ? " " : "  ");
   line += "\n";
   return line;
+}
+
+[[noreturn]] void refuse_damaged(const std::filesystem::path& file) {
+  throw BadInput(file.string() + ": is damaged; remove the folder to begin anew");
 }
 
 }  // namespace
@@ -156,12 +195,15 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
   try {
     std::ifstream in(file);
     const Json json = Json::parse(in);
-    if (json.at("scene") != compare::sha256(scene_text_))
-      throw BadInput(folder_.string() + ": holds the run of another scene; choose another folder, or remove it");
-    if (json.at("program") != compare::program_hash()) {
+    if (json.at("scene") != scene_hash(scene_text_, scene_))
+      throw BadInput(folder_.string() +
+                     ": holds the run of another scene, or of other surfaces or options; choose another folder, or "
+                     "remove it");
+    if (json.at("program") != build_hash()) {
       notice = folder_.string() + ": holds a run of another build of this program; it is begun anew";
       return std::nullopt;
     }
+    if (json.at("checksum") != checksum(json)) throw Damaged();
     run.checkpoint.t = from_bits(json.at("t"));
     run.checkpoint.y.resize(static_cast<Eigen::Index>(json.at("y").size()));
     for (Eigen::Index i = 0; i < run.checkpoint.y.size(); ++i)
@@ -176,8 +218,10 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
         throw BadInput((folder_ / table).string() + ": is shorter than it was; remove the folder to begin anew");
       std::filesystem::resize_file(folder_ / table, length);
     }
-  } catch (const Json::exception& error) {
-    throw BadInput(file.string() + ": is damaged; remove the folder to begin anew");
+  } catch (const Json::exception&) {
+    refuse_damaged(file);
+  } catch (const Damaged&) {
+    refuse_damaged(file);
   } catch (const std::filesystem::filesystem_error& error) {
     throw BadInput(folder_.string() + ": " + error.code().message() + ": " + error.path1().string());
   }
@@ -246,24 +290,30 @@ void RunFolder::add_state(double t, const Eigen::VectorXd& y) {
   states_ << '\n';
 }
 
-void RunFolder::keep(const KeptRun& run) {
-  Json json;
-  json["scene"] = compare::sha256(scene_text_);
-  json["program"] = compare::program_hash();
-  json["t"] = bits(run.checkpoint.t);
-  json["y"] = to_json(run.checkpoint.y);
-  json["energy_flow"] = to_json(run.checkpoint.flow);
-  json["energy_at_start"] = bits(run.checkpoint.energy_at_start);
-  json["cost"] = to_json(run.cost);
-  json["finished"] = run.finished;
+void RunFolder::flush() {
   for (std::ofstream* out : {&steps_, &series_, &states_, &spectrum_}) out->flush();
   for (std::ofstream& out : poses_) out.flush();
   const bool all_written =
       steps_ && series_ && states_ && spectrum_ &&
       std::all_of(poses_.begin(), poses_.end(), [](const std::ofstream& out) { return bool(out); });
   if (!all_written) throw BadInput(folder_.string() + ": can't be written to; is the disk full?");
+}
+
+void RunFolder::keep(const KeptRun& run) {
+  Json json;
+  json["scene"] = scene_hash(scene_text_, scene_);
+  json["settings"] = settings(scene_);
+  json["program"] = build_hash();
+  json["t"] = bits(run.checkpoint.t);
+  json["y"] = to_json(run.checkpoint.y);
+  json["energy_flow"] = to_json(run.checkpoint.flow);
+  json["energy_at_start"] = bits(run.checkpoint.energy_at_start);
+  json["cost"] = to_json(run.cost);
+  json["finished"] = run.finished;
+  flush();
   for (const std::filesystem::path& table : tables())
     json["lengths"][table.string()] = std::filesystem::file_size(folder_ / table);
+  json["checksum"] = checksum(json);
   write_file(folder_ / "checkpoint.json", json.dump(1) + "\n");
 }
 
@@ -285,7 +335,11 @@ NumberTable read_number_table(const std::filesystem::path& file) {
   for (std::istringstream words(line); std::getline(words, word, ',');) table.columns.push_back(word);
   for (int number = 2; std::getline(in, line); ++number) {
     std::vector<double> row;
-    for (std::istringstream words(line); std::getline(words, word, ',');) row.push_back(number_from(word));
+    for (std::istringstream words(line); std::getline(words, word, ',');) {
+      const std::optional<double> value = parse_number(word);
+      if (!value) throw BadInput(fmt::format("{}:{}: '{}' is no number", file.string(), number, word));
+      row.push_back(*value);
+    }
     if (row.size() != table.columns.size())
       throw BadInput(fmt::format("{}:{}: {} numbers, where the table has {} columns", file.string(), number, row.size(),
                                  table.columns.size()));

@@ -36,7 +36,7 @@ struct KeptRun {
 ///   scene.json              the scene as it was given
 ///   steps.csv               a line an accepted step
 ///   series.csv              a line an accepted step: energies, loads and statistics of the pairings
-///   states.csv              coordinates and speeds at the output's interval
+///   states.csv              coordinates and speeds at t = 0 and multiples of the output's interval
 ///   spectrum.csv            a line a spectrum that was asked for
 ///   trajectory/             surfaces and poses of the pairings, for `pcm verify --trajectory`
 ///   checkpoint.json         where the run goes on from
@@ -46,8 +46,8 @@ struct KeptRun {
 /// read back to the same bits.
 class RunFolder {
  public:
-  /// Creates the folder where it is missing. `scene_text` and the program are what a kept run is known by. Throws
-  /// BadInput where the folder can't be written to.
+  /// Creates the folder where it is missing. `scene_text`, the scene's surfaces, what the command line changed and the
+  /// program are what a kept run is known by. Throws BadInput where the folder can't be written to.
   RunFolder(std::filesystem::path folder, std::string scene_text, const Scene& scene);
 
   /// The run that is kept there, ready to go on; none where there is none, or that of another build of the program
@@ -59,7 +59,10 @@ class RunFolder {
   void add_step(const SimulatedStep& step);
   /// A state at the output's interval.
   void add_state(double t, const Eigen::VectorXd& y);
-  /// All that was added is on disk, and the run goes on from here.
+  /// The tables are whole up to what was added last. Throws BadInput where they can't be written.
+  void flush();
+  /// All that was added is handed to the system, which keeps it though this program be killed (not through a loss of
+  /// power), and the run goes on from here.
   void keep(const KeptRun& run);
 
   const std::filesystem::path& path() const { return folder_; }
@@ -75,6 +78,9 @@ class RunFolder {
   std::ofstream steps_, series_, states_, spectrum_;
   std::vector<std::ofstream> poses_;  ///< by pairing
 };
+
+/// Writes beside it first: a reader finds the old file or the new one, whole. Throws BadInput where it can't.
+void write_file(const std::filesystem::path& file, const std::string& text);
 
 /// Reads a table back: names of its columns, and its lines.
 struct NumberTable {

@@ -38,6 +38,8 @@ std::string cost_table(const std::string& scene_name, const Scene& scene, const 
   const Work& work = run.cost.work;
   const double t = run.checkpoint.t;
   const bool implicit = work.jacobians > 0;
+  if (work.steps == 0)
+    return text + fmt::format("| {} | no step was taken | | | | | |\n", name(scene.integrator.method));
   text += fmt::format("| {} | {:.2g} ms | {} | {} | {} | {:.3g} s | {:.3g} |\n", name(scene.integrator.method),
                       1e3 * t / static_cast<double>(work.steps), work.derivatives + work.derivatives_for_jacobians,
                       implicit ? std::to_string(work.derivatives_for_jacobians) : "",

@@ -3,7 +3,6 @@
 #include "simulate/record/simulate.h"
 
 #include <chrono>
-#include <cmath>
 
 namespace pcm::simulate {
 namespace {
@@ -30,9 +29,12 @@ Work sum(const Work& a, const Work& b) {
 
 RecordedRun::RecordedRun(const Scene& scene, const std::string& scene_text, const std::filesystem::path& folder,
                          std::string& notice)
-    : scene_(scene), simulation_(scene), folder_(folder, scene_text, scene_) {
+    : scene_(scene), simulation_(scene), folder_(folder, scene_text, scene_), seconds_at_start_(wall_seconds()) {
   if (const std::optional<KeptRun> found = folder_.open(notice)) {
     kept_ = *found;
+    cost_before_ = kept_.cost;
+    t_found_ = kept_.checkpoint.t;
+    outputs_ = multiples_until(t_found_, scene_.output.interval, scene_.duration);
     simulation_.start(kept_.checkpoint);
     return;
   }
@@ -44,19 +46,15 @@ RecordedRun::RecordedRun(const Scene& scene, const std::string& scene_text, cons
 }
 
 bool RecordedRun::run(const std::function<bool()>& stop, const std::function<void(const Progress&)>& progress) {
-  cost_before_ = kept_.cost;
-  seconds_at_start_ = wall_seconds();
   while (!kept_.finished) {
-    const SimulatedStep step = simulation_.step();
+    const SimulatedStep step = next_step();
     changed_ += step.entered + step.left > 0;
     too_deep_ += step.too_deep > 0;
     folder_.add_step(step);
-    add_outputs(step);
-    if (progress) {
-      const double simulated = simulation_.t() - kept_.checkpoint.t + 1e-300;
+    add_outputs();
+    if (progress)
       progress({simulation_.t(), scene_.duration, step.step.size,
-                simulation_.integration_seconds() / std::max(simulated, simulation_.t())});
-    }
+                simulation_.integration_seconds() / (simulation_.t() - t_found_)});
     if (!simulation_.at_checkpoint()) continue;
     keep();
     if (!kept_.finished && stop && stop()) return false;
@@ -64,15 +62,26 @@ bool RecordedRun::run(const std::function<bool()>& stop, const std::function<voi
   return true;
 }
 
-// Output number n is due at n times the interval, once: in the step at whose end or before it is.
-void RecordedRun::add_outputs(const SimulatedStep& step) {
-  const double interval = scene_.output.interval;
-  const double end = simulation_.t(), begin = end - step.step.size;
-  for (double n = std::floor(begin / interval) + 1; n * interval <= end; ++n)
-    folder_.add_state(n * interval, simulation_.state_at(n * interval));
+SimulatedStep RecordedRun::next_step() {
+  try {
+    return simulation_.step();
+  } catch (const IntegrationFailure&) {
+    folder_.flush();
+    account();
+    throw;
+  }
 }
 
-void RecordedRun::keep() {
+// Within the last step, or at its end.
+void RecordedRun::add_outputs() {
+  for (;; ++outputs_) {
+    const double t = multiple_or_end(outputs_ + 1, scene_.output.interval, scene_.duration);
+    if (t > simulation_.t()) return;
+    folder_.add_state(t, simulation_.state_at(t));
+  }
+}
+
+void RecordedRun::account() {
   kept_.checkpoint = simulation_.checkpoint();
   kept_.cost.work = sum(cost_before_.work, simulation_.work());
   kept_.cost.elements_changed = cost_before_.elements_changed + changed_;
@@ -80,6 +89,10 @@ void RecordedRun::keep() {
   kept_.cost.integration_seconds = cost_before_.integration_seconds + simulation_.integration_seconds();
   kept_.cost.seconds = cost_before_.seconds + wall_seconds() - seconds_at_start_;
   kept_.finished = simulation_.finished();
+}
+
+void RecordedRun::keep() {
+  account();
   folder_.keep(kept_);
 }
 

@@ -57,6 +57,18 @@ void add_step(EnergyFlow& flow, double h, const Powers& begin, const Powers& mid
 
 }  // namespace
 
+double multiple_or_end(std::int64_t n, double interval, double end) {
+  const double t = static_cast<double>(n) * interval;
+  return std::abs(t - end) <= 1e-9 * interval ? end : t;
+}
+
+std::int64_t multiples_until(double t, double interval, double end) {
+  // The quotient is rounded too, by less than 1.
+  auto n = std::max(std::int64_t{1}, static_cast<std::int64_t>(t / interval)) - 1;
+  while (multiple_or_end(n + 1, interval, end) <= t) ++n;
+  return n;
+}
+
 Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
   DifferentialEquation equation;
   equation.size = model_.size();
@@ -91,7 +103,7 @@ void Simulation::start() {
 void Simulation::start(const Checkpoint& checkpoint) {
   flow_ = checkpoint.flow;
   energy_at_start_ = checkpoint.energy_at_start;
-  segment_ = std::llround(checkpoint.t / scene_.output.checkpoint_interval);
+  segment_ = multiples_until(checkpoint.t, scene_.output.checkpoint_interval, scene_.duration);
   begin_segment(checkpoint.t, checkpoint.y);
 }
 
@@ -106,7 +118,7 @@ void Simulation::begin_segment(double t, const Eigen::VectorXd& y) {
 }
 
 double Simulation::next_checkpoint() const {
-  return std::min(scene_.duration, static_cast<double>(segment_ + 1) * scene_.output.checkpoint_interval);
+  return std::min(scene_.duration, multiple_or_end(segment_ + 1, scene_.output.checkpoint_interval, scene_.duration));
 }
 
 double Simulation::t() const {
@@ -169,8 +181,8 @@ SimulatedStep Simulation::step() {
   result.left = missing_from(now, elements_);
   elements_ = std::move(now);
   ++steps_since_checkpoint_;
-  if (spectrum_interval_ > 0 && steps_since_checkpoint_ % spectrum_interval_ == 0)
-    result.spectrum = spectrum(end, integrator_->y());
+  const std::int64_t interval = scene_.output.spectrum_interval;
+  if (interval > 0 && steps_since_checkpoint_ % interval == 0) result.spectrum = spectrum(end, integrator_->y());
   for (const PairingObservation& pairing : result.observation.pairings) result.too_deep += pairing.too_deep;
   return result;
 }

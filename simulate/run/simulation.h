@@ -40,8 +40,16 @@ struct SimulatedStep {
   Index too_deep = 0;  ///< faces without a force, over all pairings
   Observation observation;
   EnergyFlow flow;
-  std::optional<Spectrum> spectrum;  ///< where it was asked for
+  /// At every spectrum_interval-th step since the last checkpoint. It takes a derivative for each component of the
+  /// state, which Work does not count.
+  std::optional<Spectrum> spectrum;
 };
+
+/// Number `n` of the instants at multiples of an interval, s. A multiple within a billionth of an interval of the end
+/// is the end itself: 3 times 0.1 rounds to more than 0.3, and 3 times 0.3 to less than 0.9.
+double multiple_or_end(std::int64_t n, double interval, double end);
+/// How many of these instants, numbered from 1 on, are at `t` or before it.
+std::int64_t multiples_until(double t, double interval, double end);
 
 /// A scene in motion. Between checkpoints one integrator is alive; at each it starts anew, interrupted or not, so that
 /// what follows depends on the checkpoint alone, bit for bit.
@@ -80,10 +88,6 @@ class Simulation {
   /// Processor time of the integrator's steps so far, what is looked at beside them left out, s.
   double integration_seconds() const { return integration_seconds_; }
 
-  /// From now on the spectrum at the end of every `steps`-th step since the last checkpoint; 0: of none. It takes a
-  /// derivative for each component of the state, which Work does not count.
-  void compute_spectrum_every(std::int64_t steps) { spectrum_interval_ = steps; }
-
  private:
   double next_checkpoint() const;
   std::optional<Spectrum> spectrum(double t, const Eigen::VectorXd& y);
@@ -98,7 +102,6 @@ class Simulation {
   std::vector<ObservedElement> elements_;  ///< at t()
   std::int64_t segment_ = 0;               ///< checkpoints passed
   std::int64_t steps_since_checkpoint_ = 0;
-  std::int64_t spectrum_interval_ = 0;
   double integration_seconds_ = 0;
 };
 

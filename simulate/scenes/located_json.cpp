@@ -151,7 +151,7 @@ LocatedJson::LocatedJson(std::string file, const std::string& text) : file_(std:
   LineRecorder recorder(position, lines_);
   const CountingIterator begin(text.data(), &position), end(text.data() + text.size(), &position);
   if (!Json::sax_parse(begin, end, &recorder)) {
-    if (!recorder.twice.empty()) {
+    if (recorder.twice_line > 0) {
       throw BadInput(file_ + ":" + std::to_string(recorder.twice_line) + ": the key '" + recorder.twice +
                      "' is there twice");
     }

@@ -192,10 +192,11 @@ Joint SceneReader::joint_from(const Json& json, const std::string& at) const {
     for (std::size_t i = 0; i < json["limits"].size(); ++i) {
       const Json& limit = json["limits"][i];
       const std::string here = pointer(at + "/limits", i);
+      // Compared before it is an int, as which 2^32 would be 0.
+      if (limit["coordinate"].get<double>() >= count)
+        json_.refuse(here + "/coordinate", "this joint has " + std::to_string(count) + " coordinates, numbered from 0");
       Limit read_limit{limit["coordinate"].get<int>(), limit["from"].get<double>(), limit["to"].get<double>(),
                        limit["stiffness"].get<double>(), limit.value("dissipation", 0.0)};
-      if (read_limit.coordinate >= count)
-        json_.refuse(here + "/coordinate", "this joint has " + std::to_string(count) + " coordinates, numbered from 0");
       if (!(read_limit.from < read_limit.to)) json_.refuse(here + "/to", "it must be greater than from");
       joint.limits.push_back(read_limit);
     }
@@ -203,6 +204,7 @@ Joint SceneReader::joint_from(const Json& json, const std::string& at) const {
   if (json.contains("prescribed_speed")) {
     if (joint.type != JointType::slider && joint.type != JointType::pin)
       json_.refuse(at + "/prescribed_speed", "only a slider or a pin has one");
+    if (!joint.speeds.empty()) json_.refuse(at + "/speeds", "the joint's speed is prescribed");
     if (joint.parent >= 0) json_.refuse(at + "/prescribed_speed", "only a body whose parent is ground has one");
     joint.prescribed_speed = json["prescribed_speed"].get<double>();
   }
@@ -298,11 +300,17 @@ void SceneReader::read_integrator(const Json& json) {
   read(json, "relative_tolerance", settings.relative_tolerance);
   read(json, "absolute_tolerance", settings.absolute_tolerance);
   read(json, "greatest_step", settings.greatest_step);
+  if (settings.greatest_step < 1e-9 * scene_.duration)
+    json_.refuse("/integrator/greatest_step", "the scene would take more than 1e9 steps");
 }
 
 void SceneReader::read_output(const Json& json) {
   read(json, "interval", scene_.output.interval);
   read(json, "checkpoint_interval", scene_.output.checkpoint_interval);
+  for (const char* key : {"interval", "checkpoint_interval"})
+    if (json.value(key, scene_.duration) < 1e-6 * scene_.duration)
+      json_.refuse(pointer("/output", key), "it is less than a millionth of the duration");
+  scene_.output.spectrum_interval = json.value("spectrum_interval", std::int64_t{0});
   if (json.contains("follow")) {
     const auto found = surfaces_.find(json["follow"].get<std::string>());
     if (found == surfaces_.end())

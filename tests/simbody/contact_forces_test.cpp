@@ -190,6 +190,22 @@ TEST(ContactForces, AreAFunctionOfTheStateAlone) {
   }
 }
 
+// In one and the same State, whose cache must notice.
+TEST(ContactForces, FollowAChangeOfSpeedsAlone) {
+  const TwoBubblesOnPlate model, other;
+  SimTK::State state = model.state;
+  model.system.realize(state, SimTK::Stage::Velocity);
+  const SimTK::Vector_<SpatialVec> first = model.body_forces(state);
+  state.updU()[3] += 0.1;
+  model.system.realize(state, SimTK::Stage::Velocity);
+  const SimTK::Vector_<SpatialVec> faster = model.body_forces(state);
+  EXPECT_FALSE(same_bits(faster, first));
+  SimTK::State fresh = other.state;
+  fresh.updU() = state.getU();
+  other.system.realize(fresh, SimTK::Stage::Velocity);
+  EXPECT_TRUE(same_bits(faster, other.body_forces(fresh)));
+}
+
 TEST(ContactForces, AskTheEngineOnceForEachState) {
   const TwoBubblesOnPlate model;
   model.body_forces(model.state);
@@ -220,6 +236,23 @@ TEST(ContactForces, RememberedAnswersHaveTheSameBits) {
   // 7 coordinates and 6 speeds of each body; each moves two of three pairings.
   EXPECT_EQ(model.contact.counters().recalled, 26);
   EXPECT_EQ(model.contact.counters().evaluated - before, 52);
+}
+
+// Remembered at one state, then at another one: the first is forgotten.
+TEST(ContactForces, RememberTheLastStateOnly) {
+  const TwoBubblesOnPlate model, forgetful;
+  model.contact.remember(model.state);
+  SimTK::State moved = model.state;
+  moved.updQ()[5] += 1e-3;
+  moved.updQ()[12] += 1e-3;
+  model.system.realize(moved, SimTK::Stage::Velocity);
+  model.contact.remember(moved);
+  const std::int64_t before = model.contact.counters().recalled;
+  SimTK::State back = moved;
+  back.updQ() = model.state.getQ();
+  model.system.realize(back, SimTK::Stage::Velocity);
+  EXPECT_TRUE(same_bits(model.body_forces(back), forgetful.body_forces(forgetful.state)));
+  EXPECT_EQ(model.contact.counters().recalled, before);
 }
 
 TEST(ContactForces, RefuseWhatIsNotThere) {

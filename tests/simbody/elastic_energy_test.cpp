@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 #include "meshes/generate/boxes.h"
 #include "pcm/simbody.h"
@@ -46,6 +47,16 @@ TEST(ElasticEnergy, OfLayersInSeriesIsThatOfTheirSpring) {
     EXPECT_NEAR(energy_of(block_on_plate(law, mode, Scheme::clipped), sunk(1e-3)), 0.5, 1e-12);
 }
 
+TEST(ElasticEnergy, OfALayerOnARigidBodyIsThatOfTheLayer) {
+  ContactLaw law;
+  const double rigid = std::numeric_limits<double>::infinity();
+  for (const LayerStiffness& layers : {LayerStiffness{1e6, rigid}, LayerStiffness{rigid, 1e6}}) {
+    law.layers = layers;
+    for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped})
+      EXPECT_NEAR(energy_of(block_on_plate(law, Mode::F, scheme), sunk(1e-3)), 0.5, 1e-12);
+  }
+}
+
 // A block tilted about an edge line: u = h - x tan(t) over the plate, from 0 to its greatest value, on the width w = 1.
 // Plate as master: E = c w int u^2 / 2 dx = c w u_max^3 / (6 tan t), u measured along the plate's normal.
 TEST(ElasticEnergy, OfATiltedBlockIsTheIntegralOfTheSquaredDepth) {
@@ -61,6 +72,13 @@ TEST(ElasticEnergy, OfATiltedBlockIsTheIntegralOfTheSquaredDepth) {
   const double cube = deepest * deepest * deepest;
   const double expected = 1e6 * (cube / (6 * slope) + cube * slope / 6);
   EXPECT_NEAR(energy_of(block_on_plate(law, Mode::E, Scheme::clipped), pose), expected, 1e-9 * expected);
+  // However the layers share the depth, which moves the elements' positions.
+  const double rigid = std::numeric_limits<double>::infinity();
+  for (const LayerStiffness& layers : {LayerStiffness{5e6, 1.25e6}, LayerStiffness{1.25e6, 5e6},
+                                       LayerStiffness{1e6, rigid}, LayerStiffness{rigid, 1e6}}) {
+    law.layers = layers;
+    EXPECT_NEAR(energy_of(block_on_plate(law, Mode::E, Scheme::clipped), pose), expected, 1e-9 * expected);
+  }
 }
 
 // The depth that the engine publishes is clamped: the energy then is a lower bound of that of the clamped depth.

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -98,7 +99,7 @@ TEST(RecordedRun, StoppedGoesOnAndFinishedStaysFinished) {
   EXPECT_EQ(bytes(stopped / "checkpoint.json"), before);
 }
 
-TEST(RecordedRun, RefusesTheFolderOfAnotherSceneAndADamagedOne) {
+TEST(RecordedRun, RefusesTheFolderOfAnotherSceneAndTablesThatAreTooShort) {
   const fs::path folder = empty_folder("refused");
   EXPECT_FALSE(run_in(folder, [] { return true; }));
   std::string notice;
@@ -106,8 +107,52 @@ TEST(RecordedRun, RefusesTheFolderOfAnotherSceneAndADamagedOne) {
   expect_bad_input([&] { RecordedRun(scene, "other", folder, notice); }, "holds the run of another scene");
   fs::resize_file(folder / "steps.csv", 10);
   expect_bad_input([&] { RecordedRun(scene, "bubbles", folder, notice); }, "steps.csv: is shorter than it was");
-  std::ofstream(folder / "checkpoint.json") << "{";
-  expect_bad_input([&] { RecordedRun(scene, "bubbles", folder, notice); }, "checkpoint.json: is damaged");
+}
+
+/// A short run that has stopped at a checkpoint.
+fs::path stopped_run(const std::string& name) {
+  const fs::path folder = empty_folder(name);
+  EXPECT_FALSE(run_in(folder, [] { return true; }));
+  return folder;
+}
+
+TEST(RecordedRun, RefusesACheckpointThatIsNotAsItWasWritten) {
+  const fs::path folder = stopped_run("damaged");
+  const std::string whole = bytes(folder / "checkpoint.json");
+  const std::size_t digits = whole.find("\"y\"") + 20;
+  std::vector<std::string> damaged{"{", "[]", "null", "", whole.substr(0, whole.size() / 2)};
+  for (const char c : {'7', '8', 'x'})
+    damaged.push_back(std::string(whole).replace(whole.find('p', digits) - 1, 1, 1, c));
+  std::string notice;
+  const Scene scene = short_bubbles();
+  for (const std::string& text : damaged) {
+    if (text == whole) continue;
+    std::ofstream(folder / "checkpoint.json") << text;
+    expect_bad_input([&] { RecordedRun(scene, "bubbles", folder, notice); }, "checkpoint.json: is damaged");
+  }
+  std::ofstream(folder / "checkpoint.json") << whole;
+  RecordedRun(scene, "bubbles", folder, notice);
+}
+
+TEST(RecordedRun, RefusesTheFolderOfOtherSurfacesOrSettings) {
+  const fs::path folder = stopped_run("other");
+  std::string notice;
+  Scene longer = short_bubbles(), larger = short_bubbles();
+  longer.duration = 0.9;
+  larger.surfaces[1].mesh.vertices[0].x() += 1e-6;
+  for (const Scene* scene : {&longer, &larger})
+    expect_bad_input([&] { RecordedRun(*scene, "bubbles", folder, notice); }, "or of other surfaces or options");
+}
+
+TEST(RecordedRun, CountsItsWorkOnceHoweverOftenItIsStopped) {
+  const Scene scene = short_bubbles();
+  std::string notice;
+  const fs::path folder = empty_folder("counted");
+  RecordedRun run(scene, "bubbles", folder, notice);
+  EXPECT_FALSE(run.run([] { return true; }, {}));
+  EXPECT_FALSE(run.run([] { return true; }, {}));
+  EXPECT_TRUE(run.run({}, {}));
+  EXPECT_EQ(run.kept().cost.work.steps, static_cast<std::int64_t>(read_number_table(folder / "steps.csv").rows.size()));
 }
 
 TEST(RecordedRun, StatesAreAtTheOutputsInterval) {
@@ -136,6 +181,36 @@ TEST(RecordedRun, TrajectoryIsOneThatPosesAreHeldFrom) {
     EXPECT_EQ(plan.recorded[p].scheme, pairing.scheme);
   }
   EXPECT_GT(plan.poses, 100);
+}
+
+// A stone in free fall, cheap. 3 times 0.1 rounds to more than 0.3, 3 times 0.3 to less than 0.9.
+TEST(RecordedRun, StatesAndCheckpointsEndWithTheSceneHoweverMultiplesRound) {
+  struct Case {
+    double interval, duration;
+    std::size_t states;
+  };
+  for (const auto& [interval, duration, states] :
+       {Case{0.1, 0.3, 4}, Case{0.3, 0.9, 4}, Case{0.1, 0.35, 4}, Case{2, 0.5, 1}, Case{0.01, 1.1, 111}}) {
+    SCOPED_TRACE(duration);
+    Scene scene =
+        parse_scene(R"({"bodies": [{"name": "stone", "mass": 1, "inertia": [1, 1, 1], "centre_of_mass": [0, 0, 0]}],
+      "duration": 1})",
+                    "stone");
+    scene.duration = duration;
+    scene.output.interval = scene.output.checkpoint_interval = interval;
+    const fs::path folder = empty_folder("stone"), stopped = empty_folder("stopped_stone");
+    std::string notice;
+    ASSERT_TRUE(RecordedRun(scene, "stone", folder, notice).run({}, {}));
+    const std::vector<double> t = read_number_table(folder / "states.csv").column("t");
+    ASSERT_EQ(t.size(), states);
+    for (std::size_t n = 0; n < t.size(); ++n) EXPECT_NEAR(t[n], interval * static_cast<double>(n), 1e-12);
+    const bool divides = std::abs(interval * static_cast<double>(states - 1) - duration) < 1e-9;
+    EXPECT_EQ(t.back() == duration, divides);
+    // Reopened at every checkpoint.
+    while (!RecordedRun(scene, "stone", stopped, notice).run([] { return true; }, {})) {
+    }
+    expect_same_tables(folder, stopped);
+  }
 }
 
 TEST(NumberTable, RefusesWhatIsNoNumberNamingTheLine) {

@@ -137,6 +137,18 @@ INSTANTIATE_TEST_SUITE_P(Methods, KnownMotion,
                                          Method::esdirk),
                          method_name);
 
+TEST(Multiples, AreCountedAsTheyAreMade) {
+  for (const double interval : {0.1, 0.3, 0.07, 0.01, 0.001})
+    for (std::int64_t n = 1; n <= 3000; ++n) {
+      const double t = multiple_or_end(n, interval, 1e9);
+      ASSERT_EQ(multiples_until(t, interval, 1e9), n);
+      ASSERT_EQ(multiples_until(std::nextafter(t, 0), interval, 1e9), n - 1);
+      const double written = std::round(1000 * t) / 1000;
+      ASSERT_EQ(multiple_or_end(n, interval, written), written);
+      ASSERT_EQ(multiples_until(written, interval, written), n);
+    }
+}
+
 // What the flow of energy takes is what is missing at the end.
 TEST(Simulation, EnergyTakenByFrictionAndDampingIsWhatIsMissing) {
   const Scene scene = scene_with(block_on_slope(0.3, "0.2", "0.5"), {Method::dormand_prince, 1e-7});

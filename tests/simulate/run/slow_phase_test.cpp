@@ -35,9 +35,8 @@ struct Creep {
   std::int64_t derivatives = 0;  ///< those for Jacobians too
 };
 
-Creep run(const Scene& scene, std::int64_t spectrum_every = 0) {
+Creep run(const Scene& scene) {
   Simulation simulation(scene);
-  simulation.compute_spectrum_every(spectrum_every);
   simulation.start();
   Creep result;
   while (!simulation.finished()) result.steps.push_back(simulation.step());
@@ -58,7 +57,8 @@ double creep_speed() {
 // moves the eigenvalue, which is 9,519 / s without D and 9,589 / s with it, by a fraction of their difference.
 TEST(SlowPhase, StiffestEigenvalueIsThatOfRegularisedFriction) {
   Scene scene = creep(Method::bdf, 1e-5);
-  const Creep creeping = run(scene, 1);
+  scene.output.spectrum_interval = 1;
+  const Creep creeping = run(scene);
   const double normal_g = kGravity * std::cos(kTilt), m = 10, c = 1e6, d = 2e4;
   EXPECT_NEAR(creeping.y[10], creep_speed() * kSlipVelocity, 1e-7);
   const double a = kMu * normal_g * (2 - creep_speed()) / kSlipVelocity;
@@ -75,7 +75,8 @@ TEST(SlowPhase, StiffestEigenvalueIsThatOfRegularisedFriction) {
 TEST(SlowPhase, ExplicitStepsAreThoseOfTheStabilityLimit) {
   Scene scene = creep(Method::dormand_prince, 1e-4);
   scene.duration = 2;
-  const Creep explicit_run = run(scene, 20);
+  scene.output.spectrum_interval = 20;
+  const Creep explicit_run = run(scene);
   std::vector<double> products;
   for (const SimulatedStep& step : explicit_run.steps)
     if (step.spectrum && step.step.t > 0.5) products.push_back(step.step.size * step.spectrum->radius);

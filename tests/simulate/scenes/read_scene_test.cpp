@@ -108,6 +108,16 @@ TEST(ReadScene, RefusesWithFileLineAndKey) {
       {R"("method": "ida")", R"("method": "euler")", "block.json:19: integrator.method: it must be one of: adams, bdf"},
       {"1e-6", "-1e-6", "block.json:19: integrator.relative_tolerance: Expected number greater than 0"},
       {"1e-6", "1e999", "block.json:19: no JSON: "},
+      {R"("coordinate": 0)", R"("coordinate": 4294967296)",
+       "block.json:14: bodies[1].joint.limits[0].coordinate: this joint has 1"},
+      {R"("coordinates": [0.1],)", R"("speeds": [2], "prescribed_speed": 1,)",
+       "block.json:14: bodies[1].joint.speeds: the joint's speed is prescribed"},
+      {R"("duration": 2,)", R"("duration": 2, "": 1, "": 2,)", "block.json:18: the key '' is there twice"},
+      {"1e-6", R"(1e-6, "greatest_step": 1e-300)", "block.json:19: integrator.greatest_step: the scene would take"},
+      {R"("duration": 2,)", R"("duration": 2, "output": {"interval": 1e-9},)",
+       "block.json:18: output.interval: it is less than a millionth of the duration"},
+      {R"("duration": 2,)", R"("duration": 2, "output": {"checkpoint_interval": 1e-9},)",
+       "block.json:18: output.checkpoint_interval: it is less than a millionth of the duration"},
       {R"("velocity": [0, 0, -2])", R"("velocity": [0, 0])", "block.json:8: bodies[0].velocity: "},
   };
   for (const BadScene& bad : scenes) {
