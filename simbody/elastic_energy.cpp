@@ -5,30 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "fast/force/law.h"
 #include "pcm/simbody.h"
 
 namespace pcm::simbody {
 namespace {
-
-/// c_l (12).
-double series_stiffness(const ContactLaw& law) {
-  if (!law.layers) return law.stiffness;
-  const auto [c_E, c_F] = *law.layers;
-  if (std::isinf(c_E)) return c_F;
-  if (std::isinf(c_F)) return c_E;
-  return c_E * (c_F / (c_E + c_F));
-}
-
-/// How far along the depth from the master face towards the slave (13) places an element: c_F / (c_E + c_F) on E.
-double share_of_depth(const ContactLaw& law, Side master) {
-  if (!law.layers) return 0.5;
-  const auto [c_E, c_F] = *law.layers;
-  const double own = master == Side::E ? c_E : c_F;
-  const double other = master == Side::E ? c_F : c_E;
-  if (std::isinf(own)) return 0;
-  if (std::isinf(other)) return 1;
-  return other / (own + other);
-}
 
 std::array<Eigen::Vector3d, 3> corners_Me(const TriangleMesh& mesh, Index face, Side side, const Pose& pose) {
   std::array<Eigen::Vector3d, 3> corners;
@@ -51,20 +32,26 @@ double depth_at(const Eigen::Vector3d& x_Me, const fast::Element& e, const fast:
 
 }  // namespace
 
+double elastic_force(const fast::Pairing& pairing, const fast::Element& element) {
+  return fast::SeriesStiffness(pairing.law()).c_l * element.area * element.penetration;
+}
+
 double elastic_energy(const fast::Pairing& pairing, const Pose& pose, const fast::Contact& contact) {
-  const ContactLaw& law = pairing.law();
+  const fast::SeriesStiffness stiffness(pairing.law());
   double sum = 0;
   for (const fast::Element& e : contact.elements) {
     double depth = e.penetration;
     if (pairing.scheme() == Scheme::clipped && !contact.penetration_exceeded) {
-      const Eigen::Vector3d centroid_Me = e.position_Me - share_of_depth(law, e.master) * e.penetration * e.normal_Me;
+      const Eigen::Vector3d centroid_Me =
+          e.position_Me -
+          (e.master == Side::E ? stiffness.shift_from_E : stiffness.shift_from_F) * e.penetration * e.normal_Me;
       const double at_centroid = depth_at(centroid_Me, e, pairing, pose);
       // A face met nearly edgewise: by roundings anything, but never less than the mean, nor more than the greatest.
       if (at_centroid > depth) depth = std::min(at_centroid, contact.max_penetration);
     }
     sum += e.area * e.penetration * depth;
   }
-  const double energy = series_stiffness(law) * sum / 2;
+  const double energy = stiffness.c_l * sum / 2;
   return pairing.mode() == Mode::both ? energy / 2 : energy;
 }
 

@@ -18,6 +18,11 @@ constexpr double u = kRoundoff;
 /// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
 constexpr double kNeedle = 0x1p-16;
 
+/// Parts thinner than this part of their uncertainty may be dropped by a right engine. The verdict's own number: an
+/// engine that drops more is wrong, not right by a wider bound.
+constexpr double kSliver = 1.0 / 16;
+static_assert(fast::kSliver <= kSliver);
+
 /// The part of a convex polygon where a linear function of the point is not negative.
 template <class Height>
 std::vector<Eigen::Vector3d> cut(const std::vector<Eigen::Vector3d>& polygon, const Height& height) {
@@ -244,10 +249,10 @@ void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double 
   if (hiders.count == 0) return;
   const SeenPoint along_first = side_s_.stableNormalized(), along_second = side_t_.stableNormalized();
   const double c = std::max((along_first + along_second).stableNorm(), (along_first - along_second).stableNorm());
-  const double width = 2 * fast::kSliver * place * skew_ * c;
+  const double width = 2 * kSliver * place * skew_ * c;
   const double lines = static_cast<double>(part.size()) + 2.0 * hiders.lines;
   const double dropped = lines * width * (sight.width + 2 * width);
-  sight.neglected = hiders.count == 1 ? std::min(dropped, 5 * fast::kSliver * sight.uncertain)
+  sight.neglected = hiders.count == 1 ? std::min(dropped, 5 * kSliver * sight.uncertain)
                                       : dropped + hiders.loose * sight.strip * sight.width;
 }
 

@@ -19,9 +19,9 @@
 #include "pcm/bad_input.h"
 #include "simulate/page/page.h"
 #include "simulate/paraview/vtp_series.h"
+#include "simulate/record/recorded_run.h"
 #include "simulate/record/recording_of_run.h"
 #include "simulate/record/run_tables.h"
-#include "simulate/record/simulate.h"
 #include "simulate/scenes/read_scene.h"
 
 namespace pcm::simulate {

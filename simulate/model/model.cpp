@@ -69,13 +69,6 @@ bool has_quaternion(JointType type) {
   return type == JointType::ball || type == JointType::free;
 }
 
-/// c_l (12).
-double series_stiffness(const ContactLaw& law) {
-  if (!law.layers) return law.stiffness;
-  const auto [c_E, c_F] = *law.layers;
-  return std::isinf(c_E) ? c_F : std::isinf(c_F) ? c_E : c_E * (c_F / (c_E + c_F));
-}
-
 }  // namespace
 
 struct Model::Data {
@@ -219,11 +212,11 @@ void Model::Data::observe_contact(Index p, const fast::Contact& contact, Observa
   const Pose E = to_pose(surface_transform(pairing.E));
   result.force_G = E.A * contact.force_Me;
   const double share = pairing.mode == Mode::both ? 0.5 : 1;
-  const double stiffness = series_stiffness(pairing.law);
   for (const fast::Element& e : contact.elements) {
     result.normal_force += share * e.normal_force;
     result.tangential_force += share * e.tangential_force;
-    observation.powers.damping += share * (e.normal_force - stiffness * e.area * e.penetration) * e.normal_velocity;
+    observation.powers.damping +=
+        share * (e.normal_force - pcm::simbody::elastic_force(contacts.pairing(p), e)) * e.normal_velocity;
     observation.powers.friction += share * e.tangential_force * e.tangential_velocity;
     observation.elements.push_back({p, e.master, e.master_face, e.slave_face, e.normal_force / e.area});
   }

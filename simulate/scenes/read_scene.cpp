@@ -317,10 +317,6 @@ void SceneReader::read_output(const Json& json) {
       json_.refuse("/output/follow", "there is no surface '" + json["follow"].get<std::string>() + "'");
     scene_.output.follow = found->second;
   }
-  if (!json.contains("stills")) return;
-  scene_.output.stills = json["stills"].get<std::vector<double>>();
-  for (std::size_t i = 0; i < scene_.output.stills.size(); ++i)
-    if (scene_.output.stills[i] > scene_.duration) json_.refuse(pointer("/output/stills", i), "it is after the end");
 }
 
 }  // namespace

@@ -101,7 +101,6 @@ struct IntegratorSettings {
 struct OutputSettings {
   double interval = 0.01;              ///< s
   double checkpoint_interval = 0.25;   ///< s
-  std::vector<double> stills;          ///< s
   std::int64_t spectrum_interval = 0;  ///< steps from one spectrum to the next, 0: none
   std::optional<Index> follow;         ///< surface that pictures move along with
 };

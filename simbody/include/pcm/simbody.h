@@ -49,6 +49,9 @@ struct PairingAnswer {
 /// `contact` is the pairing's at `pose`, with its elements.
 double elastic_energy(const fast::Pairing& pairing, const Pose& pose, const fast::Contact& contact);
 
+/// The elastic share of an element's normal force, F_c = c_l A_k u_k (14), N.
+double elastic_force(const fast::Pairing& pairing, const fast::Element& element);
+
 /// How pairings were answered so far, over all states.
 struct ContactCounters {
   std::int64_t states = 0;     ///< at which forces were computed

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "compare/verify/trajectory.h"
-#include "simulate/record/simulate.h"
+#include "simulate/record/recorded_run.h"
 #include "simulate/scenes/read_scene.h"
 #include "tests/meshes/expect_bad_input.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/record/simulate.h"
+#include "simulate/record/recorded_run.h"
 
 #include <chrono>
 
