@@ -74,7 +74,7 @@ Recording recording_of_run(const std::filesystem::path& folder, const Scene& sce
   const NumberTable steps = read_number_table(folder / "steps.csv");
   recording.series.push_back(series_of(steps, "size", "step", "s", "Step size"));
   recording.series.back().logarithmic = true;
-  recording.series.push_back(series_of(steps, "elements", "contact elements", "1", "Elements"));
+  recording.series.push_back(series_of(steps, "elements", "contact elements", "", "Elements"));
   return recording;
 }
 
