@@ -21,8 +21,8 @@ struct Disagreement {
   std::string text;
 };
 
-/// How wide a check was: its bound in units of what it holds. 0 for discrete facts; infinite where anything passes.
-/// None where what it holds is 0 and the bound is not, nor infinite: there are no units then.
+/// How wide a check was: its bound divided by the size of what it checks. 0 where only equality passes, infinite where
+/// anything does; none where that size is 0 and the bound is positive and finite.
 struct Width {
   Kind kind = Kind::failure;
   std::optional<double> relative;
@@ -49,7 +49,8 @@ class Checks {
   /// The same for the length of a difference.
   void check_vector(Kind kind, std::string_view what, const Eigen::Vector3d& subj, const Eigen::Vector3d& truth,
                     double bound, double scale);
-  /// A value must lie between both, which it is told in units of the truth how far they are from.
+  /// The value must lie between `at_least` and `at_most`. The width is the distance from the truth to the farther of
+  /// the two, divided by the truth.
   void check_between(Kind kind, std::string_view what, double subj, double truth, double at_least, double at_most);
   /// A check of that width was made; nothing is counted where there was nothing to hold: 0 to within 0.
   void checked(Kind kind, double bound = 0, double scale = 1);

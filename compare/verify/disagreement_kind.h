@@ -48,7 +48,7 @@ enum class Kind : std::uint8_t {
   history,              ///< the oracle answers the exact problem otherwise when it is asked afresh
 };
 
-inline constexpr int kKinds = 34;
+inline constexpr int kKinds = static_cast<int>(Kind::history) + 1;
 
 /// The kind as a word of the tables, e.g. "polygon cycle".
 std::string_view name(Kind kind);

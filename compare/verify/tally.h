@@ -25,8 +25,8 @@ class Histogram {
   void add(double value);
   void merge(const Histogram& other);
   std::int64_t count() const { return count_; }
-  /// The smallest bin's upper end below or at which at least the part q of the numbers lies: never too small, and at
-  /// most 1/64 too large; infinite where it is no finite number. 0 for an empty distribution.
+  /// The q-quantile, estimated from above: the upper end of the first bin by which a fraction q of the numbers is
+  /// reached, at most 1/64 too large; infinite where it is no finite number. 0 for an empty distribution.
   double quantile(double q) const;
   /// The same for the number of that rank, from 1.
   double at_rank(std::int64_t rank) const;

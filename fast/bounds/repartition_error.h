@@ -8,8 +8,9 @@
 
 namespace pcm::fast {
 
-/// What it costs that the exact problem may part a master face otherwise between its elements (clipped scheme): where
-/// two faces of the slave go on smoothly into each other, an area that one element loses the other one gains.
+/// The error of the force from area that the exact problem gives to another element of the same master face (clipped
+/// scheme). What one element loses another one gains, so transfers sum to zero, and only the difference of the
+/// elements' rates of force counts.
 ///
 /// With fixed velocities the force (14)-(22) of an element k is linear in its integrals, dF = c_k dV + b_k dA, but
 /// where damping begins to fade or the normal force to vanish; V is the integral of the clamped depth. What passes sums

@@ -11,9 +11,8 @@ namespace pcm::fast {
 /// Parts of a master face where the exact problem and what is computed may differ: along sides, borders and lines of
 /// one depth, as wide as these may be off (fast/bounds/clipped_error.h).
 
-/// The area within the box that two faces may have in common in either problem: 0 where a side of one certainly has the
-/// other on its far side, where vertices that both share lie on their sides; a strip along that side where it nearly
-/// has.
+/// An upper bound of the area within the box that two faces share in either problem: 0 where a side of one certainly
+/// separates them (vertices of both count as on it), and where it does so nearly, the strip of that side's uncertainty.
 double greatest_overlap(const FaceEnclosure& a, const FaceEnclosure& b, const BoxST& box);
 
 /// What the sides of a face may pass over within the box: its area, and the integral there of the depth of the face

@@ -80,9 +80,9 @@ using LanePairs = std::uint64_t;
 /// What surely is so of two faces, bit by bit.
 class SureSigns {
  public:
-  // Corners above the other's plane: bits kAboveOfE to kAboveOfE + 2, and so on. Passing: edges at the lone corners (on
-  // their own side of the other's plane) that pass through the other face: that of E's face from its lone corner, that
-  // to it, the same of F's.
+  // kAboveOfE + k: corner k of E's face is above the plane of F's; kAboveOfF + k the reverse. The lone corner of a face
+  // is alone on its side of the other's plane. kPassing + 0: the edge from the lone corner of E's face passes through
+  // F's face, + 1: the edge to it does; + 2 and + 3: the same of F's face.
   enum Bit : unsigned { kAboveOfE = 0, kAboveOfF = 3, kPassing = 6, kSureOfE = 10, kSureOfF = 11, kSureOfPassing = 12 };
 
   SureSigns() = default;

@@ -14,7 +14,7 @@ namespace pcm::simulate {
 ///
 /// A change below the tolerance means nothing to the step control, so the quotient is a tangent on the scale that
 /// counts: kinks and regularisations wider than the tolerance are resolved. Relative tolerances don't enter; they would
-/// widen the change of a fast body's velocity beyond the sticking velocity of its contacts. Exactly representable:
+/// widen the change of a fast body's velocity beyond the slip velocity of its contacts. Exactly representable:
 /// (y_i + change) - y_i is the change.
 double difference_increment(double y_i, double absolute_i);
 

@@ -12,9 +12,9 @@ namespace pcm::simulate {
 /// Differential Equations I, section II.6).
 class DormandPrinceInterpolant {
  public:
-  /// Every slope the method asks for, in its order. The first is that of the start; the last six before a step is
-  /// accepted are those of its stages 2 to 7, whatever was tried before, and the seventh is the first stage of the
-  /// next.
+  /// Takes every slope that the method asks for, in the order of evaluation; the first is that of the start. When a
+  /// step is accepted, the last six are those of its stages 2 to 7, whatever was rejected before; stage 7 is stage 1 of
+  /// the next step.
   void add_slope(const Eigen::Ref<const Eigen::VectorXd>& dydt);
 
   /// A step of this size from `before` to `after`.

@@ -22,8 +22,8 @@ enum class Outcome : std::uint8_t {
   other,                ///< `Solver::message` says what
 };
 
-/// As often as this a step is tried again for one cause. Kinks of the contact force take some ten; that many in a row
-/// mean that there is no step at all, each at least halves it.
+/// A step is tried again at most this often for one cause. A kink of the contact force takes about ten tries; each at
+/// least halves the step, so that a hundred mean that no size works.
 inline constexpr int kMostFailuresInAStep = 100;
 
 /// One of SUNDIALS' integrators from one start on; made anew at each start, so that nothing of the past is in it.

@@ -9,10 +9,10 @@ namespace pcm::fast {
 /// How much work an evaluation did, and how much it was spared.
 struct WorkCounters {
   std::int64_t box_tests = 0;
-  std::int64_t candidate_pairs = 0;       ///< face pairs whose boxes overlap
+  std::int64_t candidate_pairs = 0;       ///< face pairs that boxes and planes do not separate
   std::int64_t crossing_pairs = 0;        ///< face pairs that cross
   std::int64_t vertices_transformed = 0;  ///< of F, each at most once
-  std::int64_t predicates = 0;            ///< signs asked for
+  std::int64_t predicates = 0;            ///< signs asked for, but those that single precision decides in lanes
   std::int64_t exact_predicates = 0;      ///< signs the floating-point filter could not decide
   std::int64_t tie_breaks = 0;            ///< exact zeros decided by the tie rule
   std::int64_t elements = 0;              ///< formed
