@@ -115,11 +115,12 @@ Exit simulate(const SimulateOptions& options) {
   }
   const std::string tables =
       cost_table(options.scene, scene, run.kept()) + "\n" + energy_table(run.kept(), run.observe().energies);
-  const Recording recording = recording_of_run(folder, scene, run.simulation().model());
-  write_page(folder / "page.html", recording);
-  if (options.paraview) write_vtp_series(folder / "paraview", recording);
   write_file(folder / "tables.md", "# " + (scene.title.empty() ? options.scene : scene.title) + "\n\n" + tables);
-  std::cout << tables << "\npage: " << (folder / "page.html").string() << '\n';
+  std::cout << tables << std::flush;
+  const Recording recording = recording_of_run(folder, scene, run.simulation().model());
+  if (options.paraview) write_vtp_series(folder / "paraview", recording);
+  write_page(folder / "page.html", recording);
+  std::cout << "\npage: " << (folder / "page.html").string() << '\n';
   if (!failure.empty()) {
     compare::complain(options.scene + ": " + failure + "; tables and page end there");
   } else if (!finished) {
