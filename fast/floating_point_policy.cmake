@@ -13,3 +13,21 @@ foreach(flag IN ITEMS -ffast-math -Ofast -funsafe-math-optimizations -fassociati
     message(FATAL_ERROR "pcm: ${flag} changes values and breaks exact decisions; remove it from the compiler flags.")
   endif()
 endforeach()
+
+# Where there are fused multiply-adds, GCC's vectorizer makes one of a product whose neighbour is subtracted where it is
+# added itself (a b - c beside d e + f: vfmaddsub), even with contraction off (seen in 12.2, at -O2 and -O3). Asked anew
+# each time: a cached answer would outlive a change of flags. What a parent project sets by target stays unseen.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  include(CheckCXXSourceCompiles)
+  unset(PCM_NO_FUSED_INSTRUCTIONS CACHE)
+  string(JOIN " " CMAKE_REQUIRED_FLAGS ${pcm_inherited_options})
+  check_cxx_source_compiles("
+    #if defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__)
+    #error
+    #endif
+    int main() {}" PCM_NO_FUSED_INSTRUCTIONS)
+  unset(CMAKE_REQUIRED_FLAGS)
+  if(NOT PCM_NO_FUSED_INSTRUCTIONS)
+    target_compile_options(pcm_floating_point INTERFACE -fno-tree-vectorize)
+  endif()
+endif()
