@@ -187,6 +187,7 @@ class Arkode final : public Solver {
     // old rate says that one iteration with the old Jacobian is enough, when it is not. With 1 in place of 0.3 an
     // iteration is good where its own change is small enough.
     ARKStepSetNonlinCRDown(arkode, 1);
+    ARKStepSetMaxNonlinIters(arkode, 10);  // in place of 3, which that often needs more than
   }
 
   void accept_explicit(double begin, double end) {
