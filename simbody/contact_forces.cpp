@@ -48,6 +48,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   const fast::Scene& scene() const { return scene_; }
 
   const Answers& answers(const SimTK::State& state) const;
+  Pose surface_pose(const SimTK::State& state, Index surface) const;
   Pose relative_pose(const SimTK::State& state, Index pairing) const;
   Velocity relative_velocity(const SimTK::State& state, Index pairing) const;
   fast::Contact contact(const SimTK::State& state, Index pairing, const Wanted& wanted) const;
@@ -110,13 +111,19 @@ Index ContactForces::Implementation::add_pairing(Index surface_E, Index surface_
   return index;
 }
 
+Pose ContactForces::Implementation::surface_pose(const SimTK::State& state, Index surface) const {
+  const SimTK::Transform X = surface_in_ground(state, surface);
+  Pose pose;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) pose.A(row, column) = X.R().asMat33()(row, column);
+  pose.r = to_eigen(X.p());
+  return pose;
+}
+
 fast::BodyState ContactForces::Implementation::body_state(const SimTK::State& state, Index surface, bool moving) const {
   const SimTK::MobilizedBody& carrying = body(surface);
-  const SimTK::Transform X = surface_in_ground(state, surface);
   fast::BodyState result;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) result.pose.A(row, column) = X.R().asMat33()(row, column);
-  result.pose.r = to_eigen(X.p());
+  result.pose = surface_pose(state, surface);
   if (moving) {
     result.velocity.v = to_eigen(carrying.findStationVelocityInGround(state, carrier(surface).X_BS.p()));
     result.velocity.w = to_eigen(carrying.getBodyAngularVelocity(state));
@@ -284,6 +291,10 @@ const fast::Pairing& ContactForces::pairing(Index pairing) const {
 
 const std::vector<PairingAnswer>& ContactForces::answers(const SimTK::State& state) const {
   return implementation().answers(state);
+}
+
+Pose ContactForces::surface_pose(const SimTK::State& state, Index surface) const {
+  return implementation().surface_pose(state, surface);
 }
 
 Pose ContactForces::relative_pose(const SimTK::State& state, Index pairing) const {

@@ -8,14 +8,13 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 
 #include "compare/cli/programs.h"
+#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "simulate/page/page.h"
 #include "simulate/paraview/vtp_series.h"
@@ -34,20 +33,19 @@ struct SimulateOptions {
   bool paraview = false, schema = false, print = false;
 };
 
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadInput(file.string() + ": can't be read; built in are: bubbles, pedestrian, creep");
-  if (std::filesystem::is_directory(file)) throw BadInput(file.string() + ": is a folder, not a scene file");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+/// "bubbles, pedestrian, ..."
+std::string built_in_names() {
+  std::string names;
+  for (const BuiltInScene& scene : built_in_scenes()) names += (names.empty() ? "" : ", ") + std::string(scene.name);
+  return names;
 }
 
 /// The text of a built-in scene or of a file.
 std::string scene_text(const std::string& name) {
   for (const BuiltInScene& scene : built_in_scenes())
     if (scene.name == name) return std::string(scene.text);
-  return read_text(name);
+  if (!std::filesystem::exists(name)) throw BadInput(name + ": no such file; built in are: " + built_in_names());
+  return read_text_file(name);
 }
 
 /// What the command line says goes before what the scene says.
@@ -115,7 +113,7 @@ Exit simulate(const SimulateOptions& options) {
   }
   const std::string tables =
       cost_table(options.scene, scene, run.kept()) + "\n" + energy_table(run.kept(), run.observe().energies);
-  write_file(folder / "tables.md", "# " + (scene.title.empty() ? options.scene : scene.title) + "\n\n" + tables);
+  write_text_file(folder / "tables.md", "# " + (scene.title.empty() ? options.scene : scene.title) + "\n\n" + tables);
   std::cout << tables << std::flush;
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
@@ -143,7 +141,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
       "  pcm simulate pedestrian --integrator bdf\n"
       "  pcm simulate bubbles --print > mine.json\n"
       "  pcm simulate mine.json --out mine --integrator bdf");
-  command->add_option("SCENE", options->scene, "bubbles, pedestrian, creep, or a scene file");
+  command->add_option("SCENE", options->scene, built_in_names() + ", or a scene file");
   command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
   command->add_option("--integrator", options->method,
                       "adams, bdf, ida, dormand_prince or esdirk, in place of the scene's");

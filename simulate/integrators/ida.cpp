@@ -82,12 +82,12 @@ class Ida final : public Solver {
     void* const ida = memory_.get();
     require(ida != nullptr, "IDACreate");
     callbacks_.memory = ida;
-    require(IDASetErrHandlerFn(ida, keep_message, &callbacks_) == IDA_SUCCESS, "IDASetErrHandlerFn");
+    require(IDASetErrHandlerFn(ida, keep_message, user_data()) == IDA_SUCCESS, "IDASetErrHandlerFn");
     require(IDAInit(ida, residual_callback, t, state_.get(), slope_.get()) == IDA_SUCCESS, "IDAInit");
     require(IDASVtolerances(ida, control.relative, absolute_.get()) == IDA_SUCCESS, "IDASVtolerances");
     require(IDASetLinearSolver(ida, dense_.solver.get(), dense_.matrix.get()) == IDA_SUCCESS, "IDASetLinearSolver");
     require(IDASetJacFn(ida, residual_jacobian_callback) == IDA_SUCCESS, "IDASetJacFn");
-    IDASetUserData(ida, static_cast<Callbacks*>(&callbacks_));
+    IDASetUserData(ida, user_data());
     IDASetMaxErrTestFails(ida, kMostFailuresInAStep);
     IDASetMaxConvFails(ida, kMostFailuresInAStep);
     if (std::isfinite(control.greatest_step)) IDASetMaxStep(ida, control.greatest_step);
@@ -97,8 +97,7 @@ class Ida final : public Solver {
     void* const ida = memory_.get();
     if (!has_initial_slope_) {
       // IDA wants a slope that agrees with the state; the equation is asked in the step, not at the start.
-      if (derivative_callback(t, state_.get(), slope_.get(), static_cast<Callbacks*>(&callbacks_)) != 0)
-        return Outcome::refused;
+      if (derivative_callback(t, state_.get(), slope_.get(), user_data()) != 0) return Outcome::refused;
       require(IDAReInit(ida, t, state_.get(), slope_.get()) == IDA_SUCCESS, "IDAReInit");
       has_initial_slope_ = true;
     }
@@ -136,6 +135,9 @@ class Ida final : public Solver {
   std::string message() const override { return callbacks_.message; }
 
  private:
+  /// What callbacks_of takes back.
+  Callbacks* user_data() { return &callbacks_; }
+
   Outcome outcome_of(int status) const {
     switch (status) {
       case IDA_ERR_FAIL:

@@ -17,23 +17,11 @@ SimTK::Vec3 to_simtk(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
 
-Eigen::Vector3d to_eigen(const SimTK::Vec3& v) {
-  return {v[0], v[1], v[2]};
-}
-
 SimTK::Transform to_simtk(const Placement& placement) {
   SimTK::Mat33 R;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) R(i, j) = placement.R(i, j);
   return {SimTK::Rotation(R), to_simtk(placement.p)};
-}
-
-Pose to_pose(const SimTK::Transform& X) {
-  Pose pose;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) pose.A(i, j) = X.R().asMat33()(i, j);
-  pose.r = to_eigen(X.p());
-  return pose;
 }
 
 /// Simbody counts inertia about the body's origin: Steiner's theorem.
@@ -86,7 +74,6 @@ struct Model::Data {
   void observe_contact(Index pairing, const fast::Contact& contact, Observation& observation) const;
   double joint_power() const;
   double kinetic_energy() const;
-  SimTK::Transform surface_transform(Index surface) const;
 
   Scene scene;
   SimTK::MultibodySystem system;
@@ -117,7 +104,7 @@ Model::Data::Data(const Scene& from) : scene(from) {
   for (const Body& body : scene.bodies) add_body(body);
   for (const SceneSurface& surface : scene.surfaces) {
     const SimTK::MobilizedBody& carrier = carrier_of(surface.body);
-    contacts.add_surface(carrier, to_simtk(surface.at_B), fast::Surface(surface.mesh));
+    contacts.add_surface(carrier, to_simtk(surface.at_B), surface.surface);
   }
   for (const ScenePairing& p : scene.pairings) contacts.add_pairing(p.E, p.F, p.law, p.mode, p.scheme);
   state = system.realizeTopology();
@@ -209,7 +196,7 @@ void Model::Data::observe_contact(Index p, const fast::Contact& contact, Observa
   result.too_deep = contact.too_deep;
   result.elements = contact.element_count;
   result.max_penetration = contact.max_penetration;
-  const Pose E = to_pose(surface_transform(pairing.E));
+  const Pose& E = observation.surfaces_G[static_cast<std::size_t>(pairing.E)];
   result.force_G = E.A * contact.force_Me;
   const double share = pairing.mode == Mode::both ? 0.5 : 1;
   for (const fast::Element& e : contact.elements) {
@@ -222,12 +209,6 @@ void Model::Data::observe_contact(Index p, const fast::Contact& contact, Observa
   }
   result.patch_area = share * contact.statistics.patch_area;
   if (contact.element_count > 0) result.centre_of_pressure_G = E.A * contact.statistics.centre_of_pressure_Me + E.r;
-}
-
-SimTK::Transform Model::Data::surface_transform(Index index) const {
-  const SceneSurface& surface = scene.surfaces[static_cast<std::size_t>(index)];
-  const SimTK::Transform X_BS = to_simtk(surface.at_B);
-  return surface.body < 0 ? X_BS : bodies[static_cast<std::size_t>(surface.body)].getBodyTransform(state) * X_BS;
 }
 
 double Model::Data::kinetic_energy() const {
@@ -299,8 +280,6 @@ Evaluation Model::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd
   Data& data = *data_;
   data.realize(t, y, SimTK::Stage::Velocity);
   const std::vector<pcm::simbody::PairingAnswer>& answers = data.contacts.answers(data.state);
-  data.counters.pairings_evaluated = data.contacts.counters().evaluated;
-  data.counters.pairings_recalled = data.contacts.counters().recalled;
   for (const pcm::simbody::PairingAnswer& answer : answers) {
     data.counters.nested += answer.nested;
     data.counters.penetration_exceeded += answer.penetration_exceeded;
@@ -323,7 +302,7 @@ Observation Model::observe(double t, const Eigen::VectorXd& y) {
   data.realize(t, y, data.moves_by_prescription ? SimTK::Stage::Acceleration : SimTK::Stage::Velocity);
   Observation result;
   for (Index s = 0; s < static_cast<Index>(data.scene.surfaces.size()); ++s)
-    result.surfaces_G.push_back(to_pose(data.surface_transform(s)));
+    result.surfaces_G.push_back(data.contacts.surface_pose(data.state, s));
   result.pairings.resize(data.scene.pairings.size());
   data.contacts.visit_elements(
       data.state, [&](Index p, const Pose& pose, const Velocity& velocity, const fast::Contact& contact) {

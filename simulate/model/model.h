@@ -69,8 +69,6 @@ struct Observation {
 struct ModelCounters {
   std::int64_t nested = 0;                ///< not_here: one body within another
   std::int64_t penetration_exceeded = 0;  ///< not_here: deeper than max_penetration of the law
-  std::int64_t pairings_evaluated = 0;
-  std::int64_t pairings_recalled = 0;  ///< as at the remembered state (`remember`)
 };
 
 /// A scene as equations of motion: y = (q, u), Simbody's generalized coordinates and speeds, the orientations of free

@@ -3,9 +3,9 @@
 #include "simulate/page/page.h"
 
 #include <cassert>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "simulate/page/check_recording.h"
 #include "simulate/page/page_data.h"
@@ -74,11 +74,7 @@ std::string page(const Recording& recording) {
 }
 
 void write_page(const std::filesystem::path& file, const Recording& recording) {
-  const std::string text = page(recording);
-  std::ofstream out{file, std::ios::binary};
-  out << text;
-  out.close();
-  if (!out) throw BadInput(file.string() + ": can't be written");
+  write_text_file(file, page(recording));
 }
 
 }  // namespace pcm::simulate

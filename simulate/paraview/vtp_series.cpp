@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "simulate/page/base64.h"
 
@@ -93,13 +93,6 @@ std::string polydata(const Recording& recording, const Frame& frame, const Polyg
   return text + "</Piece></PolyData></VTKFile>\n";
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw BadInput(file.string() + ": can't be written");
-}
-
 }  // namespace
 
 void write_vtp_series(const std::filesystem::path& folder, const Recording& recording) {
@@ -109,10 +102,10 @@ void write_vtp_series(const std::filesystem::path& folder, const Recording& reco
   const Polygons polygons(recording);
   std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
-    write(folder / fmt::format("{}.vtp", i), polydata(recording, recording.frames[i], polygons));
+    write_text_file(folder / fmt::format("{}.vtp", i), polydata(recording, recording.frames[i], polygons));
     list += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}.vtp\"/>\n", recording.frames[i].t, i);
   }
-  write(folder / "frames.pvd", list + "</Collection>\n</VTKFile>\n");
+  write_text_file(folder / "frames.pvd", list + "</Collection>\n</VTKFile>\n");
 }
 
 }  // namespace pcm::simulate

@@ -57,7 +57,7 @@ Recording recording_of_run(const std::filesystem::path& folder, const Scene& sce
   Recording recording;
   recording.title = scene.title.empty() ? folder.filename().string() : scene.title;
   for (const SceneSurface& surface : scene.surfaces)
-    recording.surfaces.push_back({surface.name, surface.mesh, surface.colour});
+    recording.surfaces.push_back({surface.name, surface.surface.mesh(), surface.colour});
   for (std::size_t p = 0; p < scene.pairings.size(); ++p)
     recording.pairings.push_back({pairing_name(scene, p), scene.pairings[p].E, scene.pairings[p].F});
   for (const std::vector<double>& row : read_number_table(folder / "states.csv").rows) {

@@ -16,6 +16,7 @@
 #include "compare/io/question_json.h"
 #include "compare/io/sha256.h"
 #include "meshes/files/parse_number.h"
+#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/write_obj.h"
 
@@ -23,20 +24,6 @@ namespace pcm::simulate {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Reads back to the same bits.
-std::string bits(double value) {
-  return fmt::format("{:a}", value);
-}
-
-/// The checkpoint is not as it was written.
-struct Damaged {};
-
-double from_bits(const Json& json) {
-  const std::optional<double> number = parse_number(json.get<std::string>());
-  if (!number) throw Damaged();
-  return *number;
-}
 
 /// A hash of all but itself.
 std::string checksum(Json checkpoint) {
@@ -57,7 +44,7 @@ Json settings(const Scene& scene) {
 /// A hash of the scene's text, of what the command line changed, and of the surfaces, whose files may have changed.
 std::string scene_hash(const std::string& scene_text, const Scene& scene) {
   std::string all = scene_text + settings(scene).dump();
-  for (const SceneSurface& surface : scene.surfaces) all += compare::sha256(surface.mesh);
+  for (const SceneSurface& surface : scene.surfaces) all += compare::sha256(surface.surface.mesh());
   return compare::sha256(all);
 }
 
@@ -72,15 +59,15 @@ std::string build_hash() {
 
 Json to_json(const Eigen::VectorXd& y) {
   Json json = Json::array();
-  for (const double value : y) json.push_back(bits(value));
+  for (const double value : y) json.push_back(compare::hexadecimal(value));
   return json;
 }
 
 Json to_json(const EnergyFlow& flow) {
-  return {{"damping", bits(flow.damping)},
-          {"friction", bits(flow.friction)},
-          {"joints", bits(flow.joints)},
-          {"motions", bits(flow.motions)}};
+  return {{"damping", compare::hexadecimal(flow.damping)},
+          {"friction", compare::hexadecimal(flow.friction)},
+          {"joints", compare::hexadecimal(flow.joints)},
+          {"motions", compare::hexadecimal(flow.motions)}};
 }
 
 Json to_json(const RunCost& cost) {
@@ -101,8 +88,8 @@ Json to_json(const RunCost& cost) {
 }
 
 EnergyFlow flow_from(const Json& json) {
-  return {from_bits(json.at("damping")), from_bits(json.at("friction")), from_bits(json.at("joints")),
-          from_bits(json.at("motions"))};
+  return {compare::number_from(json.at("damping")), compare::number_from(json.at("friction")),
+          compare::number_from(json.at("joints")), compare::number_from(json.at("motions"))};
 }
 
 RunCost cost_from(const Json& json) {
@@ -123,19 +110,6 @@ RunCost cost_from(const Json& json) {
   return cost;
 }
 
-}  // namespace
-
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path unfinished = file.string() + ".new";
-  std::ofstream out(unfinished, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw BadInput(unfinished.string() + ": can't be written");
-  std::filesystem::rename(unfinished, file);
-}
-
-namespace {
-
 std::string series_header(const Scene& scene) {
   std::string header =
       "t,kinetic,gravity,elastic,bumpers,lost_to_damping,lost_to_friction,lost_to_joints,brought_by_motions";
@@ -153,9 +127,9 @@ std::string states_header(Eigen::Index size) {
 std::string pose_line(const PairingObservation& pairing) {
   std::string line;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) line += bits(pairing.pose.A(i, j)) + " ";
+    for (int j = 0; j < 3; ++j) line += compare::hexadecimal(pairing.pose.A(i, j)) + " ";
   for (const Eigen::Vector3d& v : {pairing.pose.r, pairing.velocity.v, pairing.velocity.w})
-    for (int i = 0; i < 3; ++i) line += bits(v[i]) + (i < 2 ? " " : "  ");
+    for (int i = 0; i < 3; ++i) line += compare::hexadecimal(v[i]) + (i < 2 ? " " : "  ");
   line += "\n";
   return line;
 }
@@ -167,7 +141,11 @@ std::string pose_line(const PairingObservation& pairing) {
 }  // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const Scene& scene)
-    : folder_(std::move(folder)), scene_text_(std::move(scene_text)), scene_(scene), poses_(scene.pairings.size()) {
+    : folder_(std::move(folder)),
+      scene_text_(std::move(scene_text)),
+      scene_(scene),
+      scene_hash_(scene_hash(scene_text_, scene)),
+      poses_(scene.pairings.size()) {
   std::error_code error;
   std::filesystem::create_directories(folder_ / "trajectory", error);
   if (error) throw BadInput(folder_.string() + ": can't be created: " + error.message());
@@ -179,12 +157,18 @@ std::vector<std::filesystem::path> RunFolder::tables() const {
   return files;
 }
 
+std::vector<std::ofstream*> RunFolder::streams() {
+  std::vector<std::ofstream*> all{&steps_, &series_, &states_, &spectrum_};
+  for (std::ofstream& out : poses_) all.push_back(&out);
+  return all;
+}
+
 void RunFolder::open_tables(bool append) {
   const std::vector<std::filesystem::path> files = tables();
+  const std::vector<std::ofstream*> outs = streams();
   for (std::size_t i = 0; i < files.size(); ++i) {
-    std::ofstream& out = i == 0 ? steps_ : i == 1 ? series_ : i == 2 ? states_ : i == 3 ? spectrum_ : poses_[i - 4];
-    out = std::ofstream(folder_ / files[i], std::ios::binary | (append ? std::ios::app : std::ios::trunc));
-    if (!out) throw BadInput((folder_ / files[i]).string() + ": can't be written");
+    *outs[i] = std::ofstream(folder_ / files[i], std::ios::binary | (append ? std::ios::app : std::ios::trunc));
+    if (!*outs[i]) throw BadInput((folder_ / files[i]).string() + ": can't be written");
   }
 }
 
@@ -195,7 +179,7 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
   try {
     std::ifstream in(file);
     const Json json = Json::parse(in);
-    if (json.at("scene") != scene_hash(scene_text_, scene_))
+    if (json.at("scene") != scene_hash_)
       throw BadInput(folder_.string() +
                      ": holds the run of another scene, or of other surfaces or options; choose another folder, or "
                      "remove it");
@@ -203,13 +187,13 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
       notice = folder_.string() + ": holds a run of another build of this program; it is begun anew";
       return std::nullopt;
     }
-    if (json.at("checksum") != checksum(json)) throw Damaged();
-    run.checkpoint.t = from_bits(json.at("t"));
+    if (json.at("checksum") != checksum(json)) refuse_damaged(file);
+    run.checkpoint.t = compare::number_from(json.at("t"));
     run.checkpoint.y.resize(static_cast<Eigen::Index>(json.at("y").size()));
     for (Eigen::Index i = 0; i < run.checkpoint.y.size(); ++i)
-      run.checkpoint.y[i] = from_bits(json.at("y")[static_cast<std::size_t>(i)]);
+      run.checkpoint.y[i] = compare::number_from(json.at("y")[static_cast<std::size_t>(i)]);
     run.checkpoint.flow = flow_from(json.at("energy_flow"));
-    run.checkpoint.energy_at_start = from_bits(json.at("energy_at_start"));
+    run.checkpoint.energy_at_start = compare::number_from(json.at("energy_at_start"));
     run.cost = cost_from(json.at("cost"));
     run.finished = json.at("finished");
     for (const std::filesystem::path& table : tables()) {
@@ -219,8 +203,6 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
       std::filesystem::resize_file(folder_ / table, length);
     }
   } catch (const Json::exception&) {
-    refuse_damaged(file);
-  } catch (const Damaged&) {
     refuse_damaged(file);
   } catch (const std::filesystem::filesystem_error& error) {
     throw BadInput(folder_.string() + ": " + error.code().message() + ": " + error.path1().string());
@@ -233,7 +215,7 @@ void RunFolder::begin(Eigen::Index size) {
   std::error_code ignored;
   std::filesystem::remove(folder_ / "checkpoint.json", ignored);
   open_tables(false);
-  write_file(folder_ / "scene.json", scene_text_);
+  write_text_file(folder_ / "scene.json", scene_text_);
   write_trajectory_index();
   steps_ << "t,size,order,error_test_failures,nonlinear_failures,not_here,not_finite,elements,entered,left,too_deep\n";
   series_ << series_header(scene_);
@@ -247,7 +229,7 @@ void RunFolder::write_trajectory_index() const {
   Json& surfaces = json["surfaces"] = Json::array();
   for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
     const std::string file = fmt::format("{}.obj", s);
-    write_obj(scene_.surfaces[s].mesh, folder_ / "trajectory" / ("surface_" + file));
+    write_obj(scene_.surfaces[s].surface.mesh(), folder_ / "trajectory" / ("surface_" + file));
     surfaces.push_back({{"name", scene_.surfaces[s].name}, {"file", "surface_" + file}});
   }
   Json& pairings = json["pairings"] = Json::array();
@@ -260,7 +242,7 @@ void RunFolder::write_trajectory_index() const {
                         {"scheme", std::string(compare::name(pairing.scheme))},
                         {"poses", fmt::format("{}.poses", p)}});
   }
-  write_file(folder_ / "trajectory" / "trajectory.json", json.dump(1) + "\n");
+  write_text_file(folder_ / "trajectory" / "trajectory.json", json.dump(1) + "\n");
 }
 
 void RunFolder::add_step(const SimulatedStep& step) {
@@ -291,30 +273,26 @@ void RunFolder::add_state(double t, const Eigen::VectorXd& y) {
 }
 
 void RunFolder::flush() {
-  for (std::ofstream* out : {&steps_, &series_, &states_, &spectrum_}) out->flush();
-  for (std::ofstream& out : poses_) out.flush();
-  const bool all_written =
-      steps_ && series_ && states_ && spectrum_ &&
-      std::all_of(poses_.begin(), poses_.end(), [](const std::ofstream& out) { return bool(out); });
-  if (!all_written) throw BadInput(folder_.string() + ": can't be written to; is the disk full?");
+  for (std::ofstream* out : streams())
+    if (!out->flush()) throw BadInput(folder_.string() + ": can't be written to; is the disk full?");
 }
 
 void RunFolder::keep(const KeptRun& run) {
   Json json;
-  json["scene"] = scene_hash(scene_text_, scene_);
+  json["scene"] = scene_hash_;
   json["settings"] = settings(scene_);
   json["program"] = build_hash();
-  json["t"] = bits(run.checkpoint.t);
+  json["t"] = compare::hexadecimal(run.checkpoint.t);
   json["y"] = to_json(run.checkpoint.y);
   json["energy_flow"] = to_json(run.checkpoint.flow);
-  json["energy_at_start"] = bits(run.checkpoint.energy_at_start);
+  json["energy_at_start"] = compare::hexadecimal(run.checkpoint.energy_at_start);
   json["cost"] = to_json(run.cost);
   json["finished"] = run.finished;
   flush();
   for (const std::filesystem::path& table : tables())
     json["lengths"][table.string()] = std::filesystem::file_size(folder_ / table);
   json["checksum"] = checksum(json);
-  write_file(folder_ / "checkpoint.json", json.dump(1) + "\n");
+  write_text_file(folder_ / "checkpoint.json", json.dump(1) + "\n");
 }
 
 std::vector<double> NumberTable::column(const std::string& name) const {

@@ -65,22 +65,20 @@ class RunFolder {
   /// power), and the run goes on from here.
   void keep(const KeptRun& run);
 
-  const std::filesystem::path& path() const { return folder_; }
-
  private:
   void open_tables(bool append);
   std::vector<std::filesystem::path> tables() const;
+  /// In the order of `tables`.
+  std::vector<std::ofstream*> streams();
   void write_trajectory_index() const;
 
   std::filesystem::path folder_;
   std::string scene_text_;
   const Scene& scene_;
+  std::string scene_hash_;
   std::ofstream steps_, series_, states_, spectrum_;
   std::vector<std::ofstream> poses_;  ///< by pairing
 };
-
-/// Writes beside it first: a reader finds the old file or the new one, whole. Throws BadInput where it can't.
-void write_file(const std::filesystem::path& file, const std::string& text);
 
 /// Reads a table back: names of its columns, and its lines.
 struct NumberTable {

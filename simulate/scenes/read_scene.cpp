@@ -4,9 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "meshes/generate/make.h"
@@ -86,7 +84,7 @@ class SceneReader {
   ContactLaw law_from(const Json& json, const std::string& at) const;
   void read_body(const Json& json, const std::string& at);
   void read_surfaces(const Json& owner, const std::string& at, Index body);
-  TriangleMesh mesh_from(const Json& json, const std::string& at) const;
+  fast::Surface surface_from(const Json& json, const std::string& at) const;
   Joint joint_from(const Json& json, const std::string& at) const;
   MassProperties mass_from(const Json& json, const std::string& at, std::size_t first_surface) const;
   void read_pairing(const Json& json, const std::string& at);
@@ -128,7 +126,7 @@ ContactLaw SceneReader::law_from(const Json& json, const std::string& at) const 
   return law;
 }
 
-TriangleMesh SceneReader::mesh_from(const Json& json, const std::string& at) const {
+fast::Surface SceneReader::surface_from(const Json& json, const std::string& at) const {
   if (json.contains("make") == json.contains("file")) json_.refuse(at, "it takes either make or file");
   if (json.contains("parameters") && !json.contains("make")) json_.refuse(at + "/parameters", "they belong to make");
   const std::string source = at + (json.contains("make") ? "/make" : "/file");
@@ -140,8 +138,7 @@ TriangleMesh SceneReader::mesh_from(const Json& json, const std::string& at) con
     const double scale = json.value("scale", 1.0);
     if (scale != 1)
       for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= scale;
-    static_cast<void>(fast::Surface(mesh));  // says what is unfit
-    return mesh;
+    return fast::Surface(std::move(mesh));  // says what is unfit
   } catch (const BadInput& error) {
     json_.refuse(source, error.what());
   }
@@ -151,13 +148,11 @@ void SceneReader::read_surfaces(const Json& owner, const std::string& at, Index 
   for (std::size_t i = 0; i < owner["surfaces"].size(); ++i) {
     const Json& json = owner["surfaces"][i];
     const std::string here = pointer(at + "/surfaces", i);
-    SceneSurface surface;
-    surface.name = json["name"].get<std::string>();
-    if (!surfaces_.emplace(surface.name, static_cast<Index>(scene_.surfaces.size())).second)
-      json_.refuse(here + "/name", "another surface has the name '" + surface.name + "'");
-    surface.body = body;
-    if (json.contains("at")) surface.at_B = placement_from(json["at"], here + "/at");
-    surface.mesh = mesh_from(json, here);
+    const auto name = json["name"].get<std::string>();
+    if (!surfaces_.emplace(name, static_cast<Index>(scene_.surfaces.size())).second)
+      json_.refuse(here + "/name", "another surface has the name '" + name + "'");
+    const Placement at_B = json.contains("at") ? placement_from(json["at"], here + "/at") : Placement();
+    SceneSurface surface{name, body, at_B, surface_from(json, here)};
     if (json.contains("colour"))
       for (std::size_t k = 0; k < 3; ++k) surface.colour[k] = json["colour"][k].get<std::uint8_t>();
     scene_.surfaces.push_back(std::move(surface));
@@ -229,8 +224,8 @@ MassProperties SceneReader::mass_from(const Json& json, const std::string& at, s
   if (!all_given) {
     std::vector<PlacedMesh> closed;
     for (std::size_t s = first_surface; s < scene_.surfaces.size(); ++s)
-      if (fast::Surface(scene_.surfaces[s].mesh).closed())
-        closed.push_back({&scene_.surfaces[s].mesh, scene_.surfaces[s].at_B});
+      if (scene_.surfaces[s].surface.closed())
+        closed.push_back({&scene_.surfaces[s].surface.mesh(), scene_.surfaces[s].at_B});
     try {
       result = solid_of_density_1(closed);
     } catch (const BadInput&) {
@@ -334,14 +329,6 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
   const LocatedJson json(file.string(), text);
   check_schema(json, scene_schema());
   return SceneReader(json, file.parent_path()).read();
-}
-
-Scene read_scene(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadInput(file.string() + ": can't be read");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return parse_scene(text.str(), file);
 }
 
 }  // namespace pcm::simulate

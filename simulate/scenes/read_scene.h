@@ -11,13 +11,11 @@
 
 namespace pcm::simulate {
 
-/// Reads a scene file (scene.schema.json), its surfaces with it: files are sought beside it. Throws BadInput, naming
+/// Reads the text of a scene file (scene.schema.json), its surfaces with it: they are sought beside `file`, which need
+/// not exist itself. Throws BadInput, naming
 /// file, line and key, for whatever the schema or the sense forbids: unknown or missing keys, a body without mass, a
 /// parent that is not named before, a joint with the wrong number of coordinates, a surface that is unfit, a law out of
 /// range, a pairing of a surface with one of the same body.
-Scene read_scene(const std::filesystem::path& file);
-
-/// The same of text that came from `file`, which need not exist.
 Scene parse_scene(const std::string& text, const std::filesystem::path& file);
 
 /// The method that a scene file calls by this word. Throws BadInput, listing the known ones.

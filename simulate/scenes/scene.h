@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "pcm/engine.h"
 #include "pcm/inputs.h"
-#include "pcm/triangle_mesh.h"
 #include "simulate/integrators/integrator.h"
 
 /// A scene as a file describes it (scene.schema.json), nothing built of it yet. SI units, angles in radians. Frames: G
@@ -80,7 +80,7 @@ struct SceneSurface {
   std::string name;
   Index body = -1;  ///< -1: ground
   Placement at_B;
-  TriangleMesh mesh;
+  fast::Surface surface;  ///< its vertices in S, m
   std::array<std::uint8_t, 3> colour{170, 170, 170};
 };
 

@@ -82,6 +82,8 @@ class ContactForces : public SimTK::Force::Custom {
   /// for each state. Throws BadInput, as fast::Scene::move and fast::evaluate do, where the state is out of all bounds.
   const std::vector<PairingAnswer>& answers(const SimTK::State& state) const;
 
+  /// Where a surface is in Ground; Stage::Position is enough.
+  Pose surface_pose(const SimTK::State& state, Index surface) const;
   /// Where F's surface is, seen from E's, and how it moves: what the engine is asked about.
   Pose relative_pose(const SimTK::State& state, Index pairing) const;
   Velocity relative_velocity(const SimTK::State& state, Index pairing) const;

@@ -71,7 +71,7 @@ TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
 }
 
 TEST(SimulateCommand, TellsThatTheDiskIsFull) {
-  for (const char* file : {"states.csv", "page.html", "tables.md.new"}) {
+  for (const char* file : {"states.csv", "page.html", "tables.md"}) {
     SCOPED_TRACE(file);
     const Folder folder(block_over_floor("0.1"));
     fs::create_directories(folder.out);

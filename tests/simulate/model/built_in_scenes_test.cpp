@@ -33,8 +33,8 @@ TEST(BubblesScene, IsThePapers) {
   EXPECT_EQ(Model(scene).degrees_of_freedom(), 18);
   EXPECT_EQ(Model(scene).size(), 39);  // 36 states of the paper's, and a quaternion's fourth number for each bubble
   ASSERT_EQ(scene.surfaces.size(), 4U);
-  EXPECT_EQ(scene.surfaces[0].mesh.faces.size(), 4U);
-  for (std::size_t s = 1; s < 4; ++s) EXPECT_EQ(scene.surfaces[s].mesh.faces.size(), 950U);
+  EXPECT_EQ(scene.surfaces[0].surface.mesh().faces.size(), 4U);
+  for (std::size_t s = 1; s < 4; ++s) EXPECT_EQ(scene.surfaces[s].surface.mesh().faces.size(), 950U);
   for (const Body& bubble : scene.bodies) EXPECT_EQ(bubble.mass.mass, 2);
   ASSERT_EQ(scene.pairings.size(), 6U);
   for (std::size_t p = 0; p < 6; ++p) {
@@ -54,10 +54,10 @@ TEST(PedestrianScene, IsThePapers) {
   double mass = 0;
   std::size_t faces = 0;
   for (std::size_t b = 1; b < scene.bodies.size(); ++b) mass += scene.bodies[b].mass.mass;
-  for (std::size_t s = 1; s < scene.surfaces.size(); ++s) faces += scene.surfaces[s].mesh.faces.size();
+  for (std::size_t s = 1; s < scene.surfaces.size(); ++s) faces += scene.surfaces[s].surface.mesh().faces.size();
   EXPECT_NEAR(mass, 75, 1e-4);
   EXPECT_EQ(faces, 20452U);
-  EXPECT_EQ(scene.surfaces[0].mesh.faces.size(), 1240U);
+  EXPECT_EQ(scene.surfaces[0].surface.mesh().faces.size(), 1240U);
   EXPECT_NEAR(*scene.bodies[0].joint.prescribed_speed, -30 / 3.6, 1e-12);
   ASSERT_EQ(scene.pairings.size(), 27U);
   for (std::size_t p = 0; p < 27; ++p) {

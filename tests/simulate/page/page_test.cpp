@@ -20,6 +20,7 @@
 #include "simulate/page/base64.h"
 #include "simulate/page/page_files.h"
 #include "tests/meshes/temporary_folder.h"
+#include "tests/simulate/base64_decoded.h"
 #include "tests/simulate/page/falling_box.h"
 
 namespace {
@@ -45,24 +46,9 @@ std::string data_text(const std::string& page) {
   return page.substr(begin, page.find("</script>", begin) - begin);
 }
 
-/// By another way than the encoder: digit by digit into a number of bits.
-std::string decoded(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    bits = (bits << 6 | static_cast<unsigned>(digits.find(c))) & 0xffffU;
-    count += 6;
-    if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xffU);
-  }
-  return bytes;
-}
-
 template <typename Number>
 std::vector<double> decoded_as(const std::string& text) {
-  const std::string bytes = decoded(text);
+  const std::string bytes = base64_decoded(text);
   std::vector<Number> numbers(bytes.size() / sizeof(Number));
   std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
   return {numbers.begin(), numbers.end()};

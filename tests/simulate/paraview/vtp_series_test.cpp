@@ -3,7 +3,6 @@
 #include "simulate/paraview/vtp_series.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <fstream>
@@ -13,6 +12,8 @@
 
 #include "meshes/generate/boxes.h"
 #include "tests/meshes/expect_bad_input.h"
+#include "tests/meshes/temporary_folder.h"
+#include "tests/simulate/base64_decoded.h"
 
 namespace pcm::simulate {
 namespace {
@@ -24,28 +25,12 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::vector<unsigned char> decoded(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::vector<unsigned char> bytes;
-  unsigned buffer = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    buffer = (buffer << 6) | static_cast<unsigned>(digits.find(c));
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes.push_back(static_cast<unsigned char>(buffer >> bits));
-  }
-  return bytes;
-}
-
 /// The numbers of the array of that name, by VTK's rule: length in bytes, then they.
 template <class T>
 std::vector<T> array_in(const std::string& file, const std::string& name) {
   const std::size_t tag = file.find("Name=\"" + name + "\"");
   const std::size_t begin = file.find('>', tag) + 1;
-  const std::vector<unsigned char> bytes = decoded(file.substr(begin, file.find('<', begin) - begin));
+  const std::string bytes = base64_decoded(file.substr(begin, file.find('<', begin) - begin));
   std::uint32_t length = 0;
   std::memcpy(&length, bytes.data(), sizeof length);
   EXPECT_EQ(length + sizeof length, bytes.size()) << name;
@@ -70,7 +55,8 @@ Recording two_boxes() {
 }
 
 TEST(VtpSeries, HoldsEveryFrameWithPointsInPlaceAndPressuresByFace) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("vtp" + std::to_string(getpid()));
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path("vtp");
   write_vtp_series(folder, two_boxes());
   const std::string list = text_of(folder / "frames.pvd");
   EXPECT_NE(list.find("timestep=\"0.25\" part=\"0\" file=\"1.vtp\""), std::string::npos) << list;

@@ -18,6 +18,7 @@
 #include "simulate/record/recorded_run.h"
 #include "simulate/scenes/read_scene.h"
 #include "tests/meshes/expect_bad_input.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::simulate {
 namespace {
@@ -33,7 +34,8 @@ Scene short_bubbles() {
 }
 
 fs::path empty_folder(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / (name + std::to_string(getpid()));
+  static const TemporaryFolder temporary;
+  const fs::path folder = temporary.path(name);
   fs::remove_all(folder);
   return folder;
 }
@@ -139,7 +141,9 @@ TEST(RecordedRun, RefusesTheFolderOfOtherSurfacesOrSettings) {
   std::string notice;
   Scene longer = short_bubbles(), larger = short_bubbles();
   longer.duration = 0.9;
-  larger.surfaces[1].mesh.vertices[0].x() += 1e-6;
+  TriangleMesh moved = larger.surfaces[1].surface.mesh();
+  moved.vertices[0].x() += 1e-6;
+  larger.surfaces[1].surface = fast::Surface(moved);
   for (const Scene* scene : {&longer, &larger})
     expect_bad_input([&] { RecordedRun(*scene, "bubbles", folder, notice); }, "or of other surfaces or options");
 }
@@ -171,7 +175,7 @@ TEST(RecordedRun, TrajectoryIsOneThatPosesAreHeldFrom) {
   ASSERT_EQ(plan.pairs.size(), scene.pairings.size());
   for (std::size_t p = 0; p < scene.pairings.size(); ++p) {
     const ScenePairing& pairing = scene.pairings[p];
-    const TriangleMesh& mesh_E = scene.surfaces[static_cast<std::size_t>(pairing.E)].mesh;
+    const TriangleMesh& mesh_E = scene.surfaces[static_cast<std::size_t>(pairing.E)].surface.mesh();
     EXPECT_EQ(plan.pairs[p].E.vertices, mesh_E.vertices);
     EXPECT_EQ(plan.pairs[p].E.faces, mesh_E.faces);
     EXPECT_EQ(plan.pairs[p].law.stiffness, pairing.law.stiffness);
