@@ -71,6 +71,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
 
   OfElement result;
   result.sliver = !(e.area > 2 * (errors.area + seen.uncertain));
+  result.may_keep_hidden = seen.hiders > 0;
   errors.penetration = counted;
   // The centroid of u moves within the face; where the volume is known, by no more than its relative error.
   const double volume = e.area * e.penetration;

@@ -37,7 +37,8 @@ class ClippedBounds {
  public:
   struct OfElement {
     ElementBounds bounds;
-    bool sliver = false;  ///< may be missing
+    bool sliver = false;           ///< may be missing
+    bool may_keep_hidden = false;  ///< where other faces hide strips of rounding's width
     /// The greatest penetration of a right engine's element, where it has it, lies between these, m.
     double greatest_at_least = 0;
     double greatest_at_most = 0;

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include "compare/verify/bound_arithmetic.h"
@@ -21,9 +22,11 @@ std::string describe(const Element& e) {
   return fmt::format("{} face {} on {}", e.master == Side::E ? 'E' : 'F', e.master_face, e.slave_face);
 }
 
+using ElementKey = std::tuple<Side, Index, Index>;
+
 template <class Element>
-auto key(const Element& e) {
-  return std::tuple(e.master, e.master_face, e.slave_face);
+ElementKey key(const Element& e) {
+  return {e.master, e.master_face, e.slave_face};
 }
 
 /// The pairs of elements in the order of both lists, nullptr where one side has none.
@@ -189,6 +192,32 @@ ClippedTotals check_clipped_elements(const Question& question, const fast::Conta
     totals.torque /= 2;
   }
   return totals;
+}
+
+bool slivers_may_tell(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
+                      const reference::Answer& true_exact) {
+  const ClippedBounds bounds(question, true_rounded);
+  std::set<ElementKey> certain;  // The engine has these.
+  for (std::size_t k = 0; k < true_rounded.elements.size(); ++k) {
+    if (!bounds.elements()[k].sliver) certain.insert(key(true_rounded.elements[k]));
+  }
+  if (subj.max_penetration < subj.bound->penetration_at_least) {
+    const double deep = (1 - 4 * kRoundoff) * subj.bound->penetration_at_least;
+    return std::none_of(true_exact.elements.begin(), true_exact.elements.end(), [&](const reference::Element& e) {
+      return e.greatest_penetration >= deep && certain.contains(key(e));
+    });
+  }
+  bool may = false;
+  for_each_pair(subj.elements, true_rounded.elements,
+                [&](const fast::Element* ours, const reference::Element* theirs, std::size_t k) {
+                  if (ours == nullptr) return;
+                  if (theirs == nullptr || bounds.elements()[k].sliver) {
+                    may = may || bounds.sliver(*ours).depth >= subj.max_penetration;
+                  } else if (bounds.elements()[k].may_keep_hidden) {
+                    may = may || bounds.elements()[k].greatest_at_most >= subj.max_penetration;
+                  }
+                });
+  return may;
 }
 
 }  // namespace pcm::compare

@@ -33,4 +33,10 @@ struct ClippedTotals {
 ClippedTotals check_clipped_elements(const Question& question, const fast::Contact& subj,
                                      const reference::Answer& truth, Checks& checks);
 
+/// Where the engine's greatest penetration does not lie between its bounds for the exact problem's: whether slivers
+/// alone make it so. Either all exact elements that reach as deep as the lower bound are slivers, which the engine need
+/// not have; or it has a sliver, or keeps a hidden strip of an element, that may reach as deep as it says.
+bool slivers_may_tell(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
+                      const reference::Answer& true_exact);
+
 }  // namespace pcm::compare

@@ -63,12 +63,13 @@ class FaceBound {
   /// An element as it was added to the sum, `total`; by slave face.
   void add_element(const VisiblePart& part, const Element& element, const MasterForce& total);
   /// What else the face may carry, once all its elements were added.
-  void add_rest();
+  void add_rest(VisibleDepthScratch& scratch);
 
  private:
   void find_sights(ClippedBoundScratch& scratch);
   void see_slave(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch);
   void see_own(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch);
+  void note_visible_depth(VisibleDepthScratch& scratch);
 
   PosedPair& posed_;
   const ForceProblem& problem_;
@@ -145,7 +146,14 @@ void FaceBound::add_element(const VisiblePart& part, const Element& element, con
   bound_.add_rounding_of(total);
 }
 
-void FaceBound::add_rest() {
+void FaceBound::note_visible_depth(VisibleDepthScratch& scratch) {
+  const double floor = bound_.depth_at_least();
+  if (!(sight_->greatest_depth() > floor)) return;
+  const DepthRange range = sight_->visible_depth(floor, scratch);
+  bound_.note_depth(undecided_ ? 0 : range.at_least, range.at_most);
+}
+
+void FaceBound::add_rest(VisibleDepthScratch& scratch) {
   const FaceGeometry& geometry = seen_.geometry;
   const double twice_area = 2 * (geometry.area + error_.area);
   const auto& p = geometry.points_Me;
@@ -155,7 +163,7 @@ void FaceBound::add_rest() {
     return;
   }
   if (sight_->flush()) bound_.flip();
-  bound_.note_depth(0, kSafetyFactor * sight_->greatest_depth());
+  note_visible_depth(scratch);
   const ViewError::Beside beside = sight_->beside();
   passing_.add_elsewhere(twice_area * beside.passed_area, twice_area * beside.passed_volume);
   ElementForceError passed;
@@ -186,7 +194,7 @@ MasterForce sum_bounded_clipped_elements(const Intersection& intersection, const
       sum.add(part.moments.greatest, seen.foot_Me(part), element);
       face_bound.add_element(part, element, sum.total());
     }
-    face_bound.add_rest();
+    face_bound.add_rest(scratch.depth);
   };
   ElementSum sum(problem, record, posed.work);
   for_each_active_face(intersection, master, [&](Index face) {

@@ -15,6 +15,7 @@ struct ClippedBoundScratch {
   std::vector<Index> candidates;
   std::vector<Index> open;  ///< of the search for them
   ViewScratch sight;
+  VisibleDepthScratch depth;
 };
 
 /// Forms the contact elements of the bound's master in the clipped scheme, as sum_clipped_elements does and to the same

@@ -172,16 +172,24 @@ void ViewError::find_outline(FaceInView& sight, const PreparedSurface& surface) 
   }
 }
 
-// Within that distance of the master's sides.
+/// Weights of p0, p1 and p2 less than these are within a distance, m, of the master's sides.
+std::array<double, 3> ViewError::weights_within(double distance) const {
+  return {distance * prism_.inward_Me(1).norm(), distance * prism_.inward_Me(2).norm(),
+          distance * prism_.inward_Me(0).norm()};
+}
+
 double ViewError::area_leant_over(const FaceEnclosure& f) const {
-  const double distance = kSafetyFactor * lean_ * std::max(f.greatest, 0.0);
-  const double s = distance * prism_.inward_Me(2).norm(), t = distance * prism_.inward_Me(0).norm();
-  const double third = distance * prism_.inward_Me(1).norm();
+  const auto [third, s, t] = weights_within(kSafetyFactor * lean_ * std::max(f.greatest, 0.0));
   double area = 0;
   if (f.box.low_s <= s) area += s * f.box.width_t();
   if (f.box.low_t <= t) area += t * f.box.width_s();
   if (1 - f.box.high_s - f.box.high_t <= third) area += third * std::min(f.box.width_s(), f.box.width_t());
   return std::min(area, f.box.area());
+}
+
+DepthRange ViewError::visible_depth(double floor, VisibleDepthScratch& scratch) const {
+  const double leant = kSafetyFactor * lean_ * std::max(greatest_depth_, 0.0);
+  return find_visible_depth(scratch_->sights, weights_within(leant), floor, scratch);
 }
 
 // What it would be off by if no other face were there.

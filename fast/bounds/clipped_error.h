@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "fast/bounds/face_enclosure.h"
 #include "fast/bounds/prism_error.h"
+#include "fast/bounds/visible_depth.h"
 #include "fast/clipped/clipped_face.h"
 #include "fast/posed/transform.h"
 #include "fast/surface/prepared_surface.h"
@@ -68,6 +70,9 @@ class ViewError {
   };
   Beside beside() const;
 
+  /// Of what the exact problem sees, before clamping; nothing less deep than `floor`, m, is looked for.
+  DepthRange visible_depth(double floor, VisibleDepthScratch& scratch) const;
+
   bool known() const { return known_; }  ///< otherwise there is no such bound: a face of no known normal
   /// Whether a face is seen flush: elements with a force of any size may be others.
   bool flush() const { return flush_; }
@@ -82,6 +87,7 @@ class ViewError {
   void compare_pair(FaceInView& f, FaceInView& g, const PreparedSurface& slave, const PreparedSurface& master);
   /// Adds what g, which has no more than the area `overlap` in common with f, may hide of it.
   void charge(FaceInView& f, const FaceInView& g, const BoxST& box, double overlap);
+  std::array<double, 3> weights_within(double distance) const;
   double area_leant_over(const FaceEnclosure& f) const;
   void find_outline(FaceInView& sight, const PreparedSurface& surface);
   FaceInView* find(bool own, Index face) const;

@@ -33,6 +33,7 @@ class MasterBound {
   void add_rounding_of(const MasterForce& total);
   /// The exact problem has a point at least as deep as the one, and none of this element or face deeper than the other.
   void note_depth(double at_least, double at_most);
+  double depth_at_least() const { return sum_.penetration_at_least; }  ///< of the point noted so, m
   /// A decision may be another one in the exact problem.
   void flip() { sum_.flipped = true; }
 

@@ -1,0 +1,533 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/bounds/visible_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "fast/bounds/uncertain_strips.h"
+#include "fast/posed/vertex_rounding.h"
+
+namespace pcm::fast {
+
+namespace {
+
+constexpr double u = kUnitRoundoff;
+
+/// A search for one master face looks at no more pieces; each is the outcome of no more cuts than that.
+constexpr int kMostPieces = 256;
+constexpr int kMostCuts = 60;
+/// A cut puts a vertex off the line between its neighbours by u times what these are apart, and u times itself: by no
+/// more than 2.1 u in s and in t over the master, where both are at most 1. All cuts together take no more than that
+/// off a piece.
+constexpr double kLost = 128 * u;
+static_assert(2.1 * u * kMostCuts <= kLost);
+
+/// The sign of a linear function over a piece.
+enum class Sign : std::uint8_t { negative, unsure, positive };
+
+struct Range {
+  double low, high;
+};
+
+/// A linear function c_s (s - s_0) + c_t (t - t_0) + value, that is off by no more than `error` over the master.
+class UncertainFunction {
+ public:
+  UncertainFunction(double c_s, double s_0, double c_t, double t_0, double value, double error)
+      : c_s_(c_s),
+        s_0_(s_0),
+        c_t_(c_t),
+        t_0_(t_0),
+        value_(value),
+        lost_((std::abs(c_s) + std::abs(c_t)) * kLost),
+        // Two differences, two products and two sums, and what made the value and the gradients.
+        error_(kSafetyFactor * error + lost_ +
+               8 * u * (std::abs(c_s) * (1 + std::abs(s_0)) + std::abs(c_t) * (1 + std::abs(t_0)) + std::abs(value))) {}
+  explicit UncertainFunction(const LinearDepth& depth, double error)
+      : UncertainFunction(depth.per_s, depth.s_0, depth.per_t, depth.t_0, depth.value, error) {}
+
+  double operator()(const PrismPoint& x) const { return c_s_ * (x[kS] - s_0_) + c_t_ * (x[kT] - t_0_) + value_; }
+  Range over(const ConvexPolygon& piece) const {
+    Range range{(*this)(piece[0]), (*this)(piece[0])};
+    for (int i = 1; i < piece.count; ++i) {
+      const double value = (*this)(piece[i]);
+      range.low = std::min(range.low, value);
+      range.high = std::max(range.high, value);
+    }
+    return range;
+  }
+  Sign sign(const Range& range) const {
+    return range.low > error_ ? Sign::positive : range.high < -error_ ? Sign::negative : Sign::unsure;
+  }
+  Sign sign_over(const ConvexPolygon& piece) const { return sign(over(piece)); }
+  Sign sign_at(const PrismPoint& x) const { return sign({(*this)(x), (*this)(x)}); }
+  /// No value over the piece is greater.
+  double greatest_over(const ConvexPolygon& piece) const { return over(piece).high + error_; }
+
+  /// Within that the sign is left open where a piece is parted: what lies beyond is sure then.
+  double parted_at() const { return error_ + lost_; }
+  /// Whether parting the piece makes the sign sure on some of it, which is more than what roundings make of a piece
+  /// that was parted there.
+  bool parts(const ConvexPolygon& piece) const {
+    const Range range = over(piece);
+    const double most = parted_at() + lost_;
+    return sign(range) == Sign::unsure && (range.high > most || range.low < -most);
+  }
+
+ private:
+  double c_s_, s_0_, c_t_, t_0_, value_, lost_, error_;
+};
+
+/// How far the border of a face may be off over the master, in both problems and as the engine cuts it.
+PrismPositionError border_error(const FaceEnclosure& face) {
+  return {face.position_error.s + face.cut_error.s, face.position_error.t + face.cut_error.t, 0};
+}
+
+/// Positive on the inner side of side k of a counterclockwise face. The engine reckons it from either end.
+UncertainFunction inside_of_side(const FaceEnclosure& face, std::size_t k) {
+  const PrismPoint& a = face.corners[k];
+  const PrismPoint& b = face.corners[(k + 1) % 3];
+  const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
+  const PrismPositionError off = border_error(face);
+  const double roundings = 8 * u * (std::abs(side_t * b[kS]) + std::abs(side_s * b[kT]));
+  return {-side_t, a[kS], side_s, a[kT], 0, std::abs(side_t) * off.s + std::abs(side_s) * off.t + roundings};
+}
+
+/// Whether side k may have a point over the piece.
+bool side_may_meet(const FaceEnclosure& face, std::size_t k, const ConvexPolygon& piece) {
+  if (inside_of_side(face, k).sign_over(piece) != Sign::unsure) return false;
+  const PrismPoint& a = face.corners[k];
+  const PrismPoint& b = face.corners[(k + 1) % 3];
+  const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
+  const PrismPositionError off = border_error(face);
+  const double error = std::abs(side_s) * off.s + std::abs(side_t) * off.t;
+  return UncertainFunction(side_s, a[kS], side_t, a[kT], 0, error).sign_over(piece) != Sign::negative &&
+         UncertainFunction(-side_s, b[kS], -side_t, b[kT], 0, error).sign_over(piece) != Sign::negative;
+}
+
+UncertainFunction depth_of(const FaceEnclosure& face) {
+  return UncertainFunction(face.depth, face.depth_error);
+}
+
+/// How much farther f is than g.
+UncertainFunction depth_beyond(const FaceEnclosure& f, const FaceEnclosure& g) {
+  const double s_0 = f.depth.s_0, t_0 = f.depth.t_0;
+  const double apart = std::abs(g.depth.per_s) * (std::abs(s_0) + std::abs(g.depth.s_0)) +
+                       std::abs(g.depth.per_t) * (std::abs(t_0) + std::abs(g.depth.t_0)) + std::abs(g.depth.value);
+  return {f.depth.per_s - g.depth.per_s,        s_0,
+          f.depth.per_t - g.depth.per_t,        t_0,
+          f.depth.value - g.depth.at(s_0, t_0), f.depth_error + g.depth_error + 8 * u * apart};
+}
+
+/// The sides of its box, positive inside.
+std::array<UncertainFunction, 4> sides_of(const BoxST& box) {
+  return {UncertainFunction(1, box.low_s, 0, 0, 0, 0), UncertainFunction(-1, box.high_s, 0, 0, 0, 0),
+          UncertainFunction(0, 0, 1, box.low_t, 0, 0), UncertainFunction(0, 0, -1, box.high_t, 0, 0)};
+}
+
+/// The weights of the master's corners, less than what is doubtful.
+std::array<UncertainFunction, 3> sides_of_master(const std::array<double, 3>& doubtful) {
+  return {UncertainFunction(-1, 0, -1, 0, 1, doubtful[0]), UncertainFunction(1, 0, 0, 0, 0, doubtful[1]),
+          UncertainFunction(0, 0, 1, 0, 0, doubtful[2])};
+}
+
+/// The two faces, which look the same way, have side k of the first in common.
+bool goes_on(const FaceEnclosure& face, std::size_t k, const FaceEnclosure& other) {
+  if (face.own != other.own || face.facing != other.facing) return false;
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (other.vertices[j] == face.vertices[(k + 1) % 3] && other.vertices[(j + 1) % 3] == face.vertices[k]) return true;
+  }
+  return false;
+}
+
+/// Whether side k of g has no point within f: both its ends lie beyond one side of f, or are ends of that.
+bool surely_beside(const FaceEnclosure& g, std::size_t k, const FaceEnclosure& f) {
+  const double s = f.corner_error.s + g.corner_error.s, t = f.corner_error.t + g.corner_error.t;
+  const auto beyond = [&](std::size_t end, std::size_t side) {
+    const std::size_t next = (side + 1) % 3;
+    if (f.own == g.own && (g.vertices[end] == f.vertices[side] || g.vertices[end] == f.vertices[next])) return true;
+    const PrismPoint& from = f.corners[side];
+    const double side_s = f.corners[next][kS] - from[kS], side_t = f.corners[next][kT] - from[kT];
+    const double to_s = g.corners[end][kS] - from[kS], to_t = g.corners[end][kT] - from[kT];
+    // Twice what position errors make pays for the roundings as well.
+    const double error =
+        2 * s * (std::abs(side_t) + std::abs(to_t) + 4 * t) + 2 * t * (std::abs(side_s) + std::abs(to_s));
+    return side_t * to_s - side_s * to_t > error;
+  };
+  for (std::size_t side = 0; side < 3; ++side) {
+    if (beyond(k, side) && beyond((k + 1) % 3, side)) return true;
+  }
+  return false;
+}
+
+/// Positive within a face, negative outside.
+Sign sign_within(const FaceEnclosure& face, const PrismPoint& x) {
+  Sign sign = Sign::positive;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Sign of_side = inside_of_side(face, k).sign_at(x);
+    if (of_side == Sign::negative) return of_side;
+    if (of_side == Sign::unsure) sign = of_side;
+  }
+  return sign;
+}
+
+PrismPoint centre_of(const ConvexPolygon& polygon) {
+  PrismPoint sum = PrismPoint::Zero();
+  for (int i = 0; i < polygon.count; ++i) sum += polygon[i];
+  return sum / polygon.count;
+}
+
+/// Cuts away where `sign` times the function is less than `level`.
+void keep_above(ConvexPolygon& polygon, const UncertainFunction& function, double sign, double level) {
+  if (polygon.count == 0) return;
+  Heights heights{};
+  for (int i = 0; i < polygon.count; ++i) heights[static_cast<std::size_t>(i)] = sign * function(polygon[i]) - level;
+  keep_where_not_negative(polygon, heights);
+}
+
+/// All of the master that the face may cover.
+ConvexPolygon part_covered(const FaceEnclosure& face) {
+  ConvexPolygon part;
+  part.add({1, 0, 0, 0});
+  part.add({0, 1, 0, 0});
+  part.add({0, 0, 1, 0});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const UncertainFunction side = inside_of_side(face, k);
+    keep_above(part, side, 1, -side.parted_at());
+  }
+  return part;
+}
+
+class Search {
+ public:
+  Search(const std::vector<FaceInView>& sights, const std::array<double, 3>& doubtful, double floor,
+         VisibleDepthScratch& scratch)
+      : sights_(sights), sides_of_master_(sides_of_master(doubtful)), floor_(floor), scratch_(scratch) {}
+
+  DepthRange run();
+
+ private:
+  using Carrier = VisibleDepthScratch::Carrier;
+  using Other = VisibleDepthScratch::Other;
+  using Piece = VisibleDepthScratch::Piece;
+  enum class Outcome : std::uint8_t { hidden, visible, doubtful, open };
+
+  void start();
+  void compare(Carrier& carrier);
+  Outcome examine(const Piece& piece);
+  /// Leaves `hiders` and whether another face may lie before the carrier though it isn't sure.
+  void find_hiders(const Piece& piece);
+  void weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, const Other& other);
+  bool is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f);
+  void leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f);
+  std::optional<std::size_t> side_that_borders(const FaceEnclosure& g, const ConvexPolygon& polygon,
+                                               const FaceEnclosure& f) const;
+  std::optional<bool> is_covered(const PrismPoint& x, const FaceEnclosure& f) const;
+  Outcome examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f);
+  /// False where the function's sign is as unsure on every part of the piece, or is sure.
+  bool part_along(const UncertainFunction& function, const ConvexPolygon& polygon) {
+    const bool parts = function.parts(polygon);
+    if (!cut_ && parts) cut_ = function;
+    return parts;
+  }
+  bool may_part(const Piece& piece) const { return cut_ && piece.polygon.cuts < kMostCuts - 2; }
+  void part(const Piece& piece, std::vector<Piece>& heap);
+  void push(const ConvexPolygon& polygon, std::size_t carrier, std::vector<Piece>& heap);
+  void find_visible(DepthRange& range);
+  void find_hidden(DepthRange& range);
+
+  const std::vector<FaceInView>& sights_;
+  const std::array<UncertainFunction, 3> sides_of_master_;
+  const double floor_;
+  VisibleDepthScratch& scratch_;
+  /// Of the piece at hand: whether something stands against its being visible, and always will on any part of it; and
+  /// the line to part it along.
+  bool doubted_ = false;
+  bool hopeless_ = false;
+  std::optional<UncertainFunction> cut_;
+};
+
+bool less_deep(const VisibleDepthScratch::Piece& a, const VisibleDepthScratch::Piece& b) {
+  return a.deepest < b.deepest;
+}
+
+void push_heap(std::vector<VisibleDepthScratch::Piece>& heap, const VisibleDepthScratch::Piece& piece) {
+  heap.push_back(piece);
+  std::push_heap(heap.begin(), heap.end(), less_deep);
+}
+
+VisibleDepthScratch::Piece pop_heap(std::vector<VisibleDepthScratch::Piece>& heap) {
+  std::pop_heap(heap.begin(), heap.end(), less_deep);
+  const VisibleDepthScratch::Piece piece = heap.back();
+  heap.pop_back();
+  return piece;
+}
+
+void Search::push(const ConvexPolygon& polygon, std::size_t carrier, std::vector<Piece>& heap) {
+  if (polygon.count == 0) return;
+  const FaceEnclosure& f = *scratch_.carriers[carrier].face;
+  const double deepest = std::min(depth_of(f).greatest_over(polygon), f.greatest);
+  if (deepest > floor_) push_heap(heap, {polygon, carrier, deepest});
+}
+
+void Search::start() {
+  scratch_.carriers.clear();
+  scratch_.others.clear();
+  scratch_.pieces.clear();
+  scratch_.doubtful.clear();
+  for (const FaceInView& sight : sights_) {
+    const FaceEnclosure& f = sight.enclosure;
+    if (!sight.may_carry || !(f.greatest > floor_)) continue;
+    scratch_.carriers.push_back({&f, false, 0, 0});
+    const std::size_t carrier = scratch_.carriers.size() - 1;
+    if (f.facing != 0) {
+      push(part_covered(f), carrier, scratch_.pieces);
+    } else {
+      push_heap(scratch_.doubtful, {ConvexPolygon(), carrier, f.greatest});
+    }
+  }
+}
+
+void Search::compare(Carrier& carrier) {
+  carrier.compared = true;
+  carrier.first = scratch_.others.size();
+  const FaceEnclosure& f = *carrier.face;
+  for (const FaceInView& sight : sights_) {
+    const FaceEnclosure& g = sight.enclosure;
+    if (&g == &f) continue;
+    const BoxST box = f.box.common(g.box);
+    if (box.empty()) continue;
+    Other other{&g, CertainOrder::unsure};
+    if (g.facing != 0) {
+      if (greatest_overlap(f, g, box) == 0) continue;
+      other.order = certain_order(g, f);
+      if (other.order == CertainOrder::after) continue;
+    }
+    scratch_.others.push_back(other);
+  }
+  carrier.last = scratch_.others.size();
+}
+
+// Whatever may lie before f is either among the hiders or stands against its being seen.
+void Search::weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, const Other& other) {
+  const FaceEnclosure& g = *other.face;
+  const auto box_sides = sides_of(g.box);
+  for (const UncertainFunction& side : box_sides) {
+    if (side.sign_over(polygon) == Sign::negative) return;
+  }
+  if (g.facing == 0) {
+    bool parts = false;
+    for (const UncertainFunction& side : box_sides) parts = part_along(side, polygon) || parts;
+    doubted_ = true;
+    hopeless_ = hopeless_ || !parts;
+    return;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (inside_of_side(g, k).sign_over(polygon) == Sign::negative) return;
+  }
+  const UncertainFunction depth = depth_of(g), beyond = depth_beyond(f, g);
+  const Sign below = depth.sign_over(polygon);
+  const Sign before = other.order == CertainOrder::before ? Sign::positive : beyond.sign_over(polygon);
+  if (below == Sign::negative || before == Sign::negative) return;
+  if (below == Sign::positive && before == Sign::positive) {
+    scratch_.hiders.push_back(&g);
+    return;
+  }
+  bool parts = false;
+  if (before == Sign::unsure) parts = part_along(beyond, polygon);
+  if (below == Sign::unsure) parts = part_along(depth, polygon) || parts;
+  for (std::size_t k = 0; k < 3; ++k) parts = part_along(inside_of_side(g, k), polygon) || parts;
+  doubted_ = true;
+  hopeless_ = hopeless_ || !parts;
+}
+
+// Without those whose common border meets the piece, until it meets none.
+void Search::leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f) {
+  std::vector<const FaceEnclosure*>& covering = scratch_.covering;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < covering.size();) {
+      const std::optional<std::size_t> side = side_that_borders(*covering[i], polygon, f);
+      if (!side) {
+        ++i;
+        continue;
+      }
+      const bool parts = part_along(inside_of_side(*covering[i], *side), polygon);
+      covering.erase(covering.begin() + static_cast<std::ptrdiff_t>(i));
+      changed = doubted_ = true;
+      hopeless_ = hopeless_ || !parts;
+    }
+  }
+}
+
+std::optional<std::size_t> Search::side_that_borders(const FaceEnclosure& g, const ConvexPolygon& polygon,
+                                                     const FaceEnclosure& f) const {
+  const std::vector<const FaceEnclosure*>& covering = scratch_.covering;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!side_may_meet(g, k, polygon) || surely_beside(g, k, f)) continue;
+    if (std::none_of(covering.begin(), covering.end(), [&](const FaceEnclosure* h) { return goes_on(g, k, *h); }))
+      return k;
+  }
+  return std::nullopt;
+}
+
+/// Whether a point of f is covered, where nothing is unsure there.
+std::optional<bool> Search::is_covered(const PrismPoint& x, const FaceEnclosure& f) const {
+  if (sign_within(f, x) != Sign::positive) return std::nullopt;
+  bool certain = true;
+  for (const FaceEnclosure* const g : scratch_.covering) {
+    const Sign sign = sign_within(*g, x);
+    if (sign == Sign::positive) return true;
+    certain = certain && sign == Sign::negative;
+  }
+  return certain ? std::optional(false) : std::nullopt;
+}
+
+// Of the hiders' border what is f's own border, or lies beside f, parts no points of f: what is true of one point of f
+// is true of all that no other border parts from it. Where the piece lies along f's border, that point is looked for
+// beside the piece.
+bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
+  scratch_.covering = scratch_.hiders;
+  leave_out_bordering(polygon, f);
+  if (scratch_.covering.empty()) return false;
+  const PrismPoint centre = centre_of(polygon);
+  for (int i = -1; i < polygon.count; ++i) {
+    const PrismPoint x = i < 0 ? centre : PrismPoint(0.5 * (centre + polygon[i]));
+    if (const std::optional<bool> covered = is_covered(x, f)) return *covered;
+  }
+  const PrismPoint inwards = (f.corners[0] + f.corners[1] + f.corners[2]) / 3 - centre;
+  for (double share = 0x1p-42; share < 1; share *= 8) {
+    const PrismPoint x = centre + share * inwards;
+    ConvexPolygon between = polygon;
+    between.add(x);  // No polygon, but only its points count.
+    const auto borders = [&](const FaceEnclosure* g) { return side_that_borders(*g, between, f).has_value(); };
+    if (std::any_of(scratch_.covering.begin(), scratch_.covering.end(), borders)) break;
+    if (const std::optional<bool> covered = is_covered(x, f)) return *covered;
+  }
+  doubted_ = true;
+  return false;
+}
+
+// What lies within the uncertainty of such a border is not seen for certain, however it is parted.
+Search::Outcome Search::examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f) {
+  Outcome outcome = Outcome::visible;
+  const auto look_at = [&](const UncertainFunction& side) {
+    const Sign sign = side.sign_over(polygon);
+    if (sign == Sign::negative) outcome = Outcome::hidden;
+    if (sign != Sign::unsure || outcome == Outcome::hidden) return;
+    part_along(side, polygon);
+    if (!side.parts(polygon)) {
+      outcome = Outcome::doubtful;
+    } else if (outcome == Outcome::visible) {
+      outcome = Outcome::open;
+    }
+  };
+  for (std::size_t k = 0; k < 3; ++k) look_at(inside_of_side(f, k));
+  if (outcome != Outcome::hidden) {
+    for (const UncertainFunction& side : sides_of_master_) look_at(side);
+  }
+  return outcome;
+}
+
+Search::Outcome Search::examine(const Piece& piece) {
+  doubted_ = hopeless_ = false;
+  cut_.reset();
+  Carrier& carrier = scratch_.carriers[piece.carrier];
+  const FaceEnclosure& f = *carrier.face;
+  if (f.facing == 0) return Outcome::doubtful;
+  const Outcome at_borders = examine_borders(piece.polygon, f);
+  if (at_borders == Outcome::hidden) return Outcome::hidden;
+  if (!carrier.compared) compare(carrier);
+  scratch_.hiders.clear();
+  for (std::size_t i = carrier.first; i < carrier.last; ++i) weigh(piece.polygon, f, scratch_.others[i]);
+  if (!scratch_.hiders.empty() && is_hidden(piece.polygon, f)) return Outcome::hidden;
+  if (hopeless_) return Outcome::doubtful;
+  return doubted_ && at_borders == Outcome::visible ? Outcome::open : at_borders;
+}
+
+void Search::part(const Piece& piece, std::vector<Piece>& heap) {
+  if (piece.polygon.count > ConvexPolygon::kMost) {
+    const int half = piece.polygon.count / 2;
+    Piece first = piece, second = piece;
+    first.polygon.count = half + 1;
+    second.polygon.count = 0;
+    for (int i = half; i < piece.polygon.count; ++i) second.polygon.add(piece.polygon[i]);
+    second.polygon.add(piece.polygon[0]);
+    part(first, heap);
+    part(second, heap);
+    return;
+  }
+  const double at = cut_->parted_at();
+  ConvexPolygon positive = piece.polygon, negative = piece.polygon, between = piece.polygon;
+  keep_above(positive, *cut_, 1, at);
+  keep_above(negative, *cut_, -1, at);
+  keep_above(between, *cut_, 1, -at);
+  keep_above(between, *cut_, -1, -at);
+  for (const ConvexPolygon* const polygon : {&positive, &negative, &between}) push(*polygon, piece.carrier, heap);
+}
+
+// What is doubtful whatever becomes of it waits.
+void Search::find_visible(DepthRange& range) {
+  for (int looked_at = 0; !scratch_.pieces.empty() && looked_at < kMostPieces; ++looked_at) {
+    const Piece piece = pop_heap(scratch_.pieces);
+    switch (examine(piece)) {
+      case Outcome::hidden:
+        break;
+      case Outcome::open:
+        if (may_part(piece)) {
+          part(piece, scratch_.pieces);
+        } else {
+          push_heap(scratch_.doubtful, piece);
+        }
+        break;
+      case Outcome::doubtful:
+        push_heap(scratch_.doubtful, piece);
+        break;
+      case Outcome::visible: {
+        const UncertainFunction depth = depth_of(*scratch_.carriers[piece.carrier].face);
+        range.at_least = std::max(depth.over(piece.polygon).high - depth.parted_at(), 0.0);
+        range.at_most = piece.deepest;
+        return;
+      }
+    }
+  }
+  for (const Piece& piece : scratch_.pieces) push_heap(scratch_.doubtful, piece);
+}
+
+// Until what is left can't tell more than errors of the depth do.
+void Search::find_hidden(DepthRange& range) {
+  for (int looked_at = 0; !scratch_.doubtful.empty(); ++looked_at) {
+    const Piece piece = pop_heap(scratch_.doubtful);
+    if (!(piece.deepest > range.at_most)) return;
+    const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
+    const bool close = piece.deepest - range.at_least <= 8 * depth_of(f).parted_at();
+    if (looked_at < kMostPieces && !close) {
+      if (examine(piece) == Outcome::hidden) continue;
+      if (doubted_ && may_part(piece)) {
+        part(piece, scratch_.doubtful);
+        continue;
+      }
+    }
+    range.at_most = piece.deepest;
+    return;
+  }
+}
+
+DepthRange Search::run() {
+  start();
+  DepthRange range{0, floor_};
+  find_visible(range);
+  find_hidden(range);
+  return range;
+}
+
+}  // namespace
+
+DepthRange find_visible_depth(const std::vector<FaceInView>& sights, const std::array<double, 3>& doubtful,
+                              double floor, VisibleDepthScratch& scratch) {
+  return Search(sights, doubtful, floor, scratch).run();
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "fast/bounds/face_enclosure.h"
+
+namespace pcm::fast {
+
+/// Bounds of the greatest depth that one master face sees in the exact problem (PCM section 6, clipped scheme).
+struct DepthRange {
+  double at_least = 0;  ///< m; 0: nothing is known
+  double at_most = 0;   ///< m
+};
+
+/// Scratch memory of find_visible_depth.
+struct VisibleDepthScratch {
+  /// A slave face that may be seen, and those of `others` that may lie before it somewhere.
+  struct Carrier {
+    const FaceEnclosure* face;
+    bool compared;
+    std::size_t first, last;
+  };
+  struct Other {
+    const FaceEnclosure* face;
+    CertainOrder order;  ///< against the carrier
+  };
+  /// A convex piece of the master, looked at for one carrier.
+  struct Piece {
+    ConvexPolygon polygon;
+    std::size_t carrier;
+    double deepest;  ///< the carrier is nowhere deeper on it, m
+  };
+  std::vector<Carrier> carriers;
+  std::vector<Other> others;
+  std::vector<Piece> pieces;                   ///< a heap: where a face may be seen for certain
+  std::vector<Piece> doubtful;                 ///< a heap: where it may be seen, but not for certain
+  std::vector<const FaceEnclosure*> hiders;    ///< certainly before the carrier wherever they cover the piece at hand
+  std::vector<const FaceEnclosure*> covering;  ///< those of them whose common border does not meet it
+};
+
+/// Bounds the depth of the deepest point that a master face sees in the exact problem, from what its lines may meet.
+///
+/// A search by branch and bound over pieces of the master, the deepest first. A piece on which a slave face f may be
+/// seen is
+///
+///   - hidden, where faces that certainly lie before f, deeper than 0, cover it. How many of them cover a point changes
+///     only where their common border passes: sides beyond which no other one of them goes on, which are known but for
+///     their position errors. So one point that one of them certainly covers tells it of a piece which that border does
+///     not meet: sides that they share, however they are rounded, do not count.
+///   - visible, where f certainly covers all of it and no other face may lie before: its depth there is a lower bound.
+///   - parted otherwise along a line that leaves this open, into what lies on either side of the line's uncertainty and
+///     what lies within. What can't be parted any more is counted as seen, and as not seen.
+///
+/// Pieces lose a few roundings with each cut; every test holds for the piece enlarged by as much.
+///
+/// `doubtful`: near the master's sides, where a weight is less than that (of p0, p1, p2), other faces of the master
+/// that were not entered may hide what is seen. Nothing less deep than `floor`, m, is looked for; at_most is no less.
+DepthRange find_visible_depth(const std::vector<FaceInView>& sights, const std::array<double, 3>& doubtful,
+                              double floor, VisibleDepthScratch& scratch);
+
+}  // namespace pcm::fast
