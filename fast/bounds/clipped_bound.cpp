@@ -149,7 +149,11 @@ void FaceBound::add_element(const VisiblePart& part, const Element& element, con
 void FaceBound::note_visible_depth(VisibleDepthScratch& scratch) {
   const double floor = bound_.depth_at_least();
   if (!(sight_->greatest_depth() > floor)) return;
-  const DepthRange range = sight_->visible_depth(floor, scratch);
+  double computed = 0;
+  for (const VisiblePart& part : seen_.parts) {
+    if (part.is_element()) computed = std::max(computed, part.moments.greatest);
+  }
+  const DepthRange range = sight_->visible_depth(computed, floor, scratch);
   bound_.note_depth(undecided_ ? 0 : range.at_least, range.at_most);
 }
 

@@ -187,9 +187,9 @@ double ViewError::area_leant_over(const FaceEnclosure& f) const {
   return std::min(area, f.box.area());
 }
 
-DepthRange ViewError::visible_depth(double floor, VisibleDepthScratch& scratch) const {
+DepthRange ViewError::visible_depth(double computed, double floor, VisibleDepthScratch& scratch) const {
   const double leant = kSafetyFactor * lean_ * std::max(greatest_depth_, 0.0);
-  return find_visible_depth(scratch_->sights, weights_within(leant), floor, scratch);
+  return find_visible_depth(scratch_->sights, weights_within(leant), computed, floor, scratch);
 }
 
 // What it would be off by if no other face were there.

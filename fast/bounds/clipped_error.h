@@ -70,8 +70,8 @@ class ViewError {
   };
   Beside beside() const;
 
-  /// Of what the exact problem sees, before clamping; nothing less deep than `floor`, m, is looked for.
-  DepthRange visible_depth(double floor, VisibleDepthScratch& scratch) const;
+  /// Of what the exact problem sees, before clamping (fast/bounds/visible_depth.h).
+  DepthRange visible_depth(double computed, double floor, VisibleDepthScratch& scratch) const;
 
   bool known() const { return known_; }  ///< otherwise there is no such bound: a face of no known normal
   /// Whether a face is seen flush: elements with a force of any size may be others.

@@ -95,6 +95,14 @@ UncertainFunction inside_of_side(const FaceEnclosure& face, std::size_t k) {
   return {-side_t, a[kS], side_s, a[kT], 0, std::abs(side_t) * off.s + std::abs(side_s) * off.t + roundings};
 }
 
+/// Whether the face covers no point of the piece.
+bool lies_outside(const FaceEnclosure& face, const ConvexPolygon& piece) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (inside_of_side(face, k).sign_over(piece) == Sign::negative) return true;
+  }
+  return false;
+}
+
 /// Whether side k may have a point over the piece.
 bool side_may_meet(const FaceEnclosure& face, std::size_t k, const ConvexPolygon& piece) {
   if (inside_of_side(face, k).sign_over(piece) != Sign::unsure) return false;
@@ -162,6 +170,18 @@ bool surely_beside(const FaceEnclosure& g, std::size_t k, const FaceEnclosure& f
   return false;
 }
 
+/// A box that has all of a piece.
+BoxST box_of(const ConvexPolygon& piece) {
+  BoxST box{piece[0][kS], piece[0][kS], piece[0][kT], piece[0][kT]};
+  for (int i = 1; i < piece.count; ++i) {
+    box.low_s = std::min(box.low_s, piece[i][kS]);
+    box.high_s = std::max(box.high_s, piece[i][kS]);
+    box.low_t = std::min(box.low_t, piece[i][kT]);
+    box.high_t = std::max(box.high_t, piece[i][kT]);
+  }
+  return {box.low_s - kLost, box.high_s + kLost, box.low_t - kLost, box.high_t + kLost};
+}
+
 /// Positive within a face, negative outside.
 Sign sign_within(const FaceEnclosure& face, const PrismPoint& x) {
   Sign sign = Sign::positive;
@@ -206,7 +226,7 @@ class Search {
          VisibleDepthScratch& scratch)
       : sights_(sights), sides_of_master_(sides_of_master(doubtful)), floor_(floor), scratch_(scratch) {}
 
-  DepthRange run();
+  DepthRange run(double computed);
 
  private:
   using Carrier = VisibleDepthScratch::Carrier;
@@ -215,11 +235,12 @@ class Search {
   enum class Outcome : std::uint8_t { hidden, visible, doubtful, open };
 
   void start();
-  void compare(Carrier& carrier);
+  void find_others(Carrier& carrier);
+  static CertainOrder order_of(Other& other, const FaceEnclosure& f);
   Outcome examine(const Piece& piece);
   /// Leaves `hiders` and whether another face may lie before the carrier though it isn't sure.
   void find_hiders(const Piece& piece);
-  void weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, const Other& other);
+  void weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& other);
   bool is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f);
   void leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f);
   std::optional<std::size_t> side_that_borders(const FaceEnclosure& g, const ConvexPolygon& polygon,
@@ -246,6 +267,7 @@ class Search {
   /// the line to part it along.
   bool doubted_ = false;
   bool hopeless_ = false;
+  BoxST piece_box_{};
   std::optional<UncertainFunction> cut_;
 };
 
@@ -285,52 +307,54 @@ void Search::start() {
     if (f.facing != 0) {
       push(part_covered(f), carrier, scratch_.pieces);
     } else {
-      push_heap(scratch_.doubtful, {ConvexPolygon(), carrier, f.greatest});
+      push_heap(scratch_.pieces, {ConvexPolygon(), carrier, f.greatest});
     }
   }
 }
 
-void Search::compare(Carrier& carrier) {
-  carrier.compared = true;
+void Search::find_others(Carrier& carrier) {
+  carrier.has_others = true;
   carrier.first = scratch_.others.size();
-  const FaceEnclosure& f = *carrier.face;
   for (const FaceInView& sight : sights_) {
     const FaceEnclosure& g = sight.enclosure;
-    if (&g == &f) continue;
-    const BoxST box = f.box.common(g.box);
-    if (box.empty()) continue;
-    Other other{&g, CertainOrder::unsure};
-    if (g.facing != 0) {
-      if (greatest_overlap(f, g, box) == 0) continue;
-      other.order = certain_order(g, f);
-      if (other.order == CertainOrder::after) continue;
-    }
-    scratch_.others.push_back(other);
+    if (&g != carrier.face && !carrier.face->box.common(g.box).empty())
+      scratch_.others.push_back({&g, g.facing == 0, CertainOrder::unsure});
   }
   carrier.last = scratch_.others.size();
 }
 
-// Whatever may lie before f is either among the hiders or stands against its being seen.
-void Search::weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, const Other& other) {
-  const FaceEnclosure& g = *other.face;
-  const auto box_sides = sides_of(g.box);
-  for (const UncertainFunction& side : box_sides) {
-    if (side.sign_over(polygon) == Sign::negative) return;
+CertainOrder Search::order_of(Other& other, const FaceEnclosure& f) {
+  if (!other.compared) {
+    other.compared = true;
+    const FaceEnclosure& g = *other.face;
+    const bool apart = greatest_overlap(f, g, f.box.common(g.box)) == 0;
+    other.order = apart ? CertainOrder::after : certain_order(g, f);
   }
+  return other.order;
+}
+
+// Whatever may lie before f is either among the hiders or stands against its being seen.
+void Search::weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& other) {
+  const FaceEnclosure& g = *other.face;
+  if (other.order == CertainOrder::after) return;
+  if (piece_box_.common(g.box).empty()) return;
   if (g.facing == 0) {
     bool parts = false;
-    for (const UncertainFunction& side : box_sides) parts = part_along(side, polygon) || parts;
+    for (const UncertainFunction& side : sides_of(g.box)) parts = part_along(side, polygon) || parts;
     doubted_ = true;
     hopeless_ = hopeless_ || !parts;
     return;
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (inside_of_side(g, k).sign_over(polygon) == Sign::negative) return;
-  }
+  if (lies_outside(g, polygon)) return;
   const UncertainFunction depth = depth_of(g), beyond = depth_beyond(f, g);
   const Sign below = depth.sign_over(polygon);
-  const Sign before = other.order == CertainOrder::before ? Sign::positive : beyond.sign_over(polygon);
+  Sign before = beyond.sign_over(polygon);
   if (below == Sign::negative || before == Sign::negative) return;
+  if (before == Sign::unsure) {
+    const CertainOrder order = order_of(other, f);
+    if (order == CertainOrder::after) return;
+    if (order == CertainOrder::before) before = Sign::positive;
+  }
   if (below == Sign::positive && before == Sign::positive) {
     scratch_.hiders.push_back(&g);
     return;
@@ -410,24 +434,19 @@ bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
   return false;
 }
 
-// What lies within the uncertainty of such a border is not seen for certain, however it is parted.
+// What lies within the uncertainty of a border is not seen for certain, however it is parted.
 Search::Outcome Search::examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f) {
   Outcome outcome = Outcome::visible;
   const auto look_at = [&](const UncertainFunction& side) {
-    const Sign sign = side.sign_over(polygon);
-    if (sign == Sign::negative) outcome = Outcome::hidden;
-    if (sign != Sign::unsure || outcome == Outcome::hidden) return;
-    part_along(side, polygon);
-    if (!side.parts(polygon)) {
+    if (side.sign_over(polygon) == Sign::positive) return;
+    if (!part_along(side, polygon)) {
       outcome = Outcome::doubtful;
     } else if (outcome == Outcome::visible) {
       outcome = Outcome::open;
     }
   };
   for (std::size_t k = 0; k < 3; ++k) look_at(inside_of_side(f, k));
-  if (outcome != Outcome::hidden) {
-    for (const UncertainFunction& side : sides_of_master_) look_at(side);
-  }
+  for (const UncertainFunction& side : sides_of_master_) look_at(side);
   return outcome;
 }
 
@@ -437,10 +456,11 @@ Search::Outcome Search::examine(const Piece& piece) {
   Carrier& carrier = scratch_.carriers[piece.carrier];
   const FaceEnclosure& f = *carrier.face;
   if (f.facing == 0) return Outcome::doubtful;
-  const Outcome at_borders = examine_borders(piece.polygon, f);
-  if (at_borders == Outcome::hidden) return Outcome::hidden;
-  if (!carrier.compared) compare(carrier);
+  if (lies_outside(f, piece.polygon)) return Outcome::hidden;
+  const Outcome at_borders = examine_borders(piece.polygon, f);  // To be parted along these first.
+  if (!carrier.has_others) find_others(carrier);
   scratch_.hiders.clear();
+  piece_box_ = box_of(piece.polygon);
   for (std::size_t i = carrier.first; i < carrier.last; ++i) weigh(piece.polygon, f, scratch_.others[i]);
   if (!scratch_.hiders.empty() && is_hidden(piece.polygon, f)) return Outcome::hidden;
   if (hopeless_) return Outcome::doubtful;
@@ -502,7 +522,7 @@ void Search::find_hidden(DepthRange& range) {
     const Piece piece = pop_heap(scratch_.doubtful);
     if (!(piece.deepest > range.at_most)) return;
     const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
-    const bool close = piece.deepest - range.at_least <= 8 * depth_of(f).parted_at();
+    const bool close = piece.deepest - std::max(range.at_least, floor_) <= 8 * depth_of(f).parted_at();
     if (looked_at < kMostPieces && !close) {
       if (examine(piece) == Outcome::hidden) continue;
       if (doubted_ && may_part(piece)) {
@@ -515,10 +535,14 @@ void Search::find_hidden(DepthRange& range) {
   }
 }
 
-DepthRange Search::run() {
+DepthRange Search::run(double computed) {
   start();
   DepthRange range{0, floor_};
-  find_visible(range);
+  if (computed > floor_) {
+    find_visible(range);
+  } else {
+    std::swap(scratch_.pieces, scratch_.doubtful);
+  }
   find_hidden(range);
   return range;
 }
@@ -526,8 +550,8 @@ DepthRange Search::run() {
 }  // namespace
 
 DepthRange find_visible_depth(const std::vector<FaceInView>& sights, const std::array<double, 3>& doubtful,
-                              double floor, VisibleDepthScratch& scratch) {
-  return Search(sights, doubtful, floor, scratch).run();
+                              double computed, double floor, VisibleDepthScratch& scratch) {
+  return Search(sights, doubtful, floor, scratch).run(computed);
 }
 
 }  // namespace pcm::fast

@@ -18,15 +18,17 @@ struct DepthRange {
 
 /// Scratch memory of find_visible_depth.
 struct VisibleDepthScratch {
-  /// A slave face that may be seen, and those of `others` that may lie before it somewhere.
+  /// A slave face that may be seen, and which of `others` may cover some of it.
   struct Carrier {
     const FaceEnclosure* face;
-    bool compared;
+    bool has_others;
     std::size_t first, last;
   };
+  /// `after`: it certainly hides nothing of the carrier.
   struct Other {
     const FaceEnclosure* face;
-    CertainOrder order;  ///< against the carrier
+    bool compared;
+    CertainOrder order;
   };
   /// A convex piece of the master, looked at for one carrier.
   struct Piece {
@@ -58,8 +60,9 @@ struct VisibleDepthScratch {
 /// Pieces lose a few roundings with each cut; every test holds for the piece enlarged by as much.
 ///
 /// `doubtful`: near the master's sides, where a weight is less than that (of p0, p1, p2), other faces of the master
-/// that were not entered may hide what is seen. Nothing less deep than `floor`, m, is looked for; at_most is no less.
+/// that were not entered may hide what is seen. `computed`: the deepest point that the engine sees, m. Where that is no
+/// deeper than `floor`, m, no lower bound is looked for; and an upper one only where it is greater than `floor`.
 DepthRange find_visible_depth(const std::vector<FaceInView>& sights, const std::array<double, 3>& doubtful,
-                              double floor, VisibleDepthScratch& scratch);
+                              double computed, double floor, VisibleDepthScratch& scratch);
 
 }  // namespace pcm::fast
