@@ -26,7 +26,8 @@ std::vector<Disagreement> disagreements(const Question& question, const fast::Co
 /// infinite bound though no number is near the end of the range of doubles, or by an element that the exact problem has
 /// and the rounded one has not (or the reverse) while the engine calls its elements certain. Kind `penetration_bound`:
 /// by the greatest penetration of the exact problem, or by a lower bound that the engine's own greatest penetration, or
-/// its upper bound, does not reach. Nothing without a bound.
+/// its upper bound, does not reach. Kind `penetration`: in the clipped scheme, by the engine's own greatest depth,
+/// where no sliver may make it so. Nothing without a bound.
 Checks broken_bounds(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
                      const reference::Answer& true_exact);
 

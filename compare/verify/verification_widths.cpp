@@ -42,7 +42,7 @@ constexpr KindText kTexts[] = {
     {Kind::element_velocity, "the element's speed", "what is said of normal and position"},
     {Kind::element_force, "the element's force", "what is said of area, penetration and normal; friction near rest"},
     {Kind::penetration, "the greatest penetration",
-     "as an element's; clipped scheme: of the deepest, though it be a sliver"},
+     "as an element's; clipped scheme: held by the engine's own two bounds (below), or by slivers alone (`any`)"},
     {Kind::force, "the sum of the elements' forces", "what is said of elements, in the mean over all of them"},
     {Kind::torque, "the sum of lever times force", "the same"},
     {Kind::sums, "the sum of the terms' sizes", "n roundings of n terms"},
@@ -50,7 +50,8 @@ constexpr KindText kTexts[] = {
     {Kind::bound, "the sum of the elements' forces, or of lever times force",
      "the engine's own bound: where a decision may be another one in the exact problem it holds all answers"},
     {Kind::penetration_bound, "the greatest penetration",
-     "the engine's own two bounds, how far apart they are: as above, or where what lies deepest is hidden"},
+     "the engine's own two bounds, how far apart they are: as above, or where a gap as narrow as roundings shows what "
+     "lies deepest"},
 };
 
 const Widths& widths_of(const Tally& tally, Kind kind) {

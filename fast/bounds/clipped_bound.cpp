@@ -148,7 +148,7 @@ void FaceBound::add_element(const VisiblePart& part, const Element& element, con
 
 void FaceBound::note_visible_depth(VisibleDepthScratch& scratch) {
   const double floor = bound_.depth_at_least();
-  if (!(sight_->greatest_depth() > floor)) return;
+  if (sight_->greatest_depth() <= floor) return;
   double computed = 0;
   for (const VisiblePart& part : seen_.parts) {
     if (part.is_element()) computed = std::max(computed, part.moments.greatest);

@@ -238,8 +238,6 @@ class Search {
   void find_others(Carrier& carrier);
   static CertainOrder order_of(Other& other, const FaceEnclosure& f);
   Outcome examine(const Piece& piece);
-  /// Leaves `hiders` and whether another face may lie before the carrier though it isn't sure.
-  void find_hiders(const Piece& piece);
   void weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& other);
   bool is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f);
   void leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f);
@@ -290,8 +288,9 @@ VisibleDepthScratch::Piece pop_heap(std::vector<VisibleDepthScratch::Piece>& hea
 void Search::push(const ConvexPolygon& polygon, std::size_t carrier, std::vector<Piece>& heap) {
   if (polygon.count == 0) return;
   const FaceEnclosure& f = *scratch_.carriers[carrier].face;
-  const double deepest = std::min(depth_of(f).greatest_over(polygon), f.greatest);
-  if (deepest > floor_) push_heap(heap, {polygon, carrier, deepest});
+  const double over_piece = depth_of(f).greatest_over(polygon);
+  const double deepest = over_piece < f.greatest ? over_piece : f.greatest;  // No number where that overflows.
+  if (!(deepest <= floor_)) push_heap(heap, {polygon, carrier, deepest});
 }
 
 void Search::start() {
@@ -301,7 +300,7 @@ void Search::start() {
   scratch_.doubtful.clear();
   for (const FaceInView& sight : sights_) {
     const FaceEnclosure& f = sight.enclosure;
-    if (!sight.may_carry || !(f.greatest > floor_)) continue;
+    if (!sight.may_carry || f.greatest <= floor_) continue;
     scratch_.carriers.push_back({&f, false, 0, 0});
     const std::size_t carrier = scratch_.carriers.size() - 1;
     if (f.facing != 0) {
@@ -424,10 +423,13 @@ bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
   const PrismPoint inwards = (f.corners[0] + f.corners[1] + f.corners[2]) / 3 - centre;
   for (double share = 0x1p-42; share < 1; share *= 8) {
     const PrismPoint x = centre + share * inwards;
+    if (!(std::min(x[kS], x[kT]) >= 0 && x[kS] + x[kT] <= 1)) break;  // Nothing is known beside the master.
     ConvexPolygon between = polygon;
     between.add(x);  // No polygon, but only its points count.
-    const auto borders = [&](const FaceEnclosure* g) { return side_that_borders(*g, between, f).has_value(); };
-    if (std::any_of(scratch_.covering.begin(), scratch_.covering.end(), borders)) break;
+    const auto is_parted = [&](const FaceEnclosure* g) {
+      return depth_of(*g).sign_over(between) != Sign::positive || side_that_borders(*g, between, f);
+    };
+    if (std::any_of(scratch_.covering.begin(), scratch_.covering.end(), is_parted)) break;
     if (const std::optional<bool> covered = is_covered(x, f)) return *covered;
   }
   doubted_ = true;
@@ -520,7 +522,7 @@ void Search::find_visible(DepthRange& range) {
 void Search::find_hidden(DepthRange& range) {
   for (int looked_at = 0; !scratch_.doubtful.empty(); ++looked_at) {
     const Piece piece = pop_heap(scratch_.doubtful);
-    if (!(piece.deepest > range.at_most)) return;
+    if (piece.deepest <= range.at_most) return;
     const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
     const bool close = piece.deepest - std::max(range.at_least, floor_) <= 8 * depth_of(f).parted_at();
     if (looked_at < kMostPieces && !close) {

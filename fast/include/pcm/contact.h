@@ -82,8 +82,8 @@ struct ForceBound {
   /// a face is seen nearly flush, or a master face's normal is not known.
   bool flipped = false;
   /// The exact problem's greatest penetration lies between these, m. Whether it exceeds the law's bound is certain
-  /// where that does not. The upper one may be infinite, and is too great where what lies deepest is hidden; the lower
-  /// one of the clipped scheme is that of the deepest mean over an element, clamped as the law has it.
+  /// where that does not. The upper one may be infinite. In the clipped scheme they are apart by more than roundings
+  /// where what is deepest is only seen through a gap as narrow as roundings, or hidden by a face seen edgewise.
   double penetration_at_least = 0;
   double penetration_at_most = 0;
 };
