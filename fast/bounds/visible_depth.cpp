@@ -420,10 +420,9 @@ bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
     const PrismPoint x = i < 0 ? centre : PrismPoint(0.5 * (centre + polygon[i]));
     if (const std::optional<bool> covered = is_covered(x, f)) return *covered;
   }
-  const PrismPoint inwards = (f.corners[0] + f.corners[1] + f.corners[2]) / 3 - centre;
+  const PrismPoint inwards = centre_of(part_covered(f)) - centre;
   for (double share = 0x1p-42; share < 1; share *= 8) {
     const PrismPoint x = centre + share * inwards;
-    if (!(std::min(x[kS], x[kT]) >= 0 && x[kS] + x[kT] <= 1)) break;  // Nothing is known beside the master.
     ConvexPolygon between = polygon;
     between.add(x);  // No polygon, but only its points count.
     const auto is_parted = [&](const FaceEnclosure* g) {
