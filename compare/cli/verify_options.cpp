@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "compare/poses/strata.h"
 #include "compare/verify/verify.h"
 #include "pcm/bad_input.h"
 #include "pcm/read_mesh.h"
@@ -65,9 +66,7 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
   command->add_option("--seed", options->seed, "Seed of the random poses, a whole number")
       ->type_name("S")
       ->capture_default_str();
-  command
-      ->add_option("--strata", options->strata,
-                   "Of generic, grazing, separated, nested, degenerate, near-degenerate (default: all)")
+  command->add_option("--strata", options->strata, "Of " + strata_names() + " (default: all)")
       ->type_name("NAME,...")
       ->delimiter(',');
   command

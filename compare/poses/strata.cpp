@@ -21,26 +21,60 @@ Velocity draw_velocity(double size, PoseRandom& random) {
   return velocity;
 }
 
+struct Row {
+  Stratum stratum;
+  std::string_view name;
+  bool hard;
+  DrawnPose (*draw)(const FeaturePair& pair, PoseRandom& random);
+};
+
+/// By their numbers.
+constexpr std::array kRows = {
+    Row{Stratum::generic, "generic", false,
+        [](const FeaturePair& pair, PoseRandom& random) { return detail::draw_overlapping(pair, 1e-6, 0.5, random); }},
+    Row{Stratum::grazing, "grazing", false,
+        [](const FeaturePair& pair, PoseRandom& random) {
+          return detail::draw_overlapping(pair, 1e-15, 1e-6, random);
+        }},
+    Row{Stratum::separated, "separated", false, detail::draw_separated},
+    Row{Stratum::nested, "nested", false, detail::draw_nested},
+    Row{Stratum::degenerate, "degenerate", true, detail::draw_degenerate},
+    Row{Stratum::near_degenerate, "near-degenerate", true,
+        [](const FeaturePair& pair, PoseRandom& random) {
+          DrawnPose drawn = detail::draw_degenerate(pair, random);
+          detail::move_by_ulps(pair, random, drawn);
+          return drawn;
+        }},
+    Row{Stratum::trajectory, "trajectory", false,
+        [](const FeaturePair&, PoseRandom&) -> DrawnPose {
+          throw std::logic_error("poses of a trajectory are recorded, not drawn");
+        }},
+};
+
+constexpr bool are_in_order() {
+  for (std::size_t i = 0; i < kRows.size(); ++i)
+    if (static_cast<std::size_t>(kRows[i].stratum) != i) return false;
+  return true;
+}
+static_assert(are_in_order());
+
+const Row& row_of(Stratum stratum) {
+  return kRows[static_cast<std::size_t>(stratum)];
+}
+
 }  // namespace
 
 std::string_view name(Stratum stratum) {
-  switch (stratum) {
-    case Stratum::generic:
-      return "generic";
-    case Stratum::grazing:
-      return "grazing";
-    case Stratum::separated:
-      return "separated";
-    case Stratum::nested:
-      return "nested";
-    case Stratum::degenerate:
-      return "degenerate";
-    case Stratum::near_degenerate:
-      return "near-degenerate";
-    case Stratum::trajectory:
-      return "trajectory";
+  return row_of(stratum).name;
+}
+
+std::string strata_names() {
+  std::string names;
+  for (const Stratum stratum : kStrata) {
+    if (!names.empty()) names += ", ";
+    names += name(stratum);
   }
-  return "";
+  return names;
 }
 
 std::optional<Stratum> stratum_named(std::string_view word) {
@@ -49,31 +83,12 @@ std::optional<Stratum> stratum_named(std::string_view word) {
   return std::nullopt;
 }
 
+bool hard(Stratum stratum) {
+  return row_of(stratum).hard;
+}
+
 DrawnPose draw_pose(Stratum stratum, const FeaturePair& pair, PoseRandom random) {
-  DrawnPose drawn;
-  switch (stratum) {
-    case Stratum::generic:
-      drawn = detail::draw_overlapping(pair, 1e-6, 0.5, random);
-      break;
-    case Stratum::grazing:
-      drawn = detail::draw_overlapping(pair, 1e-15, 1e-6, random);
-      break;
-    case Stratum::separated:
-      drawn = detail::draw_separated(pair, random);
-      break;
-    case Stratum::nested:
-      drawn = detail::draw_nested(pair, random);
-      break;
-    case Stratum::degenerate:
-      drawn = detail::draw_degenerate(pair, random);
-      break;
-    case Stratum::near_degenerate:
-      drawn = detail::draw_degenerate(pair, random);
-      detail::move_by_ulps(pair, random, drawn);
-      break;
-    case Stratum::trajectory:
-      throw std::logic_error("poses of a trajectory are recorded, not drawn");
-  }
+  DrawnPose drawn = row_of(stratum).draw(pair, random);
   drawn.velocity = draw_velocity(pair.size(), random);
   return drawn;
 }

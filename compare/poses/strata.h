@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "compare/io/random.h"
@@ -15,7 +16,9 @@
 /// pair, pose number) and of the two meshes.
 namespace pcm::compare {
 
-/// A new one is added at the end: its number is part of what random numbers are drawn from.
+/// A new one takes a value here, at the end of those that are drawn, for its number is part of what random numbers are
+/// drawn from; a row in strata.cpp; and a function that draws a pose (strata_generic.cpp, ...). Help texts, tables and
+/// tests go over all of them.
 enum class Stratum : std::uint8_t {
   generic,          ///< uniform rotation, penetration log-uniform between 1e-6 and 0.5 of the smaller body's size
   grazing,          ///< the same, penetration between 1e-15 and 1e-6
@@ -32,12 +35,12 @@ inline constexpr std::array kStrata = {Stratum::generic, Stratum::grazing,    St
 
 /// The word of DESIGN section 4, e.g. "near-degenerate".
 std::string_view name(Stratum stratum);
+/// Those that poses are drawn from: "generic, grazing, ...".
+std::string strata_names();
 std::optional<Stratum> stratum_named(std::string_view word);
 
 /// True of the strata whose poses are made to hurt, so that small surfaces show as much as large ones.
-inline bool hard(Stratum stratum) {
-  return stratum == Stratum::degenerate || stratum == Stratum::near_degenerate;
-}
+bool hard(Stratum stratum);
 
 /// A pose and how it came about.
 struct DrawnPose {

@@ -22,6 +22,19 @@ struct BoxST {
   }
 };
 
+/// The least one that has these points.
+inline BoxST box_of(const PrismPoint* points, int count) {
+  BoxST box{points[0][kS], points[0][kS], points[0][kT], points[0][kT]};
+  for (int i = 1; i < count; ++i) {
+    const PrismPoint& x = points[i];
+    box.low_s = std::min(box.low_s, x[kS]);
+    box.high_s = std::max(box.high_s, x[kS]);
+    box.low_t = std::min(box.low_t, x[kT]);
+    box.high_t = std::max(box.high_t, x[kT]);
+  }
+  return box;
+}
+
 /// The area within the box that the border of a convex polygon, shifted by up to (s, t) either way, may pass over.
 inline double strip_along_border(const BoxST& box, double s, double t) {
   return std::min(box.area(), area_passed_by_border(box.width_s(), box.width_t(), s, t));

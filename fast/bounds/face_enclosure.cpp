@@ -97,18 +97,6 @@ ConvexPolygon part_over_master(const std::array<PrismPoint, 3>& corners, const P
   return part;
 }
 
-BoxST box_of(const PrismPoint* points, int count) {
-  BoxST box{points[0][kS], points[0][kS], points[0][kT], points[0][kT]};
-  for (int i = 1; i < count; ++i) {
-    const PrismPoint& x = points[i];
-    box.low_s = std::min(box.low_s, x[kS]);
-    box.high_s = std::max(box.high_s, x[kS]);
-    box.low_t = std::min(box.low_t, x[kT]);
-    box.high_t = std::max(box.high_t, x[kT]);
-  }
-  return box;
-}
-
 /// On which side of the plane of f the vertices of g certainly lie: 1 all above, -1 all below, 0 unsure. With lambda
 /// the barycentric coordinates of a vertex c of g in f, both as shifted, the plane of f passes there within sum
 /// |lambda| (depth + gradient x position error of f's vertices) of the one without errors.
@@ -327,7 +315,7 @@ bool find_face_enclosure(const PrismError& error, const FaceInPrism& face, FaceE
   } else {
     set_facing_unsure(twice_area, f);
   }
-  return f.greatest >= 0;
+  return !(f.greatest < 0);
 }
 
 void find_side_errors(const PrismError& error, FaceEnclosure& f) {

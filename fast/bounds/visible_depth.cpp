@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "fast/bounds/uncertain_function.h"
 #include "fast/bounds/uncertain_strips.h"
 #include "fast/posed/vertex_rounding.h"
 
@@ -16,69 +16,8 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 
-/// A search for one master face looks at no more pieces; each is the outcome of no more cuts than that.
+/// A search for one master face looks at no more pieces.
 constexpr int kMostPieces = 256;
-constexpr int kMostCuts = 60;
-/// A cut puts a vertex off the line between its neighbours by u times what these are apart, and u times itself: by no
-/// more than 2.1 u in s and in t over the master, where both are at most 1. All cuts together take no more than that
-/// off a piece.
-constexpr double kLost = 128 * u;
-static_assert(2.1 * u * kMostCuts <= kLost);
-
-/// The sign of a linear function over a piece.
-enum class Sign : std::uint8_t { negative, unsure, positive };
-
-struct Range {
-  double low, high;
-};
-
-/// A linear function c_s (s - s_0) + c_t (t - t_0) + value, that is off by no more than `error` over the master.
-class UncertainFunction {
- public:
-  UncertainFunction(double c_s, double s_0, double c_t, double t_0, double value, double error)
-      : c_s_(c_s),
-        s_0_(s_0),
-        c_t_(c_t),
-        t_0_(t_0),
-        value_(value),
-        lost_((std::abs(c_s) + std::abs(c_t)) * kLost),
-        // Two differences, two products and two sums, and what made the value and the gradients.
-        error_(kSafetyFactor * error + lost_ +
-               8 * u * (std::abs(c_s) * (1 + std::abs(s_0)) + std::abs(c_t) * (1 + std::abs(t_0)) + std::abs(value))) {}
-  explicit UncertainFunction(const LinearDepth& depth, double error)
-      : UncertainFunction(depth.per_s, depth.s_0, depth.per_t, depth.t_0, depth.value, error) {}
-
-  double operator()(const PrismPoint& x) const { return c_s_ * (x[kS] - s_0_) + c_t_ * (x[kT] - t_0_) + value_; }
-  Range over(const ConvexPolygon& piece) const {
-    Range range{(*this)(piece[0]), (*this)(piece[0])};
-    for (int i = 1; i < piece.count; ++i) {
-      const double value = (*this)(piece[i]);
-      range.low = std::min(range.low, value);
-      range.high = std::max(range.high, value);
-    }
-    return range;
-  }
-  Sign sign(const Range& range) const {
-    return range.low > error_ ? Sign::positive : range.high < -error_ ? Sign::negative : Sign::unsure;
-  }
-  Sign sign_over(const ConvexPolygon& piece) const { return sign(over(piece)); }
-  Sign sign_at(const PrismPoint& x) const { return sign({(*this)(x), (*this)(x)}); }
-  /// No value over the piece is greater.
-  double greatest_over(const ConvexPolygon& piece) const { return over(piece).high + error_; }
-
-  /// Within that the sign is left open where a piece is parted: what lies beyond is sure then.
-  double parted_at() const { return error_ + lost_; }
-  /// Whether parting the piece makes the sign sure on some of it, which is more than what roundings make of a piece
-  /// that was parted there.
-  bool parts(const ConvexPolygon& piece) const {
-    const Range range = over(piece);
-    const double most = parted_at() + lost_;
-    return sign(range) == Sign::unsure && (range.high > most || range.low < -most);
-  }
-
- private:
-  double c_s_, s_0_, c_t_, t_0_, value_, lost_, error_;
-};
 
 /// How far the border of a face may be off over the master, in both problems and as the engine cuts it.
 PrismPositionError border_error(const FaceEnclosure& face) {
@@ -119,6 +58,12 @@ UncertainFunction depth_of(const FaceEnclosure& face) {
   return UncertainFunction(face.depth, face.depth_error);
 }
 
+/// Whether the face lies deeper than 0 wherever it covers the points. One that hangs from the master's corners is at
+/// depth 0 only there.
+bool lies_deep(const FaceEnclosure& face, const ConvexPolygon& points) {
+  return face.hinge_depth > 0 || depth_of(face).sign_over(points) == Sign::positive;
+}
+
 /// How much farther f is than g.
 UncertainFunction depth_beyond(const FaceEnclosure& f, const FaceEnclosure& g) {
   const double s_0 = f.depth.s_0, t_0 = f.depth.t_0;
@@ -135,10 +80,10 @@ std::array<UncertainFunction, 4> sides_of(const BoxST& box) {
           UncertainFunction(0, 0, 1, box.low_t, 0, 0), UncertainFunction(0, 0, -1, box.high_t, 0, 0)};
 }
 
-/// The weights of the master's corners, less than what is doubtful.
-std::array<UncertainFunction, 3> sides_of_master(const std::array<double, 3>& doubtful) {
-  return {UncertainFunction(-1, 0, -1, 0, 1, doubtful[0]), UncertainFunction(1, 0, 0, 0, 0, doubtful[1]),
-          UncertainFunction(0, 0, 1, 0, 0, doubtful[2])};
+/// The weights of the master's corners: near a side they are unsure where faces that lean may hide.
+std::array<UncertainFunction, 3> sides_of_master(const std::array<double, 3>& leant_weights) {
+  return {UncertainFunction(-1, 0, -1, 0, 1, leant_weights[0]), UncertainFunction(1, 0, 0, 0, 0, leant_weights[1]),
+          UncertainFunction(0, 0, 1, 0, 0, leant_weights[2])};
 }
 
 /// The two faces, which look the same way, have side k of the first in common.
@@ -171,15 +116,9 @@ bool surely_beside(const FaceEnclosure& g, std::size_t k, const FaceEnclosure& f
 }
 
 /// A box that has all of a piece.
-BoxST box_of(const ConvexPolygon& piece) {
-  BoxST box{piece[0][kS], piece[0][kS], piece[0][kT], piece[0][kT]};
-  for (int i = 1; i < piece.count; ++i) {
-    box.low_s = std::min(box.low_s, piece[i][kS]);
-    box.high_s = std::max(box.high_s, piece[i][kS]);
-    box.low_t = std::min(box.low_t, piece[i][kT]);
-    box.high_t = std::max(box.high_t, piece[i][kT]);
-  }
-  return {box.low_s - kLost, box.high_s + kLost, box.low_t - kLost, box.high_t + kLost};
+BoxST box_about(const ConvexPolygon& piece) {
+  const BoxST box = box_of(piece.points.data(), piece.count);
+  return {box.low_s - kLostByCuts, box.high_s + kLostByCuts, box.low_t - kLostByCuts, box.high_t + kLostByCuts};
 }
 
 /// Positive within a face, negative outside.
@@ -199,14 +138,6 @@ PrismPoint centre_of(const ConvexPolygon& polygon) {
   return sum / polygon.count;
 }
 
-/// Cuts away where `sign` times the function is less than `level`.
-void keep_above(ConvexPolygon& polygon, const UncertainFunction& function, double sign, double level) {
-  if (polygon.count == 0) return;
-  Heights heights{};
-  for (int i = 0; i < polygon.count; ++i) heights[static_cast<std::size_t>(i)] = sign * function(polygon[i]) - level;
-  keep_where_not_negative(polygon, heights);
-}
-
 /// All of the master that the face may cover.
 ConvexPolygon part_covered(const FaceEnclosure& face) {
   ConvexPolygon part;
@@ -222,9 +153,9 @@ ConvexPolygon part_covered(const FaceEnclosure& face) {
 
 class Search {
  public:
-  Search(const std::vector<FaceInView>& sights, const std::array<double, 3>& doubtful, double floor,
+  Search(const std::vector<FaceInView>& sights, const std::array<double, 3>& leant_weights, double floor,
          VisibleDepthScratch& scratch)
-      : sights_(sights), sides_of_master_(sides_of_master(doubtful)), floor_(floor), scratch_(scratch) {}
+      : sights_(sights), sides_of_master_(sides_of_master(leant_weights)), floor_(floor), scratch_(scratch) {}
 
   DepthRange run(double computed);
 
@@ -232,26 +163,28 @@ class Search {
   using Carrier = VisibleDepthScratch::Carrier;
   using Other = VisibleDepthScratch::Other;
   using Piece = VisibleDepthScratch::Piece;
-  enum class Outcome : std::uint8_t { hidden, visible, doubtful, open };
+  enum class Outcome : std::uint8_t { hidden, visible, never_certain, open };
 
   void start();
   void find_others(Carrier& carrier);
   static CertainOrder order_of(Other& other, const FaceEnclosure& f);
-  Outcome examine(const Piece& piece);
+  /// `for_certain`: whether it is asked if it is seen for certain; else only if it is hidden.
+  Outcome examine(const Piece& piece, bool for_certain);
   void weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& other);
   bool is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f);
   void leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f);
   std::optional<std::size_t> side_that_borders(const FaceEnclosure& g, const ConvexPolygon& polygon,
                                                const FaceEnclosure& f) const;
   std::optional<bool> is_covered(const PrismPoint& x, const FaceEnclosure& f) const;
-  Outcome examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f);
+  Outcome examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f, bool for_certain);
   /// False where the function's sign is as unsure on every part of the piece, or is sure.
   bool part_along(const UncertainFunction& function, const ConvexPolygon& polygon) {
     const bool parts = function.parts(polygon);
     if (!cut_ && parts) cut_ = function;
     return parts;
   }
-  bool may_part(const Piece& piece) const { return cut_ && piece.polygon.cuts < kMostCuts - 2; }
+  /// Twice, for the part in which the sign is left open.
+  bool may_part(const Piece& piece) const { return cut_ && piece.polygon.cuts + 2 <= kMostPieceCuts; }
   void part(const Piece& piece, std::vector<Piece>& heap);
   void push(const ConvexPolygon& polygon, std::size_t carrier, std::vector<Piece>& heap);
   void find_visible(DepthRange& range);
@@ -261,24 +194,23 @@ class Search {
   const std::array<UncertainFunction, 3> sides_of_master_;
   const double floor_;
   VisibleDepthScratch& scratch_;
-  /// Of the piece at hand: whether something stands against its being visible, and always will on any part of it; and
-  /// the line to part it along.
-  bool doubted_ = false;
-  bool hopeless_ = false;
-  BoxST piece_box_{};
-  std::optional<UncertainFunction> cut_;
+  // Of the piece at hand:
+  bool doubted_ = false;                  ///< another face may hide some of it
+  bool hopeless_ = false;                 ///< and that stays unsure on any part of it
+  std::optional<UncertainFunction> cut_;  ///< what it may be parted along
+  BoxST box_{};
 };
 
 bool less_deep(const VisibleDepthScratch::Piece& a, const VisibleDepthScratch::Piece& b) {
   return a.deepest < b.deepest;
 }
 
-void push_heap(std::vector<VisibleDepthScratch::Piece>& heap, const VisibleDepthScratch::Piece& piece) {
+void push_deepest(std::vector<VisibleDepthScratch::Piece>& heap, const VisibleDepthScratch::Piece& piece) {
   heap.push_back(piece);
   std::push_heap(heap.begin(), heap.end(), less_deep);
 }
 
-VisibleDepthScratch::Piece pop_heap(std::vector<VisibleDepthScratch::Piece>& heap) {
+VisibleDepthScratch::Piece pop_deepest(std::vector<VisibleDepthScratch::Piece>& heap) {
   std::pop_heap(heap.begin(), heap.end(), less_deep);
   const VisibleDepthScratch::Piece piece = heap.back();
   heap.pop_back();
@@ -290,14 +222,14 @@ void Search::push(const ConvexPolygon& polygon, std::size_t carrier, std::vector
   const FaceEnclosure& f = *scratch_.carriers[carrier].face;
   const double over_piece = depth_of(f).greatest_over(polygon);
   const double deepest = over_piece < f.greatest ? over_piece : f.greatest;  // No number where that overflows.
-  if (!(deepest <= floor_)) push_heap(heap, {polygon, carrier, deepest});
+  if (!(deepest <= floor_)) push_deepest(heap, {polygon, carrier, deepest});
 }
 
 void Search::start() {
   scratch_.carriers.clear();
   scratch_.others.clear();
   scratch_.pieces.clear();
-  scratch_.doubtful.clear();
+  scratch_.unsettled.clear();
   for (const FaceInView& sight : sights_) {
     const FaceEnclosure& f = sight.enclosure;
     if (!sight.may_carry || f.greatest <= floor_) continue;
@@ -306,7 +238,7 @@ void Search::start() {
     if (f.facing != 0) {
       push(part_covered(f), carrier, scratch_.pieces);
     } else {
-      push_heap(scratch_.pieces, {ConvexPolygon(), carrier, f.greatest});
+      push_deepest(scratch_.pieces, {ConvexPolygon(), carrier, f.greatest});
     }
   }
 }
@@ -336,7 +268,7 @@ CertainOrder Search::order_of(Other& other, const FaceEnclosure& f) {
 void Search::weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& other) {
   const FaceEnclosure& g = *other.face;
   if (other.order == CertainOrder::after) return;
-  if (piece_box_.common(g.box).empty()) return;
+  if (box_.common(g.box).empty()) return;
   if (g.facing == 0) {
     bool parts = false;
     for (const UncertainFunction& side : sides_of(g.box)) parts = part_along(side, polygon) || parts;
@@ -346,7 +278,7 @@ void Search::weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& 
   }
   if (lies_outside(g, polygon)) return;
   const UncertainFunction depth = depth_of(g), beyond = depth_beyond(f, g);
-  const Sign below = depth.sign_over(polygon);
+  const Sign below = g.hinge_depth > 0 ? Sign::positive : depth.sign_over(polygon);
   Sign before = beyond.sign_over(polygon);
   if (below == Sign::negative || before == Sign::negative) return;
   if (before == Sign::unsure) {
@@ -389,7 +321,8 @@ std::optional<std::size_t> Search::side_that_borders(const FaceEnclosure& g, con
                                                      const FaceEnclosure& f) const {
   const std::vector<const FaceEnclosure*>& covering = scratch_.covering;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!side_may_meet(g, k, polygon) || surely_beside(g, k, f)) continue;
+    const bool is_masters_own = g.fixed[k] && g.fixed[(k + 1) % 3];
+    if (is_masters_own || !side_may_meet(g, k, polygon) || surely_beside(g, k, f)) continue;
     if (std::none_of(covering.begin(), covering.end(), [&](const FaceEnclosure* h) { return goes_on(g, k, *h); }))
       return k;
   }
@@ -398,7 +331,8 @@ std::optional<std::size_t> Search::side_that_borders(const FaceEnclosure& g, con
 
 /// Whether a point of f is covered, where nothing is unsure there.
 std::optional<bool> Search::is_covered(const PrismPoint& x, const FaceEnclosure& f) const {
-  if (sign_within(f, x) != Sign::positive) return std::nullopt;
+  // Above the master's plane position errors may be greater.
+  if (depth_of(f).sign_at(x) == Sign::negative || sign_within(f, x) != Sign::positive) return std::nullopt;
   bool certain = true;
   for (const FaceEnclosure* const g : scratch_.covering) {
     const Sign sign = sign_within(*g, x);
@@ -408,9 +342,9 @@ std::optional<bool> Search::is_covered(const PrismPoint& x, const FaceEnclosure&
   return certain ? std::optional(false) : std::nullopt;
 }
 
-// Of the hiders' border what is f's own border, or lies beside f, parts no points of f: what is true of one point of f
-// is true of all that no other border parts from it. Where the piece lies along f's border, that point is looked for
-// beside the piece.
+// How many of the hiders lie over a point is the same all over the piece, as far as f covers it: no outer side of
+// theirs passes there, but for those that are f's own or lie beside f. So one point of f decides. Where the piece lies
+// along f's border, that point is looked for beside the piece.
 bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
   scratch_.covering = scratch_.hiders;
   leave_out_bordering(polygon, f);
@@ -423,10 +357,10 @@ bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
   const PrismPoint inwards = centre_of(part_covered(f)) - centre;
   for (double share = 0x1p-42; share < 1; share *= 8) {
     const PrismPoint x = centre + share * inwards;
-    ConvexPolygon between = polygon;
-    between.add(x);  // No polygon, but only its points count.
+    ConvexPolygon piece_and_point = polygon;  // No polygon, but only its points count.
+    piece_and_point.add(x);
     const auto is_parted = [&](const FaceEnclosure* g) {
-      return depth_of(*g).sign_over(between) != Sign::positive || side_that_borders(*g, between, f);
+      return !lies_deep(*g, piece_and_point) || side_that_borders(*g, piece_and_point, f);
     };
     if (std::any_of(scratch_.covering.begin(), scratch_.covering.end(), is_parted)) break;
     if (const std::optional<bool> covered = is_covered(x, f)) return *covered;
@@ -436,35 +370,36 @@ bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
 }
 
 // What lies within the uncertainty of a border is not seen for certain, however it is parted.
-Search::Outcome Search::examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f) {
+Search::Outcome Search::examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f, bool for_certain) {
   Outcome outcome = Outcome::visible;
   const auto look_at = [&](const UncertainFunction& side) {
     if (side.sign_over(polygon) == Sign::positive) return;
     if (!part_along(side, polygon)) {
-      outcome = Outcome::doubtful;
+      outcome = Outcome::never_certain;
     } else if (outcome == Outcome::visible) {
       outcome = Outcome::open;
     }
   };
   for (std::size_t k = 0; k < 3; ++k) look_at(inside_of_side(f, k));
+  if (!for_certain) return outcome;
   for (const UncertainFunction& side : sides_of_master_) look_at(side);
   return outcome;
 }
 
-Search::Outcome Search::examine(const Piece& piece) {
+Search::Outcome Search::examine(const Piece& piece, bool for_certain) {
   doubted_ = hopeless_ = false;
   cut_.reset();
   Carrier& carrier = scratch_.carriers[piece.carrier];
   const FaceEnclosure& f = *carrier.face;
-  if (f.facing == 0) return Outcome::doubtful;
+  if (f.facing == 0) return Outcome::never_certain;
   if (lies_outside(f, piece.polygon)) return Outcome::hidden;
-  const Outcome at_borders = examine_borders(piece.polygon, f);  // To be parted along these first.
+  const Outcome at_borders = examine_borders(piece.polygon, f, for_certain);  // To be parted along these first.
   if (!carrier.has_others) find_others(carrier);
   scratch_.hiders.clear();
-  piece_box_ = box_of(piece.polygon);
+  box_ = box_about(piece.polygon);
   for (std::size_t i = carrier.first; i < carrier.last; ++i) weigh(piece.polygon, f, scratch_.others[i]);
   if (!scratch_.hiders.empty() && is_hidden(piece.polygon, f)) return Outcome::hidden;
-  if (hopeless_) return Outcome::doubtful;
+  if (hopeless_) return Outcome::never_certain;
   return doubted_ && at_borders == Outcome::visible ? Outcome::open : at_borders;
 }
 
@@ -480,31 +415,31 @@ void Search::part(const Piece& piece, std::vector<Piece>& heap) {
     part(second, heap);
     return;
   }
-  const double at = cut_->parted_at();
+  const double at = cut_->parted_at(), open_until = cut_->open_until();
   ConvexPolygon positive = piece.polygon, negative = piece.polygon, between = piece.polygon;
   keep_above(positive, *cut_, 1, at);
   keep_above(negative, *cut_, -1, at);
-  keep_above(between, *cut_, 1, -at);
-  keep_above(between, *cut_, -1, -at);
+  keep_above(between, *cut_, 1, -open_until);
+  keep_above(between, *cut_, -1, -open_until);
   for (const ConvexPolygon* const polygon : {&positive, &negative, &between}) push(*polygon, piece.carrier, heap);
 }
 
-// What is doubtful whatever becomes of it waits.
+// What is never certain waits.
 void Search::find_visible(DepthRange& range) {
   for (int looked_at = 0; !scratch_.pieces.empty() && looked_at < kMostPieces; ++looked_at) {
-    const Piece piece = pop_heap(scratch_.pieces);
-    switch (examine(piece)) {
+    const Piece piece = pop_deepest(scratch_.pieces);
+    switch (examine(piece, true)) {
       case Outcome::hidden:
         break;
       case Outcome::open:
         if (may_part(piece)) {
           part(piece, scratch_.pieces);
         } else {
-          push_heap(scratch_.doubtful, piece);
+          push_deepest(scratch_.unsettled, piece);
         }
         break;
-      case Outcome::doubtful:
-        push_heap(scratch_.doubtful, piece);
+      case Outcome::never_certain:
+        push_deepest(scratch_.unsettled, piece);
         break;
       case Outcome::visible: {
         const UncertainFunction depth = depth_of(*scratch_.carriers[piece.carrier].face);
@@ -514,20 +449,20 @@ void Search::find_visible(DepthRange& range) {
       }
     }
   }
-  for (const Piece& piece : scratch_.pieces) push_heap(scratch_.doubtful, piece);
+  for (const Piece& piece : scratch_.pieces) push_deepest(scratch_.unsettled, piece);
 }
 
 // Until what is left can't tell more than errors of the depth do.
 void Search::find_hidden(DepthRange& range) {
-  for (int looked_at = 0; !scratch_.doubtful.empty(); ++looked_at) {
-    const Piece piece = pop_heap(scratch_.doubtful);
+  for (int looked_at = 0; !scratch_.unsettled.empty(); ++looked_at) {
+    const Piece piece = pop_deepest(scratch_.unsettled);
     if (piece.deepest <= range.at_most) return;
     const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
     const bool close = piece.deepest - std::max(range.at_least, floor_) <= 8 * depth_of(f).parted_at();
     if (looked_at < kMostPieces && !close) {
-      if (examine(piece) == Outcome::hidden) continue;
+      if (examine(piece, false) == Outcome::hidden) continue;
       if (doubted_ && may_part(piece)) {
-        part(piece, scratch_.doubtful);
+        part(piece, scratch_.unsettled);
         continue;
       }
     }
@@ -542,7 +477,7 @@ DepthRange Search::run(double computed) {
   if (computed > floor_) {
     find_visible(range);
   } else {
-    std::swap(scratch_.pieces, scratch_.doubtful);
+    std::swap(scratch_.pieces, scratch_.unsettled);
   }
   find_hidden(range);
   return range;
@@ -550,9 +485,9 @@ DepthRange Search::run(double computed) {
 
 }  // namespace
 
-DepthRange find_visible_depth(const std::vector<FaceInView>& sights, const std::array<double, 3>& doubtful,
+DepthRange find_visible_depth(const std::vector<FaceInView>& sights, const std::array<double, 3>& leant_weights,
                               double computed, double floor, VisibleDepthScratch& scratch) {
-  return Search(sights, doubtful, floor, scratch).run(computed);
+  return Search(sights, leant_weights, floor, scratch).run(computed);
 }
 
 }  // namespace pcm::fast

@@ -39,7 +39,7 @@ struct VisibleDepthScratch {
   std::vector<Carrier> carriers;
   std::vector<Other> others;
   std::vector<Piece> pieces;                   ///< a heap: where a face may be seen for certain
-  std::vector<Piece> doubtful;                 ///< a heap: where it may be seen, but not for certain
+  std::vector<Piece> unsettled;                ///< a heap: where it may be seen, but not for certain
   std::vector<const FaceEnclosure*> hiders;    ///< certainly before the carrier wherever they cover the piece at hand
   std::vector<const FaceEnclosure*> covering;  ///< those of them whose common border does not meet it
 };
@@ -49,20 +49,21 @@ struct VisibleDepthScratch {
 /// A search by branch and bound over pieces of the master, the deepest first. A piece on which a slave face f may be
 /// seen is
 ///
-///   - hidden, where faces that certainly lie before f, deeper than 0, cover it. How many of them cover a point changes
-///     only where their common border passes: sides beyond which no other one of them goes on, which are known but for
-///     their position errors. So one point that one of them certainly covers tells it of a piece which that border does
-///     not meet: sides that they share, however they are rounded, do not count.
+///   - hidden, where faces that certainly lie before f, deeper than 0, cover it. How many of them lie over a point
+///     changes only at their outer sides, beyond which no other one of them goes on. These are known but for their
+///     position errors. Where none passes over the piece, one point decides for all of it. Sides that two of them
+///     share, however they are rounded, do not count.
 ///   - visible, where f certainly covers all of it and no other face may lie before: its depth there is a lower bound.
 ///   - parted otherwise along a line that leaves this open, into what lies on either side of the line's uncertainty and
 ///     what lies within. What can't be parted any more is counted as seen, and as not seen.
 ///
 /// Pieces lose a few roundings with each cut; every test holds for the piece enlarged by as much.
 ///
-/// `doubtful`: near the master's sides, where a weight is less than that (of p0, p1, p2), other faces of the master
-/// that were not entered may hide what is seen. `computed`: the deepest point that the engine sees, m. Where that is no
-/// deeper than `floor`, m, no lower bound is looked for; and an upper one only where it is greater than `floor`.
-DepthRange find_visible_depth(const std::vector<FaceInView>& sights, const std::array<double, 3>& doubtful,
+/// `leant_weights`: near the master's sides, where a weight is less than that (of p0, p1, p2), other faces of the
+/// master that were not entered may hide what is seen. `computed`: the deepest point that the engine sees, m. Where
+/// that is no deeper than `floor`, m, no lower bound is looked for; and an upper one only where it is greater than
+/// `floor`.
+DepthRange find_visible_depth(const std::vector<FaceInView>& sights, const std::array<double, 3>& leant_weights,
                               double computed, double floor, VisibleDepthScratch& scratch);
 
 }  // namespace pcm::fast

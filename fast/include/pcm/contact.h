@@ -83,7 +83,8 @@ struct ForceBound {
   bool flipped = false;
   /// The exact problem's greatest penetration lies between these, m. Whether it exceeds the law's bound is certain
   /// where that does not. The upper one may be infinite. In the clipped scheme they are apart by more than roundings
-  /// where what is deepest is only seen through a gap as narrow as roundings, or hidden by a face seen edgewise.
+  /// where what is deepest is only seen through a gap as narrow as roundings, or next to a face seen edgewise, or where
+  /// the search for it ends undecided (fast/bounds/visible_depth.h).
   double penetration_at_least = 0;
   double penetration_at_most = 0;
 };
