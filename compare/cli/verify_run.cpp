@@ -92,11 +92,7 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   if (plan.strata_named) plan.strata.clear();
   for (const std::string& word : options.strata) {
     const std::optional<Stratum> stratum = stratum_named(word);
-    if (!stratum) {
-      std::string known;
-      for (const Stratum s : kStrata) known += (known.empty() ? "" : ", ") + std::string(name(s));
-      throw BadInput("--strata: unknown stratum '" + word + "'; known are " + known);
-    }
+    if (!stratum) throw BadInput("--strata: unknown stratum '" + word + "'; known are " + strata_names());
     if (std::find(plan.strata.begin(), plan.strata.end(), *stratum) == plan.strata.end())
       plan.strata.push_back(*stratum);
   }

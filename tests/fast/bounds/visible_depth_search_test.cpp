@@ -40,14 +40,12 @@ FaceInView in_view(const Face& face, Index number) {
   f.facing = face.facing;
   f.vertices = face.vertices;
   f.greatest = -1;
-  BoxST box{1, 0, 1, 0};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [s, t] = face.corners[k];
     f.corners[k] = PrismPoint(1 - s - t, s, t, face.depth.at(s, t));
-    box = {std::min(box.low_s, s), std::max(box.high_s, s), std::min(box.low_t, t), std::max(box.high_t, t)};
     f.greatest = std::max(f.greatest, face.depth.at(s, t) + face.depth_error);
   }
-  f.box = box.common({0, 1, 0, 1});
+  f.box = box_of(f.corners.data(), 3).common({0, 1, 0, 1});
   f.position_error = f.cut_error = f.corner_error = {0, 0, 0};
   f.vertex_error = {0, 0, face.depth_error};
   f.rounding = {};
