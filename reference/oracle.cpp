@@ -44,13 +44,14 @@ Problem other(Problem problem) {
 
 void report_wound(const Surface& surface, const ActiveFaces& found, ActiveArea& active) {
   if (found.winding.empty()) return;
-  for (const Index f : found.intersected)
-    for (const Index v : surface.mesh.faces[f]) {
-      const int winding = found.winding[v];
-      if (winding == 0) continue;
-      active.wound.push_back(v);
-      active.most_wound = std::max(active.most_wound, std::abs(winding));
-    }
+  for (const std::vector<Index>* faces : {&found.intersected, &found.inner, &found.pockets})
+    for (const Index f : *faces)
+      for (const Index v : surface.mesh.faces[f]) {
+        const int winding = found.winding[v];
+        if (winding == 0) continue;
+        if (faces == &found.intersected) active.wound.push_back(v);
+        active.most_wound = std::max(active.most_wound, std::abs(winding));
+      }
   std::sort(active.wound.begin(), active.wound.end());
   active.wound.erase(std::unique(active.wound.begin(), active.wound.end()), active.wound.end());
 }

@@ -48,8 +48,8 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   const SlaveInView seen = view.sight(e.slave_face);
   GeometryErrors errors;
   errors.normal = view.turn();
-  // Where nothing hides any of it, both are one but for roundings.
-  const double around = seen.hiders == 0 ? std::max(e.perimeter, seen.outline) : e.perimeter + seen.outline;
+  // Its own outline is part of these lines, but for roundings.
+  const double around = std::max(e.perimeter, seen.outline + seen.parting);
   // Both sides of a face that is seen nearly edgewise are projected onto almost one line: moving them apart by the
   // strip's width moves where they meet by that over the face's cosine (fast/clipped/visible_parts.h).
   const double edgewise = 4 * seen.strip * seen.strip / std::abs(e.cosine);
@@ -77,8 +77,10 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   const double volume = e.area * e.penetration;
   const double share = volume > 2 * volume_error ? 2 * volume_error / (volume - volume_error) : 1;
   errors.foot = std::min(1.0, share) * seen.width + 16 * u * faces_.max_coordinate();
-  if (!result.sliver)
+  if (!result.sliver) {
+    errors.volume = volume_error;
     errors.penetration = std::min(counted, (volume_error + errors.area * e.penetration) / (e.area - errors.area));
+  }
   result.bounds = bounds_after_law(question_, e, errors);
   if (!result.sliver)
     result.greatest_at_least = std::max(e.penetration - result.bounds.penetration, tip_at_least(e, seen, errors.area));
@@ -92,7 +94,7 @@ ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   const MasterView view(faces_, e.master, e.master_face);
   const SlaveInView seen = view.sight(e.slave_face);
   Sliver sliver;
-  sliver.area = kHigherOrder * (strips_along(4 * seen.outline, seen.strip) + seen.neglected);
+  sliver.area = kHigherOrder * (strips_along(4 * seen.outline + seen.parting, seen.strip) + seen.neglected);
   sliver.depth = std::max(0.0, seen.deepest + std::max(seen.deepest - seen.at_tip, 0.0));
   sliver.face = faces_.face(e.master, e.master_face);
   sliver.normal_error = std::min(2.0, kHigherOrder * (view.turn() + sliver.face.normal_error));

@@ -63,8 +63,9 @@ ElementBounds bounds_after_law(const Question& question, const reference::Elemen
   // what damping may do to F_n (18) never magnifies an error. c_l (12) has 3 roundings.
   const double c_l = series_stiffness(law);
   const double elastic = c_l * times(most_area, most_penetration);
-  const double elastic_error =
-      c_l * (times(bounds.area, truth.penetration) + times(most_area, bounds.penetration)) + 6 * u * elastic;
+  const double volume_error =
+      std::min(errors.volume, times(bounds.area, truth.penetration) + times(most_area, bounds.penetration));
+  const double elastic_error = c_l * volume_error + 6 * u * elastic;
   const double v_n = std::abs(truth.normal_velocity), most_v_n = v_n + bounds.normal_velocity;
   const double fade = law.transition_depth > 0 ? std::min(1.0, truth.penetration / law.transition_depth) : 1;
   const double fade_error = law.transition_depth > 0 && truth.penetration < law.transition_depth + bounds.penetration

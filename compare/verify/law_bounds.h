@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+
 #include "compare/verify/question.h"
 #include "reference/vocabulary/answer.h"
 
@@ -11,8 +13,10 @@ namespace pcm::compare {
 struct GeometryErrors {
   double area = 0;         ///< of A_k, m^2
   double penetration = 0;  ///< of u_k before clamping, m
-  double foot = 0;         ///< of C_e or the centre of pressure, m
-  double normal = 0;       ///< of n_k, at most 2
+  /// Of A_k u_k after clamping, where more is known of it than what the errors of both factors make, m^3.
+  double volume = std::numeric_limits<double>::infinity();
+  double foot = 0;    ///< of C_e or the centre of pressure, m
+  double normal = 0;  ///< of n_k, at most 2
 };
 
 /// Bounds for one contact element: how far a right engine's doubles may be from the oracle's.

@@ -36,9 +36,27 @@ std::vector<Eigen::Vector3d> cut(const std::vector<Eigen::Vector3d>& polygon, co
   return kept;
 }
 
+/// In the master's plane, m.
+double outline_of(const std::vector<Eigen::Vector3d>& polygon) {
+  double outline = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    outline += (polygon[(i + 1) % polygon.size()] - polygon[i]).head<2>().stableNorm();
+  return outline;
+}
+
 /// In the master's plane.
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a.x() * b.y() - a.y() * b.x();
+}
+
+/// How far a point lies on the inner side of a face's side k, which counts as farther out by `margin`; 0 for a side
+/// without length, which bounds nothing.
+double height_over_side(const std::array<Eigen::Vector3d, 3>& face, std::size_t k, const Eigen::Vector3d& x,
+                        double margin) {
+  const double sign = cross(face[1] - face[0], face[2] - face[0]) < 0 ? -1 : 1;
+  const Eigen::Vector3d along = face[(k + 1) % 3] - face[k];
+  const double length = along.head<2>().stableNorm();
+  return length > 0 ? sign * cross(along / length, x - face[k]) + margin : 0;
 }
 
 /// Whether `all_beyond(k, is_beyond)` holds for a side k of the face: `is_beyond` says of a point whether it lies on
@@ -58,20 +76,17 @@ bool some_side_parts(const std::array<Eigen::Vector3d, 3>& face, double strip, c
 
 MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face)
     : faces_(faces), master_(master), master_face_(master_face), face_(faces.face(master, master_face)) {
-  // 4 u for each component of N over its terms, 4 u for n itself, and twice all of it.
-  const double thinness = face_.longest * face_.longest / (2 * face_.area);
-  turn_ = 16 * u * (1 + std::min(thinness, 1 / kNeedle));
   const Eigen::Vector3d& p0 = faces_.corner(master, master_face, 0);
   const Eigen::Vector3d& n = face_.normal_Me;
   const Eigen::Vector3d first = (faces_.corner(master, master_face, 1) - p0).stableNormalized();
   const Eigen::Vector3d second = n.cross(first);
+  seen_from_Me_ << first.transpose(), second.transpose(), -n.transpose();
   for (const Side side : {Side::E, Side::F}) {
     const std::size_t count = faces_.surface(side).mesh.vertices.size();
     std::vector<SeenPoint>& seen = vertices_[static_cast<std::size_t>(side)];
     seen.reserve(count);
     for (std::size_t v = 0; v < count; ++v) {
-      const Eigen::Vector3d offset = faces_.vertex(side, static_cast<Index>(v)) - p0;
-      seen.emplace_back(first.dot(offset), second.dot(offset), -n.dot(offset));
+      seen.emplace_back(seen_from_Me_ * (faces_.vertex(side, static_cast<Index>(v)) - p0));
     }
   }
   own_ = seen(master, master_face);
@@ -80,8 +95,12 @@ MasterView::MasterView(const RoundedFaces& faces, Side master, Index master_face
   length_s_ = side_s_.stableNorm();
   length_t_ = side_t_.stableNorm();
   skew_ = length_s_ * length_t_ / (2 * face_.area);
-  // In sums of |components|, as the engine reckons: each no more than sqrt(3) times the length.
-  tilt_ = 8 * u * (1 + std::min(3 * skew_, 1 / kNeedle));
+  // N off by 4 sqrt(2) u |p1 - p0| |p2 - p0|, see rounded_faces.cpp, and n by 4 u more.
+  turn_ = kHigherOrder * (4 * std::sqrt(2.0) * std::min(skew_, 1 / kNeedle) + 4) * u;
+  // In sums of |components|, as the engine reckons.
+  const double sides = (faces_.corner(master, master_face, 1) - p0).lpNorm<1>() *
+                       (faces_.corner(master, master_face, 2) - p0).lpNorm<1>();
+  tilt_ = 8 * u * (1 + std::min(sides / (2 * face_.area), 1 / kNeedle));
   find_near_faces();
 }
 
@@ -134,7 +153,7 @@ MasterView::Extent MasterView::extent(std::span<const SeenPoint> polygon) {
 // gradient: with both along the sides that is a way of 24 u q times the distance, q the skew. What a turn of the lines
 // moves a point by grows with its depth.
 double MasterView::strip(double distance, double depth) const {
-  return 24 * u * skew_ * distance + 2 * turn_ * (depth + 16 * u * distance);
+  return 24 * u * skew_ * distance + turn_ * (depth + 16 * u * distance);
 }
 
 bool MasterView::side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const {
@@ -183,10 +202,14 @@ int MasterView::order(Side side_b, Index b, Side side_a, Index a) const {
 
 MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const {
   const Side slave = opposite(master_);
+  const SeenFace seen_slave = seen(slave, slave_face);
+  const DepthField of_slave = depth_field(slave, slave_face, strip);
   const Extent of_part = extent(part);
+  const double most = no_more(outline_of(part) / 2 + 4 * strip, face_.longest);
   Hiders hiders;
-  std::vector<std::array<Index, 3>> sides;  // surface, vertex of smaller index, the other
-  for (const auto& [side, face, of_face] : near_) {
+  std::vector<const NearFace*> found;
+  for (const NearFace& near : near_) {
+    const auto& [side, face, of_face] = near;
     if (side == slave && face == slave_face) continue;
     if ((of_face.low > of_part.high + strip).any()) continue;
     if ((of_face.high.head<2>() < of_part.low.head<2>() - strip).any()) continue;
@@ -195,26 +218,147 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
       continue;
     const int order_to_slave = order(side, face, slave, slave_face);
     if (order_to_slave > 0) continue;
-    ++hiders.count;
-    hiders.loose += (of_face.low.z() <= strip) + (order_to_slave == 0);
-    const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-      sides.push_back({static_cast<Index>(side), low, high});
+    const SeenFace seen_face = seen(side, face);
+    const std::vector<SeenPoint> over = overlap(seen_slave, seen_face, 2 * strip);
+    const DepthField of_hider = depth_field(side, face, strip);
+    Range depth, before;  // of the hider, and by how much it lies before the slave face
+    for (const SeenPoint& x : over) {
+      const auto [depth_at, error] = of_hider.at(x);
+      const auto [slave_depth, slave_error] = of_slave.at(x);
+      depth.add(depth_at, error);
+      before.add(slave_depth - depth_at, error + slave_error);
     }
-    for (const SeenPoint& x : seen(side, face)) {
-      hiders.distance = std::max(hiders.distance, x.stableNorm());
+    if (over.empty() || depth.high < 0 || before.high < 0) continue;
+    found.push_back(&near);
+    const int lines = (depth.low <= 0 && may_rise_above(side, face, strip)) + (order_to_slave == 0 && before.low <= 0);
+    hiders.folds += lines * no_more(outline_of(over) / 2, most);
+    for (const SeenPoint& x : seen_face) {
+      hiders.distance = std::max(hiders.distance, distance_from_corners(x));
       hiders.place = std::max(hiders.place, place_error(x));
     }
   }
-  hiders.lines = hiders.loose;
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i < sides.size(); ++hiders.lines) {
-    const bool is_shared = i + 1 < sides.size() && sides[i + 1] == sides[i];
-    hiders.loose += !is_shared;
+  hiders.count = static_cast<int>(found.size());
+  hiders.sides = hiding_sides(found, strip);
+  return hiders;
+}
+
+// The master's own corners lie in its plane exactly.
+bool MasterView::may_rise_above(Side side, Index face, double error) const {
+  const Triangle& own = faces_.surface(master_).mesh.faces[static_cast<std::size_t>(master_face_)];
+  const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
+  return std::any_of(corners.begin(), corners.end(), [&](Index v) {
+    if (side == master_ && std::find(own.begin(), own.end(), v) != own.end()) return false;
+    return vertices_[static_cast<std::size_t>(side)][static_cast<std::size_t>(v)].z() <= error;
+  });
+}
+
+// Through a corner, as seen, along the plane of the face's normal m: in lengths along both directions and depths that
+// is where m . (x - corner) = 0, so that an error of m by an angle turns the depth's slope, the tangent of the angle
+// between both planes, by that over the square of the cosine.
+MasterView::DepthField MasterView::depth_field(Side side, Index face, double strip) const {
+  const RoundedFaces::Face plane = faces_.face(side, face);
+  const Eigen::Vector3d m = seen_from_Me_ * plane.normal_Me;
+  const double cosine = std::abs(m.z()), error = plane.normal_error + turn_ + 16 * u;
+  DepthField field;
+  field.corner =
+      vertices_[static_cast<std::size_t>(side)]
+               [static_cast<std::size_t>(faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)][0])];
+  if (!(cosine > 4 * error)) {
+    field.slope.setZero();
+    field.corner_error = field.error_per_distance = std::numeric_limits<double>::infinity();
+    return field;
+  }
+  field.slope = -m.head<2>() / m.z();
+  field.corner_error =
+      kHigherOrder * ((16 * u + turn_) * (face_.longest + field.corner.stableNorm()) + field.slope.norm() * strip);
+  field.error_per_distance = kHigherOrder * 2 * error / (cosine * cosine);
+  return field;
+}
+
+std::pair<double, double> MasterView::DepthField::at(const SeenPoint& x) const {
+  const Eigen::Vector2d offset = (x - corner).head<2>();
+  return {corner.z() + slope.dot(offset), corner_error + times(error_per_distance, offset.stableNorm())};
+}
+
+std::vector<MasterView::SeenPoint> MasterView::overlap(const SeenFace& a, const SeenFace& b, double margin) const {
+  const Extent own = extent(own_);
+  const double left = own.low.x() - 2 * margin, right = own.high.x() + 2 * margin;
+  const double near = own.low.y() - 2 * margin, far = own.high.y() + 2 * margin;
+  std::vector<SeenPoint> polygon = {{left, near, 0}, {right, near, 0}, {right, far, 0}, {left, far, 0}};
+  for (const SeenFace* const face : {&own_, &a, &b})
+    for (std::size_t k = 0; k < 3; ++k)
+      polygon = cut(polygon, [&](const SeenPoint& x) { return height_over_side(*face, k, x, margin); });
+  return polygon;
+}
+
+std::vector<MasterView::HidingSide> MasterView::hiding_sides(const std::vector<const NearFace*>& hiders,
+                                                             double strip) const {
+  struct Found {
+    std::array<Index, 3> key;  // surface, vertex of smaller index, the other
+    SeenPoint third;
+  };
+  std::vector<Found> found;
+  for (const NearFace* const hider : hiders) {
+    const Triangle& corners = faces_.surface(hider->side).mesh.faces[static_cast<std::size_t>(hider->face)];
+    const SeenFace seen_corners = seen(hider->side, hider->face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+      found.push_back({{static_cast<Index>(hider->side), low, high}, seen_corners[(k + 2) % 3]});
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.key < b.key; });
+  std::vector<HidingSide> sides;
+  for (std::size_t i = 0; i < found.size();) {
+    const auto& [surface, low, high] = found[i].key;
+    const std::vector<SeenPoint>& vertices = vertices_[static_cast<std::size_t>(surface)];
+    const SeenPoint &from = vertices[static_cast<std::size_t>(low)], &to = vertices[static_cast<std::size_t>(high)];
+    const bool is_shared = i + 1 < found.size() && found[i + 1].key == found[i].key;
+    const auto height = [&](std::size_t k) { return cross(to - from, found[k].third - from); };
+    const double certain = 2 * strip * (to - from).head<2>().stableNorm();
+    const bool joins = is_shared && ((height(i) > certain && height(i + 1) < -certain) ||
+                                     (height(i) < -certain && height(i + 1) > certain));
+    sides.push_back({from, to, joins});
     i += is_shared ? 2 : 1;
   }
-  return hiders;
+  return sides;
+}
+
+double MasterView::length_within(const HidingSide& side, bool whole_line, const SeenFace& slave, double margin) const {
+  const SeenPoint to = side.to - side.from;
+  const double length = to.head<2>().stableNorm();
+  if (!(length > 0)) return 2 * margin;
+  const SeenPoint along = to / length;
+  const double infinity = std::numeric_limits<double>::infinity();
+  double first = whole_line ? -infinity : -margin, last = whole_line ? infinity : length + margin;
+  for (const SeenFace* const face : {&own_, &slave}) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double height = height_over_side(*face, k, side.from, margin);
+      const double rise = height_over_side(*face, k, side.from + along, margin) - height;
+      if (rise > 0) first = std::max(first, -height / rise);
+      if (rise < 0) last = std::min(last, -height / rise);
+      if (rise == 0 && height < 0) return 0;
+    }
+  }
+  return std::max(0.0, last - first);
+}
+
+// A line laid through both ends of a side is off by more farther away, as a lever.
+double MasterView::cuts_within(const Hiders& hiders, const SeenFace& slave, const std::vector<SeenPoint>& part,
+                               double strip, double width, double most) const {
+  double sum = 0;
+  for (const HidingSide& side : hiders.sides) {
+    const double length = (side.to - side.from).head<2>().stableNorm();
+    double farthest = 0;
+    for (const SeenPoint& x : part) farthest = std::max(farthest, (x - side.from).head<2>().stableNorm());
+    const double lever = 1 + 2 * farthest / length;
+    const bool is_sure = strip * lever < length / 16 && strip * lever < most;
+    sum += is_sure ? std::min(most, length_within(side, true, slave, 2 * strip * lever + 2 * width)) : most;
+  }
+  return sum + hiders.folds;
+}
+
+double MasterView::distance_from_corners(const SeenPoint& x) const {
+  return std::max({(x - own_[0]).stableNorm(), (x - own_[1]).stableNorm(), (x - own_[2]).stableNorm()});
 }
 
 Eigen::Array2d MasterView::weights(const SeenPoint& x) const {
@@ -236,8 +380,8 @@ double MasterView::place_error(const SeenPoint& x) const {
 // 2 e q c along one of the lines that made it. Those are the sight's own, with all parts on one side, and those of the
 // faces that hide something, with parts on both. A single face leaves no more than five parts. Strips that a right
 // engine sees between faces that hide what lies behind both are as wide as their lines are off.
-void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders,
-                                     SlaveInView& sight) const {
+void MasterView::add_uncertain_areas(const SeenFace& slave, const std::vector<SeenPoint>& part, double place,
+                                     const Hiders& hiders, SlaveInView& sight) const {
   if (part.empty()) return;
   Eigen::Array2d low = weights(part[0]), high = low;
   for (const SeenPoint& x : part) {
@@ -247,13 +391,16 @@ void MasterView::add_uncertain_areas(const std::vector<SeenPoint>& part, double 
   }
   sight.uncertain = place * ((high - low)[1] * length_t_ + (high - low)[0] * length_s_);
   if (hiders.count == 0) return;
+  for (const HidingSide& side : hiders.sides)
+    if (!side.joins) sight.parting += std::min(sight.width, length_within(side, false, slave, 2 * sight.strip));
+  sight.parting += hiders.folds;
   const SeenPoint along_first = side_s_.stableNormalized(), along_second = side_t_.stableNormalized();
   const double c = std::max((along_first + along_second).stableNorm(), (along_first - along_second).stableNorm());
   const double width = 2 * kSliver * place * skew_ * c;
-  const double lines = static_cast<double>(part.size()) + 2.0 * hiders.lines;
-  const double dropped = lines * width * (sight.width + 2 * width);
-  sight.neglected = hiders.count == 1 ? std::min(dropped, 5 * kSliver * sight.uncertain)
-                                      : dropped + hiders.loose * sight.strip * sight.width;
+  const double own = static_cast<double>(part.size()) * 2 * width + sight.outline;
+  const double cuts = cuts_within(hiders, slave, part, sight.strip, width, sight.width + 2 * width);
+  sight.neglected = width * (own + 2 * cuts);
+  if (hiders.count == 1) sight.neglected = std::min(sight.neglected, 5 * kSliver * sight.uncertain);
 }
 
 SlaveInView MasterView::sight(Index slave_face) const {
@@ -261,7 +408,7 @@ SlaveInView MasterView::sight(Index slave_face) const {
   const Eigen::Vector3d& slave_normal = faces_.face(opposite(master_), slave_face).normal_Me;
   double distance = 0, depth = 0, greatest = 0, place = 0;
   for (const SeenPoint& x : slave) {
-    distance = std::max(distance, face_.longest + x.stableNorm());
+    distance = std::max(distance, distance_from_corners(x));
     depth = std::max(depth, std::abs(x.z()));
     greatest = std::max(greatest, x.z());
     place = std::max(place, place_error(x));
@@ -272,7 +419,7 @@ SlaveInView MasterView::sight(Index slave_face) const {
   SlaveInView sight;
   const Hiders hiders = part.empty() ? Hiders{} : find_hiders(slave_face, part, strip(farthest, depth));
   sight.hiders = hiders.count;
-  sight.strip = strip(std::max(distance, face_.longest + hiders.distance), depth);
+  sight.strip = strip(std::max(distance, hiders.distance), depth);
   sight.depth_error = (16 * u + turn_) * distance;
   sight.slope = face_.normal_Me.cross(slave_normal).stableNorm() / std::abs(face_.normal_Me.dot(slave_normal));
   double sine = 0;  // at the deepest corner
@@ -289,7 +436,7 @@ SlaveInView MasterView::sight(Index slave_face) const {
   }
   sight.outline += 8 * sight.strip;
   sight.width = std::min(sight.outline / 2, face_.longest);
-  add_uncertain_areas(part, std::max(place, hiders.place), hiders, sight);
+  add_uncertain_areas(slave, part, std::max(place, hiders.place), hiders, sight);
   const double depth_change = times(sight.slope, 2 * sight.strip);
   sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + depth_change);
   sight.tip_error = sine > 0 ? sight.depth_error + depth_change / sine : sight.at_tip;
@@ -307,6 +454,7 @@ void MasterView::limit(SlaveInView& sight) const {
   sight.area = no_more(sight.area, whole);
   sight.strip = no_more(sight.strip, face_.longest);
   sight.outline = no_more(sight.outline, 3 * face_.longest + 8 * sight.strip);
+  sight.parting = no_more(sight.parting, std::numeric_limits<double>::infinity());
   sight.fold = no_more(sight.fold, sight.outline);
   sight.width = no_more(sight.width, face_.longest);
   sight.depth_error = no_more(sight.depth_error, anywhere);

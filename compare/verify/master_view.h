@@ -3,8 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "compare/verify/rounded_faces.h"
@@ -21,6 +24,7 @@ struct SlaveInView {
   double depth_error = 0;  ///< at a point of the plane, without any shift of it, m
   double slope = 0;        ///< of the depth
   double outline = 0;      ///< its border, m
+  double parting = 0;      ///< lines at which faces that hide some of it end, within it, m
   double fold = 0;         ///< the part of that where the depth is 0, m
   double width = 0;        ///< no two points of it are farther apart, m
   double deepest = 0;      ///< there, m
@@ -48,13 +52,18 @@ class MasterView {
   /// A point of the master's plane in lengths along two directions at right angles, m, and a depth, m.
   using SeenPoint = Eigen::Vector3d;
   using SeenFace = std::array<SeenPoint, 3>;
+  /// A side of faces that may hide something.
+  struct HidingSide {
+    SeenPoint from, to;
+    bool joins;  ///< two of these faces, surely on either side of it: nothing can be seen between them
+  };
   /// Faces that may hide something of a slave face.
   struct Hiders {
     int count = 0;
-    /// Their sides, where their depth is 0, and where they pass through the slave face: that may part what is seen.
-    int lines = 0;
-    int loose = 0;        ///< those of them on which no two of these faces meet
-    double distance = 0;  ///< no corner of theirs is farther from p0, m
+    std::vector<HidingSide> sides;  ///< each once
+    /// Of lines where their depth is 0, and where they pass through the slave face, m: these may part it as well.
+    double folds = 0;
+    double distance = 0;  ///< no corner of theirs is farther from one of the master, m
     double place = 0;     ///< nor worse placed, m
   };
   struct Extent {
@@ -68,7 +77,33 @@ class MasterView {
     Extent extent;
   };
 
+  /// A face's depth as a linear function of the point.
+  struct DepthField {
+    SeenPoint corner;
+    Eigen::Vector2d slope;
+    double corner_error;        ///< m
+    double error_per_distance;  ///< from the corner
+
+    /// The depth at a point, and its error, m.
+    std::pair<double, double> at(const SeenPoint& x) const;
+  };
+  /// Of a linear function, in an area and with its errors.
+  struct Range {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+
+    void add(double value, double error) {
+      low = std::min(low, value - error);
+      high = std::max(high, value + error);
+    }
+  };
+
   SeenFace seen(Side side, Index face) const;
+  /// Whether a corner other than the master's own may lie above its plane.
+  bool may_rise_above(Side side, Index face, double error) const;
+  DepthField depth_field(Side side, Index face, double strip) const;
+  /// Where the master, a and b, each grown by `margin`, lie over one another: a convex polygon.
+  std::vector<SeenPoint> overlap(const SeenFace& a, const SeenFace& b, double margin) const;
   void find_near_faces();
   static Extent extent(std::span<const SeenPoint> polygon);
   /// What the master sees of a face at a depth >= 0.
@@ -84,22 +119,33 @@ class MasterView {
   /// where roundings can't tell or on both.
   int side_of_plane(Side side_a, Index a, Side side_b, Index b) const;
   Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
+  /// The sides of these faces of E and F, each once.
+  std::vector<HidingSide> hiding_sides(const std::vector<const NearFace*>& hiders, double strip) const;
+  /// What of the side, or of the line that it lies on, may lie over the master as well as over the slave face, where
+  /// both may reach farther by `margin`, m.
+  double length_within(const HidingSide& side, bool whole_line, const SeenFace& slave, double margin) const;
+  /// Along whole lines of the hiders' sides, m: no more than `most` each, where they are off by `strip` at their ends.
+  double cuts_within(const Hiders& hiders, const SeenFace& slave, const std::vector<SeenPoint>& part, double strip,
+                     double width, double most) const;
   /// s and t of a point.
   void limit(SlaveInView& sight) const;
+  /// Of the corner farthest away, from one of which each weight is taken, m.
+  double distance_from_corners(const SeenPoint& point) const;
   Eigen::Array2d weights(const SeenPoint& point) const;
   /// How far off a point may be seen by MasterPrism::uncertainty, m.
   double place_error(const SeenPoint& point) const;
-  void add_uncertain_areas(const std::vector<SeenPoint>& part, double place, const Hiders& hiders,
-                           SlaveInView& sight) const;
+  void add_uncertain_areas(const SeenFace& slave, const std::vector<SeenPoint>& part, double place,
+                           const Hiders& hiders, SlaveInView& sight) const;
   double strip(double distance, double depth) const;
 
   const RoundedFaces& faces_;
   Side master_;
   Index master_face_;
   RoundedFaces::Face face_;
-  double turn_;  ///< rad
-  double tilt_;  ///< as MasterPrism::tilt, rad
-  double skew_;  ///< |p1 - p0| |p2 - p0| over twice the area
+  double turn_;                   ///< rad
+  double tilt_;                   ///< as MasterPrism::tilt, rad
+  double skew_;                   ///< |p1 - p0| |p2 - p0| over twice the area
+  Eigen::Matrix3d seen_from_Me_;  ///< a direction's components along both and as a depth
   SeenFace own_;
   SeenPoint side_s_, side_t_;                       ///< p1 - p0 and p2 - p0
   double length_s_, length_t_;                      ///< m

@@ -38,7 +38,8 @@ RoundedFaces::RoundedFaces(const Question& question)
 // of them 3 u, each component of N so at most 4 u (|d1_i d2_j| + |d1_j d2_i|) to first order; the length of the vector
 // of these sums is at most sqrt(2) |d1| |d2|. Hence |dN| <= 4 sqrt(2) u |d1| |d2| < 6 u L1 L2 with the two longest
 // sides, whichever two the evaluation takes. The area |N| / 2 takes half of that and 3 roundings more; the unit normal
-// |dN| / |N| twice (direction and length) and 4 roundings more.
+// |dN| / |N| twice (direction and length) and 4 roundings more. A height over the plane is N . (x - p) / |N|, or in
+// proportion to it, in error by |dN| / |N| and 4 roundings of the distance |x - p|; none is greater than that.
 RoundedFaces::Face RoundedFaces::face(Side side, Index index) const {
   const Eigen::Vector3d &p = corner(side, index, 0), &q = corner(side, index, 1), &s = corner(side, index, 2);
   Face face;
@@ -50,6 +51,7 @@ RoundedFaces::Face RoundedFaces::face(Side side, Index index) const {
   face.area = length / 2;
   face.area_error = N_error / 2 + 3 * u * face.area;
   face.normal_error = length > N_error ? std::min(2.0, 2 * N_error / length + 4 * u) : 2;
+  face.plane_error = no_more(N_error / length + 4 * u, 1);
   if (length > 0) face.normal_Me = N / length;
   face.longest = sides[2];
   face.farthest = std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), s.cwiseAbs().maxCoeff()});

@@ -17,6 +17,7 @@ class RoundedFaces {
     double area = 0;
     double area_error = 0;    ///< m^2
     double normal_error = 0;  ///< of the unit normal, at most 2
+    double plane_error = 0;   ///< of the height of a point over the face's plane, over its distance from a corner
     double longest = 0;       ///< longest side, m
     double farthest = 0;      ///< greatest |coordinate|, m
   };

@@ -81,11 +81,12 @@ ForceBounds RoundingBounds::force() const {
   return bounds;
 }
 
-// x = a + t (b - a), t = d_a / (d_a - d_b), d = n_f . (x - f_0). |dd| <= D (|dn_f| + 4 u) with D the farthest end's
-// distance from the farthest corner; |d_a| + |d_b| = |d_a - d_b| since the ends lie on different sides, so |dt| <=
-// 2 |dd| / |d_a - d_b| and |dx| <= 2 |dd| / sine along the edge, sine = |n_f . (b - a)| / |b - a|. Both true and
-// computed crossing lie on the edge, which caps it; off the edge only the 2 roundings of a + t (b - a) show. Not yet
-// doubled for terms of higher order, which the cap has none of.
+// x = a + t (b - a), t = d_a / (d_a - d_b), d the heights over the face. Where these are off by e_a and e_b, the true
+// height at x is (e_a d_b - e_b d_a) / (d_a - d_b), d with its error in the denominator: no more than the greater of
+// both errors, since d_a and d_b differ in sign, and the 4 roundings of t (b - a) make it 4 u |b - a| more. Along the
+// edge x is off by that over the sine, n_f . (b - a) / |b - a|. Both true and computed crossing lie on the edge, which
+// caps it; off the edge only the 2 roundings of a + t (b - a) show. Not yet doubled for terms of higher order, which
+// the cap has none of.
 RoundingBounds::PositionError RoundingBounds::position_error(const reference::Crossing& crossing) const {
   const Eigen::Vector3d& a = faces_.vertex(crossing.edge_side, crossing.edge[0]);
   const Eigen::Vector3d& b = faces_.vertex(crossing.edge_side, crossing.edge[1]);
@@ -96,21 +97,39 @@ RoundingBounds::PositionError RoundingBounds::position_error(const reference::Cr
     D = std::max({D, (a - f).stableNorm(), (b - f).stableNorm()});
   }
   const double length = (b - a).stableNorm();
-  const double height = 2 * D * (crossed.normal_error + 4 * u);
+  const double height = D * crossed.plane_error + 4 * u * length;
   if (length == 0) return {0, height, 0};
   const double sine = std::abs(crossed.normal_Me.dot(b - a)) / length - (crossed.normal_error + 4 * u);
   const double along = sine > 0 ? height / sine : length;
   return {std::min(length, along), height, std::min(length, kHigherOrder * along)};
 }
 
+bool RoundingBounds::may_be_wound(Side side, Index vertex) const {
+  const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
+  return !faces_.surface(opposite(side)).closed || std::binary_search(active.wound.begin(), active.wound.end(), vertex);
+}
+
+std::map<std::pair<Side, std::array<Index, 2>>, double> RoundingBounds::lengths_inside() const {
+  std::map<std::pair<Side, std::array<Index, 2>>, std::pair<double, double>> spans;  // distances from the first vertex
+  for (const reference::Polygon& polygon : true_.polygons)
+    for (const reference::Crossing& x : polygon.points) {
+      const Eigen::Vector3d& from = faces_.vertex(x.edge_side, x.edge[0]);
+      const Eigen::Vector3d& to = faces_.vertex(x.edge_side, x.edge[1]);
+      const double at = (x.position_Me - from).stableNorm();
+      const double low = may_be_wound(x.edge_side, x.edge[0]) ? 0 : at;
+      const double high = may_be_wound(x.edge_side, x.edge[1]) ? std::max(at, (to - from).stableNorm()) : at;
+      const auto [found, is_first] = spans.try_emplace({x.edge_side, x.edge}, low, high);
+      if (!is_first) found->second = {std::min(found->second.first, low), std::max(found->second.second, high)};
+    }
+  std::map<std::pair<Side, std::array<Index, 2>>, double> lengths;
+  for (const auto& [edge, span] : spans) lengths[edge] = span.second - span.first;
+  return lengths;
+}
+
 // The corners that the other surface does not wind about bound nothing; all do where it is open.
 double RoundingBounds::width_of(Part part, Side side, Index face) const {
-  const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
-  const bool closed = faces_.surface(opposite(side)).closed;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Index v = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)][k];
-    if (!closed || std::binary_search(active.wound.begin(), active.wound.end(), v)) part.add(faces_.vertex(side, v), 0);
-  }
+  for (const Index v : faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)])
+    if (may_be_wound(side, v)) part.add(faces_.vertex(side, v), 0);
   return part.terms > 0 ? width_between(part.low, part.high) : std::numeric_limits<double>::infinity();
 }
 
@@ -123,26 +142,28 @@ double RoundingBounds::width_of(Part part, Side side, Index face) const {
 //
 // The volume feels less: both areas change along the same boundary, and stay the surface of a body. Moving x to a
 // height h over the plane of the face it passes through changes that body by h |(p - x) x (q - x)| / 6, for the other
-// faces at x hold its edge; and it leaves a gap between both areas, h high along p, x, q, through which flows no more
-// than its area times the distance from the origin, a third of it counted.
+// faces at x hold its edge; and it leaves a gap between both areas. Along a segment of the boundary that is as wide as
+// its ends are off the two planes, so that its area is no more than half of what either end is off times the segment.
+// Through it flows no more than its area times the distance from the origin, a third of it counted.
 AreaBounds RoundingBounds::area() const {
   AreaBounds bounds;
   std::array<double, 2> crossing_area_error{};  // area errors by side, from crossings moved
   double crossing_volume_error = 0, gaps = 0;   // three times the volume, and the gaps' area
   std::array<std::map<Index, Part>, 2> parts;   // by side and face
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  const auto lengths = lengths_inside();
   for (const reference::Polygon& polygon : true_.polygons) {
     const std::size_t n = polygon.points.size();
     std::vector<double>& bounds_of_polygon = bounds.positions.emplace_back();
     std::vector<Eigen::Vector3d> d;
-    std::vector<double> along, edge_length, height;
+    std::vector<double> along, length_inside, height;
     for (const reference::Crossing& x : polygon.points) {
       const PositionError error = position_error(x);
       bounds_of_polygon.push_back(error.bound);
       along.push_back(error.along);
       height.push_back(error.height);
       const Eigen::Vector3d edge = faces_.vertex(x.edge_side, x.edge[1]) - faces_.vertex(x.edge_side, x.edge[0]);
-      edge_length.push_back(edge.stableNorm());
+      length_inside.push_back(lengths.at({x.edge_side, x.edge}));
       d.push_back(edge.stableNorm() > 0 ? (edge / edge.stableNorm()).eval() : edge);
       low = low.cwiseMin(x.position_Me);
       high = high.cwiseMax(x.position_Me);
@@ -164,11 +185,13 @@ AreaBounds RoundingBounds::area() const {
       const double to_p = (p - x.position_Me).stableNorm() + along[k] + (has_p ? along[(k + n - 1) % n] : 0);
       const double to_q = (q - x.position_Me).stableNorm() + along[k] + (has_q ? along[(k + 1) % n] : 0);
       crossing_volume_error += height[k] * to_p * to_q / 2;
-      gaps += (height[k] + stored) * (2 * to_p + 2 * to_q) + stored * edge_length[k];
+      const double wound = std::max(1, (own == 0 ? true_.E : true_.F).most_wound);
+      gaps += (height[k] + 2 * stored) * (to_p + to_q) / 2 + wound * stored * (length_inside[k] + 2 * along[k]);
       // The neighbours as stored are off as well, and move with it.
       for (double& m : crossing_area_error) m += stored * (perimeter + 4 * (stored + along[k]));
-      // Beside the edge rather than on it, it bends the boundary from its face's corner: s (b - x) / 2 on both faces.
-      crossing_area_error[own] += stored * edge_length[k];
+      // Beside the edge rather than on it, it bends the boundary along the edge: s (b - x) / 2 on both faces, as often
+      // as the other surface winds about that.
+      crossing_area_error[own] += wound * stored * (length_inside[k] + 2 * along[k]);
       if (has_q) {
         const std::size_t next = (k + 1) % n;
         for (double& m : crossing_area_error) m += along[k] * along[next] * d[k].cross(d[next]).stableNorm() / 2;
@@ -197,10 +220,11 @@ AreaBounds RoundingBounds::area() const {
   for (const Side side : {Side::E, Side::F}) {
     const auto i = static_cast<std::size_t>(side == Side::E ? 0 : 1);
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
+    const double wound = std::max(1, active.most_wound);
     double area_error = crossing_area_error[i], normal_error = 0, volume_error = 0, size = 0;
     const auto add = [&](const Face& e, double area, double value_error) {
       // A sliver's normal may be wrong altogether; its area is then no larger than its error.
-      const double turned = std::min(area * e.normal_error, 2 * e.area_error + 6 * u * e.longest * e.longest);
+      const double turned = std::min(area * e.normal_error, wound * (2 * e.area_error + 6 * u * e.longest * e.longest));
       size += area;
       area_error += value_error;
       normal_error += turned;
@@ -209,15 +233,15 @@ AreaBounds RoundingBounds::area() const {
     for (const std::vector<Index>* uncrossed : {&active.inner, &active.pockets})
       for (const Index f : *uncrossed) {
         const Face e = faces_.face(side, f);
-        add(e, e.area, e.area_error);
+        add(e, wound * e.area, wound * e.area_error);
       }
     for (const Index f : active.intersected) {
       const Face e = faces_.face(side, f);
       const auto found = parts[i].find(f);
       const Part part = found == parts[i].end() ? Part{} : found->second;
       const double width = std::min(e.longest, width_of(part, side, f));
-      const double sum_terms = part.terms + 3 * std::max(1, active.most_wound);
-      add(e, std::min(e.area, width * width), 4 * u * (sum_terms + 2) * width * width);
+      const double sum_terms = part.terms + 3 * wound;
+      add(e, wound * std::min(e.area, width * width), 4 * u * (sum_terms + 2) * width * width);
     }
     const double summing =
         u * static_cast<double>(active.inner.size() + active.pockets.size() + active.intersected.size() + 1) * size;

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "compare/verify/law_bounds.h"
@@ -65,6 +68,11 @@ class RoundingBounds {
       terms += more_terms;
     }
   };
+  /// Of an edge, as far as the other surface may wind about it: from its first crossing, or a corner about which that
+  /// winds, to the last, m; all of it where that surface is open.
+  std::map<std::pair<Side, std::array<Index, 2>>, double> lengths_inside() const;
+  /// Whether the other surface may wind about the vertex.
+  bool may_be_wound(Side side, Index vertex) const;
   /// No two points of it are farther apart, m.
   double width_of(Part part, Side side, Index face) const;
 

@@ -57,7 +57,7 @@ struct ActiveArea {
   std::vector<Index> pockets;
   /// Vertices of intersected faces about which the other surface, where it is closed, winds; ascending.
   std::vector<Index> wound;
-  int most_wound = 0;  ///< how often at most, either way round
+  int most_wound = 0;  ///< how often at most it winds about a corner of any of these faces, either way round
   double area = 0;     ///< m^2, correctly rounded
   AreaInterval area_interval;
   Eigen::Vector3d vector_area_Me = Eigen::Vector3d::Zero();
