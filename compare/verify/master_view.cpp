@@ -222,11 +222,10 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
     const std::vector<SeenPoint> over = overlap(seen_slave, seen_face, 2 * strip);
     const DepthField of_hider = depth_field(side, face, strip);
     Range depth, before;  // of the hider, and by how much it lies before the slave face
+    const double hider_error = of_hider.error_between(of_slave), slave_error = of_slave.error_between(of_hider);
     for (const SeenPoint& x : over) {
-      const auto [depth_at, error] = of_hider.at(x);
-      const auto [slave_depth, slave_error] = of_slave.at(x);
-      depth.add(depth_at, error);
-      before.add(slave_depth - depth_at, error + slave_error);
+      depth.add(of_hider.at(x), hider_error);
+      before.add(of_slave.at(x) - of_hider.at(x), hider_error + slave_error);
     }
     if (over.empty() || depth.high < 0 || before.high < 0) continue;
     found.push_back(&near);
@@ -254,36 +253,28 @@ bool MasterView::may_rise_above(Side side, Index face, double error) const {
 
 // Through a corner, as seen, along the plane of the face's normal m: in lengths along both directions and depths that
 // is where m . (x - corner) = 0, so that an error of m by an angle turns the depth's slope, the tangent of the angle
-// between both planes, by that over the square of the cosine.
+// between both planes, by that over the square of the cosine. The engine compares two faces by the heights of the
+// corners of one over the plane of the other, which are as sure as the distance between them allows.
 MasterView::DepthField MasterView::depth_field(Side side, Index face, double strip) const {
   const RoundedFaces::Face plane = faces_.face(side, face);
   const Eigen::Vector3d m = seen_from_Me_ * plane.normal_Me;
-  const double cosine = std::abs(m.z()), error = plane.normal_error + turn_ + 16 * u;
-  DepthField field;
-  field.corner =
-      vertices_[static_cast<std::size_t>(side)]
-               [static_cast<std::size_t>(faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)][0])];
-  if (!(cosine > 4 * error)) {
-    field.slope.setZero();
-    field.corner_error = field.error_per_distance = std::numeric_limits<double>::infinity();
-    return field;
-  }
+  const double cosine = std::abs(m.z()), turn = plane.normal_error + turn_ + 16 * u;
+  const SeenFace corners = seen(side, face);
+  DepthField field{corners[0], Eigen::Vector2d::Zero(), 0, std::numeric_limits<double>::infinity(), 0};
+  for (const SeenPoint& x : corners) field.reach = std::max(field.reach, distance_from_corners(x));
+  if (!(cosine > 4 * turn)) return field;
   field.slope = -m.head<2>() / m.z();
-  field.corner_error =
-      kHigherOrder * ((16 * u + turn_) * (face_.longest + field.corner.stableNorm()) + field.slope.norm() * strip);
-  field.error_per_distance = kHigherOrder * 2 * error / (cosine * cosine);
+  field.error = kHigherOrder * ((16 * u + turn_) * field.reach + field.slope.norm() * strip);
+  field.error_per_distance = kHigherOrder * 2 * turn / (cosine * cosine);
   return field;
 }
 
-std::pair<double, double> MasterView::DepthField::at(const SeenPoint& x) const {
-  const Eigen::Vector2d offset = (x - corner).head<2>();
-  return {corner.z() + slope.dot(offset), corner_error + times(error_per_distance, offset.stableNorm())};
-}
-
 std::vector<MasterView::SeenPoint> MasterView::overlap(const SeenFace& a, const SeenFace& b, double margin) const {
+  // A sharp corner of the master reaches far when its sides are moved outward.
   const Extent own = extent(own_);
-  const double left = own.low.x() - 2 * margin, right = own.high.x() + 2 * margin;
-  const double near = own.low.y() - 2 * margin, far = own.high.y() + 2 * margin;
+  const double around = 16 * (face_.longest + margin);
+  const double left = own.low.x() - around, right = own.high.x() + around;
+  const double near = own.low.y() - around, far = own.high.y() + around;
   std::vector<SeenPoint> polygon = {{left, near, 0}, {right, near, 0}, {right, far, 0}, {left, far, 0}};
   for (const SeenFace* const face : {&own_, &a, &b})
     for (std::size_t k = 0; k < 3; ++k)
@@ -438,10 +429,24 @@ SlaveInView MasterView::sight(Index slave_face) const {
   sight.width = std::min(sight.outline / 2, face_.longest);
   add_uncertain_areas(slave, part, std::max(place, hiders.place), hiders, sight);
   const double depth_change = times(sight.slope, 2 * sight.strip);
-  sight.deepest = std::min(greatest + sight.depth_error, sight.at_tip + sight.depth_error + depth_change);
+  sight.deepest = std::min(greatest, deepest_over_master(slave_face, sight.strip)) + sight.depth_error;
   sight.tip_error = sine > 0 ? sight.depth_error + depth_change / sine : sight.at_tip;
   limit(sight);
   return sight;
+}
+
+// What a right engine sees lies over the master and beneath the slave face, each grown by the strip's width; where
+// their sides meet at a sharp corner that reaches far.
+double MasterView::deepest_over_master(Index slave_face, double strip) const {
+  const SeenFace slave = seen(opposite(master_), slave_face);
+  const DepthField depth = depth_field(opposite(master_), slave_face, strip);
+  double deepest = 0;
+  for (const SeenPoint& x : overlap(slave, slave, 2 * strip)) {
+    const double from_corner = (x - depth.corner).head<2>().stableNorm();
+    deepest =
+        std::max(deepest, depth.at(x) + times(depth.error_per_distance, from_corner) + depth.slope.norm() * strip);
+  }
+  return std::isfinite(depth.error) ? deepest : depth.error;
 }
 
 // Two points of bodies that touch are no farther apart than 6 times the greatest coordinate, a part of the face has no

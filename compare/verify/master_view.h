@@ -7,9 +7,9 @@
 #include <array>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "compare/verify/bound_arithmetic.h"
 #include "compare/verify/rounded_faces.h"
 
 namespace pcm::compare {
@@ -81,11 +81,15 @@ class MasterView {
   struct DepthField {
     SeenPoint corner;
     Eigen::Vector2d slope;
-    double corner_error;        ///< m
-    double error_per_distance;  ///< from the corner
+    double reach;               ///< no corner of the face is farther from one of the master, m
+    double error;               ///< of the depth between its corners, m
+    double error_per_distance;  ///< and from a corner on, through the direction of its plane
 
-    /// The depth at a point, and its error, m.
-    std::pair<double, double> at(const SeenPoint& x) const;
+    double at(const SeenPoint& x) const { return corner.z() + slope.dot((x - corner).head<2>()); }
+    /// Of depths told by this plane and another face's corners, m.
+    double error_between(const DepthField& other) const {
+      return error + times(error_per_distance, reach + other.reach);
+    }
   };
   /// Of a linear function, in an area and with its errors.
   struct Range {
@@ -127,6 +131,8 @@ class MasterView {
   /// Along whole lines of the hiders' sides, m: no more than `most` each, where they are off by `strip` at their ends.
   double cuts_within(const Hiders& hiders, const SeenFace& slave, const std::vector<SeenPoint>& part, double strip,
                      double width, double most) const;
+  /// The greatest depth at which a right engine may see the slave face, but for the error of a depth, m.
+  double deepest_over_master(Index slave_face, double strip) const;
   /// s and t of a point.
   void limit(SlaveInView& sight) const;
   /// Of the corner farthest away, from one of which each weight is taken, m.

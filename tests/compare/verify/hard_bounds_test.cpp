@@ -3,25 +3,47 @@
 // Answers of a right engine whose bounds are hard to state: whatever the surfaces, a bound is a number, and holds.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "compare/verify/disagreement_kind.h"
 #include "compare/verify/held_pairing.h"
 #include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "meshes/generate/degenerate/bodies.h"
 #include "meshes/generate/degenerate/hard_bodies.h"
 #include "meshes/generate/round.h"
 
 namespace pcm::compare {
 namespace {
 
-void expect_held(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
-  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+void expect_held(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose,
+                 const std::vector<Scheme>& schemes = {Scheme::barycentric, Scheme::clipped}) {
+  for (const Scheme scheme : schemes) {
     const HeldPairing held(E, F, {}, HeldPairing::Modes{Mode::E, Mode::F, Mode::both}, scheme);
     fast::Workspace workspace;
     for (const auto& outcome : held.hold(pose, {}, workspace))
       for (const auto& disagreement : outcome.disagreements)
         ADD_FAILURE() << name(disagreement.kind) << ": " << disagreement.text;
   }
+}
+
+/// Turned about an axis in no special direction, so that no product of coordinates is exact.
+Pose turned(double angle, const Eigen::Vector3d& r) {
+  return {Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -0.7).normalized()).toRotationMatrix(), r};
+}
+
+/// The widest check of each kind in either mode.
+std::map<Kind, double> widths(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
+  const HeldPairing held(E, F, {}, HeldPairing::Modes{Mode::E, Mode::F}, Scheme::clipped);
+  fast::Workspace workspace;
+  std::map<Kind, double> widest;
+  for (const auto& outcome : held.hold(pose, {}, workspace))
+    for (const Width& width : outcome.widths)
+      if (width.relative) widest[width.kind] = std::max(widest[width.kind], *width.relative);
+  return widest;
 }
 
 /// A hollow cube and an icosphere with their corners moved far about. Two corners of two of its faces are 3 ulps apart:
@@ -69,6 +91,58 @@ TEST(HardBounds, OfAreasCountFacesOfNegativeWinding) {
     expect_held(small, eight, {});
     expect_held(eight, small, {A, Eigen::Vector3d(-0.15, 0, 0) - A * Eigen::Vector3d(-0.15, 0, 0)});
   }
+}
+
+/// Each of the inner faces counts as often as the other surface winds about it, with all its roundings.
+TEST(HardBounds, OfFacesWoundAboutHundredsOfTimesHold) {
+  TriangleMesh layers = generate::box({2, 5, 2});
+  for (int k = 1; k < 300; ++k)
+    layers = degenerate::joined(layers, generate::box({2 + 0.01 * k, 5 - 0.01 * k, 2}));  // none encloses another
+  expect_held(generate::icosphere(0.7, 2), layers, turned(0.3, {0.1, 0.2, 0.05}), {Scheme::barycentric});
+}
+
+/// Its corners are seen from far away: a rounding of its places is as large as the plate is thick times 1e-10.
+TEST(HardBounds, OfARodAMillionTimesAsLongAsThePlateIsThickHold) {
+  const TriangleMesh plate = generate::plate(7, 6, 0.7, 3, 2);
+  const TriangleMesh rod = generate::box({-0.5, -0.4, -6e5}, {0.6, 0.7, 5e5});
+  const TriangleMesh long_plate = generate::box({-7e5, -3, -0.4}, {6e5, 4, 0.3});
+  for (const double angle : {0.0, 1e-6, 1e-3, 0.4}) {
+    expect_held(plate, rod, turned(angle, {0.3, -0.2, 0.1}));
+    expect_held(rod, plate, turned(angle, {0.3, -0.2, 0.1}));
+    expect_held(rod, long_plate, turned(angle, {0.3, -0.2, 0.1}));
+  }
+}
+
+/// A side wall of the plate ends in a sharp corner, which roundings of the wall's height move far.
+TEST(HardBounds, OfDepthsAtASharpCornerOfTheMasterHold) {
+  Pose pose;
+  pose.A << 0x1.581f57d7cba5fp-1, 0x1.6e3445ee96a3fp-1, -0x1.884a5e8e8b708p-3, -0x1.d7d591be37832p-3,
+      0x1.ca9b79e21adbp-2, 0x1.ba52adf071b87p-1, 0x1.684a77f64d2e6p-1, -0x1.12b25ff91a54ap-1, 0x1.dcf974a57843ap-2;
+  pose.r = {-0x1.72f3c145620e9p-3, 0x1.7b0c6ead382f7p-3, -0x1.cb2a74b82754bp-3};
+  expect_held(generate::box({1, 1, 1}), generate::plate(0.25, 0.25, 0x1p-22, 2, 2), pose);
+}
+
+/// Two blocks side by side hide what lies behind both, to within a rounding of their sides, though they share no
+/// corner; and so that each of these is two faces', one of them seen edgewise.
+TEST(HardBounds, OfWhatTwoBlocksSideBySideHideHold) {
+  TriangleMesh blocks = degenerate::joined(generate::gridded_box({-1, -1, -1}, {0, 1, 0}, {2, 3, 1}),
+                                           generate::gridded_box({0, -1.1, -0.9}, {1, 1.05, 0}, {3, 4, 1}));
+  blocks = degenerate::joined(blocks, generate::gridded_box({-0.9, -0.8, 0.2}, {0.8, 0.9, 0.5}, {2, 2, 1}));
+  const TriangleMesh body = generate::gridded_box({-2, -2, -0.5}, {2.1, 1.9, 3}, {3, 3, 2});
+  for (const double angle : {0.0, 1e-12, 1e-5, 0.1, 0.9}) {
+    expect_held(body, blocks, turned(angle, {0.01, 0.02, -0.03}));
+    expect_held(blocks, body, turned(angle, {0.01, 0.02, -0.03}));
+  }
+}
+
+/// What has nothing hard about it is held narrowly: within 1e-12 to 1e-11 of the value.
+TEST(HardBounds, AreNarrowForBubbles) {
+  const TriangleMesh bubble = generate::bubble();
+  const std::map<Kind, double> widest = widths(bubble, bubble, turned(0.4, {0.05, 0.02, 0.36}));
+  EXPECT_LT(widest.at(Kind::area), 4e-12);
+  EXPECT_LT(widest.at(Kind::volume), 1e-11);
+  EXPECT_LT(widest.at(Kind::force), 2e-11);
+  EXPECT_LT(widest.at(Kind::torque), 4e-11);
 }
 
 }  // namespace
