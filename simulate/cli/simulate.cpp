@@ -6,12 +6,14 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compare/cli/programs.h"
 #include "meshes/files/text_file.h"
@@ -22,6 +24,8 @@
 #include "simulate/record/recording_of_run.h"
 #include "simulate/record/run_tables.h"
 #include "simulate/scenes/read_scene.h"
+#include "simulate/scenes/still_instants.h"
+#include "simulate/stills/stills.h"
 
 namespace pcm::simulate {
 namespace {
@@ -30,6 +34,7 @@ using compare::Exit;
 
 struct SimulateOptions {
   std::string scene, out, method, duration, relative, absolute, greatest_step, spectrum;
+  std::optional<std::string> stills;
   bool paraview = false, schema = false, print = false;
 };
 
@@ -48,6 +53,20 @@ std::string scene_text(const std::string& name) {
   return read_text_file(name);
 }
 
+/// From "T,T,...".
+std::vector<double> still_instants(const std::string& text, double duration) {
+  std::vector<double> instants;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const double t = compare::nonnegative_number("--stills", text.substr(begin, end - begin));
+    const std::string flaw = flaw_of_instant(t, instants, duration);
+    if (!flaw.empty()) throw BadInput("--stills: " + flaw);
+    instants.push_back(t);
+    begin = end + 1;
+  }
+  return instants;
+}
+
 /// What the command line says goes before what the scene says.
 void apply(const SimulateOptions& options, Scene& scene) {
   const auto number = [](const std::string& option, const std::string& text, double& value) {
@@ -61,6 +80,7 @@ void apply(const SimulateOptions& options, Scene& scene) {
   if (!options.spectrum.empty())
     scene.output.spectrum_interval =
         static_cast<std::int64_t>(compare::whole_number("--spectrum", options.spectrum, 1, 1000000000));
+  if (options.stills) scene.output.stills = still_instants(*options.stills, scene.duration);
 }
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -117,10 +137,14 @@ Exit simulate(const SimulateOptions& options) {
   std::cout << tables << std::flush;
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
+  // There is nothing to be seen of what the run has not reached, or does not as --duration has it.
+  std::erase_if(scene.output.stills, [&run](double t) { return t > run.kept().checkpoint.t; });
+  const std::vector<std::filesystem::path> stills = write_stills(folder, recording, scene.output.stills);
   write_page(folder / "page.html", recording);
   std::cout << "\npage: " << (folder / "page.html").string() << '\n';
+  for (const std::filesystem::path& still : stills) std::cout << "still: " << still.string() << '\n';
   if (!failure.empty()) {
-    compare::complain(options.scene + ": " + failure + "; tables and page end there");
+    compare::complain(options.scene + ": " + failure + "; tables, page and stills end there");
   } else if (!finished) {
     compare::complain(
         fmt::format("interrupted at t = {:g} s; the same command goes on from there", run.kept().checkpoint.t));
@@ -139,6 +163,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
       "Examples:\n"
       "  pcm simulate bubbles\n"
       "  pcm simulate pedestrian --integrator bdf\n"
+      "  pcm simulate bubbles --stills 0.45,0.5,0.55\n"
       "  pcm simulate bubbles --print > mine.json\n"
       "  pcm simulate mine.json --out mine --integrator bdf");
   command->add_option("SCENE", options->scene, built_in_names() + ", or a scene file");
@@ -152,6 +177,11 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("--spectrum", options->spectrum,
                       "Every so many steps also the eigenvalues of df/dy, in spectrum.csv");
   command->add_flag("--paraview", options->paraview, "Also write the frames for ParaView: paraview/frames.pvd");
+  command
+      ->add_option("--stills", options->stills,
+                   "In s: also pictures of the recorded states next to these instants, still_T.png; in place of the "
+                   "scene's")
+      ->type_name("T,T,...");
   command->add_flag("--print", options->print, "Print the scene and run nothing");
   command->add_flag("--schema", options->schema, "Print the JSON schema of scene files");
   command->callback([options, &run] { run = [options] { return simulate(*options); }; });

@@ -15,6 +15,7 @@
 #include "simulate/scenes/check_schema.h"
 #include "simulate/scenes/located_json.h"
 #include "simulate/scenes/mass_properties.h"
+#include "simulate/scenes/still_instants.h"
 
 namespace pcm::simulate {
 namespace {
@@ -90,6 +91,7 @@ class SceneReader {
   void read_pairing(const Json& json, const std::string& at);
   void read_integrator(const Json& json);
   void read_output(const Json& json);
+  void read_stills(const Json& json);
 
   const LocatedJson& json_;
   std::filesystem::path folder_;
@@ -311,6 +313,17 @@ void SceneReader::read_output(const Json& json) {
     if (found == surfaces_.end())
       json_.refuse("/output/follow", "there is no surface '" + json["follow"].get<std::string>() + "'");
     scene_.output.follow = found->second;
+  }
+  if (json.contains("stills")) read_stills(json["stills"]);
+}
+
+void SceneReader::read_stills(const Json& json) {
+  std::vector<double>& stills = scene_.output.stills;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const double t = json[i].get<double>();
+    const std::string flaw = flaw_of_instant(t, stills, scene_.duration);
+    if (!flaw.empty()) json_.refuse(pointer("/output/stills", i), flaw);
+    stills.push_back(t);
   }
 }
 

@@ -15,7 +15,7 @@ namespace pcm::simulate {
 /// not exist itself. Throws BadInput, naming
 /// file, line and key, for whatever the schema or the sense forbids: unknown or missing keys, a body without mass, a
 /// parent that is not named before, a joint with the wrong number of coordinates, a surface that is unfit, a law out of
-/// range, a pairing of a surface with one of the same body.
+/// range, a pairing of a surface with one of the same body, a still beyond the end.
 Scene parse_scene(const std::string& text, const std::filesystem::path& file);
 
 /// The method that a scene file calls by this word. Throws BadInput, listing the known ones.

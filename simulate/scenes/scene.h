@@ -103,6 +103,7 @@ struct OutputSettings {
   double checkpoint_interval = 0.25;   ///< s
   std::int64_t spectrum_interval = 0;  ///< steps from one spectrum to the next, 0: none
   std::optional<Index> follow;         ///< surface that pictures move along with
+  std::vector<double> stills;          ///< instants of still pictures, s; within the duration, none twice
 };
 
 struct Scene {

@@ -47,7 +47,7 @@ inline const std::vector<Part>& parts() {
         "bench", "cli"},
        {}},
       {"simbody", {""}, {{"simbody.h", ""}}},
-      {"simulate", {"integrators", "scenes", "model", "run", "record", "page", "paraview", "cli"}, {}},
+      {"simulate", {"integrators", "scenes", "model", "run", "record", "page", "paraview", "stills", "cli"}, {}},
   };
   return all;
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
@@ -31,7 +32,20 @@ struct Folder {
   explicit Folder(const std::string& text) : scene(folder.path("scene.json")), out(folder.path("out")) {
     std::ofstream(scene) << text;
   }
-  Outcome run() const { return compare::run_pcm({"simulate", scene, "--out", out}); }
+  Outcome run(std::vector<std::string> options = {}) const {
+    options.insert(options.begin(), {"simulate", scene, "--out", out});
+    return compare::run_pcm(options);
+  }
+  /// Names, in order.
+  std::vector<std::string> stills() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(out)) {
+      const std::string name = entry.path().filename().string();
+      if (name.rfind("still_", 0) == 0) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
   std::string bytes(const std::string& name) const {
     std::ifstream in(fs::path(out) / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -63,6 +77,82 @@ TEST(SimulateCommand, WhoseIntegratorGivesUpSaysWhenInOneLineAndShowsWhatThereIs
   EXPECT_EQ(folder.run().status, 1);  // goes on from the checkpoint, to the same end
 }
 
+/// The scene with stills of its own.
+std::string with_stills(const std::string& instants) {
+  std::string text = block_over_floor("0.1");
+  return text.insert(text.rfind('}'), R"(, "output": {"stills": )" + instants + "}");
+}
+
+using Names = std::vector<std::string>;
+
+TEST(SimulateCommand, MakesTheStillsThatAreAskedForAlsoOfAFinishedRun) {
+  const Folder folder(block_over_floor("0.1"));
+  const Outcome outcome = folder.run({"--stills", "0.15,0"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("still: " + (fs::path(folder.out) / "still_0.15.png").string() + "\n"), std::string::npos);
+  EXPECT_EQ(folder.stills(), (Names{"still_0.15.png", "still_0.png"}));
+  const std::string still = folder.bytes("still_0.15.png"), steps = folder.bytes("steps.csv");
+  EXPECT_EQ(still.substr(1, 3), "PNG");
+  EXPECT_NE(still, folder.bytes("still_0.png"));
+  fs::remove(fs::path(folder.out) / "still_0.15.png");
+  EXPECT_EQ(folder.run({"--stills", "0.150,0.2"}).status, 0);
+  EXPECT_EQ(folder.stills(), (Names{"still_0.15.png", "still_0.2.png", "still_0.png"}));
+  EXPECT_EQ(folder.bytes("still_0.15.png"), still);
+  EXPECT_EQ(folder.bytes("steps.csv"), steps);
+}
+
+TEST(SimulateCommand, MakesTheScenesStillsWithinTheDurationUnlessOthersAreAskedFor) {
+  const std::string scene = with_stills("[0.1, 0.2]");
+  const Folder plain(scene), asked(scene), cut(scene);
+  EXPECT_EQ(plain.run().status, 0);
+  EXPECT_EQ(plain.stills(), (Names{"still_0.1.png", "still_0.2.png"}));
+  EXPECT_EQ(asked.run({"--stills", "0.05"}).status, 0);
+  EXPECT_EQ(asked.stills(), Names{"still_0.05.png"});
+  EXPECT_EQ(cut.run({"--duration", "0.12"}).status, 0);
+  EXPECT_EQ(cut.stills(), Names{"still_0.1.png"});
+}
+
+TEST(SimulateCommand, RefusesStillsBeforeItBegins) {
+  const Folder folder(block_over_floor("0.1"));
+  const std::vector<std::pair<std::string, std::string>> refusals{
+      {"-0.1", "--stills: -0.1 is negative"},
+      {"0,0.3", "--stills: 0.3 s is beyond the end of the scene, 0.2 s"},
+      {"nan", "--stills: 'nan' is not a finite number"},
+      {"inf", "--stills: 'inf' is not a finite number"},
+      {"0.1,soon", "--stills: 'soon' is not a finite number"},
+      {"", "--stills: '' is not a finite number"},
+      {"0.1,", "--stills: '' is not a finite number"},
+      {"0.1,0.2,0.10", "--stills: 0.1 s is there twice"},
+      {"0,-0", "--stills: -0 s is there twice"},
+  };
+  for (const auto& [instants, message] : refusals) {
+    SCOPED_TRACE(instants);
+    const Outcome outcome = folder.run({"--stills", instants});
+    EXPECT_EQ(outcome.status, 2);
+    expect_one_line(outcome.err);
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder.out));
+  }
+  EXPECT_EQ(folder.run({"--stills", "0.15", "--duration", "0.1"}).status, 2);
+}
+
+TEST(SimulateCommand, RefusesAScenesStillsWithFileLineAndKey) {
+  const Folder folder(with_stills("[0, 0.3]"));
+  const Outcome outcome = folder.run();
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("scene.json:4: output.stills[1]: 0.3 s is beyond the end of the scene, 0.2 s"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(folder.out));
+}
+
+// It gives up at 0.14 s.
+TEST(SimulateCommand, MakesNoStillOfWhatTheRunDidNotReach) {
+  const Folder folder(block_over_floor("1e-6"));
+  EXPECT_EQ(folder.run({"--stills", "0.1,0.2"}).status, 1);
+  EXPECT_EQ(folder.stills(), Names{"still_0.1.png"});
+}
+
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
   const TemporaryFolder folder;
   const Outcome outcome = compare::run_pcm({"simulate", folder.path("")});
@@ -71,12 +161,12 @@ TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
 }
 
 TEST(SimulateCommand, TellsThatTheDiskIsFull) {
-  for (const char* file : {"states.csv", "page.html", "tables.md"}) {
+  for (const char* file : {"states.csv", "page.html", "tables.md", "still_0.png"}) {
     SCOPED_TRACE(file);
     const Folder folder(block_over_floor("0.1"));
     fs::create_directories(folder.out);
     fs::create_symlink("/dev/full", fs::path(folder.out) / file);
-    const Outcome outcome = folder.run();
+    const Outcome outcome = folder.run({"--stills", "0"});
     EXPECT_EQ(outcome.status, 2);
     expect_one_line(outcome.err);
   }

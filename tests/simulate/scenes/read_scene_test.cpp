@@ -32,7 +32,8 @@ const std::string kScene = R"({
   ],
   "pairings": [{"E": "plate", "F": "block", "law": "soft", "mode": "F", "scheme": "clipped"}],
   "duration": 2,
-  "integrator": {"method": "ida", "relative_tolerance": 1e-6}
+  "integrator": {"method": "ida", "relative_tolerance": 1e-6},
+  "output": {"stills": [0, 1.5, 2]}
 })";
 
 std::string with(const std::string& what, const std::string& instead) {
@@ -65,6 +66,7 @@ TEST(ReadScene, TakesEveryKeyToItsPlace) {
   EXPECT_EQ(scene.pairings[0].law.stiffness, 1e6);
   EXPECT_EQ(scene.integrator.method, Method::ida);
   EXPECT_EQ(scene.integrator.relative_tolerance, 1e-6);
+  EXPECT_EQ(scene.output.stills, (std::vector<double>{0, 1.5, 2}));
   EXPECT_EQ(scene.gravity_G.z(), -9.81);
 }
 
@@ -114,10 +116,16 @@ TEST(ReadScene, RefusesWithFileLineAndKey) {
        "block.json:14: bodies[1].joint.speeds: the joint's speed is prescribed"},
       {R"("duration": 2,)", R"("duration": 2, "": 1, "": 2,)", "block.json:18: the key '' is there twice"},
       {"1e-6", R"(1e-6, "greatest_step": 1e-300)", "block.json:19: integrator.greatest_step: the scene would take"},
-      {R"("duration": 2,)", R"("duration": 2, "output": {"interval": 1e-9},)",
-       "block.json:18: output.interval: it is less than a millionth of the duration"},
-      {R"("duration": 2,)", R"("duration": 2, "output": {"checkpoint_interval": 1e-9},)",
-       "block.json:18: output.checkpoint_interval: it is less than a millionth of the duration"},
+      {R"("stills": [0, 1.5, 2])", R"("interval": 1e-9)",
+       "block.json:20: output.interval: it is less than a millionth of the duration"},
+      {R"("stills": [0, 1.5, 2])", R"("checkpoint_interval": 1e-9)",
+       "block.json:20: output.checkpoint_interval: it is less than a millionth of the duration"},
+      {"[0, 1.5, 2]", "[0, 2.5]", "block.json:20: output.stills[1]: 2.5 s is beyond the end of the scene, 2 s"},
+      {"[0, 1.5, 2]", "[0, 1.5, 15e-1]", "block.json:20: output.stills[2]: 1.5 s is there twice"},
+      {"[0, 1.5, 2]", "[0, -1]", "block.json:20: output.stills[1]: Expected number greater than or equal to 0"},
+      {"[0, 1.5, 2]", "[\"soon\"]", "block.json:20: output.stills[0]: a value of this type is not allowed here"},
+      {"[0, 1.5, 2]", "1.5", "block.json:20: output.stills: a value of this type is not allowed here"},
+      {"[0, 1.5, 2]", "[nan]", "block.json:20: no JSON: "},
       {R"("velocity": [0, 0, -2])", R"("velocity": [0, 0])", "block.json:8: bodies[0].velocity: "},
   };
   for (const BadScene& bad : scenes) {
