@@ -49,14 +49,14 @@ double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// How far a point lies on the inner side of a face's side k, which counts as farther out by `margin`; 0 for a side
-/// without length, which bounds nothing.
-double height_over_side(const std::array<Eigen::Vector3d, 3>& face, std::size_t k, const Eigen::Vector3d& x,
-                        double margin) {
+/// The direction in the master's plane from a face's side k inward, of unit length; null for a side without length,
+/// which bounds nothing.
+Eigen::Vector2d inward_of_side(const std::array<Eigen::Vector3d, 3>& face, std::size_t k) {
   const double sign = cross(face[1] - face[0], face[2] - face[0]) < 0 ? -1 : 1;
-  const Eigen::Vector3d along = face[(k + 1) % 3] - face[k];
-  const double length = along.head<2>().stableNorm();
-  return length > 0 ? sign * cross(along / length, x - face[k]) + margin : 0;
+  const Eigen::Vector2d along = (face[(k + 1) % 3] - face[k]).head<2>();
+  const double length = along.stableNorm();
+  if (!(length > 0)) return Eigen::Vector2d::Zero();
+  return sign / length * Eigen::Vector2d(-along.y(), along.x());
 }
 
 /// Whether `all_beyond(k, is_beyond)` holds for a side k of the face: `is_beyond` says of a point whether it lies on
@@ -219,18 +219,24 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
     const int order_to_slave = order(side, face, slave, slave_face);
     if (order_to_slave > 0) continue;
     const SeenFace seen_face = seen(side, face);
-    const std::vector<SeenPoint> over = overlap(seen_slave, seen_face, 2 * strip);
     const DepthField of_hider = depth_field(side, face, strip);
-    Range depth, before;  // of the hider, and by how much it lies before the slave face
-    const double hider_error = of_hider.error_between(of_slave), slave_error = of_slave.error_between(of_hider);
-    for (const SeenPoint& x : over) {
-      depth.add(of_hider.at(x), hider_error);
-      before.add(of_slave.at(x) - of_hider.at(x), hider_error + slave_error);
+    double outline = 2 * most;  // of where it may hide something
+    Range depth, before;        // of the hider there, and by how much it lies before the slave face
+    const bool can_tell = is_wider_than(strip);
+    if (can_tell) {
+      const std::vector<SeenPoint> over = overlap(seen_slave, seen_face, 2 * strip);
+      const double hider_error = of_hider.error_between(of_slave), slave_error = of_slave.error_between(of_hider);
+      for (const SeenPoint& x : over) {
+        depth.add(of_hider.at(x), hider_error);
+        before.add(of_slave.at(x) - of_hider.at(x), hider_error + slave_error);
+      }
+      if (over.empty() || depth.high < 0 || before.high < 0) continue;
+      outline = outline_of(over);
     }
-    if (over.empty() || depth.high < 0 || before.high < 0) continue;
     found.push_back(&near);
-    const int lines = (depth.low <= 0 && may_rise_above(side, face, strip)) + (order_to_slave == 0 && before.low <= 0);
-    hiders.folds += lines * no_more(outline_of(over) / 2, most);
+    const bool may_surface = !(can_tell && depth.low > 0) && may_rise_above(side, face, strip);
+    const bool may_cross = order_to_slave == 0 && !(can_tell && before.low > 0);
+    hiders.folds += (may_surface + may_cross) * no_more(outline / 2, most);
     for (const SeenPoint& x : seen_face) {
       hiders.distance = std::max(hiders.distance, distance_from_corners(x));
       hiders.place = std::max(hiders.place, place_error(x));
@@ -270,15 +276,18 @@ MasterView::DepthField MasterView::depth_field(Side side, Index face, double str
 }
 
 std::vector<MasterView::SeenPoint> MasterView::overlap(const SeenFace& a, const SeenFace& b, double margin) const {
-  // A sharp corner of the master reaches far when its sides are moved outward.
+  // A corner of angle a reaches margin / sin(a / 2) farther when its sides are moved outward, and sin(a / 2) is no less
+  // than half the master's width over its longest side: so no more than 4 longest sides.
   const Extent own = extent(own_);
   const double around = 16 * (face_.longest + margin);
   const double left = own.low.x() - around, right = own.high.x() + around;
   const double near = own.low.y() - around, far = own.high.y() + around;
   std::vector<SeenPoint> polygon = {{left, near, 0}, {right, near, 0}, {right, far, 0}, {left, far, 0}};
   for (const SeenFace* const face : {&own_, &a, &b})
-    for (std::size_t k = 0; k < 3; ++k)
-      polygon = cut(polygon, [&](const SeenPoint& x) { return height_over_side(*face, k, x, margin); });
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Vector2d inward = inward_of_side(*face, k);
+      polygon = cut(polygon, [&](const SeenPoint& x) { return inward.dot((x - (*face)[k]).head<2>()) + margin; });
+    }
   return polygon;
 }
 
@@ -323,8 +332,9 @@ double MasterView::length_within(const HidingSide& side, bool whole_line, const 
   double first = whole_line ? -infinity : -margin, last = whole_line ? infinity : length + margin;
   for (const SeenFace* const face : {&own_, &slave}) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const double height = height_over_side(*face, k, side.from, margin);
-      const double rise = height_over_side(*face, k, side.from + along, margin) - height;
+      const Eigen::Vector2d inward = inward_of_side(*face, k);
+      const double height = inward.dot((side.from - (*face)[k]).head<2>()) + margin;
+      const double rise = inward.dot(along.head<2>());
       if (rise > 0) first = std::max(first, -height / rise);
       if (rise < 0) last = std::min(last, -height / rise);
       if (rise == 0 && height < 0) return 0;
@@ -440,6 +450,7 @@ SlaveInView MasterView::sight(Index slave_face) const {
 double MasterView::deepest_over_master(Index slave_face, double strip) const {
   const SeenFace slave = seen(opposite(master_), slave_face);
   const DepthField depth = depth_field(opposite(master_), slave_face, strip);
+  if (!is_wider_than(strip)) return std::numeric_limits<double>::infinity();
   double deepest = 0;
   for (const SeenPoint& x : overlap(slave, slave, 2 * strip)) {
     const double from_corner = (x - depth.corner).head<2>().stableNorm();

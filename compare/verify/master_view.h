@@ -91,7 +91,7 @@ class MasterView {
       return error + times(error_per_distance, reach + other.reach);
     }
   };
-  /// Of a linear function, in an area and with its errors.
+  /// Of a linear function, over an area and with its errors.
   struct Range {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -106,7 +106,10 @@ class MasterView {
   /// Whether a corner other than the master's own may lie above its plane.
   bool may_rise_above(Side side, Index face, double error) const;
   DepthField depth_field(Side side, Index face, double strip) const;
-  /// Where the master, a and b, each grown by `margin`, lie over one another: a convex polygon.
+  /// Whether the master is wider than a strip, so that strips along its sides leave something of it.
+  bool is_wider_than(double strip) const { return 2 * face_.area / face_.longest > strip; }
+  /// Where the master, a and b, each grown by `margin`, lie over one another: a convex polygon. `margin` must be less
+  /// than twice the master's width.
   std::vector<SeenPoint> overlap(const SeenFace& a, const SeenFace& b, double margin) const;
   void find_near_faces();
   static Extent extent(std::span<const SeenPoint> polygon);
