@@ -17,12 +17,10 @@ constexpr double u = kRoundoff;
 
 using Face = RoundedFaces::Face;
 
-/// How far apart true points may be whose doubles lie in the box, each coordinate off by four roundings at most; 0 for
-/// none.
-double width_between(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-  if (!(low.array() <= high.array()).all()) return 0;
-  const double farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  return (high - low).stableNorm() + 2 * std::sqrt(3.0) * 4 * u * farthest;
+/// A crossing as stored, a + t (b - a), is off its edge by a rounding of a coordinate and two of t (b - a), and the
+/// oracle's by one of a coordinate: sqrt(3) of each for the length.
+double off_edge(const Eigen::Vector3d& x_Me, const Eigen::Vector3d& edge_Me) {
+  return 4 * u * (x_Me.cwiseAbs().maxCoeff() + edge_Me.cwiseAbs().maxCoeff());
 }
 
 }  // namespace
@@ -85,8 +83,8 @@ ForceBounds RoundingBounds::force() const {
 // height at x is (e_a d_b - e_b d_a) / (d_a - d_b), d with its error in the denominator: no more than the greater of
 // both errors, since d_a and d_b differ in sign, and the 4 roundings of t (b - a) make it 4 u |b - a| more. Along the
 // edge x is off by that over the sine, n_f . (b - a) / |b - a|. Both true and computed crossing lie on the edge, which
-// caps it; off the edge only the 2 roundings of a + t (b - a) show. Not yet doubled for terms of higher order, which
-// the cap has none of.
+// caps it; off the edge only the roundings of a + t (b - a) show (off_edge). Not yet doubled for terms of higher order,
+// which the cap has none of.
 RoundingBounds::PositionError RoundingBounds::position_error(const reference::Crossing& crossing) const {
   const Eigen::Vector3d& a = faces_.vertex(crossing.edge_side, crossing.edge[0]);
   const Eigen::Vector3d& b = faces_.vertex(crossing.edge_side, crossing.edge[1]);
@@ -129,8 +127,8 @@ std::map<std::pair<Side, std::array<Index, 2>>, double> RoundingBounds::lengths_
 // The corners that the other surface does not wind about bound nothing; all do where it is open.
 double RoundingBounds::width_of(Part part, Side side, Index face) const {
   for (const Index v : faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)])
-    if (may_be_wound(side, v)) part.add(faces_.vertex(side, v), 0);
-  return part.terms > 0 ? width_between(part.low, part.high) : std::numeric_limits<double>::infinity();
+    if (may_be_wound(side, v)) part.add(faces_.vertex(side, v), 0, 0);
+  return part.terms > 0 ? part.width() : std::numeric_limits<double>::infinity();
 }
 
 // The clipped area of a face is a sum of (p - o) x (q - o) / 2 over a closed boundary, linear in each boundary point. A
@@ -150,13 +148,13 @@ AreaBounds RoundingBounds::area() const {
   std::array<double, 2> crossing_area_error{};  // area errors by side, from crossings moved
   double crossing_volume_error = 0, gaps = 0;   // three times the volume, and the gaps' area
   std::array<std::map<Index, Part>, 2> parts;   // by side and face
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Part patch_points;
   const auto lengths = lengths_inside();
   for (const reference::Polygon& polygon : true_.polygons) {
     const std::size_t n = polygon.points.size();
     std::vector<double>& bounds_of_polygon = bounds.positions.emplace_back();
     std::vector<Eigen::Vector3d> d;
-    std::vector<double> along, length_inside, height;
+    std::vector<double> along, length_inside, height, stored;
     for (const reference::Crossing& x : polygon.points) {
       const PositionError error = position_error(x);
       bounds_of_polygon.push_back(error.bound);
@@ -165,9 +163,11 @@ AreaBounds RoundingBounds::area() const {
       const Eigen::Vector3d edge = faces_.vertex(x.edge_side, x.edge[1]) - faces_.vertex(x.edge_side, x.edge[0]);
       length_inside.push_back(lengths.at({x.edge_side, x.edge}));
       d.push_back(edge.stableNorm() > 0 ? (edge / edge.stableNorm()).eval() : edge);
-      low = low.cwiseMin(x.position_Me);
-      high = high.cwiseMax(x.position_Me);
+      stored.push_back(off_edge(x.position_Me, edge));
+      const Eigen::Vector3d moved = along.back() * d.back();
+      for (const double sign : {-1.0, 1.0}) patch_points.add(x.position_Me + sign * moved, stored.back(), 0);
     }
+    const double farthest_off = *std::max_element(stored.begin(), stored.end());
     for (std::size_t k = 0; k < n; ++k) {
       const reference::Crossing& x = polygon.points[k];
       const auto own = static_cast<std::size_t>(x.edge_side == Side::E ? 0 : 1), crossed = 1 - own;
@@ -177,8 +177,6 @@ AreaBounds RoundingBounds::area() const {
       crossing_area_error[crossed] += along[k] * d[k].cross(q - p).stableNorm() / 2;
       crossing_area_error[own] +=
           along[k] * (d[k].cross(p - x.position_Me).stableNorm() + d[k].cross(q - x.position_Me).stableNorm()) / 2;
-      // The point as stored is off its edge by two roundings, the oracle's by one.
-      const double stored = 4 * u * x.position_Me.cwiseAbs().maxCoeff();
       const double perimeter =
           (q - p).stableNorm() + (p - x.position_Me).stableNorm() + (q - x.position_Me).stableNorm();
       // The neighbours may have moved along their edges as well.
@@ -186,54 +184,55 @@ AreaBounds RoundingBounds::area() const {
       const double to_q = (q - x.position_Me).stableNorm() + along[k] + (has_q ? along[(k + 1) % n] : 0);
       crossing_volume_error += height[k] * to_p * to_q / 2;
       const double wound = std::max(1, (own == 0 ? true_.E : true_.F).most_wound);
-      gaps += (height[k] + 2 * stored) * (to_p + to_q) / 2 + wound * stored * (length_inside[k] + 2 * along[k]);
+      gaps += (height[k] + 2 * stored[k]) * (to_p + to_q) / 2 + wound * stored[k] * (length_inside[k] + 2 * along[k]);
       // The neighbours as stored are off as well, and move with it.
-      for (double& m : crossing_area_error) m += stored * (perimeter + 4 * (stored + along[k]));
+      for (double& m : crossing_area_error) m += stored[k] * (perimeter + 4 * (farthest_off + along[k]));
       // Beside the edge rather than on it, it bends the boundary along the edge: s (b - x) / 2 on both faces, as often
       // as the other surface winds about that.
-      crossing_area_error[own] += wound * stored * (length_inside[k] + 2 * along[k]);
+      crossing_area_error[own] += wound * stored[k] * (length_inside[k] + 2 * along[k]);
       if (has_q) {
         const std::size_t next = (k + 1) % n;
         for (double& m : crossing_area_error) m += along[k] * along[next] * d[k].cross(d[next]).stableNorm() / 2;
       }
-      bounds_of_polygon[k] += kHigherOrder * stored;
-      parts[crossed][x.face].add(x.position_Me, 2);
+      bounds_of_polygon[k] += kHigherOrder * stored[k];
+      const auto add_to = [&](Part& part, double terms) {
+        part.add(x.position_Me - along[k] * d[k], stored[k], 0);
+        part.add(x.position_Me + along[k] * d[k], stored[k], terms);
+      };
+      add_to(parts[crossed][x.face], 2);
       const SurfaceFeatures& edges = faces_.surface(x.edge_side);
-      for (const Index f : edges.faces_at(x.edge)) parts[own][f].add(x.position_Me, 3);
+      for (const Index f : edges.faces_at(x.edge)) add_to(parts[own][f], 3);
     }
   }
   for (const Side side : {Side::E, Side::F}) {
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
     for (const std::vector<Index>* uncrossed : {&active.inner, &active.pockets})
       for (const Index f : *uncrossed)
-        for (std::size_t k = 0; k < 3; ++k) {
-          low = low.cwiseMin(faces_.corner(side, f, k));
-          high = high.cwiseMax(faces_.corner(side, f, k));
-        }
+        for (std::size_t k = 0; k < 3; ++k) patch_points.add(faces_.corner(side, f, k), 0, 0);
   }
-  const double patch = width_between(low, high);
+  const double patch = patch_points.width();
 
   // The part of an intersected face is summed about a point of its own: each cross product has 4 roundings of
   // |p - o| |q - o|, no more than the square of the part's width, and so has the normal's length; the normal's
   // direction tells in the vector area alone. Face after face is then added up. The volume is the sum of (x_e - o) .
-  // n_e area_e / 3 with x_e and o in the patch, x_e as stored off the face by four roundings of a coordinate.
+  // n_e area_e / 3 with x_e and o in the patch, x_e off the face by no more than a corner's roundings or a crossing's.
   for (const Side side : {Side::E, Side::F}) {
     const auto i = static_cast<std::size_t>(side == Side::E ? 0 : 1);
     const reference::ActiveArea& active = side == Side::E ? true_.E : true_.F;
     const double wound = std::max(1, active.most_wound);
     double area_error = crossing_area_error[i], normal_error = 0, volume_error = 0, size = 0;
-    const auto add = [&](const Face& e, double area, double value_error) {
+    const auto add = [&](const Face& e, double area, double value_error, double off) {
       // A sliver's normal may be wrong altogether; its area is then no larger than its error.
       const double turned = std::min(area * e.normal_error, wound * (2 * e.area_error + 6 * u * e.longest * e.longest));
       size += area;
       area_error += value_error;
       normal_error += turned;
-      volume_error += patch * (value_error + turned + 6 * u * area) + 8 * u * e.farthest * area;
+      volume_error += patch * (value_error + turned + 6 * u * area) + 2 * std::max(4 * u * e.farthest, off) * area;
     };
     for (const std::vector<Index>* uncrossed : {&active.inner, &active.pockets})
       for (const Index f : *uncrossed) {
         const Face e = faces_.face(side, f);
-        add(e, wound * e.area, wound * e.area_error);
+        add(e, wound * e.area, wound * e.area_error, 0);
       }
     for (const Index f : active.intersected) {
       const Face e = faces_.face(side, f);
@@ -241,7 +240,7 @@ AreaBounds RoundingBounds::area() const {
       const Part part = found == parts[i].end() ? Part{} : found->second;
       const double width = std::min(e.longest, width_of(part, side, f));
       const double sum_terms = part.terms + 3 * wound;
-      add(e, wound * std::min(e.area, width * width), 4 * u * (sum_terms + 2) * width * width);
+      add(e, wound * std::min(e.area, width * width), 4 * u * (sum_terms + 2) * width * width, part.off);
     }
     const double summing =
         u * static_cast<double>(active.inner.size() + active.pockets.size() + active.intersected.size() + 1) * size;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
@@ -56,17 +57,21 @@ class RoundingBounds {
     double bound = 0;   ///< along the edge, with terms of higher order, m
   };
   PositionError position_error(const reference::Crossing& crossing) const;
-  /// The points that bound the clipped part of a face.
+  /// The points that bound the clipped part of a face, or several of these.
   struct Part {
     Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d high = -low;
+    double off = 0;    ///< no point is stored farther off its edge, m
     double terms = 0;  ///< of the sum that is its area
 
-    void add(const Eigen::Vector3d& x_Me, double more_terms) {
+    void add(const Eigen::Vector3d& x_Me, double off_edge, double more_terms) {
       low = low.cwiseMin(x_Me);
       high = high.cwiseMax(x_Me);
+      off = std::max(off, off_edge);
       terms += more_terms;
     }
+    /// No two true points are farther apart, m; 0 for none.
+    double width() const { return (low.array() <= high.array()).all() ? (high - low).stableNorm() + 2 * off : 0; }
   };
   /// Of an edge, as far as the other surface may wind about it: from its first crossing, or a corner about which that
   /// winds, to the last, m; all of it where that surface is open.
