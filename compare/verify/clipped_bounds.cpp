@@ -54,12 +54,9 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
   // strip's width moves where they meet by that over the face's cosine (fast/clipped/visible_parts.h).
   const double edgewise = 4 * seen.strip * seen.strip / std::abs(e.cosine);
   const double outline_error = strips_along(around, seen.strip) + edgewise + (16 * u + view.turn()) * e.area;
-  const double folds = std::min(times(e.folds, 2 * seen.depth_error), around * around);
-  const double strips = outline_error + (seen.hiders == 0 ? 0 : folds + seen.neglected);
-  const double at_depth_0 =
-      seen.fold > 0 ? no_more(seen.fold * (seen.depth_error / seen.slope), seen.fold * seen.outline) : 0;
+  const double strips = outline_error + (seen.hiders == 0 ? 0 : seen.mistaken + seen.neglected);
   // Neither has more than the face.
-  errors.area = no_more(strips + at_depth_0, e.area + view.greatest_area());
+  errors.area = no_more(strips + seen.surfacing, e.area + view.greatest_area());
 
   // Of the depth at a point: what a shift by the strip's width makes along the slave's slope counts as well. Clamped
   // point by point, no depth counts more than the clamp.
@@ -94,7 +91,8 @@ ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   const MasterView view(faces_, e.master, e.master_face);
   const SlaveInView seen = view.sight(e.slave_face);
   Sliver sliver;
-  sliver.area = kHigherOrder * (strips_along(4 * seen.outline + seen.parting, seen.strip) + seen.neglected);
+  sliver.area = kHigherOrder * (strips_along(4 * seen.outline + seen.parting, seen.strip) + seen.neglected +
+                                seen.mistaken + seen.surfacing);
   sliver.depth = std::max(0.0, seen.deepest + std::max(seen.deepest - seen.at_tip, 0.0));
   sliver.face = faces_.face(e.master, e.master_face);
   sliver.normal_error = std::min(2.0, kHigherOrder * (view.turn() + sliver.face.normal_error));

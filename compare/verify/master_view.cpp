@@ -44,6 +44,23 @@ double outline_of(const std::vector<Eigen::Vector3d>& polygon) {
   return outline;
 }
 
+/// In the master's plane, m^2, counterclockwise.
+double area_of(const std::vector<Eigen::Vector3d>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d a = polygon[i] - polygon[0], b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+/// Where a linear function of the point is nearer 0 than its error, so that its sign may be mistaken, m^2.
+template <class Value>
+double area_near_zero(const std::vector<Eigen::Vector3d>& polygon, double error, const Value& value) {
+  const auto not_below = cut(polygon, [&](const Eigen::Vector3d& x) { return value(x) + error; });
+  return std::abs(area_of(cut(not_below, [&](const Eigen::Vector3d& x) { return error - value(x); })));
+}
+
 /// In the master's plane.
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -131,13 +148,14 @@ MasterView::SeenFace MasterView::seen(Side side, Index face) const {
           vertices[static_cast<std::size_t>(corners[2])]};
 }
 
-std::vector<MasterView::SeenPoint> MasterView::seen_part(const SeenFace& slave) const {
+std::vector<MasterView::SeenPoint> MasterView::seen_part(const SeenFace& slave, double margin, double rise) const {
   std::vector<SeenPoint> part(slave.begin(), slave.end());
   for (std::size_t k = 0; k < 3; ++k) {
     const SeenPoint &a = own_[k], side = own_[(k + 1) % 3] - a;
-    part = cut(part, [&](const SeenPoint& x) { return cross(side, x - a); });
+    const double beside = margin * side.head<2>().stableNorm();
+    part = cut(part, [&](const SeenPoint& x) { return cross(side, x - a) + beside; });
   }
-  return cut(part, [](const SeenPoint& x) { return x.z(); });
+  return cut(part, [&](const SeenPoint& x) { return x.z() + rise; });
 }
 
 MasterView::Extent MasterView::extent(std::span<const SeenPoint> polygon) {
@@ -211,7 +229,7 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
   for (const NearFace& near : near_) {
     const auto& [side, face, of_face] = near;
     if (side == slave && face == slave_face) continue;
-    if ((of_face.low > of_part.high + strip).any()) continue;
+    if ((of_face.low.head<2>() > of_part.high.head<2>() + strip).any()) continue;
     if ((of_face.high.head<2>() < of_part.low.head<2>() - strip).any()) continue;
     if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
         side_parts(side, face, slave, slave_face, strip) || side_parts(side, face, part, strip))
@@ -220,23 +238,36 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
     if (order_to_slave > 0) continue;
     const SeenFace seen_face = seen(side, face);
     const DepthField of_hider = depth_field(side, face, strip);
-    double outline = 2 * most;  // of where it may hide something
-    Range depth, before;        // of the hider there, and by how much it lies before the slave face
-    const bool can_tell = is_wider_than(strip);
-    if (can_tell) {
-      const std::vector<SeenPoint> over = overlap(seen_slave, seen_face, 2 * strip);
-      const double hider_error = of_hider.error_between(of_slave), slave_error = of_slave.error_between(of_hider);
-      for (const SeenPoint& x : over) {
-        depth.add(of_hider.at(x), hider_error);
-        before.add(of_slave.at(x) - of_hider.at(x), hider_error + slave_error);
+    const bool surfaces = faces_.straddles(master_, master_face_, side, face);
+    const bool crosses =
+        faces_.straddles(slave, slave_face, side, face) && faces_.straddles(side, face, slave, slave_face);
+    if (is_wider_than(strip)) {
+      const std::vector<SeenPoint> over = overlap(seen_slave, seen_face, 2 * strip);  // where it may hide something
+      const double depth_error = of_hider.error_between(of_slave);
+      const double before_error = depth_error + of_slave.error_between(of_hider);
+      const auto depth = [&](const SeenPoint& x) { return of_hider.at(x); };
+      const auto before = [&](const SeenPoint& x) { return of_slave.at(x) - of_hider.at(x); };
+      const auto surely_negative = [&](const auto& value, double error) {
+        return std::all_of(over.begin(), over.end(), [&](const SeenPoint& x) { return value(x) + error < 0; });
+      };
+      if (surely_negative(depth, depth_error) || surely_negative(before, before_error)) continue;
+      const auto may_change_sign = [&](const auto& value, double error) {
+        return std::any_of(over.begin(), over.end(), [&](const SeenPoint& x) { return value(x) - error <= 0; });
+      };
+      const double across = no_more(outline_of(over) / 2, most);
+      if (surfaces && may_change_sign(depth, depth_error)) {
+        hiders.folds += across;
+        hiders.mistaken += area_near_zero(over, depth_error, depth);
       }
-      if (over.empty() || depth.high < 0 || before.high < 0) continue;
-      outline = outline_of(over);
+      if (crosses && may_change_sign(before, before_error)) {
+        hiders.folds += across;
+        hiders.mistaken += area_near_zero(over, before_error, before);
+      }
+    } else if (surfaces || crosses) {
+      hiders.folds += (surfaces + crosses) * most;
+      hiders.mistaken = std::numeric_limits<double>::infinity();
     }
     found.push_back(&near);
-    const bool may_surface = !(can_tell && depth.low > 0) && may_rise_above(side, face, strip);
-    const bool may_cross = order_to_slave == 0 && !(can_tell && before.low > 0);
-    hiders.folds += (may_surface + may_cross) * no_more(outline / 2, most);
     for (const SeenPoint& x : seen_face) {
       hiders.distance = std::max(hiders.distance, distance_from_corners(x));
       hiders.place = std::max(hiders.place, place_error(x));
@@ -245,16 +276,6 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
   hiders.count = static_cast<int>(found.size());
   hiders.sides = hiding_sides(found, strip);
   return hiders;
-}
-
-// The master's own corners lie in its plane exactly.
-bool MasterView::may_rise_above(Side side, Index face, double error) const {
-  const Triangle& own = faces_.surface(master_).mesh.faces[static_cast<std::size_t>(master_face_)];
-  const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
-  return std::any_of(corners.begin(), corners.end(), [&](Index v) {
-    if (side == master_ && std::find(own.begin(), own.end(), v) != own.end()) return false;
-    return vertices_[static_cast<std::size_t>(side)][static_cast<std::size_t>(v)].z() <= error;
-  });
 }
 
 // Through a corner, as seen, along the plane of the face's normal m: in lengths along both directions and depths that
@@ -416,26 +437,30 @@ SlaveInView MasterView::sight(Index slave_face) const {
   }
   // A face that hides something of the slave's lies over the master somewhere, not deeper than that one.
   const double farthest = std::max(distance, 2 * face_.longest + depth + faces_.longest_side());
-  const std::vector<SeenPoint> part = seen_part(slave);
+  const double most_strip = strip(farthest, depth);
+  const std::vector<SeenPoint> part = seen_part(slave, 0, 0);
   SlaveInView sight;
-  const Hiders hiders = part.empty() ? Hiders{} : find_hiders(slave_face, part, strip(farthest, depth));
+  const Hiders hiders = part.empty() ? Hiders{} : find_hiders(slave_face, part, most_strip);
   sight.hiders = hiders.count;
+  sight.mistaken = hiders.mistaken;
   sight.strip = strip(std::max(distance, hiders.distance), depth);
   sight.depth_error = (16 * u + turn_) * distance;
   sight.slope = face_.normal_Me.cross(slave_normal).stableNorm() / std::abs(face_.normal_Me.dot(slave_normal));
+  const double rise = sight.depth_error + times(sight.slope, most_strip);
+  const std::vector<SeenPoint> at_most = seen_part(slave, 2 * most_strip, rise);
+  sight.outline = outline_of(at_most) + 8 * sight.strip;
+  if (faces_.straddles(master_, master_face_, opposite(master_), slave_face))
+    sight.surfacing = area_near_zero(at_most, rise, [](const SeenPoint& x) { return x.z(); });
+  sight.area = area_of(part);
   double sine = 0;  // at the deepest corner
   for (std::size_t i = 0; i < part.size(); ++i) {
     const SeenPoint &a = part[i], &b = part[(i + 1) % part.size()], &before = part[(i + part.size() - 1) % part.size()];
     const double side = (b - a).head<2>().stableNorm(), other_side = (before - a).head<2>().stableNorm();
-    sight.outline += side;
-    sight.area += cross(a - part[0], b - part[0]) / 2;
-    if (a.z() <= sight.depth_error && b.z() <= sight.depth_error) sight.fold += side;
     sight.at_lowest = i == 0 ? a.z() : std::min(sight.at_lowest, a.z());
     if (a.z() <= sight.at_tip) continue;
     sight.at_tip = a.z();
     sine = std::abs(cross(b - a, before - a)) / (side * other_side);
   }
-  sight.outline += 8 * sight.strip;
   sight.width = std::min(sight.outline / 2, face_.longest);
   add_uncertain_areas(slave, part, std::max(place, hiders.place), hiders, sight);
   const double depth_change = times(sight.slope, 2 * sight.strip);
@@ -471,7 +496,8 @@ void MasterView::limit(SlaveInView& sight) const {
   sight.strip = no_more(sight.strip, face_.longest);
   sight.outline = no_more(sight.outline, 3 * face_.longest + 8 * sight.strip);
   sight.parting = no_more(sight.parting, std::numeric_limits<double>::infinity());
-  sight.fold = no_more(sight.fold, sight.outline);
+  sight.surfacing = no_more(sight.surfacing, whole);
+  sight.mistaken = no_more(sight.mistaken, whole);
   sight.width = no_more(sight.width, face_.longest);
   sight.depth_error = no_more(sight.depth_error, anywhere);
   sight.slope = no_more(sight.slope, std::numeric_limits<double>::infinity());

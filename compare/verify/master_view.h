@@ -23,14 +23,15 @@ struct SlaveInView {
   double area = 0;         ///< of what nothing but the border of both and depth 0 limits, m^2
   double depth_error = 0;  ///< at a point of the plane, without any shift of it, m
   double slope = 0;        ///< of the depth
-  double outline = 0;      ///< its border, m
+  double outline = 0;      ///< no longer is the border of what a right engine may see of it, m
   double parting = 0;      ///< lines at which faces that hide some of it end, within it, m
-  double fold = 0;         ///< the part of that where the depth is 0, m
-  double width = 0;        ///< no two points of it are farther apart, m
-  double deepest = 0;      ///< there, m
-  double at_tip = 0;       ///< the depth of its deepest corner, m
-  double at_lowest = 0;    ///< and of its least deep one, m
-  double tip_error = 0;    ///< what strips may take from that, m
+  double mistaken = 0;   ///< where roundings may hide it, or not: a hider has its depth, or depth 0, but for them, m^2
+  double surfacing = 0;  ///< where they may see it or not: its own depth is 0 but for them, m^2
+  double width = 0;      ///< no two points of what a right engine may see are farther apart, m
+  double deepest = 0;    ///< there, m
+  double at_tip = 0;     ///< the depth of its deepest corner, m
+  double at_lowest = 0;  ///< and of its least deep one, m
+  double tip_error = 0;  ///< what strips may take from that, m
 };
 
 /// The rounded problem as one master face sees it: every vertex by two lengths in the master's plane and its depth.
@@ -63,6 +64,7 @@ class MasterView {
     std::vector<HidingSide> sides;  ///< each once
     /// Of lines where their depth is 0, and where they pass through the slave face, m: these may part it as well.
     double folds = 0;
+    double mistaken = 0;  ///< where roundings may mistake a depth of theirs for 0 or that of the slave face, m^2
     double distance = 0;  ///< no corner of theirs is farther from one of the master, m
     double place = 0;     ///< nor worse placed, m
   };
@@ -91,20 +93,8 @@ class MasterView {
       return error + times(error_per_distance, reach + other.reach);
     }
   };
-  /// Of a linear function, over an area and with its errors.
-  struct Range {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-
-    void add(double value, double error) {
-      low = std::min(low, value - error);
-      high = std::max(high, value + error);
-    }
-  };
 
   SeenFace seen(Side side, Index face) const;
-  /// Whether a corner other than the master's own may lie above its plane.
-  bool may_rise_above(Side side, Index face, double error) const;
   DepthField depth_field(Side side, Index face, double strip) const;
   /// Whether the master is wider than a strip, so that strips along its sides leave something of it.
   bool is_wider_than(double strip) const { return 2 * face_.area / face_.longest > strip; }
@@ -113,8 +103,8 @@ class MasterView {
   std::vector<SeenPoint> overlap(const SeenFace& a, const SeenFace& b, double margin) const;
   void find_near_faces();
   static Extent extent(std::span<const SeenPoint> polygon);
-  /// What the master sees of a face at a depth >= 0.
-  std::vector<SeenPoint> seen_part(const SeenFace& slave) const;
+  /// What the master, grown by `margin`, sees of a face no more than `rise` above its plane, m.
+  std::vector<SeenPoint> seen_part(const SeenFace& slave, double margin, double rise) const;
   /// Whether a side of a has all corners of b on its far side, by more than `strip` or shared with it: no right engine
   /// takes these faces to overlap.
   bool side_parts(Side side_a, Index a, Side side_b, Index b, double strip) const;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/rounded_faces.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -56,6 +58,22 @@ RoundedFaces::Face RoundedFaces::face(Side side, Index index) const {
   face.longest = sides[2];
   face.farthest = std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), s.cwiseAbs().maxCoeff()});
   return face;
+}
+
+bool RoundedFaces::straddles(Side side_a, Index a, Side side_b, Index b) const {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  const auto point = [&](Side side, Index face, std::size_t k) {
+    const Eigen::Vector3d& x = corner(side, face, k);
+    return Point(x.x(), x.y(), x.z());
+  };
+  const Point p = point(side_a, a, 0), q = point(side_a, a, 1), s = point(side_a, a, 2);
+  bool above = false, below = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const CGAL::Orientation side = CGAL::orientation(p, q, s, point(side_b, b, k));
+    above = above || side == CGAL::POSITIVE;
+    below = below || side == CGAL::NEGATIVE;
+  }
+  return above && below;
 }
 
 }  // namespace pcm::compare

@@ -34,6 +34,8 @@ class RoundedFaces {
     return vertex(side, surface(side).mesh.faces[static_cast<std::size_t>(face)][k]);
   }
   Face face(Side side, Index face) const;
+  /// Whether face b has corners on both sides of the plane of face a, exactly.
+  bool straddles(Side side_a, Index a, Side side_b, Index b) const;
   /// Greatest |coordinate| of either surface in Me, m.
   double max_coordinate() const { return max_coordinate_; }
   /// Bound of the same that the engine makes of both surfaces' boxes, m: |A| x_F + |r| component by component.
