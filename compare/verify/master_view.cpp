@@ -54,11 +54,10 @@ double area_of(const std::vector<Eigen::Vector3d>& polygon) {
   return twice / 2;
 }
 
-/// Where a linear function of the point is nearer 0 than its error, so that its sign may be mistaken, m^2.
-template <class Value>
-double area_near_zero(const std::vector<Eigen::Vector3d>& polygon, double error, const Value& value) {
-  const auto not_below = cut(polygon, [&](const Eigen::Vector3d& x) { return value(x) + error; });
-  return std::abs(area_of(cut(not_below, [&](const Eigen::Vector3d& x) { return error - value(x); })));
+/// Where |z| is no more than the error of z, so that its sign may be mistaken, m^2.
+double area_near_zero(const std::vector<Eigen::Vector3d>& polygon, double error) {
+  const auto not_below = cut(polygon, [&](const Eigen::Vector3d& x) { return x.z() + error; });
+  return std::abs(area_of(cut(not_below, [&](const Eigen::Vector3d& x) { return error - x.z(); })));
 }
 
 /// In the master's plane.
@@ -74,6 +73,16 @@ Eigen::Vector2d inward_of_side(const std::array<Eigen::Vector3d, 3>& face, std::
   const double length = along.stableNorm();
   if (!(length > 0)) return Eigen::Vector2d::Zero();
   return sign / length * Eigen::Vector2d(-along.y(), along.x());
+}
+
+/// The part of a convex polygon over a face that is grown by `margin`.
+std::vector<Eigen::Vector3d> within(std::vector<Eigen::Vector3d> polygon, const std::array<Eigen::Vector3d, 3>& face,
+                                    double margin) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector2d inward = inward_of_side(face, k);
+    polygon = cut(polygon, [&](const Eigen::Vector3d& x) { return inward.dot((x - face[k]).head<2>()) + margin; });
+  }
+  return polygon;
 }
 
 /// Whether `all_beyond(k, is_beyond)` holds for a side k of the face: `is_beyond` says of a point whether it lies on
@@ -149,13 +158,7 @@ MasterView::SeenFace MasterView::seen(Side side, Index face) const {
 }
 
 std::vector<MasterView::SeenPoint> MasterView::seen_part(const SeenFace& slave, double margin, double rise) const {
-  std::vector<SeenPoint> part(slave.begin(), slave.end());
-  for (std::size_t k = 0; k < 3; ++k) {
-    const SeenPoint &a = own_[k], side = own_[(k + 1) % 3] - a;
-    const double beside = margin * side.head<2>().stableNorm();
-    part = cut(part, [&](const SeenPoint& x) { return cross(side, x - a) + beside; });
-  }
-  return cut(part, [&](const SeenPoint& x) { return x.z() + rise; });
+  return cut(within({slave.begin(), slave.end()}, own_, margin), [&](const SeenPoint& x) { return x.z() + rise; });
 }
 
 MasterView::Extent MasterView::extent(std::span<const SeenPoint> polygon) {
@@ -238,35 +241,16 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
     if (order_to_slave > 0) continue;
     const SeenFace seen_face = seen(side, face);
     const DepthField of_hider = depth_field(side, face, strip);
-    const bool surfaces = faces_.straddles(master_, master_face_, side, face);
-    const bool crosses =
-        faces_.straddles(slave, slave_face, side, face) && faces_.straddles(side, face, slave, slave_face);
     if (is_wider_than(strip)) {
       const std::vector<SeenPoint> over = overlap(seen_slave, seen_face, 2 * strip);  // where it may hide something
       const double depth_error = of_hider.error_between(of_slave);
       const double before_error = depth_error + of_slave.error_between(of_hider);
-      const auto depth = [&](const SeenPoint& x) { return of_hider.at(x); };
-      const auto before = [&](const SeenPoint& x) { return of_slave.at(x) - of_hider.at(x); };
-      const auto surely_negative = [&](const auto& value, double error) {
-        return std::all_of(over.begin(), over.end(), [&](const SeenPoint& x) { return value(x) + error < 0; });
-      };
-      if (surely_negative(depth, depth_error) || surely_negative(before, before_error)) continue;
-      const auto may_change_sign = [&](const auto& value, double error) {
-        return std::any_of(over.begin(), over.end(), [&](const SeenPoint& x) { return value(x) - error <= 0; });
-      };
-      const double across = no_more(outline_of(over) / 2, most);
-      if (surfaces && may_change_sign(depth, depth_error)) {
-        hiders.folds += across;
-        hiders.mistaken += area_near_zero(over, depth_error, depth);
-      }
-      if (crosses && may_change_sign(before, before_error)) {
-        hiders.folds += across;
-        hiders.mistaken += area_near_zero(over, before_error, before);
-      }
-    } else if (surfaces || crosses) {
-      hiders.folds += (surfaces + crosses) * most;
-      hiders.mistaken = std::numeric_limits<double>::infinity();
+      const auto surely_after = [&](const SeenPoint& x) { return of_slave.at(x) - of_hider.at(x) + before_error < 0; };
+      const auto surely_above = [&](const SeenPoint& x) { return of_hider.at(x) + depth_error < 0; };
+      if (std::all_of(over.begin(), over.end(), surely_after) || std::all_of(over.begin(), over.end(), surely_above))
+        continue;
     }
+    add_folds(slave_face, near, strip, most, hiders);
     found.push_back(&near);
     for (const SeenPoint& x : seen_face) {
       hiders.distance = std::max(hiders.distance, distance_from_corners(x));
@@ -276,6 +260,43 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
   hiders.count = static_cast<int>(found.size());
   hiders.sides = hiding_sides(found, strip);
   return hiders;
+}
+
+// Where the hider is at depth 0, its height over the master is off by the error of a height over a plane. Where it
+// passes through the slave face, so is the slave's height over the hider, and the hider's over the slave, which is
+// that times the cosine of the slave's angle over that of the hider's. Our roundings count as well.
+void MasterView::add_folds(Index slave_face, const NearFace& hider, double strip, double most, Hiders& hiders) const {
+  const Side slave = opposite(master_);
+  const SeenFace seen_slave = seen(slave, slave_face), seen_hider = seen(hider.side, hider.face);
+  const auto add = [&](const SeenFace& face, const SeenFace& other, double error) {
+    const std::vector<SeenPoint> over = within(within({face.begin(), face.end()}, own_, 2 * strip), other, 2 * strip);
+    const auto surely_below = [&](const SeenPoint& x) { return x.z() > error; };
+    const auto surely_above = [&](const SeenPoint& x) { return x.z() < -error; };
+    if (std::all_of(over.begin(), over.end(), surely_below) || std::all_of(over.begin(), over.end(), surely_above))
+      return;
+    hiders.folds += no_more(outline_of(over) / 2 + 4 * strip, most);
+    hiders.mistaken += area_near_zero(over, error);
+  };
+  if (faces_.straddles(master_, master_face_, hider.side, hider.face)) {
+    double farthest = 0;
+    for (const SeenPoint& x : seen_hider) farthest = std::max(farthest, distance_from_corners(x));
+    add(seen_hider, seen_slave, 2 * face_.plane_error * farthest);
+  }
+  if (faces_.straddles(slave, slave_face, hider.side, hider.face) &&
+      faces_.straddles(hider.side, hider.face, slave, slave_face)) {
+    const RoundedFaces::Face plane = faces_.face(hider.side, hider.face);
+    const RoundedFaces::Face slave_plane = faces_.face(slave, slave_face);
+    SeenFace over_hider = seen_slave;  // depths replaced by heights over the hider
+    double farthest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Vector3d& x = faces_.corner(slave, slave_face, k);
+      for (std::size_t i = 0; i < 3; ++i)
+        farthest = std::max(farthest, (x - faces_.corner(hider.side, hider.face, i)).stableNorm());
+      over_hider[k].z() = plane.normal_Me.dot(x - faces_.corner(hider.side, hider.face, 0));
+    }
+    const double turned = std::abs(plane.normal_Me.dot(face_.normal_Me) / slave_plane.normal_Me.dot(face_.normal_Me));
+    add(over_hider, seen_hider, 2 * farthest * std::max(plane.plane_error, times(slave_plane.plane_error, turned)));
+  }
 }
 
 // Through a corner, as seen, along the plane of the face's normal m: in lengths along both directions and depths that
@@ -304,11 +325,7 @@ std::vector<MasterView::SeenPoint> MasterView::overlap(const SeenFace& a, const 
   const double left = own.low.x() - around, right = own.high.x() + around;
   const double near = own.low.y() - around, far = own.high.y() + around;
   std::vector<SeenPoint> polygon = {{left, near, 0}, {right, near, 0}, {right, far, 0}, {left, far, 0}};
-  for (const SeenFace* const face : {&own_, &a, &b})
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector2d inward = inward_of_side(*face, k);
-      polygon = cut(polygon, [&](const SeenPoint& x) { return inward.dot((x - (*face)[k]).head<2>()) + margin; });
-    }
+  for (const SeenFace* const face : {&own_, &a, &b}) polygon = within(polygon, *face, margin);
   return polygon;
 }
 
@@ -446,11 +463,11 @@ SlaveInView MasterView::sight(Index slave_face) const {
   sight.strip = strip(std::max(distance, hiders.distance), depth);
   sight.depth_error = (16 * u + turn_) * distance;
   sight.slope = face_.normal_Me.cross(slave_normal).stableNorm() / std::abs(face_.normal_Me.dot(slave_normal));
-  const double rise = sight.depth_error + times(sight.slope, most_strip);
-  const std::vector<SeenPoint> at_most = seen_part(slave, 2 * most_strip, rise);
+  const std::vector<SeenPoint> at_most =
+      seen_part(slave, 2 * most_strip, sight.depth_error + times(sight.slope, most_strip));
   sight.outline = outline_of(at_most) + 8 * sight.strip;
   if (faces_.straddles(master_, master_face_, opposite(master_), slave_face))
-    sight.surfacing = area_near_zero(at_most, rise, [](const SeenPoint& x) { return x.z(); });
+    sight.surfacing = area_near_zero(at_most, sight.depth_error);
   sight.area = area_of(part);
   double sine = 0;  // at the deepest corner
   for (std::size_t i = 0; i < part.size(); ++i) {

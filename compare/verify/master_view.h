@@ -116,6 +116,8 @@ class MasterView {
   /// where roundings can't tell or on both.
   int side_of_plane(Side side_a, Index a, Side side_b, Index b) const;
   Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
+  /// The lines at which the face begins to hide something of the slave face, rather than end: no more than `most` each.
+  void add_folds(Index slave_face, const NearFace& hider, double strip, double most, Hiders& hiders) const;
   /// The sides of these faces of E and F, each once.
   std::vector<HidingSide> hiding_sides(const std::vector<const NearFace*>& hiders, double strip) const;
   /// What of the side, or of the line that it lies on, may lie over the master as well as over the slave face, where

@@ -61,9 +61,6 @@ class ClippedElements final : public ElementSource {
   DoubleDouble perimeter(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
   Ball perimeter(std::size_t i, ConvertedPose<Ball>& pose) const override;
   RadicalSum perimeter(std::size_t i, ConvertedPose<Rational>& pose) const override;
-  DoubleDouble folds(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
-  Ball folds(std::size_t i, ConvertedPose<Ball>& pose) const override;
-  RadicalSum folds(std::size_t i, ConvertedPose<Rational>& pose) const override;
 
  private:
   const std::vector<ClippedElement>& elements_;

@@ -263,65 +263,7 @@ std::vector<RootTerm<T>> perimeter_of(ConvertedPose<T>& pose, const ClippedEleme
   return terms;
 }
 
-template <class T>
-T longest_side_squared(ConvertedPose<T>& pose, Face face) {
-  using std::max;
-  const auto p = pose.corners(face.side, face.index);
-  const auto square = [](const Vec3<T>& v) -> T { return dot(v, v); };
-  return max(max(square(p[1] - p[0]), square(p[2] - p[1])), square(p[0] - p[2]));
-}
-
-/// The gradient g of a difference of depths, (d_a - d_b) |N|, in the master's plane: g . v1 and g . v2 are |N| times
-/// its coefficients, so |N| g = b (N x v1) - a (N x v2). A height over a face is its cosine times a depth; that
-/// over a thin one is off by more, as much as its longest side is longer than it is wide.
-/// Depth 0 is that of the master's own plane: the slave face carries nothing there, but what hides it begins there.
-template <class T>
-std::vector<RootTerm<T>> folds_of(ConvertedPose<T>& pose, const ClippedElement& element) {
-  using std::max;
-  const Face master{element.faces.master, element.faces.master_face};
-  const Face slave{other(master.side), element.faces.slave_face};
-  const MasterFrame<T> e = make_frame(pose, master);
-  const T NN = dot(e.N, e.N);
-  std::vector<RootTerm<T>> terms;
-  for (const PieceSide<T>& side : sides_of(pose, e, element)) {
-    if (side.line.kind != VisibilityLine::Kind::fold) continue;
-    T slope_s = pose.number(0.0), slope_t = slope_s, weight_squared = pose.number(1.0);
-    bool hides = true;
-    for (const auto& [face, sign] :
-         {std::pair(Face{side.line.side_a, side.line.a}, 1.0), std::pair(Face{side.line.side_b, side.line.b}, -1.0)}) {
-      if (face == master) {
-        hides = side.line.a != slave.index || side.line.side_a != slave.side;
-        continue;
-      }
-      const Depth<T> d = depth_of(pose, e, face);
-      slope_s = slope_s + pose.number(sign) * d.numerator.x / d.denominator;
-      slope_t = slope_t + pose.number(sign) * d.numerator.y / d.denominator;
-      const T longest_squared = longest_side_squared(pose, face), N_gN_g = dot(d.N_g, d.N_g);
-      const T thinness_squared = longest_squared * longest_squared / N_gN_g;
-      const T cosine_squared = d.denominator * d.denominator / (NN * N_gN_g);
-      weight_squared = max(weight_squared, T(thinness_squared / cosine_squared));
-    }
-    if (!hides) continue;
-    const Vec3<T> gradient_N = slope_t * e.N_x_v1 - slope_s * e.N_x_v2;
-    const Vec3<T> along = T(side.to.s - side.from.s) * e.v1 + T(side.to.t - side.from.t) * e.v2;
-    terms.push_back({pose.number(1.0), dot(along, along) * NN * weight_squared / dot(gradient_N, gradient_N)});
-  }
-  return terms;
-}
-
 }  // namespace
-
-DoubleDouble ClippedElements::folds(std::size_t i, ConvertedPose<DoubleDouble>& pose) const {
-  return enclosed_sum(folds_of(pose, elements_[i]), pose.field());
-}
-
-Ball ClippedElements::folds(std::size_t i, ConvertedPose<Ball>& pose) const {
-  return enclosed_sum(folds_of(pose, elements_[i]), pose.field());
-}
-
-RadicalSum ClippedElements::folds(std::size_t i, ConvertedPose<Rational>& pose) const {
-  return radical_sum(folds_of(pose, elements_[i]));
-}
 
 DoubleDouble ClippedElements::perimeter(std::size_t i, ConvertedPose<DoubleDouble>& pose) const {
   return enclosed_sum(perimeter_of(pose, elements_[i]), pose.field());

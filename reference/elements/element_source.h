@@ -28,13 +28,6 @@ class ElementSource {
   virtual DoubleDouble perimeter(std::size_t i, ConvertedPose<DoubleDouble>& pose) const = 0;
   virtual Ball perimeter(std::size_t i, ConvertedPose<Ball>& pose) const = 0;
   virtual RadicalSum perimeter(std::size_t i, ConvertedPose<Rational>& pose) const = 0;
-  /// The sides of that border where what hides the slave face lies at the same depth, or begins at depth 0: the sum of
-  /// their lengths, each over the slope of the difference of both depths and the faces' cosines to the master face,
-  /// times the faces' thinness (longest side squared over |N|). By so much the area changes for each metre that heights
-  /// over fair faces are off, m.
-  virtual DoubleDouble folds(std::size_t i, ConvertedPose<DoubleDouble>& pose) const = 0;
-  virtual Ball folds(std::size_t i, ConvertedPose<Ball>& pose) const = 0;
-  virtual RadicalSum folds(std::size_t i, ConvertedPose<Rational>& pose) const = 0;
 };
 
 /// Elements of the barycentric scheme: whole master faces, seen from their barycentres (8), (11). The pairs must
@@ -50,9 +43,6 @@ class BarycentricElements final : public ElementSource {
   DoubleDouble perimeter(std::size_t, ConvertedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
   Ball perimeter(std::size_t, ConvertedPose<Ball>& pose) const override { return pose.number(0.0); }
   RadicalSum perimeter(std::size_t, ConvertedPose<Rational>&) const override { return {}; }
-  DoubleDouble folds(std::size_t, ConvertedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
-  Ball folds(std::size_t, ConvertedPose<Ball>& pose) const override { return pose.number(0.0); }
-  RadicalSum folds(std::size_t, ConvertedPose<Rational>&) const override { return {}; }
 
  private:
   const std::vector<ElementPair>& pairs_;

@@ -43,7 +43,6 @@ class EnclosedLoads {
     return *known_[i];
   }
   T perimeter(std::size_t i) { return question_.elements.perimeter(i, pose_); }
-  T folds(std::size_t i) { return question_.elements.folds(i, pose_); }
 
  private:
   EnclosedLoad<T> enclose(std::size_t i) {
@@ -112,7 +111,6 @@ bool round_element(EnclosedLoads<T>& loads, std::size_t i, BackedRounder<ExactSu
   round(load.greatest_penetration, target.greatest_penetration,
         [i](ExactSums& exact) { return exact.greatest_penetration(i); });
   round(loads.perimeter(i), target.perimeter, [i](ExactSums& exact) { return exact.perimeter(i); });
-  round(loads.folds(i), target.folds, [i](ExactSums& exact) { return exact.folds(i); });
   round(element.cosine, target.cosine, [i](ExactSums& exact) { return exact.cosine(i); });
   round(load.normal_velocity, target.normal_velocity, [i](ExactSums& exact) { return exact.normal_velocity(i); });
   round(element.tangential_velocity, target.tangential_velocity,

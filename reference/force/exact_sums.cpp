@@ -67,10 +67,6 @@ double ExactSums::perimeter(std::size_t i) {
   return question_.elements.perimeter(i, pose_).rounded();
 }
 
-double ExactSums::folds(std::size_t i) {
-  return question_.elements.folds(i, pose_).rounded();
-}
-
 double ExactSums::cosine(std::size_t i) {
   const ElementGeometry<Quadratic>& g = at(i).geometry;
   const Rational squares = (dot(g.N, g.N) * dot(g.slave_N, g.slave_N)).a();

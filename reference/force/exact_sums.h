@@ -28,7 +28,6 @@ class ExactSums {
   double penetration(std::size_t i);
   double greatest_penetration(std::size_t i);
   double perimeter(std::size_t i);
-  double folds(std::size_t i);
   double cosine(std::size_t i);
   double normal_velocity(std::size_t i);
   double tangential_velocity(std::size_t i);

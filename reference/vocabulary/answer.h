@@ -79,7 +79,6 @@ struct Element {
   double penetration = 0;           ///< u_k (11), m, clamped; clipped: the mean of u clamped point by point
   double greatest_penetration = 0;  ///< greatest u over the element (barycentric: u of the barycentre), before clamping
   double perimeter = 0;             ///< m, of the part of the master face that is the element; barycentric: 0
-  double folds = 0;                 ///< m: how its area changes with heights over faces; barycentric: 0
   double cosine = 0;                ///< n_master . n_slave, < 0: 1/|cosine| is the condition of u_k
   double normal_velocity = 0;       ///< v_n (16), m/s, positive when approaching
   double tangential_velocity = 0;   ///< v_t (19), m/s
