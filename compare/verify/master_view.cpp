@@ -264,12 +264,13 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
 
 // Where the hider is at depth 0, its height over the master is off by the error of a height over a plane. Where it
 // passes through the slave face, so is the slave's height over the hider, and the hider's over the slave, which is
-// that times the cosine of the slave's angle over that of the hider's. Our roundings count as well.
+// that times the cosine of the slave's angle over that of the hider's. Our roundings count as well. What lies beside
+// one of the three faces is in the strips along its sides.
 void MasterView::add_folds(Index slave_face, const NearFace& hider, double strip, double most, Hiders& hiders) const {
   const Side slave = opposite(master_);
   const SeenFace seen_slave = seen(slave, slave_face), seen_hider = seen(hider.side, hider.face);
   const auto add = [&](const SeenFace& face, const SeenFace& other, double error) {
-    const std::vector<SeenPoint> over = within(within({face.begin(), face.end()}, own_, 2 * strip), other, 2 * strip);
+    const std::vector<SeenPoint> over = within(within({face.begin(), face.end()}, own_, 0), other, 0);
     const auto surely_below = [&](const SeenPoint& x) { return x.z() > error; };
     const auto surely_above = [&](const SeenPoint& x) { return x.z() < -error; };
     if (std::all_of(over.begin(), over.end(), surely_below) || std::all_of(over.begin(), over.end(), surely_above))
@@ -467,7 +468,7 @@ SlaveInView MasterView::sight(Index slave_face) const {
       seen_part(slave, 2 * most_strip, sight.depth_error + times(sight.slope, most_strip));
   sight.outline = outline_of(at_most) + 8 * sight.strip;
   if (faces_.straddles(master_, master_face_, opposite(master_), slave_face))
-    sight.surfacing = area_near_zero(at_most, sight.depth_error);
+    sight.surfacing = area_near_zero(seen_part(slave, 0, sight.depth_error), sight.depth_error);
   sight.area = area_of(part);
   double sine = 0;  // at the deepest corner
   for (std::size_t i = 0; i < part.size(); ++i) {
