@@ -11,6 +11,7 @@
 
 #include "compare/verify/bound_arithmetic.h"
 #include "compare/verify/rounded_faces.h"
+#include "compare/verify/seen_polygon.h"
 
 namespace pcm::compare {
 
@@ -50,9 +51,6 @@ class MasterView {
   SlaveInView sight(Index slave_face) const;
 
  private:
-  /// A point of the master's plane in lengths along two directions at right angles, m, and a depth, m.
-  using SeenPoint = Eigen::Vector3d;
-  using SeenFace = std::array<SeenPoint, 3>;
   /// A side of faces that may hide something.
   struct HidingSide {
     SeenPoint from, to;
