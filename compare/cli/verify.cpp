@@ -32,10 +32,11 @@ void write_cases(const fs::path& folder, const Verification& run) {
     try {
       posed = run.as_case(finding);
     } catch (const std::exception& error) {
-      complain(run.pose_name(cell, finding.pose) + ": no case file, for the pose can't be drawn: " + error.what());
+      complain(run.poses().pose_name(cell, finding.pose) +
+               ": no case file, for the pose can't be drawn: " + error.what());
       continue;
     }
-    const HeldPairing& held = run.held_pairing(cell, finding.pose);
+    const HeldPairing& held = run.poses().held_pairing(cell, finding.pose);
     nlohmann::ordered_json engine, oracle;
     try {
       const fast::Pairing pairing(held.engine().surface_E(), held.engine().surface_F(), posed.law, posed.mode,
@@ -46,7 +47,7 @@ void write_cases(const fs::path& folder, const Verification& run) {
     } catch (const std::exception&) {
       // The disagreement itself says which side failed, and how.
     }
-    std::string file = "case_" + run.pose_name(cell, finding.pose) + ".json";
+    std::string file = "case_" + run.poses().pose_name(cell, finding.pose) + ".json";
     for (char& c : file)
       if (c == '/' || c == ' ') c = '_';
     write_text_file(folder / file, format_case(posed, finding.disagreements, engine, oracle));
@@ -87,8 +88,8 @@ Exit verify_poses(const VerifyOptions& options) {
   for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
     const Finding& finding = run.findings()[k];
     for (const Disagreement& d : finding.disagreements)
-      std::cout << fmt::format("{}: {}: {}\n", run.pose_name(run.cells()[finding.cell], finding.pose), name(d.kind),
-                               d.text);
+      std::cout << fmt::format("{}: {}: {}\n", run.poses().pose_name(run.cells()[finding.cell], finding.pose),
+                               name(d.kind), d.text);
   }
   if (kept.finished_at)
     std::cout << fmt::format(

@@ -28,12 +28,12 @@ namespace pcm::compare {
 /// seen between two of them that meet, but not at a side they share.
 ///
 /// Where the slave face and another one, of either surface, pass through each other, or either through the master's
-/// plane, the height that tells which is first is off by its roundings, so that what is seen is unsure wherever it is no
-/// greater, be that on the border of what is truly seen or beside it. Only where they do pass through: which side of a
-/// face's plane a vertex lies on is decided exactly, so what lies flush hides, or does not, without any error.
+/// plane, the height that tells which is first is off by its roundings, so that what is seen is unsure wherever it is
+/// no greater, be that on the border of what is truly seen or beside it. Only where they do pass through: which side of
+/// a face's plane a vertex lies on is decided exactly, so what lies flush hides, or does not, without any error.
 ///
-/// A depth is off by its own roundings, which count 1 / |cos| across a slanting face. Where it is unsure whether it is 0
-/// it carries nothing.
+/// A depth is off by its own roundings, which count 1 / |cos| across a slanting face. Where it is unsure whether it is
+/// 0 it carries nothing.
 class ClippedBounds {
  public:
   struct OfElement {

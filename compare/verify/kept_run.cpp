@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "compare/io/sha256.h"
+#include "compare/verify/run_identity.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -76,9 +77,9 @@ Resumption resume_run(const fs::path& folder, Verification& run) {
     const nlohmann::ordered_json& state = kept.at("state");
     if (sha256(dump(state)) != kept.at("sha256").get<std::string>())
       throw BadInput("its state.json is damaged; choose another folder");
-    if (!run.same_arguments(state))
+    if (!same_arguments(run.plan(), state.at("run")))
       throw BadInput("it holds another run (other poses, seed, strata, modes or scheme); choose another folder");
-    if (const std::string difference = run.difference_from(state); !difference.empty()) {
+    if (const std::string difference = difference_from(run.plan(), state.at("run")); !difference.empty()) {
       remove_results(folder);
       return {fmt::format("--out {}: it held a run {}; that run's tables and cases are removed, this one starts anew",
                           folder.string(), difference),

@@ -90,13 +90,14 @@ std::string verification_summary(const Verification& run) {
     for (const auto& [label, tally] : run.by_scheme()) text += agreement_row(label, tally);
   }
   if (run.plan().modes.size() > 1) {
-    text += run.modes_per_pose() > 1 ? "mode (above a pose counts once in each)\n" : "mode\n";
+    text += run.poses().modes_per_pose() > 1 ? "mode (above a pose counts once in each)\n" : "mode\n";
     for (const auto& [label, tally] : run.by_mode()) text += agreement_row(label, tally);
   }
   text += "unbounded: the engine's bound on its force or torque is infinite\n";
   text += "engine us, oracle ms: medians, everything asked for";
-  text +=
-      run.modes_per_pose() > 1 ? "; a pose's first mode pays for what the others share or find in the cache\n" : "\n";
+  text += run.poses().modes_per_pose() > 1
+              ? "; a pose's first mode pays for what the others share or find in the cache\n"
+              : "\n";
 
   text +=
       "\nRounding error of the engine against the exact problem: 99.9th percentile and maximum, in units of S/p\n"
@@ -110,7 +111,7 @@ std::string verification_summary(const Verification& run) {
   text += bounds_table(strata, all);
   text += widths_summary(run);
   if (const std::string line = without_scene_line(run); !line.empty()) text += "\n" + line + "\n";
-  for (const std::string& omission : run.omissions()) text += "\n" + omission + "\n";
+  for (const std::string& omission : run.poses().omissions()) text += "\n" + omission + "\n";
   return text;
 }
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "compare/verify/verify.h"
+#include "compare/verify/verification_plan.h"
 
 namespace pcm::compare {
 

@@ -56,7 +56,7 @@ constexpr std::array kShownKinds = {Kind::touching,          Kind::polygon_count
 
 /// Whether the surfaces cross does not depend on the mode.
 std::int64_t touching_poses(const Verification& run) {
-  return run.total().touching / run.modes_per_pose();
+  return run.total().touching / run.poses().modes_per_pose();
 }
 
 double exact_fallback_rate(const Tally& tally) {
@@ -66,7 +66,7 @@ double exact_fallback_rate(const Tally& tally) {
 /// Each pose once, however many modes; strata that have such poses.
 std::map<Stratum, std::int64_t> poses_without_scene(const Verification& run) {
   std::map<Stratum, std::int64_t> poses;
-  for (std::size_t c = 0; c < run.cells().size(); c += static_cast<std::size_t>(run.modes_per_pose()))
+  for (std::size_t c = 0; c < run.cells().size(); c += static_cast<std::size_t>(run.poses().modes_per_pose()))
     if (const Cell& cell = run.cells()[c]; cell.without_scene > 0) poses[cell.stratum] += cell.without_scene;
   return poses;
 }
@@ -148,7 +148,7 @@ std::string verification_markdown(const Verification& run) {
                             row.tally.worst[k].value, row.tally.worst[k].pose);
   }
   if (const std::string line = without_scene_line(run); !line.empty()) text += "\n" + line + "\n";
-  for (const std::string& omission : run.omissions()) text += "\n" + omission + "\n";
+  for (const std::string& omission : run.poses().omissions()) text += "\n" + omission + "\n";
   return text;
 }
 
@@ -184,7 +184,7 @@ nlohmann::ordered_json verification_json(const Verification& run) {
   nlohmann::ordered_json json;
   json["verdict"] = {{"complete", run.finished()},
                      {"poses", run.poses_done()},
-                     {"modes", run.modes_per_pose()},
+                     {"modes", run.poses().modes_per_pose()},
                      {"touching", touching_poses(run)},
                      {"disagreements", run.total().disagreeing},
                      {"verified", is_verified(run)}};
@@ -221,7 +221,7 @@ nlohmann::ordered_json verification_json(const Verification& run) {
   json["without_scene"] = nlohmann::ordered_json::object();
   for (const auto& [stratum, poses] : poses_without_scene(run))
     json["without_scene"][std::string(name(stratum))] = poses;
-  json["omissions"] = run.omissions();
+  json["omissions"] = run.poses().omissions();
   return json;
 }
 
@@ -291,7 +291,7 @@ bool is_verified(const Verification& run) {
 
 std::string verdict_line(const Verification& run) {
   const std::int64_t disagreeing = run.total().disagreeing;
-  const std::int64_t modes = run.modes_per_pose();
+  const std::int64_t modes = run.poses().modes_per_pose();
   const std::optional<MissedMeasure> missed = missed_measure(run);
   const char* verdict = is_verified(run)                      ? "verified"
                         : disagreeing == 0 && !run.finished() ? "unfinished"
@@ -301,7 +301,7 @@ std::string verdict_line(const Verification& run) {
   if (missed)
     line += fmt::format(", {} error of {:.1e} S/p at the {} percentile of generic (measure: {:.0e})", missed->what,
                         missed->error, missed->percentile, kMeasure);
-  if (!run.without_poses().empty()) line += fmt::format(" (no pose: {})", run.without_poses());
+  if (!run.poses().without_poses().empty()) line += fmt::format(" (no pose: {})", run.poses().without_poses());
   if (!run.finished()) line += fmt::format(" (interrupted, {} poses wanted)", run.plan().poses);
   return line;
 }

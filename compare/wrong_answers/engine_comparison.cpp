@@ -98,11 +98,11 @@ EngineComparison compare_engines(VerificationPlan plan, const std::vector<Engine
                                  const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress) {
   if (plan.schemes != std::vector{Scheme::barycentric})
     throw BadInput("--engine: the published algorithms know the barycentric scheme only");
-  const Verification poses(std::move(plan));
+  const PlannedPoses poses(std::move(plan));
   std::map<Stratum, ComparisonTally> strata;
   std::map<std::pair<const HeldPairing*, Mode>, TestedEngines> known;
   std::int64_t done = 0;
-  for (const Cell& cell : poses.cells()) {
+  for (const PlannedCell& cell : poses.cells()) {
     for (std::int64_t pose = 0; pose < cell.poses; ++pose) {
       const HeldPairing& held = poses.held_pairing(cell, pose);
       TestedEngines& tested = known[{&held, cell.mode}];
@@ -131,7 +131,7 @@ EngineComparison compare_engines(VerificationPlan plan, const std::vector<Engine
   result.seed = poses.plan().seed;
   result.omissions = poses.omissions();
   std::int64_t planned = 0;
-  for (const Cell& cell : poses.cells()) planned += cell.poses;
+  for (const PlannedCell& cell : poses.cells()) planned += cell.poses;
   for (const auto& [stratum, tally] : strata) {
     result.strata.emplace_back(stratum, tally);
     result.all.merge(tally);

@@ -60,7 +60,8 @@ Eigen::Quaterniond some_turn(int i) {
 TriangleMesh frustum(double top_x, double base) {
   TriangleMesh mesh = generate::box({-1, -1, -1}, {1, 1, 1});
   for (Eigen::Vector3d& x : mesh.vertices)
-    x = x.z() > 0 ? Eigen::Vector3d(x.x() * top_x / 2, x.y() / 2, 0) : Eigen::Vector3d(x.x() * base, x.y() * base, -0.5);
+    x = x.z() > 0 ? Eigen::Vector3d(x.x() * top_x / 2, x.y() / 2, 0)
+                  : Eigen::Vector3d(x.x() * base, x.y() * base, -0.5);
   return mesh;
 }
 
@@ -182,9 +183,9 @@ TEST(HardBounds, OfAreasOfLongRodsThroughAPlateHold) {
   }
 }
 
-/// What a face sees is hidden nowhere, but by a face that passes through it along a side of what is seen, at an angle of
-/// 2^-10.5, where heights are not computed exactly any more: a right engine finds that line off by some 2^10 times what
-/// it finds edges off, and may hide a strip as wide.
+/// What a face sees is hidden nowhere, but by a face that passes through it along a side of what is seen, at an angle
+/// of 2^-10.5, where heights are not computed exactly any more: a right engine finds that line off by some 2^10 times
+/// what it finds edges off, and may hide a strip as wide.
 TEST(HardBounds, OfFacesPassingThroughEachOtherBesideWhatIsSeenHold) {
   for (const double size : {3.0, 300.0})
     for (int i = 0; i < 20; ++i) {
@@ -194,8 +195,8 @@ TEST(HardBounds, OfFacesPassingThroughEachOtherBesideWhatIsSeenHold) {
     }
 }
 
-/// The same where a face passes through the master's plane beside the master, and may be seen, or hide, as wide a strip:
-/// of that face doubles may see nothing here.
+/// The same where a face passes through the master's plane beside the master, and may be seen, or hide, as wide a
+/// strip: of that face doubles may see nothing here.
 TEST(HardBounds, OfFacesPassingThroughTheMastersPlaneBesideItHold) {
   for (const double slope : {-0x1p-11 / std::sqrt(2.0), -0x1p-11})
     for (int i = 0; i < 20; ++i) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/io/poses_file.h"
+#include "compare/verify/run_identity.h"
 #include "compare/verify/verification_table.h"
 #include "meshes/files/text_file.h"
 #include "tests/compare/tiny_trajectory.h"
@@ -54,8 +55,8 @@ TEST(Trajectory, IsAskedBitForBitWithLawModeAndSchemeOfItsPairing) {
   EXPECT_EQ(first.mode, Mode::F);
   EXPECT_EQ(first.scheme, Scheme::barycentric);
   EXPECT_EQ(first.poses, 3);
-  EXPECT_EQ(run.pose_name(first, 2), "block-brick/trajectory/5/F");
-  const HeldPairing::State asked = run.asked(first, 1);
+  EXPECT_EQ(run.poses().pose_name(first, 2), "block-brick/trajectory/5/F");
+  const HeldPairing::State asked = run.poses().asked(first, 1);
   const State written =
       parse_state("1 0 0  0 0.96 -0.28  0 0.28 0.96   0x1.8p-1 0.13 0.05   -1 0.5 0  0 0 0.5").value();
   EXPECT_EQ(asked.pose.A, written.pose.A);
@@ -73,9 +74,9 @@ TEST(Trajectory, IsAskedBitForBitWithLawModeAndSchemeOfItsPairing) {
   const Cell& second = run.cells()[1];
   EXPECT_EQ(second.mode, Mode::E);
   EXPECT_EQ(second.poses, 6);
-  EXPECT_EQ(run.pose_name(second, 0), "brick-block/trajectory/1/E/clipped");
-  EXPECT_EQ(run.asked(second, 0).law.friction, 0.5);
-  EXPECT_EQ(run.asked(second, 0).scheme, Scheme::clipped);
+  EXPECT_EQ(run.poses().pose_name(second, 0), "brick-block/trajectory/1/E/clipped");
+  EXPECT_EQ(run.poses().asked(second, 0).law.friction, 0.5);
+  EXPECT_EQ(run.poses().asked(second, 0).scheme, Scheme::clipped);
 }
 
 TEST(Trajectory, OfPairingsInDifferentModesEachPoseIsAskedOnce) {
@@ -107,13 +108,13 @@ TEST(Trajectory, PairingsWithoutAPoseAreNamed) {
   const TinyTrajectory trajectory;
   add_pairing(trajectory);
   const Verification few(read_trajectory(trajectory.file(), {1, {}, {}}));
-  ASSERT_EQ(few.omissions().size(), 1U);
-  EXPECT_EQ(few.omissions()[0], "pair brick-block gets no pose: 1 poses are too few");
+  ASSERT_EQ(few.poses().omissions().size(), 1U);
+  EXPECT_EQ(few.poses().omissions()[0], "pair brick-block gets no pose: 1 poses are too few");
   trajectory.folder().write("1.poses", "");
   const Verification never(read_trajectory(trajectory.file()));
-  ASSERT_EQ(never.omissions().size(), 1U);
-  EXPECT_EQ(never.omissions()[0], "pair brick-block gets no pose: none is recorded, for it never touched");
-  EXPECT_EQ(never.without_poses(), "1 of 2 pairs");
+  ASSERT_EQ(never.poses().omissions().size(), 1U);
+  EXPECT_EQ(never.poses().omissions()[0], "pair brick-block gets no pose: none is recorded, for it never touched");
+  EXPECT_EQ(never.poses().without_poses(), "1 of 2 pairs");
 }
 
 /// The force on E at the second of the tiny trajectory's poses is too large by a part in 10^9.
@@ -142,7 +143,7 @@ TEST(Trajectory, AnAlteredAnswerIsADisagreementWhoseCaseIsTheRecordedPose) {
   EXPECT_EQ(run.total().by_kind[static_cast<std::size_t>(Kind::force)], 1);
   ASSERT_EQ(run.findings().size(), 1U);
   const Finding& finding = run.findings()[0];
-  EXPECT_EQ(run.pose_name(run.cells()[finding.cell], finding.pose), "block-brick/trajectory/3/F");
+  EXPECT_EQ(run.poses().pose_name(run.cells()[finding.cell], finding.pose), "block-brick/trajectory/3/F");
 
   const std::string file = trajectory.folder().path("case.json");
   write_text_file(file, format_case(run.as_case(finding), finding.disagreements, {}, {}));
@@ -158,11 +159,11 @@ TEST(Trajectory, AnAlteredAnswerIsADisagreementWhoseCaseIsTheRecordedPose) {
 TEST(Trajectory, StateOfAnotherRecordingIsToldApart) {
   const TinyTrajectory trajectory;
   const Verification run(read_trajectory(trajectory.file()));
-  EXPECT_EQ(run.difference_from(run.state()), "");
+  EXPECT_EQ(difference_from(run.plan(), run.state().at("run")), "");
   const auto expect_other = [&] {
     const Verification other(read_trajectory(trajectory.file()));
-    EXPECT_TRUE(other.same_arguments(run.state()));
-    EXPECT_EQ(other.difference_from(run.state()), "of another recording");
+    EXPECT_TRUE(same_arguments(other.plan(), run.state().at("run")));
+    EXPECT_EQ(difference_from(other.plan(), run.state().at("run")), "of another recording");
   };
   trajectory.write_index([](Json& json) { json["pairings"][0]["law"]["friction"] = "0x1p-1"; });
   expect_other();

@@ -309,10 +309,10 @@ TEST(Verdict, SlaveNearlyParallelToTheLineOfAClampedElementAtRestHasABound) {
     plan.strata = {Stratum::near_degenerate};
     plan.poses = 1;
     const Verification run(plan);
-    const DrawnPose drawn = run.draw(run.cells().front(), 3090);
+    const DrawnPose drawn = run.poses().draw(run.cells().front(), 3090);
     fast::Workspace workspace;
     const PoseOutcome outcome =
-        run.held_pairing(run.cells().front(), 3090).hold(drawn.pose, drawn.velocity, workspace).front();
+        run.poses().held_pairing(run.cells().front(), 3090).hold(drawn.pose, drawn.velocity, workspace).front();
     EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
     return;
   }

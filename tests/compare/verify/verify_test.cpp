@@ -47,7 +47,8 @@ TEST(Verification, SmallPairAgreesInEveryStratum) {
   EXPECT_EQ(total.disagreeing, 0);
   for (const Finding& finding : run.findings())
     for (const Disagreement& d : finding.disagreements)
-      ADD_FAILURE() << run.pose_name(run.cells()[finding.cell], finding.pose) << ": " << name(d.kind) << ": " << d.text;
+      ADD_FAILURE() << run.poses().pose_name(run.cells()[finding.cell], finding.pose) << ": " << name(d.kind) << ": "
+                    << d.text;
   for (const Cell& cell : run.cells()) {
     const double touching = static_cast<double>(cell.tally.touching) / static_cast<double>(cell.poses);
     if (cell.stratum == Stratum::separated || cell.stratum == Stratum::nested) {
@@ -100,7 +101,8 @@ TEST(Verification, PosesOfAPairWithVariantsTakeThemInTurn) {
   std::vector<std::vector<Eigen::Vector3d>> expected = {pair.E.vertices, pair.variants[0][0].vertices,
                                                         pair.variants[1][0].vertices};
   for (std::int64_t pose = 0; pose < 6; ++pose) {
-    EXPECT_EQ(run.held_pairing(cell, pose).features().E.mesh.vertices, expected[static_cast<std::size_t>(pose % 3)])
+    EXPECT_EQ(run.poses().held_pairing(cell, pose).features().E.mesh.vertices,
+              expected[static_cast<std::size_t>(pose % 3)])
         << pose;
     EXPECT_EQ(run.as_case({0, pose, {}}).E.vertices, expected[static_cast<std::size_t>(pose % 3)]) << pose;
   }
@@ -208,10 +210,10 @@ TEST(Verification, NoPoseOfAPairAndStratumIsAskedTwice) {
   for (const Cell& cell : run.cells())
     for (std::int64_t pose = cell.first; pose < cell.first + cell.poses; ++pose) {
       ++poses;
-      EXPECT_TRUE(numbers[std::pair(cell.pair, cell.stratum)].insert(pose).second) << run.pose_name(cell, pose);
+      EXPECT_TRUE(numbers[std::pair(cell.pair, cell.stratum)].insert(pose).second) << run.poses().pose_name(cell, pose);
       if (cell.stratum != Stratum::generic) continue;  // of the others some may be in one place by chance
       ++generic;
-      const HeldPairing::State state = run.asked(cell, pose);
+      const HeldPairing::State state = run.poses().asked(cell, pose);
       states.insert({state.pose.r.x(), state.pose.r.y(), state.pose.r.z(), state.law.stiffness, state.law.damping,
                      state.law.friction});
     }
@@ -239,7 +241,7 @@ TEST(Verification, FindingsOfTheClippedSchemeAreThePosesThatWereAsked) {
   ASSERT_GT(clipped->first, 0);
   const Case posed = run.as_case({static_cast<std::size_t>(clipped - run.cells().begin()), clipped->first, {}});
   EXPECT_EQ(posed.scheme, Scheme::clipped);
-  EXPECT_EQ(posed.pose.r, run.draw(*clipped, clipped->first).pose.r);
+  EXPECT_EQ(posed.pose.r, run.poses().draw(*clipped, clipped->first).pose.r);
   EXPECT_NE(posed.origin.find(std::to_string(clipped->first) + "/both/clipped"), std::string::npos) << posed.origin;
 }
 
@@ -278,15 +280,15 @@ TEST(Verification, WhatGetsNoPoseIsSaidInTablesAndVerdict) {
   run_all(run, 1);
   for (const std::string& words : {std::string("stratum generic"), std::string("clipped scheme"),
                                    "1 of 2 pairs get no pose (" + small_pair().name}) {
-    EXPECT_TRUE(any_says(run.omissions(), words)) << words;
+    EXPECT_TRUE(any_says(run.poses().omissions(), words)) << words;
     EXPECT_NE(verification_summary(run).find(words), std::string::npos) << words;
     EXPECT_NE(verification_markdown(run).find(words), std::string::npos) << words;
   }
   EXPECT_NE(verdict_line(run).find("(no pose: generic; clipped scheme; 1 of 2 pairs)"), std::string::npos)
       << verdict_line(run);
   const Verification enough(plan_of_both_schemes(120));
-  EXPECT_EQ(enough.without_poses(), "");
-  EXPECT_TRUE(enough.omissions().empty()) << enough.omissions().front();
+  EXPECT_EQ(enough.poses().without_poses(), "");
+  EXPECT_TRUE(enough.poses().omissions().empty()) << enough.poses().omissions().front();
 }
 
 /// Breaks down, by no BadInput, when a law is drawn at some poses.
@@ -328,7 +330,8 @@ TEST(Verification, PosesThatNoSceneIsAskedAboutAreCountedAndKept) {
   run_all(run, 2);
   std::int64_t skipped = 0;
   const Cell& cell = run.cells().front();
-  for (std::int64_t pose = 0; pose < cell.poses; ++pose) skipped += !is_pose_for_scenes(run.asked(cell, pose).pose);
+  for (std::int64_t pose = 0; pose < cell.poses; ++pose)
+    skipped += !is_pose_for_scenes(run.poses().asked(cell, pose).pose);
   ASSERT_GT(skipped, 0);
   const std::string words = "no scene was asked about " + std::to_string(skipped) + " of 600 poses";
   EXPECT_NE(verification_summary(run).find(words), std::string::npos) << without_scene_line(run);
