@@ -12,6 +12,7 @@
 
 #include "compare/cli/verify_run.h"
 #include "compare/verify/kept_run.h"
+#include "compare/verify/run_verdict.h"
 #include "compare/verify/summary.h"
 #include "compare/verify/verification_table.h"
 #include "compare/verify/verification_widths.h"

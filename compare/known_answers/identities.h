@@ -3,32 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "compare/known_answers/identity_result.h"
 #include "compare/known_answers/known_answers.h"
 
 /// Identities that need no reference: what must hold of any answer, whatever its value (CASES B).
 namespace pcm::compare {
-
-/// How far the two sides of an identity may be apart.
-enum class Sharpness : std::uint8_t {
-  bits,      ///< bit for bit
-  rounding,  ///< within what is derived for the rounding of both
-  exact,     ///< equal rational numbers
-};
-
-struct IdentityResult {
-  std::string name;
-  std::string statement;
-  Sharpness sharpness = Sharpness::bits;
-  std::int64_t checks = 0;  ///< comparisons made
-  std::int64_t violations = 0;
-  double worst = 0;   ///< greatest difference in units of what rounding allows; 0 where it is bit for bit
-  std::string first;  ///< the first violation: where, and what
-
-  bool passed() const { return violations == 0 && checks > 0; }
-};
 
 /// All identities, on poses drawn by `draw_pose` with this seed from the built-in pairs, and on poses made for them.
 /// The same result whatever the number of threads of the current TBB arena.

@@ -16,7 +16,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr double u = kRoundoff;
+using roundoff::u;
 
 /// Bounds are sums of a few rounded terms of one sign: twice covers their own roundings, and those of higher order.
 Eigen::Vector3d with_higher_order(const Eigen::Vector3d& bound) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compare/io/random.h"
-#include "compare/known_answers/identities.h"
+#include "compare/known_answers/identity_result.h"
 #include "compare/poses/strata.h"
 #include "pcm/engine.h"
 

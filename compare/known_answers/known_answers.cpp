@@ -10,8 +10,6 @@
 #include <cmath>
 #include <utility>
 
-#include "compare/known_answers/problems.h"
-
 namespace pcm::compare {
 namespace {
 
@@ -127,15 +125,6 @@ KnownAnswerResult run(KnownAnswer problem) {
   }
   result.problem = std::move(problem);
   return result;
-}
-
-const std::vector<KnownAnswerFamily>& known_answer_families() {
-  static const std::vector<KnownAnswerFamily> families{
-#ifdef PCM_WITH_DYNAMICS
-      motions,
-#endif
-      blocks,  spheres_on_planes, cylinders, sockets, volumes, wedges};
-  return families;
 }
 
 }  // namespace pcm::compare

@@ -112,10 +112,4 @@ Convergence convergence(const std::vector<Resolution>& levels, const std::vector
 /// Runs all series of a problem on the threads of the current TBB arena. The same bits whatever their number.
 KnownAnswerResult run(KnownAnswer problem);
 
-/// Problems that share their meshes, made when they are asked for: those of fine levels are large.
-using KnownAnswerFamily = std::vector<KnownAnswer> (*)(Extent);
-
-/// All families.
-const std::vector<KnownAnswerFamily>& known_answer_families();
-
 }  // namespace pcm::compare

@@ -6,7 +6,7 @@
 
 #include "compare/known_answers/known_answers.h"
 
-/// The families of known answers, one a file.
+/// The families of known answers, each made in a file of its own.
 namespace pcm::compare {
 
 std::vector<KnownAnswer> blocks(Extent extent);             ///< A1, A11
@@ -18,5 +18,11 @@ std::vector<KnownAnswer> wedges(Extent extent);             ///< A9, A10
 #ifdef PCM_WITH_DYNAMICS
 std::vector<KnownAnswer> motions(Extent extent);  ///< A12 to A17
 #endif
+
+/// Problems that share their meshes, made when they are asked for: those of fine levels are large.
+using KnownAnswerFamily = std::vector<KnownAnswer> (*)(Extent);
+
+/// All families.
+const std::vector<KnownAnswerFamily>& known_answer_families();
 
 }  // namespace pcm::compare

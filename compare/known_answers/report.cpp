@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "compare/io/table.h"
+#include "compare/known_answers/problems.h"
 
 namespace pcm::compare {
 namespace {

@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/poses/surface_features.h"
+#include "compare/verify/bound_arithmetic.h"
+
 namespace pcm::compare {
 namespace {
-
-constexpr double kRoundoff = 0x1p-53;
-
-double radius_about_origin(const TriangleMesh& mesh) {
-  double greatest = 0;
-  for (const Eigen::Vector3d& x : mesh.vertices) greatest = std::max(greatest, x.norm());
-  return greatest;
-}
 
 /// Of a vertex at each of two poses: three products and three sums of at most |x_F| or |x_F| + |r| each, and as many
 /// again for the depth (11) and the sums over the elements.

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <set>
 
+#include "compare/poses/surface_features.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -23,12 +25,6 @@ struct Plane {
   Eigen::Vector3d n;      ///< unit normal
   Eigen::Vector3d point;  ///< of it
 };
-
-double radius_about_origin(const TriangleMesh& mesh) {
-  double greatest = 0;
-  for (const Eigen::Vector3d& x : mesh.vertices) greatest = std::max(greatest, x.norm());
-  return greatest;
-}
 
 /// The distinct planes of a mesh's faces: those nearer than kNear count once, but for some on either side of a
 /// rounding.

@@ -21,10 +21,6 @@ namespace {
 
 using Attempt = std::optional<DrawnPose>;
 
-const Eigen::Vector3d& vertex(const SurfaceFeatures& surface, Index v) {
-  return surface.mesh.vertices[static_cast<std::size_t>(v)];
-}
-
 /// A rotation of the cube that takes the F axis `from` to the E axis `to`, with the sign given.
 Eigen::Matrix3d cube_rotation(int from, int to, int sign, PoseRandom& random) {
   const bool even = random.coin();

@@ -8,10 +8,6 @@
 namespace pcm::compare::detail {
 namespace {
 
-const Eigen::Vector3d& vertex(const SurfaceFeatures& surface, Index v) {
-  return surface.mesh.vertices[static_cast<std::size_t>(v)];
-}
-
 /// A point of a surface with an outward direction there.
 struct SurfacePoint {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();

@@ -161,4 +161,10 @@ double bounding_radius(const SurfaceFeatures& features) {
   return std::sqrt(greatest);
 }
 
+double radius_about_origin(const TriangleMesh& mesh) {
+  double greatest = 0;
+  for (const Eigen::Vector3d& x : mesh.vertices) greatest = std::max(greatest, x.norm());
+  return greatest;
+}
+
 }  // namespace pcm::compare

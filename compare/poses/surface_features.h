@@ -48,6 +48,10 @@ struct SurfaceFeatures {
   bool closed = false;  ///< no border edge
 };
 
+inline const Eigen::Vector3d& vertex(const SurfaceFeatures& surface, Index v) {
+  return surface.mesh.vertices[static_cast<std::size_t>(v)];
+}
+
 /// A ball inside a closed surface: no surface point is nearer to the centre than the radius.
 struct InnerBall {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -60,5 +64,8 @@ InnerBall inner_ball(const SurfaceFeatures& features);
 
 /// Radius about the centre of the bounding box that holds all of the surface, m.
 double bounding_radius(const SurfaceFeatures& features);
+
+/// Radius about the origin that holds all of the surface, m.
+double radius_about_origin(const TriangleMesh& mesh);
 
 }  // namespace pcm::compare

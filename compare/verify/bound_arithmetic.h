@@ -7,6 +7,10 @@ namespace pcm::compare {
 
 /// Unit roundoff: |fl(x op y) - (x op y)| <= kRoundoff |x op y|.
 inline constexpr double kRoundoff = 0x1p-53;
+/// As error analysis writes it: for a using-declaration in files that consist of such formulas.
+namespace roundoff {
+inline constexpr double u = kRoundoff;
+}  // namespace roundoff
 
 /// Terms of second order in the unit roundoff, and the rounding of the bounds themselves, are covered by doubling.
 inline constexpr double kHigherOrder = 2;

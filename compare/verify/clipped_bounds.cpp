@@ -11,7 +11,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr double u = kRoundoff;
+using roundoff::u;
 
 /// An outline that is moved by no more than the strip's width changes the area by no more.
 double strips_along(double length, double strip) {

@@ -12,7 +12,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr double u = kRoundoff;
+using roundoff::u;
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr double u = kRoundoff;
+using roundoff::u;
 
 /// Part of F_t / (mu F_n), t (2 - t) with t = v_t / v_eps below 1 and 1 from there on, that an error of v_t may change:
 /// Lipschitz with 2 / v_eps; without v_eps a step at rest.

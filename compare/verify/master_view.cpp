@@ -13,7 +13,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr double u = kRoundoff;
+using roundoff::u;
 
 /// Where a face is thinner than this part of its sides, its normal is computed exactly; so none is worse than that.
 constexpr double kNeedle = 0x1p-16;

@@ -12,7 +12,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr double u = kRoundoff;
+using roundoff::u;
 
 /// A sum, and that of the terms' sizes: n terms added up in any order are off by n u times these.
 template <class Value>

@@ -13,7 +13,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr double u = kRoundoff;
+using roundoff::u;
 
 using Face = RoundedFaces::Face;
 

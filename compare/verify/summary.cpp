@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "compare/verify/verification_table.h"
+#include "compare/verify/run_verdict.h"
 #include "compare/verify/verification_widths.h"
 
 namespace pcm::compare {

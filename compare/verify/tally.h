@@ -67,6 +67,9 @@ struct Widths {
   static Widths from_json(const nlohmann::ordered_json& json);
 };
 
+/// What the tables show of a distribution: median, 99th and 99.9th percentile.
+inline constexpr std::array<double, 3> kShownQuantiles = {0.5, 0.99, 0.999};
+
 inline constexpr int kErrors = 8;
 
 /// The errors of RelativeErrors in their order there, by name; the engine's own bounds last.

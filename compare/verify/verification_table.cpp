@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <vector>
 
 #include "compare/io/names.h"
+#include "compare/verify/run_verdict.h"
 #include "compare/verify/verification_widths.h"
 
 namespace pcm::compare {
@@ -54,29 +53,14 @@ std::string plain(const std::string& word) {
 constexpr std::array kShownKinds = {Kind::touching,          Kind::polygon_count, Kind::polygon_cycle,
                                     Kind::intersected_faces, Kind::inner_faces,   Kind::elements};
 
-/// Whether the surfaces cross does not depend on the mode.
-std::int64_t touching_poses(const Verification& run) {
-  return run.total().touching / run.poses().modes_per_pose();
-}
-
 double exact_fallback_rate(const Tally& tally) {
   return tally.predicates > 0 ? static_cast<double>(tally.exact_predicates) / static_cast<double>(tally.predicates) : 0;
 }
 
-/// Each pose once, however many modes; strata that have such poses.
-std::map<Stratum, std::int64_t> poses_without_scene(const Verification& run) {
-  std::map<Stratum, std::int64_t> poses;
-  for (std::size_t c = 0; c < run.cells().size(); c += static_cast<std::size_t>(run.poses().modes_per_pose()))
-    if (const Cell& cell = run.cells()[c]; cell.without_scene > 0) poses[cell.stratum] += cell.without_scene;
-  return poses;
-}
-
-constexpr std::array<double, 3> kQuantiles = {0.5, 0.99, 0.999};
-
 std::string error_cell(const Tally& tally, std::size_t k) {
   if (tally.errors[k].count() == 0) return "-";
   std::string text;
-  for (const double q : kQuantiles) text += fmt::format("{:.1e} / ", tally.error_quantile(k, q));
+  for (const double q : kShownQuantiles) text += fmt::format("{:.1e} / ", tally.error_quantile(k, q));
   return text + fmt::format("{:.1e}", tally.worst[k].value);
 }
 
@@ -172,7 +156,7 @@ std::string verification_csv(const Verification& run) {
                         t.backward_error_ulps.pose);
     for (std::size_t k = 0; k < kErrors; ++k) {
       text += fmt::format(",{}", t.errors[k].count());
-      for (const double q : kQuantiles) text += fmt::format(",{}", t.error_quantile(k, q));
+      for (const double q : kShownQuantiles) text += fmt::format(",{}", t.error_quantile(k, q));
       text += fmt::format(",{},{}", t.worst[k].value, t.worst[k].pose);
     }
     text += "\n";
@@ -242,68 +226,6 @@ std::string times_markdown(const Verification& run) {
                         1e3 * t.oracle_exact_seconds.quantile(0.99));
   }
   return text;
-}
-
-Tally measured_poses(const Verification& run, std::optional<Scheme> scheme) {
-  Tally measured;
-  for (const Cell& cell : run.cells()) {
-    const bool is_measured = cell.stratum == Stratum::generic && !run.plan().pairs[cell.pair].made_to_hurt;
-    if (is_measured && scheme.value_or(cell.scheme) == cell.scheme) measured.merge(cell.tally);
-  }
-  return measured;
-}
-
-// Of few answers the greatest error is left out as well: one of them tells nothing of a percentile. Where a face hides
-// part of another, a strip as narrow as roundings may be the deepest thing seen, or not: so the greatest penetration
-// alone is held at another percentile.
-std::optional<MissedMeasure> missed_measure(const Tally& measured) {
-  std::optional<MissedMeasure> worst;
-  for (std::size_t k = 0; k < kFirstBound; ++k) {
-    const std::int64_t one_in = k == kPenetrationError ? 100 : 1000;
-    const Histogram& errors = measured.errors[k];
-    const std::int64_t rank = errors.count() - std::max<std::int64_t>(1, errors.count() / one_in);
-    const double error = rank < 1 ? 0 : errors.at_rank(rank);
-    if (!(error <= kMeasure) && !(worst && error <= worst->error))
-      worst = MissedMeasure{kErrorNames[k], error, k == kPenetrationError ? "99th" : "99.9th"};
-  }
-  return worst;
-}
-
-std::optional<MissedMeasure> missed_measure(const Verification& run) {
-  return missed_measure(measured_poses(run));
-}
-
-std::string without_scene_line(const Verification& run) {
-  std::string strata;
-  std::int64_t all = 0;
-  for (const auto& [stratum, poses] : poses_without_scene(run)) {
-    strata += fmt::format("{}{} {}", strata.empty() ? "" : ", ", name(stratum), poses);
-    all += poses;
-  }
-  if (all == 0) return "";
-  return fmt::format("paths: no scene was asked about {} of {} poses, whose A is no rotation to 1e-10 ({})", all,
-                     run.poses_done(), strata);
-}
-
-bool is_verified(const Verification& run) {
-  return run.finished() && run.total().disagreeing == 0 && !missed_measure(run);
-}
-
-std::string verdict_line(const Verification& run) {
-  const std::int64_t disagreeing = run.total().disagreeing;
-  const std::int64_t modes = run.poses().modes_per_pose();
-  const std::optional<MissedMeasure> missed = missed_measure(run);
-  const char* verdict = is_verified(run)                      ? "verified"
-                        : disagreeing == 0 && !run.finished() ? "unfinished"
-                                                              : "NOT verified";
-  std::string line = fmt::format("{}: {} poses{}, {} touching, {} disagreements", verdict, run.poses_done(),
-                                 modes > 1 ? fmt::format(" in {} modes", modes) : "", touching_poses(run), disagreeing);
-  if (missed)
-    line += fmt::format(", {} error of {:.1e} S/p at the {} percentile of generic (measure: {:.0e})", missed->what,
-                        missed->error, missed->percentile, kMeasure);
-  if (!run.poses().without_poses().empty()) line += fmt::format(" (no pose: {})", run.poses().without_poses());
-  if (!run.finished()) line += fmt::format(" (interrupted, {} poses wanted)", run.plan().poses);
-  return line;
 }
 
 }  // namespace pcm::compare

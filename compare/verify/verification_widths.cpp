@@ -12,12 +12,10 @@
 #include <vector>
 
 #include "compare/io/names.h"
-#include "compare/verify/verification_table.h"
+#include "compare/verify/run_verdict.h"
 
 namespace pcm::compare {
 namespace {
-
-constexpr std::array<double, 3> kQuantiles = {0.5, 0.99, 0.999};
 
 struct KindText {
   Kind kind;
@@ -109,7 +107,7 @@ std::string widths_markdown(const Verification& run) {
       "|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
   for_each_width(run, [&text](const Group& group, Kind kind, const Widths& widths) {
     text += fmt::format("| {} | {} | {} | {} |", group.stratum, name(group.scheme), name(kind), widths.count());
-    for (const double q : kQuantiles)
+    for (const double q : kShownQuantiles)
       text += fmt::format(" {} |", widths.has_quantiles() ? number(widths.quantile(q)) : "-");
     text += fmt::format(" {} | {} | {} |\n", widths.infinite, widths.wider, widths.of_zero);
   });
@@ -123,7 +121,8 @@ std::string widths_csv(const Verification& run) {
   std::string text = "stratum,scheme,check,checks,median,p99,p99.9,any,wider,of 0\n";
   for_each_width(run, [&text](const Group& group, Kind kind, const Widths& widths) {
     text += fmt::format("{},{},{},{}", group.stratum, name(group.scheme), name(kind), widths.count());
-    for (const double q : kQuantiles) text += widths.has_quantiles() ? fmt::format(",{}", widths.quantile(q)) : ",";
+    for (const double q : kShownQuantiles)
+      text += widths.has_quantiles() ? fmt::format(",{}", widths.quantile(q)) : ",";
     text += fmt::format(",{},{},{}\n", widths.infinite, widths.wider, widths.of_zero);
   });
   return text;

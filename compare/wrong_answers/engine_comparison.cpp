@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 
+#include "compare/verify/planned_poses.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {

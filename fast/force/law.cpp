@@ -3,13 +3,13 @@
 #include "fast/force/law.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
 
 #include "fast/base/geometry.h"
+#include "fast/law/element_force.h"
 #include "meshes/base/floating_point_environment.h"
 #include "pcm/bad_input.h"
 
@@ -111,21 +111,8 @@ SeriesStiffness::SeriesStiffness(const ContactLaw& law) {
 }
 
 ElementForce element_force(const ContactLaw& law, double c_l, double area, double penetration, double v_n, double v_t) {
-  const double elastic = c_l * area * penetration;  // (14)
-  double damping = law.damping * area * v_n;        // (15)
-  if (penetration < law.transition_depth) damping *= penetration / law.transition_depth;
-  if (law.damping_mode == DampingMode::compression && v_n < 0) damping = 0;
-  ElementForce force;
-  force.normal = elastic + damping;
-  if (law.damping_mode != DampingMode::full) force.normal = std::max(force.normal, 0.0);  // (18)
-  const double limit = law.friction * std::max(force.normal, 0.0);
-  if (v_t >= law.slip_velocity) {
-    force.tangential = v_t > 0 ? limit : 0;
-  } else {
-    const double slip = v_t / law.slip_velocity;  // (20)
-    force.tangential = limit * slip * (2 - slip);
-  }
-  return force;
+  const auto [normal, tangential] = element_forces(law, c_l, area, penetration, v_n, v_t);
+  return {normal, tangential};
 }
 
 }  // namespace pcm::fast

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The steps of fast/simd/elements.h, for files that are compiled for different instructions: everything here is local
-// to the file that includes it, and no function of another header is called, so that no wide instruction leaks out
-// (nothing but accessors, which optimized builds do not call).
+// to the file that includes it, and no function of another header is called unless it is as local (or nothing but an
+// accessor, which optimized builds do not call), so that no wide instruction leaks out.
 #pragma once
 
+#include "fast/law/element_force.h"
 #include "fast/simd/elements.h"
 #include "fast/simd/vector_types.h"
 
@@ -158,7 +159,6 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
 }
 
 LaneBits find_force(ElementLanes& lanes, const ForceLimits& limits) {
-  const ContactLaw& law = limits.law;
   const Vector4 n = -load(lanes.n_Me);
   const Double4 area = load(lanes.area), depth = load(lanes.depth);
   const Vector4 position = load(lanes.barycentre_Me) + (four(limits.shift) * depth) * n;  // (13)
@@ -175,17 +175,8 @@ LaneBits find_force(ElementLanes& lanes, const ForceLimits& limits) {
     v_t = length.value;  // (19)
     known = lanes_of(length.known | length.zero);
   }
-  Double4 damping = four(law.damping) * area * v_n;  // (15)
-  damping = depth < four(law.transition_depth) ? damping * (depth / four(law.transition_depth)) : damping;
-  if (law.damping_mode == DampingMode::compression) damping = v_n < four(0) ? four(0) : damping;
-  Double4 normal = four(limits.c_l) * area * depth + damping;  // (14)
-  const Double4 pressing = greatest(normal, four(0));
-  if (law.damping_mode != DampingMode::full) normal = pressing;  // (18)
-  const Double4 limit = four(law.friction) * pressing;
-  const Double4 ratio = v_t / four(law.slip_velocity);
+  const auto [normal, tangential] = element_forces(limits.law, limits.c_l, area, depth, v_n, v_t);
   const Long4 slides = v_t > four(0);
-  const Double4 tangential =
-      v_t >= four(law.slip_velocity) ? (slides ? limit : four(0)) : limit * ratio * (four(2) - ratio);  // (20)
   const Vector4 straight = normal * n;
   Vector4 force = choice(slides, straight + tangential * (slip / v_t), straight);  // (21)
   if (!limits.master_E) force = -force;

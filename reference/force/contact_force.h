@@ -5,18 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "reference/elements/element_source.h"
+#include "reference/force/force_question.h"
 #include "reference/vocabulary/answer.h"
 
 namespace pcm::reference {
-
-/// One master's elements in a pose and what is asked of the force law about them. Refers to all of it.
-struct ForceQuestion {
-  const ExactPose& pose;
-  const ElementSource& elements;
-  const ContactLaw& law;
-  const Velocity& velocity;
-};
 
 /// What the law makes of one master's elements, each computed once, when first asked for: any number of totals share
 /// it.

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/force/contact_force.h"
+#include "reference/force/force_question.h"
 #include "reference/force/law.h"
 #include "reference/numbers/radical_sum.h"
 

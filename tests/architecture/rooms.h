@@ -28,7 +28,7 @@ inline const std::vector<Part>& parts() {
         {"read_mesh.h", "files"},
         {"write_obj.h", "files"}}},
       {"fast",
-       {"base", "predicates", "prism", "surface", "posed", "simd", "search", "crossings", "active", "force",
+       {"base", "predicates", "prism", "surface", "posed", "law", "simd", "search", "crossings", "active", "force",
         "barycentric", "clipped", "bounds", "engine"},
        {{"inputs.h", "base"},
         {"work_counters.h", "base"},

@@ -10,6 +10,7 @@
 
 #include "compare/io/poses_file.h"
 #include "compare/verify/run_identity.h"
+#include "compare/verify/run_verdict.h"
 #include "compare/verify/verification_table.h"
 #include "meshes/files/text_file.h"
 #include "tests/compare/tiny_trajectory.h"

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/verify/run_verdict.h"
 #include "compare/verify/summary.h"
 #include "compare/verify/verification_table.h"
 #include "compare/verify/verify.h"
