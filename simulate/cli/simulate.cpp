@@ -20,6 +20,7 @@
 #include "pcm/bad_input.h"
 #include "simulate/page/page.h"
 #include "simulate/paraview/vtp_series.h"
+#include "simulate/record/integrator_comparison_report.h"
 #include "simulate/record/recorded_run.h"
 #include "simulate/record/recorded_state.h"
 #include "simulate/record/recording_of_run.h"
@@ -34,9 +35,9 @@ namespace {
 using compare::Exit;
 
 struct SimulateOptions {
-  std::string scene, out, method, duration, relative, absolute, greatest_step, spectrum, from, at;
+  std::string scene, out, method, duration, relative, absolute, greatest_step, spectrum, from, at, slip_velocity;
   std::optional<std::string> stills;
-  bool paraview = false, schema = false, print = false;
+  bool paraview = false, schema = false, print = false, compares = false;
 };
 
 /// "bubbles, pedestrian, ..."
@@ -78,6 +79,8 @@ void apply(const SimulateOptions& options, Scene& scene) {
   number("--relative-tolerance", options.relative, scene.integrator.relative_tolerance);
   number("--absolute-tolerance", options.absolute, scene.integrator.absolute_tolerance);
   number("--greatest-step", options.greatest_step, scene.integrator.greatest_step);
+  if (!options.slip_velocity.empty())
+    set_slip_velocity(scene, compare::positive_number("--slip-velocity", options.slip_velocity));
   if (!options.spectrum.empty())
     scene.output.spectrum_interval =
         static_cast<std::int64_t>(compare::whole_number("--spectrum", options.spectrum, 1, 1000000000));
@@ -108,6 +111,23 @@ class ProgressLine {
   int shown_ = -1;
 };
 
+/// To a folder: a table and a picture.
+Exit compare_all(const SimulateOptions& options, const Scene& scene) {
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  const IntegratorComparison comparison = compare_integrators(scene, known_methods(), [&](const std::string& what) {
+    if (terminal) fmt::print(stderr, "{}\n", what);
+  });
+  const std::string title = scene.title.empty() ? options.scene : scene.title;
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-integrators" : options.out;
+  std::filesystem::create_directories(folder);
+  const std::string table = comparison_table(comparison);
+  write_text_file(folder / "integrators.md", "# " + title + "\n\n" + table);
+  write_text_file(folder / "integrators.svg", comparison_picture(title + ": integrators compared", comparison));
+  std::cout << table << "\npicture: " << (folder / "integrators.svg").string() << '\n';
+  return Exit::success;
+}
+
 Exit simulate(const SimulateOptions& options) {
   if (options.schema) {
     std::cout << scene_schema();
@@ -121,6 +141,7 @@ Exit simulate(const SimulateOptions& options) {
   }
   Scene scene = parse_scene(text, options.scene);
   apply(options, scene);
+  if (options.compares) return compare_all(options, scene);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;
   std::string notice;
@@ -183,6 +204,11 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("--relative-tolerance", options->relative, "In place of the scene's");
   command->add_option("--absolute-tolerance", options->absolute, "In m, rad, m/s and rad/s, in place of the scene's");
   command->add_option("--greatest-step", options->greatest_step, "In s, in place of the scene's");
+  command->add_option("--slip-velocity", options->slip_velocity,
+                      "In m/s, of every law with friction, in place of the scene's");
+  command->add_flag("--compare-integrators", options->compares,
+                    "In place of a run: every integrator at several tolerances and slip velocities; a table and a "
+                    "picture, in the folder SCENE-integrators where --out is left out");
   command->add_option("--spectrum", options->spectrum,
                       "Every so many steps also the eigenvalues of df/dy, in spectrum.csv");
   command->add_flag("--paraview", options->paraview, "Also write the frames for ParaView: paraview/frames.pvd");

@@ -45,6 +45,7 @@ Json settings(const Scene& scene) {
             {"absolute_tolerance", scene.integrator.absolute_tolerance},
             {"greatest_step", scene.integrator.greatest_step},
             {"spectrum_interval", scene.output.spectrum_interval}};
+  for (const ScenePairing& pairing : scene.pairings) json["slip_velocities"].push_back(pairing.law.slip_velocity);
   if (scene.initial_state) {
     json["initial_state"] = {{"t", compare::hexadecimal(scene.initial_state->t)},
                              {"y", to_json(scene.initial_state->y)}};

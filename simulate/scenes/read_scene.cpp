@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -326,6 +327,10 @@ void SceneReader::read_stills(const Json& json) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, Method>> known_methods() {
+  return {std::begin(kMethods), std::end(kMethods)};
+}
 
 Method method_named(const std::string& word) {
   std::string known;

@@ -184,6 +184,17 @@ TEST(SimulateCommand, RefusesToStartFromWhatIsNotRecorded) {
   }
 }
 
+TEST(SimulateCommand, ComparesIntegratorsOfScenesWithFriction) {
+  const Folder folder(block_over_floor("0.1"));
+  const Outcome outcome = folder.run({"--compare-integrators"});
+  EXPECT_EQ(outcome.status, 2);
+  expect_one_line(outcome.err);
+  EXPECT_NE(outcome.err.find("no law of this scene has friction"), std::string::npos) << outcome.err;
+  const Outcome zero = folder.run({"--slip-velocity", "0"});
+  EXPECT_EQ(zero.status, 2);
+  EXPECT_NE(zero.err.find("--slip-velocity: 0 is not positive"), std::string::npos) << zero.err;
+}
+
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
   const TemporaryFolder folder;
   const Outcome outcome = compare::run_pcm({"simulate", folder.path("")});
