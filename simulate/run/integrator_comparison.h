@@ -37,8 +37,8 @@ struct IntegratorComparison {
 /// Gives every law with friction this slip velocity, m/s.
 void set_slip_velocity(Scene& scene, double slip_velocity);
 
-/// Tolerances from 1e-3 to 1e-6, and slip velocities from a hundred times the scene's down to its own, by powers of
-/// ten. `begin` is told what is begun. Throws BadInput where the scene has no friction, and IntegrationFailure where
+/// Tolerances from 1e-3 to 1e-6, and slip velocities from a hundred times the scene's down to a tenth of it, by powers
+/// of ten. `begin` is told what is begun. Throws BadInput where the scene has no friction, and IntegrationFailure where
 /// the reference can't be had.
 IntegratorComparison compare_integrators(const Scene& scene,
                                          const std::vector<std::pair<std::string, Method>>& integrators,
