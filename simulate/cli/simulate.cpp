@@ -20,7 +20,9 @@
 #include "pcm/bad_input.h"
 #include "simulate/page/page.h"
 #include "simulate/paraview/vtp_series.h"
+#include "simulate/record/integrator_comparison_report.h"
 #include "simulate/record/recorded_run.h"
+#include "simulate/record/recorded_state.h"
 #include "simulate/record/recording_of_run.h"
 #include "simulate/record/run_tables.h"
 #include "simulate/scenes/read_scene.h"
@@ -33,9 +35,9 @@ namespace {
 using compare::Exit;
 
 struct SimulateOptions {
-  std::string scene, out, method, duration, relative, absolute, greatest_step, spectrum;
+  std::string scene, out, method, duration, relative, absolute, greatest_step, spectrum, from, at, slip_velocity;
   std::optional<std::string> stills;
-  bool paraview = false, schema = false, print = false;
+  bool paraview = false, schema = false, print = false, compares = false;
 };
 
 /// "bubbles, pedestrian, ..."
@@ -77,9 +79,14 @@ void apply(const SimulateOptions& options, Scene& scene) {
   number("--relative-tolerance", options.relative, scene.integrator.relative_tolerance);
   number("--absolute-tolerance", options.absolute, scene.integrator.absolute_tolerance);
   number("--greatest-step", options.greatest_step, scene.integrator.greatest_step);
+  if (!options.slip_velocity.empty())
+    set_slip_velocity(scene, compare::positive_number("--slip-velocity", options.slip_velocity));
   if (!options.spectrum.empty())
     scene.output.spectrum_interval =
         static_cast<std::int64_t>(compare::whole_number("--spectrum", options.spectrum, 1, 1000000000));
+  if (options.from.empty() != options.at.empty()) throw BadInput("--from and --at go together");
+  if (!options.from.empty())
+    scene.initial_state = recorded_state(options.from, compare::nonnegative_number("--at", options.at));
   if (options.stills) scene.output.stills = still_instants(*options.stills, scene.duration);
 }
 
@@ -104,6 +111,23 @@ class ProgressLine {
   int shown_ = -1;
 };
 
+/// To a folder: a table and a picture.
+Exit compare_all(const SimulateOptions& options, const Scene& scene) {
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  const IntegratorComparison comparison = compare_integrators(scene, known_methods(), [&](const std::string& what) {
+    if (terminal) fmt::print(stderr, "{}\n", what);
+  });
+  const std::string title = scene.title.empty() ? options.scene : scene.title;
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-integrators" : options.out;
+  std::filesystem::create_directories(folder);
+  const std::string table = comparison_table(comparison);
+  write_text_file(folder / "integrators.md", "# " + title + "\n\n" + table);
+  write_text_file(folder / "integrators.svg", comparison_picture(title + ": integrators compared", comparison));
+  std::cout << table << "\npicture: " << (folder / "integrators.svg").string() << '\n';
+  return Exit::success;
+}
+
 Exit simulate(const SimulateOptions& options) {
   if (options.schema) {
     std::cout << scene_schema();
@@ -117,6 +141,7 @@ Exit simulate(const SimulateOptions& options) {
   }
   Scene scene = parse_scene(text, options.scene);
   apply(options, scene);
+  if (options.compares) return compare_all(options, scene);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;
   std::string notice;
@@ -137,8 +162,8 @@ Exit simulate(const SimulateOptions& options) {
   std::cout << tables << std::flush;
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
-  // There is nothing to be seen of what the run has not reached, or does not as --duration has it.
-  std::erase_if(scene.output.stills, [&run](double t) { return t > run.kept().checkpoint.t; });
+  // There is nothing to be seen of what the run has not reached, or does not as --duration and --at have it.
+  std::erase_if(scene.output.stills, [&](double t) { return t < scene.begin() || t > run.kept().checkpoint.t; });
   const std::vector<std::filesystem::path> stills = write_stills(folder, recording, scene.output.stills);
   write_page(folder / "page.html", recording);
   std::cout << "\npage: " << (folder / "page.html").string() << '\n';
@@ -165,15 +190,25 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
       "  pcm simulate pedestrian --integrator bdf\n"
       "  pcm simulate bubbles --stills 0.45,0.5,0.55\n"
       "  pcm simulate bubbles --print > mine.json\n"
-      "  pcm simulate mine.json --out mine --integrator bdf");
+      "  pcm simulate mine.json --out mine --integrator bdf\n"
+      "  pcm simulate mine.json --from mine --at 1.5 --out finer --relative-tolerance 1e-6");
   command->add_option("SCENE", options->scene, built_in_names() + ", or a scene file");
   command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
   command->add_option("--integrator", options->method,
-                      "adams, bdf, ida, dormand_prince or esdirk, in place of the scene's");
+                      "adams, bdf, ida, dormand_prince, esdirk or rkc, in place of the scene's");
   command->add_option("--duration", options->duration, "In s, in place of the scene's");
+  command->add_option("--from", options->from,
+                      "Start from a state that a run of this scene, or of one with the same bodies and joints, has "
+                      "recorded in this folder");
+  command->add_option("--at", options->at, "In s: which one; the run begins there, its duration counts from t = 0");
   command->add_option("--relative-tolerance", options->relative, "In place of the scene's");
   command->add_option("--absolute-tolerance", options->absolute, "In m, rad, m/s and rad/s, in place of the scene's");
   command->add_option("--greatest-step", options->greatest_step, "In s, in place of the scene's");
+  command->add_option("--slip-velocity", options->slip_velocity,
+                      "In m/s, of every law with friction, in place of the scene's");
+  command->add_flag("--compare-integrators", options->compares,
+                    "In place of a run: every integrator at several tolerances and slip velocities; a table and a "
+                    "picture, in the folder SCENE-integrators where --out is left out");
   command->add_option("--spectrum", options->spectrum,
                       "Every so many steps also the eigenvalues of df/dy, in spectrum.csv");
   command->add_flag("--paraview", options->paraview, "Also write the frames for ParaView: paraview/frames.pvd");

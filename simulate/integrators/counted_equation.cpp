@@ -74,6 +74,14 @@ Answer CountedEquation::derivative(double t, const double* y, double* dydt) {
   });
 }
 
+Answer CountedEquation::derivative_beside(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {
+  return guarded([&] {
+    const bool can_be_had =
+        y.allFinite() && evaluate(t, y, dydt, derivatives_) == Evaluation::available && dydt.allFinite();
+    return can_be_had ? Answer::given : Answer::try_smaller;
+  });
+}
+
 Answer CountedEquation::jacobian(double t, const double* y, const double* dydt, double* J) {
   return guarded([&] {
     assert(dydt || (t == t_ && y_ == ConstMap(y, size())));

@@ -23,6 +23,9 @@ class CountedEquation {
 
   Answer derivative(double t, const double* y, double* dydt);
 
+  /// f beside the solution, for differences: counted alike, but what can't be had there rejects no try.
+  Answer derivative_beside(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt);
+
   /// J by columns, which must be zero or overwritable. `dydt` is f(t, y); where it is null, that of the last call of
   /// `derivative`, which must then have been at (t, y).
   Answer jacobian(double t, const double* y, const double* dydt, double* J);

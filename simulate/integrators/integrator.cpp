@@ -64,9 +64,9 @@ std::string cause_of(Outcome outcome, const CountedEquation& equation, const std
   }
 }
 
-class SundialsIntegrator final : public Integrator {
+class SteppingIntegrator final : public Integrator {
  public:
-  SundialsIntegrator(Method method, DifferentialEquation equation, StepControl control)
+  SteppingIntegrator(Method method, DifferentialEquation equation, StepControl control)
       : method_(method), equation_(std::move(equation), control.absolute), control_(std::move(control)) {}
 
   void start(double t, const Eigen::VectorXd& y) override {
@@ -127,6 +127,8 @@ class SundialsIntegrator final : public Integrator {
         return make_cvode(method_, equation_, control_, t_, y_);
       case Method::ida:
         return make_ida(equation_, control_, t_, y_);
+      case Method::rkc:
+        return make_rkc(equation_, control_, t_, y_);
       default:
         return make_arkode(method_, equation_, control_, t_, y_);
     }
@@ -205,6 +207,8 @@ std::string_view name(Method method) {
       return "IDA";
     case Method::dormand_prince:
       return "ARKODE, Dormand-Prince";
+    case Method::rkc:
+      return "Runge-Kutta-Chebyshev";
     default:
       return "ARKODE, ESDIRK";
   }
@@ -212,7 +216,7 @@ std::string_view name(Method method) {
 
 std::unique_ptr<Integrator> make_integrator(Method method, DifferentialEquation equation, StepControl control) {
   check(method, equation, control);
-  return std::make_unique<SundialsIntegrator>(method, std::move(equation), std::move(control));
+  return std::make_unique<SteppingIntegrator>(method, std::move(equation), std::move(control));
 }
 
 }  // namespace pcm::simulate

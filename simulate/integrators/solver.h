@@ -26,7 +26,7 @@ enum class Outcome : std::uint8_t {
 /// least halves the step, so that a hundred mean that no size works.
 inline constexpr int kMostFailuresInAStep = 100;
 
-/// One of SUNDIALS' integrators from one start on; made anew at each start, so that nothing of the past is in it.
+/// One integrator from one start on; made anew at each start, so that nothing of the past is in it.
 /// Exceptions of the equation wait in it.
 class Solver {
  public:
@@ -51,5 +51,7 @@ std::unique_ptr<Solver> make_ida(CountedEquation& equation, const StepControl& c
                                  const Eigen::VectorXd& y);
 std::unique_ptr<Solver> make_arkode(Method method, CountedEquation& equation, const StepControl& control, double t,
                                     const Eigen::VectorXd& y);
+std::unique_ptr<Solver> make_rkc(CountedEquation& equation, const StepControl& control, double t,
+                                 const Eigen::VectorXd& y);
 
 }  // namespace pcm::simulate

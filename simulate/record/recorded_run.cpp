@@ -34,15 +34,16 @@ RecordedRun::RecordedRun(const Scene& scene, const std::string& scene_text, cons
     kept_ = *found;
     cost_before_ = kept_.cost;
     t_found_ = kept_.checkpoint.t;
-    outputs_ = multiples_until(t_found_, scene_.output.interval, scene_.duration);
     simulation_.start(kept_.checkpoint);
-    return;
+  } else {
+    simulation_.start();
+    kept_.checkpoint = simulation_.checkpoint();
+    t_found_ = kept_.checkpoint.t;
+    folder_.begin(simulation_.model().size());
+    folder_.add_state(t_found_, kept_.checkpoint.y);
+    folder_.keep(kept_);
   }
-  simulation_.start();
-  kept_.checkpoint = simulation_.checkpoint();
-  folder_.begin(simulation_.model().size());
-  folder_.add_state(0, kept_.checkpoint.y);
-  folder_.keep(kept_);
+  outputs_ = multiples_until(t_found_, scene_.output.interval, scene_.duration);
 }
 
 bool RecordedRun::run(const std::function<bool()>& stop, const std::function<void(const Progress&)>& progress) {

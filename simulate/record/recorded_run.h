@@ -46,8 +46,8 @@ class RecordedRun {
   RunFolder folder_;
   KeptRun kept_;
   RunCost cost_before_;       ///< of what was found in the folder
-  double t_found_ = 0;        ///< where that ended, s
-  std::int64_t outputs_ = 0;  ///< states recorded, but for that at t = 0
+  double t_found_ = 0;        ///< where that ended, or where the scene starts, s
+  std::int64_t outputs_ = 0;  ///< multiples of the interval that were passed
   std::int64_t changed_ = 0, too_deep_ = 0;
   double seconds_at_start_ = 0;
 };

@@ -31,14 +31,26 @@ std::string checksum(Json checkpoint) {
   return compare::sha256(checkpoint.dump());
 }
 
+Json to_json(const Eigen::VectorXd& y) {
+  Json json = Json::array();
+  for (const double value : y) json.push_back(compare::hexadecimal(value));
+  return json;
+}
+
 /// What the command line may have changed in the scene as its file has it.
 Json settings(const Scene& scene) {
-  return {{"duration", scene.duration},
-          {"method", name(scene.integrator.method)},
-          {"relative_tolerance", scene.integrator.relative_tolerance},
-          {"absolute_tolerance", scene.integrator.absolute_tolerance},
-          {"greatest_step", scene.integrator.greatest_step},
-          {"spectrum_interval", scene.output.spectrum_interval}};
+  Json json{{"duration", scene.duration},
+            {"method", name(scene.integrator.method)},
+            {"relative_tolerance", scene.integrator.relative_tolerance},
+            {"absolute_tolerance", scene.integrator.absolute_tolerance},
+            {"greatest_step", scene.integrator.greatest_step},
+            {"spectrum_interval", scene.output.spectrum_interval}};
+  for (const ScenePairing& pairing : scene.pairings) json["slip_velocities"].push_back(pairing.law.slip_velocity);
+  if (scene.initial_state) {
+    json["initial_state"] = {{"t", compare::hexadecimal(scene.initial_state->t)},
+                             {"y", to_json(scene.initial_state->y)}};
+  }
+  return json;
 }
 
 /// A hash of the scene's text, of what the command line changed, and of the surfaces, whose files may have changed.
@@ -55,12 +67,6 @@ std::string build_hash() {
   static const std::string hash =
       compare::sha256(compare::program_hash() + compare::program_hash_of(library.dli_fname));
   return hash;
-}
-
-Json to_json(const Eigen::VectorXd& y) {
-  Json json = Json::array();
-  for (const double value : y) json.push_back(compare::hexadecimal(value));
-  return json;
 }
 
 Json to_json(const EnergyFlow& flow) {

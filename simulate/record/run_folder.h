@@ -36,7 +36,7 @@ struct KeptRun {
 ///   scene.json              the scene as it was given
 ///   steps.csv               a line an accepted step
 ///   series.csv              a line an accepted step: energies, loads and statistics of the pairings
-///   states.csv              coordinates and speeds at t = 0 and multiples of the output's interval
+///   states.csv              coordinates and speeds at the start and at multiples of the output's interval
 ///   spectrum.csv            a line a spectrum that was asked for
 ///   trajectory/             surfaces and poses of the pairings, for `pcm verify --trajectory`
 ///   checkpoint.json         where the run goes on from

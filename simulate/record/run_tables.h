@@ -9,8 +9,8 @@
 
 namespace pcm::simulate {
 
-/// What the run cost, as Markdown: the paper's own rows first where the scene is one of its two (tables 1 and 2,
-/// SIMPACK on a mobile Pentium III of 1133 MHz), then ours.
+/// What the run cost, as Markdown: the paper's own rows first where the scene is one of its two from its start on
+/// (tables 1 and 2, SIMPACK on a mobile Pentium III of 1133 MHz), then ours.
 std::string cost_table(const std::string& scene_name, const Scene& scene, const KeptRun& run);
 
 /// Where the energy is at the end and where it went, and what the sum lacks of what there was at the start.

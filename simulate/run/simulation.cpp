@@ -55,6 +55,15 @@ void add_step(EnergyFlow& flow, double h, const Powers& begin, const Powers& mid
   flow.motions += integral(&Powers::motions);
 }
 
+void check(const InitialState& from, const Scene& scene, Eigen::Index size) {
+  if (from.y.size() != size)
+    throw BadInput("the state to start from has " + std::to_string(from.y.size()) + " numbers, this scene " +
+                   std::to_string(size) + ": it is of another scene");
+  if (!from.y.allFinite()) throw BadInput("the state to start from is not finite");
+  if (!(from.t >= 0 && from.t < scene.duration))
+    throw BadInput("the state to start from is not before the end of the scene, its duration");
+}
+
 }  // namespace
 
 double multiple_or_end(std::int64_t n, double interval, double end) {
@@ -70,6 +79,7 @@ std::int64_t multiples_until(double t, double interval, double end) {
 }
 
 Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
+  if (scene_.initial_state) check(*scene_.initial_state, scene_, model_.size());
   DifferentialEquation equation;
   equation.size = model_.size();
   equation.derivative = [this](double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {
@@ -80,10 +90,11 @@ Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
 }
 
 void Simulation::start() {
-  const Eigen::VectorXd y = model_.start();
+  const double t = scene_.begin();
+  const Eigen::VectorXd y = scene_.initial_state ? scene_.initial_state->y : model_.start();
   Eigen::VectorXd dydt(model_.size());
-  if (model_.derivative(0, y, dydt) == Evaluation::not_here) {
-    const Observation now = model_.observe(0, y);
+  if (model_.derivative(t, y, dydt) == Evaluation::not_here) {
+    const Observation now = model_.observe(t, y);
     for (std::size_t p = 0; p < now.pairings.size(); ++p) {
       const ScenePairing& pairing = scene_.pairings[p];
       if (!now.pairings[p].nested && !(now.pairings[p].max_penetration > pairing.law.max_penetration)) continue;
@@ -95,8 +106,9 @@ void Simulation::start() {
     }
   }
   Checkpoint checkpoint;
+  checkpoint.t = t;
   checkpoint.y = y;
-  checkpoint.energy_at_start = model_.observe(0, y).energies.total();
+  checkpoint.energy_at_start = model_.observe(t, y).energies.total();
   start(checkpoint);
 }
 

@@ -14,7 +14,7 @@
 
 namespace pcm::simulate {
 
-/// Energy that went since t = 0, J.
+/// Energy that went since the start, J.
 struct EnergyFlow {
   double damping = 0;
   double friction = 0;
@@ -60,14 +60,14 @@ class Simulation {
     double t = 0;
     Eigen::VectorXd y;
     EnergyFlow flow;
-    double energy_at_start = 0;  ///< at t = 0, J
+    double energy_at_start = 0;  ///< J
   };
 
-  /// Throws BadInput where bodies of a pairing are nested at the start, or deeper within one another than the law
-  /// allows.
+  /// Throws BadInput where the initial state is that of another scene, or not before the end.
   explicit Simulation(const Scene& scene);
 
-  /// As it starts at t = 0, or goes on.
+  /// As it starts, at t = 0 or from the scene's initial state, or goes on. Throws BadInput where bodies of a pairing
+  /// are nested at the start, or deeper within one another than the law allows.
   void start();
   void start(const Checkpoint& checkpoint);
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -38,11 +39,9 @@ constexpr std::pair<const char*, JointType> kJointTypes[] = {
     {"slider", JointType::slider}, {"universal", JointType::universal},
     {"gimbal", JointType::gimbal}, {"ball", JointType::ball},
     {"free", JointType::free}};
-constexpr std::pair<const char*, Method> kMethods[] = {{"adams", Method::adams},
-                                                       {"bdf", Method::bdf},
-                                                       {"ida", Method::ida},
-                                                       {"dormand_prince", Method::dormand_prince},
-                                                       {"esdirk", Method::esdirk}};
+constexpr std::pair<const char*, Method> kMethods[] = {
+    {"adams", Method::adams},   {"bdf", Method::bdf}, {"ida", Method::ida}, {"dormand_prince", Method::dormand_prince},
+    {"esdirk", Method::esdirk}, {"rkc", Method::rkc}};
 constexpr std::pair<const char*, DampingMode> kDampingModes[] = {
     {"no_tension", DampingMode::no_tension}, {"full", DampingMode::full}, {"compression", DampingMode::compression}};
 constexpr std::pair<const char*, Mode> kModes[] = {{"E", Mode::E}, {"F", Mode::F}, {"both", Mode::both}};
@@ -328,6 +327,10 @@ void SceneReader::read_stills(const Json& json) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, Method>> known_methods() {
+  return {std::begin(kMethods), std::end(kMethods)};
+}
 
 Method method_named(const std::string& word) {
   std::string known;

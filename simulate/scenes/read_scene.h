@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "simulate/scenes/scene.h"
@@ -17,6 +18,9 @@ namespace pcm::simulate {
 /// parent that is not named before, a joint with the wrong number of coordinates, a surface that is unfit, a law out of
 /// range, a pairing of a surface with one of the same body, a still beyond the end.
 Scene parse_scene(const std::string& text, const std::filesystem::path& file);
+
+/// All methods, by the words that scene files call them by.
+std::vector<std::pair<std::string, Method>> known_methods();
 
 /// The method that a scene file calls by this word. Throws BadInput, listing the known ones.
 Method method_named(const std::string& word);

@@ -106,15 +106,24 @@ struct OutputSettings {
   std::vector<double> stills;          ///< instants of still pictures, s; within the duration, none twice
 };
 
+/// Coordinates and speeds to start from in place of the bodies' own, as an earlier run has recorded them.
+struct InitialState {
+  double t = 0;  ///< s
+  Eigen::VectorXd y;
+};
+
 struct Scene {
   std::string title;
   Eigen::Vector3d gravity_G{0, 0, -9.81};  ///< m/s^2
   std::vector<Body> bodies;                ///< parents before those that hang on them
   std::vector<SceneSurface> surfaces;
   std::vector<ScenePairing> pairings;
-  double duration = 0;  ///< s
+  double duration = 0;  ///< s, from t = 0 also where an initial state is later
   IntegratorSettings integrator;
   OutputSettings output;
+  std::optional<InitialState> initial_state;  ///< not in scene files
+
+  double begin() const { return initial_state ? initial_state->t : 0; }  ///< s
 };
 
 }  // namespace pcm::simulate

@@ -153,6 +153,48 @@ TEST(SimulateCommand, MakesNoStillOfWhatTheRunDidNotReach) {
   EXPECT_EQ(folder.stills(), Names{"still_0.1.png"});
 }
 
+TEST(SimulateCommand, StartsFromARecordedState) {
+  const Folder folder(block_over_floor("0.1")), from_it(block_over_floor("0.1"));
+  EXPECT_EQ(folder.run().status, 0);
+  const Outcome outcome = from_it.run({"--from", folder.out, "--at", "0.15", "--stills", "0.1,0.2"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(from_it.bytes("states.csv").find("\n0,"), std::string::npos);
+  EXPECT_NE(from_it.bytes("states.csv").find("\n0.15,"), std::string::npos);
+  EXPECT_EQ(from_it.stills(), Names{"still_0.2.png"}) << "before the start there is nothing to be seen";
+}
+
+TEST(SimulateCommand, RefusesToStartFromWhatIsNotRecorded) {
+  const Folder folder(block_over_floor("0.1")), from_it(block_over_floor("0.1"));
+  EXPECT_EQ(folder.run().status, 0);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> refusals{
+      {{"--from", folder.out}, "--from and --at go together"},
+      {{"--at", "0.1"}, "--from and --at go together"},
+      {{"--from", folder.out, "--at", "0.155"}, "has no state at t = 0.155 s"},
+      {{"--from", folder.out, "--at", "-1"}, "--at: -1 is negative"},
+      {{"--from", folder.out, "--at", "0.2"}, "is not before the end"},
+      {{"--from", folder.out + "x", "--at", "0.1"}, "states.csv: can't be read"},
+  };
+  for (const auto& [options, message] : refusals) {
+    SCOPED_TRACE(message);
+    const Outcome outcome = from_it.run(options);
+    EXPECT_EQ(outcome.status, 2);
+    expect_one_line(outcome.err);
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(from_it.out));
+  }
+}
+
+TEST(SimulateCommand, ComparesIntegratorsOfScenesWithFriction) {
+  const Folder folder(block_over_floor("0.1"));
+  const Outcome outcome = folder.run({"--compare-integrators"});
+  EXPECT_EQ(outcome.status, 2);
+  expect_one_line(outcome.err);
+  EXPECT_NE(outcome.err.find("no law of this scene has friction"), std::string::npos) << outcome.err;
+  const Outcome zero = folder.run({"--slip-velocity", "0"});
+  EXPECT_EQ(zero.status, 2);
+  EXPECT_NE(zero.err.find("--slip-velocity: 0 is not positive"), std::string::npos) << zero.err;
+}
+
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
   const TemporaryFolder folder;
   const Outcome outcome = compare::run_pcm({"simulate", folder.path("")});

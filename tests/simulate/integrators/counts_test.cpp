@@ -12,7 +12,7 @@ class Counts : public EachMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Counts, testing::ValuesIn(kMethods), test_name);
 
 bool is_implicit(Method method) {
-  return method != Method::adams && method != Method::dormand_prince;
+  return method == Method::bdf || method == Method::ida || method == Method::esdirk;
 }
 
 /// An oscillator of 500 1/s driven through a kink: Jacobians and failures of the error test.
@@ -54,7 +54,7 @@ TEST_P(Counts, OfDerivativesAreTheCallsMade) {
   EXPECT_GT(failures.error_test, 0);
   EXPECT_EQ(work.derivatives_for_jacobians, 2 * work.jacobians);
   EXPECT_EQ(work.jacobians > 0, is_implicit(GetParam()));
-  EXPECT_EQ(work.nonlinear_iterations > 0, GetParam() != Method::dormand_prince);
+  EXPECT_EQ(work.nonlinear_iterations > 0, is_implicit(GetParam()) || GetParam() == Method::adams);
 }
 
 TEST_P(Counts, ACallersJacobianTakesThePlaceOfDifferenceQuotients) {
@@ -90,7 +90,7 @@ TEST_P(Counts, AStepEndsAtItsEndAndTheNextGoesOn) {
   for (const double t_end : {1e-3, 2e-3, 0.5, 0.75, 3.0}) {
     run(*integrator, t_end, [&](const Step& step) { ASSERT_LE(step.t, t_end); });
     EXPECT_EQ(integrator->t(), t_end);
-    EXPECT_NEAR(integrator->y()[0], std::sin(t_end), 1e-4);
+    EXPECT_NEAR(integrator->y()[0], std::sin(t_end), allowed_sum(GetParam(), 1e-6));
   }
   EXPECT_EQ(integrator->step(std::nextafter(3., 4.)).t, std::nextafter(3., 4.));
 }

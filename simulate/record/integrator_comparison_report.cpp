@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/record/integrator_comparison_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "compare/io/svg_plot.h"
+
+namespace pcm::simulate {
+namespace {
+
+/// Okabe and Ito's colours, which readers of all kinds of sight tell apart, then again with dashed lines.
+compare::CurveStyle style(std::size_t number) {
+  constexpr std::array kColours = {"#D55E00", "#0072B2", "#009E73", "#E69F00", "#CC79A7", "#56B4E9", "#000000"};
+  constexpr std::array kMarkers = {compare::Marker::circle, compare::Marker::square, compare::Marker::triangle,
+                                   compare::Marker::diamond};
+  return {kColours.at(number % kColours.size()), kMarkers.at(number % kMarkers.size()), number >= kColours.size()};
+}
+
+/// A curve an integrator, of those trials that came to the end.
+template <typename Point>
+std::vector<compare::PlotCurve> curves(const std::vector<IntegratorTrial>& trials, const Point& point) {
+  std::vector<compare::PlotCurve> all;
+  std::size_t number = 0;
+  std::string last;
+  for (const IntegratorTrial& trial : trials) {
+    if (trial.integrator != last) all.push_back({trial.integrator, style(number++), {}});
+    last = trial.integrator;
+    if (!trial.gave_up) all.back().points.push_back(point(trial));
+  }
+  std::erase_if(all, [](const compare::PlotCurve& curve) { return curve.points.empty(); });
+  return all;
+}
+
+std::string line(const IntegratorTrial& trial, const std::string& error) {
+  const Failures& failures = trial.work.failures;
+  return fmt::format("| {} | {:g} | {:g} | {} | {} | {} | {} | {} | {} |\n", trial.integrator, trial.slip_velocity,
+                     trial.tolerance, trial.evaluations(), trial.work.derivatives_for_jacobians, trial.work.steps,
+                     failures.error_test, failures.nonlinear, trial.gave_up ? "gave up" : error);
+}
+
+}  // namespace
+
+std::string comparison_table(const IntegratorComparison& comparison) {
+  std::string text =
+      "| integrator | v_eps, m/s | tolerance | evaluations | of them for Jacobians | steps | too large an error | "
+      "nonlinear iteration failed | error at the end |\n|---|---|---|---|---|---|---|---|---|\n";
+  for (const IntegratorTrial& trial : comparison.by_tolerance) text += line(trial, fmt::format("{:.1e}", trial.error));
+  for (const IntegratorTrial& trial : comparison.by_slip_velocity) text += line(trial, "");
+  return text + fmt::format(
+                    "\nError: the greatest difference of a component of the state at the end, in m, rad, m/s or rad/s, "
+                    "from BDF at a tolerance of {:g}, from which ESDIRK at the same tolerance differs by {:.1e}.\n",
+                    comparison.reference_tolerance, comparison.reference_error);
+}
+
+std::string comparison_picture(const std::string& title, const IntegratorComparison& comparison) {
+  compare::Figure figure;
+  figure.title = title;
+  figure.plots.push_back({"Error over evaluations", "Farther left and lower is better.",
+                          "evaluations of the equations of motion", "error at the end, m, rad, m/s, rad/s",
+                          curves(comparison.by_tolerance, [](const IntegratorTrial& trial) {
+                            // Logarithmic axes know no zero.
+                            return std::array{static_cast<double>(trial.evaluations()), std::max(trial.error, 1e-16)};
+                          })});
+  figure.plots.push_back({"Evaluations over the slip velocity", "The stiffness goes with 1 / v_eps.",
+                          "slip velocity v_eps, m/s", "evaluations of the equations of motion",
+                          curves(comparison.by_slip_velocity, [](const IntegratorTrial& trial) {
+                            return std::array{trial.slip_velocity, static_cast<double>(trial.evaluations())};
+                          })});
+  figure.caption = fmt::format(
+      "Evaluations for difference quotients and spectral radii are counted. Left: v_eps = {:g} m/s; each marker is one "
+      "tolerance, relative and absolute alike, 1e-3, 1e-4, 1e-5, 1e-6; the error is the greatest difference of a "
+      "component of the state at the end from that of BDF at {:g}, which ESDIRK's differs from by {:.0e}. Right: "
+      "tolerances of v_eps / 10.",
+      comparison.slip_velocity, comparison.reference_tolerance, comparison.reference_error);
+  return svg(figure);
+}
+
+}  // namespace pcm::simulate

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/run/integrator_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "pcm/bad_input.h"
+
+namespace pcm::simulate {
+namespace {
+
+constexpr std::array kTolerances = {1e-3, 1e-4, 1e-5, 1e-6};
+constexpr double kReferenceTolerance = 1e-8;
+constexpr std::array kSlipVelocityFactors = {100.0, 10.0, 1.0, 0.1};
+
+void set_integrator(Scene& scene, Method method, double tolerance) {
+  scene.integrator.method = method;
+  scene.integrator.relative_tolerance = scene.integrator.absolute_tolerance = tolerance;
+}
+
+double slip_velocity_of(const Scene& scene) {
+  const auto with_friction = std::find_if(scene.pairings.begin(), scene.pairings.end(),
+                                          [](const ScenePairing& pairing) { return pairing.law.friction > 0; });
+  if (with_friction == scene.pairings.end())
+    throw BadInput("integrators are compared over the slip velocity, and no law of this scene has friction");
+  return with_friction->law.slip_velocity;
+}
+
+/// The state at the end.
+Eigen::VectorXd end_of(Simulation& simulation) {
+  simulation.start();
+  while (!simulation.finished()) simulation.step();
+  return simulation.checkpoint().y;
+}
+
+Eigen::VectorXd reference(Scene scene, Method method) {
+  set_integrator(scene, method, kReferenceTolerance);
+  Simulation simulation(scene);
+  return end_of(simulation);
+}
+
+double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return (a - b).cwiseAbs().maxCoeff();
+}
+
+/// Its error where there is a reference.
+IntegratorTrial tried(Scene scene, const std::pair<std::string, Method>& integrator, double tolerance,
+                      const std::optional<Eigen::VectorXd>& reference) {
+  set_integrator(scene, integrator.second, tolerance);
+  IntegratorTrial trial{integrator.first, tolerance, slip_velocity_of(scene), {}};
+  Simulation simulation(scene);
+  try {
+    const Eigen::VectorXd y = end_of(simulation);
+    if (reference) trial.error = difference(y, *reference);
+  } catch (const IntegrationFailure&) {
+    trial.gave_up = true;
+  }
+  trial.work = simulation.work();
+  return trial;
+}
+
+}  // namespace
+
+void set_slip_velocity(Scene& scene, double slip_velocity) {
+  for (ScenePairing& pairing : scene.pairings)
+    if (pairing.law.friction > 0) pairing.law.slip_velocity = slip_velocity;
+}
+
+IntegratorComparison compare_integrators(const Scene& scene,
+                                         const std::vector<std::pair<std::string, Method>>& integrators,
+                                         const std::function<void(const std::string&)>& begin) {
+  IntegratorComparison result;
+  result.slip_velocity = slip_velocity_of(scene);
+  result.reference_tolerance = kReferenceTolerance;
+  begin("reference");
+  const Eigen::VectorXd at_end = reference(scene, Method::bdf);
+  result.reference_error = difference(at_end, reference(scene, Method::esdirk));
+  for (const auto& integrator : integrators) {
+    begin(integrator.first + " over the tolerance");
+    for (const double tolerance : kTolerances)
+      result.by_tolerance.push_back(tried(scene, integrator, tolerance, at_end));
+    begin(integrator.first + " over the slip velocity");
+    for (const double factor : kSlipVelocityFactors) {
+      Scene changed = scene;
+      set_slip_velocity(changed, factor * result.slip_velocity);
+      result.by_slip_velocity.push_back(tried(changed, integrator, 0.1 * factor * result.slip_velocity, {}));
+    }
+  }
+  return result;
+}
+
+}  // namespace pcm::simulate

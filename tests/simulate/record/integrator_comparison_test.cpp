@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/run/integrator_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "simulate/record/integrator_comparison_report.h"
+#include "simulate/scenes/read_scene.h"
+#include "tests/meshes/expect_bad_input.h"
+
+namespace pcm::simulate {
+namespace {
+
+/// The block that creeps from 0.13 s on.
+Scene short_creep() {
+  for (const BuiltInScene& built_in : built_in_scenes()) {
+    if (built_in.name != "creep") continue;
+    Scene scene = parse_scene(std::string(built_in.text), "creep");
+    scene.duration = 0.3;
+    return scene;
+  }
+  ADD_FAILURE();
+  return {};
+}
+
+const IntegratorComparison& comparison() {
+  static const IntegratorComparison compared = compare_integrators(
+      short_creep(), {{"bdf", Method::bdf}, {"dormand_prince", Method::dormand_prince}}, [](const std::string&) {});
+  return compared;
+}
+
+TEST(IntegratorComparison, TriesEveryIntegratorOverToleranceAndSlipVelocity) {
+  const IntegratorComparison& all = comparison();
+  EXPECT_EQ(all.slip_velocity, 1e-3);
+  ASSERT_EQ(all.by_tolerance.size(), 8U);
+  ASSERT_EQ(all.by_slip_velocity.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(all.by_tolerance[i].integrator, i < 4 ? "bdf" : "dormand_prince");
+    EXPECT_EQ(all.by_tolerance[i].slip_velocity, 1e-3);
+    EXPECT_GT(all.by_tolerance[i].evaluations(), 50);
+  }
+  constexpr std::array slip_velocities = {0.1, 0.01, 0.001, 0.0001};
+  for (std::size_t i = 0; i < 8; ++i) {
+    const IntegratorTrial& trial = all.by_slip_velocity[i];
+    EXPECT_DOUBLE_EQ(trial.slip_velocity, slip_velocities.at(i % 4));
+    EXPECT_DOUBLE_EQ(trial.tolerance, trial.slip_velocity / 10);
+  }
+  // Where friction is what is stiff the explicit method pays with 1 / v_eps.
+  EXPECT_GT(all.by_slip_velocity[7].evaluations(), 5 * all.by_slip_velocity[6].evaluations());
+  EXPECT_GT(all.by_slip_velocity[7].evaluations(), 20 * all.by_slip_velocity[3].evaluations());
+}
+
+TEST(IntegratorComparison, ErrorsFallWithTheToleranceAndTheReferenceIsBelowThem) {
+  const IntegratorComparison& all = comparison();
+  EXPECT_LT(all.reference_error, 1e-6);
+  EXPECT_GT(all.reference_error, 0);
+  EXPECT_LT(all.by_tolerance[3].error, 0.1 * all.by_tolerance[0].error);
+  EXPECT_LT(all.by_tolerance[3].error, 1e-4);
+}
+
+TEST(IntegratorComparison, TakesASceneWithFriction) {
+  Scene scene = short_creep();
+  scene.pairings[0].law.friction = 0;
+  expect_bad_input([&] { compare_integrators(scene, {}, [](const std::string&) {}); }, "no law of this scene has");
+}
+
+TEST(IntegratorComparison, TableAndPictureHaveThemAll) {
+  IntegratorComparison all = comparison();
+  all.by_tolerance[7].gave_up = true;
+  const std::string table = comparison_table(all), picture = comparison_picture("Creep", all);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2 + 16 + 2);
+  EXPECT_NE(table.find("| gave up |"), std::string::npos);
+  EXPECT_EQ(picture.find("<?xml"), 0U);
+  for (const char* words : {"Creep", "bdf", "dormand_prince", "Error over evaluations", "slip velocity"})
+    EXPECT_NE(picture.find(words), std::string::npos) << words;
+}
+
+TEST(SlipVelocity, IsThatOfLawsWithFrictionAlone) {
+  Scene scene = short_creep();
+  scene.pairings.push_back(scene.pairings[0]);
+  scene.pairings[1].law.friction = 0;
+  set_slip_velocity(scene, 0.02);
+  EXPECT_EQ(scene.pairings[0].law.slip_velocity, 0.02);
+  EXPECT_EQ(scene.pairings[1].law.slip_velocity, 1e-3);
+}
+
+}  // namespace
+}  // namespace pcm::simulate

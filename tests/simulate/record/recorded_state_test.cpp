@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/record/recorded_state.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "simulate/record/recorded_run.h"
+#include "simulate/record/run_tables.h"
+#include "simulate/scenes/read_scene.h"
+#include "tests/meshes/expect_bad_input.h"
+#include "tests/meshes/temporary_folder.h"
+
+namespace pcm::simulate {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The creeping block for half a second, with states and checkpoints at tenths.
+Scene short_creep() {
+  for (const BuiltInScene& built_in : built_in_scenes()) {
+    if (built_in.name != "creep") continue;
+    Scene scene = parse_scene(std::string(built_in.text), "creep");
+    scene.duration = 0.5;
+    scene.output.interval = scene.output.checkpoint_interval = 0.1;
+    return scene;
+  }
+  ADD_FAILURE();
+  return {};
+}
+
+Scene short_creep_from(const InitialState& state) {
+  Scene scene = short_creep();
+  scene.initial_state = state;
+  return scene;
+}
+
+bool run(const Scene& scene, const fs::path& folder, const std::function<bool()>& stop = {}) {
+  std::string notice;
+  return RecordedRun(scene, "creep", folder, notice).run(stop, {});
+}
+
+std::string lines_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string header;
+  std::getline(in, header);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class RecordedState : public testing::Test {
+ protected:
+  RecordedState() { EXPECT_TRUE(run(short_creep(), whole)); }
+
+  TemporaryFolder temporary;
+  fs::path whole = temporary.path("whole"), part = temporary.path("part");
+};
+
+// 0.3 is a checkpoint of the whole run too, where its integrator started anew.
+TEST_F(RecordedState, IsWhereARunStartsAndGoesOnWithTheSameBits) {
+  const InitialState state = recorded_state(whole, 0.3);
+  EXPECT_EQ(state.t, 3 * 0.1);  // which is not 0.3
+  ASSERT_TRUE(run(short_creep_from(state), part));
+  for (const char* table : {"steps.csv", "states.csv"}) {
+    const std::string of_whole = lines_of(whole / table);
+    std::string of_part = lines_of(part / table);
+    // The state at the start is there with its quaternions' lengths made 1, as both runs go on with them.
+    if (table == std::string("states.csv")) of_part = of_part.substr(of_part.find('\n') + 1);
+    EXPECT_GT(of_part.size(), 300U);
+    EXPECT_LT(of_part.size(), of_whole.size());
+    EXPECT_EQ(of_part, of_whole.substr(of_whole.size() - of_part.size())) << table;
+  }
+}
+
+TEST_F(RecordedState, RunsFromItCanBeInterrupted) {
+  const Scene scene = short_creep_from(recorded_state(whole, 0.2));
+  const fs::path stopped = temporary.path("stopped");
+  ASSERT_TRUE(run(scene, part));
+  ASSERT_FALSE(run(scene, stopped, [] { return true; }));
+  ASSERT_TRUE(run(scene, stopped));
+  for (const char* table : {"steps.csv", "states.csv", "series.csv"})
+    EXPECT_EQ(lines_of(part / table), lines_of(stopped / table));
+}
+
+TEST_F(RecordedState, IsPartOfWhatARunIsKnownBy) {
+  const Scene scene = short_creep_from(recorded_state(whole, 0.2));
+  ASSERT_TRUE(run(scene, part));
+  Scene other = scene;
+  other.initial_state->y[10] += 1e-12;
+  expect_bad_input([&] { run(other, part); }, "or of other surfaces or options");
+  expect_bad_input([&] { run(short_creep(), part); }, "or of other surfaces or options");
+}
+
+TEST_F(RecordedState, CostIsThatOfTheTimeSimulatedFromIt) {
+  const Scene scene = short_creep_from(recorded_state(whole, 0.4));
+  KeptRun kept;
+  kept.checkpoint.t = 0.5;
+  kept.cost.work.steps = 100;
+  kept.cost.integration_seconds = 2;
+  const std::string table = cost_table("bubbles", scene, kept);
+  EXPECT_NE(table.find("| 1 ms |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| 2 s | 20 |"), std::string::npos) << table;
+  EXPECT_EQ(table.find("LSODE"), std::string::npos) << "published rows are of the whole scene";
+}
+
+TEST_F(RecordedState, IsRefusedWhereThereIsNone) {
+  expect_bad_input([&] { recorded_state(whole, 0.25); },
+                   "states.csv: has no state at t = 0.25 s; the nearest is at 0.");
+  expect_bad_input([&] { recorded_state(whole, 0.6); }, "the nearest is at 0.5 s");
+  expect_bad_input([&] { recorded_state(temporary.path("nowhere"), 0); }, "states.csv: can't be read");
+}
+
+TEST_F(RecordedState, IsRefusedByAnotherSceneAndAtItsEnd) {
+  const InitialState state = recorded_state(whole, 0.4);
+  InitialState longer = state;
+  longer.y.conservativeResize(20);
+  expect_bad_input([&] { Simulation{short_creep_from(longer)}; }, "has 20 numbers, this scene 13");
+  Scene shorter = short_creep_from(state);
+  shorter.duration = 0.4;
+  expect_bad_input([&] { Simulation{shorter}; }, "is not before the end");
+  InitialState infinite = state;
+  infinite.y[3] = HUGE_VAL;
+  expect_bad_input([&] { Simulation{short_creep_from(infinite)}; }, "is not finite");
+}
+
+}  // namespace
+}  // namespace pcm::simulate
