@@ -169,7 +169,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("SCENE", options->scene, built_in_names() + ", or a scene file");
   command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
   command->add_option("--integrator", options->method,
-                      "adams, bdf, ida, dormand_prince or esdirk, in place of the scene's");
+                      "adams, bdf, ida, dormand_prince, esdirk or runge_kutta_merson, in place of the scene's");
   command->add_option("--duration", options->duration, "In s, in place of the scene's");
   command->add_option("--relative-tolerance", options->relative, "In place of the scene's");
   command->add_option("--absolute-tolerance", options->absolute, "In m, rad, m/s and rad/s, in place of the scene's");

@@ -33,6 +33,8 @@ void check(Method method, const DifferentialEquation& equation, const StepContro
              std::to_string(equation.size) + " components: one each");
   expect(control.relative > 0 && std::isfinite(control.relative), method,
          "the relative tolerance is " + text(control.relative) + ": it must be positive");
+  expect(control.relative < 1 || method != Method::runge_kutta_merson, method,
+         "the relative tolerance is " + text(control.relative) + ": Simbody takes those below 1 alone");
   for (Eigen::Index i = 0; i < equation.size; ++i) {
     expect(control.absolute[i] > 0 && std::isfinite(control.absolute[i]), method,
            "the absolute tolerance of component " + std::to_string(i) + " is " + text(control.absolute[i]) +
@@ -60,13 +62,13 @@ std::string cause_of(Outcome outcome, const CountedEquation& equation, const std
     case Outcome::tolerances_too_fine:
       return "the tolerances are finer than rounding of the state: loosen them";
     default:
-      return "SUNDIALS says: " + (message.empty() ? "nothing" : message);
+      return "its library says: " + (message.empty() ? "nothing" : message);
   }
 }
 
-class SundialsIntegrator final : public Integrator {
+class CheckedIntegrator final : public Integrator {
  public:
-  SundialsIntegrator(Method method, DifferentialEquation equation, StepControl control)
+  CheckedIntegrator(Method method, DifferentialEquation equation, StepControl control)
       : method_(method), equation_(std::move(equation), control.absolute), control_(std::move(control)) {}
 
   void start(double t, const Eigen::VectorXd& y) override {
@@ -127,6 +129,8 @@ class SundialsIntegrator final : public Integrator {
         return make_cvode(method_, equation_, control_, t_, y_);
       case Method::ida:
         return make_ida(equation_, control_, t_, y_);
+      case Method::runge_kutta_merson:
+        return make_runge_kutta_merson(equation_, control_, t_, y_);
       default:
         return make_arkode(method_, equation_, control_, t_, y_);
     }
@@ -205,6 +209,8 @@ std::string_view name(Method method) {
       return "IDA";
     case Method::dormand_prince:
       return "ARKODE, Dormand-Prince";
+    case Method::runge_kutta_merson:
+      return "Simbody, Runge-Kutta-Merson";
     default:
       return "ARKODE, ESDIRK";
   }
@@ -212,7 +218,7 @@ std::string_view name(Method method) {
 
 std::unique_ptr<Integrator> make_integrator(Method method, DifferentialEquation equation, StepControl control) {
   check(method, equation, control);
-  return std::make_unique<SundialsIntegrator>(method, std::move(equation), std::move(control));
+  return std::make_unique<CheckedIntegrator>(method, std::move(equation), std::move(control));
 }
 
 }  // namespace pcm::simulate

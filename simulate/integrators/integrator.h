@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string_view>
 
-/// Ordinary differential equations, integrated by SUNDIALS step by step. Times are in s. C++17, as Simbody's headers
-/// can't be read as C++20.
+/// Ordinary differential equations, integrated by SUNDIALS or Simbody step by step. Times are in s. C++17, as Simbody's
+/// headers can't be read as C++20.
 namespace pcm::simulate {
 
 /// Whether a function could be had where it was asked for.
@@ -45,6 +45,10 @@ enum class Method : std::uint8_t {
   ida,             ///< IDA: the same formulas with a fixed leading coefficient, y' - f(t, y) = 0 as its residual
   dormand_prince,  ///< ARKODE: explicit Runge-Kutta of order 5(4), 7 stages, as in DOPRI5
   esdirk,  ///< ARKODE: diagonally implicit Runge-Kutta of order 4(3), 6 stages, stiffly accurate (ESDIRK4(3)6L[2]SA)
+  /// Simbody: explicit Runge-Kutta of order 4(3), 5 stages. Its errors are divided by the greater of relative |y_i| and
+  /// absolute_i, where |y_i| is that at the step's beginning. Takes relative tolerances below 1 alone. Where a step
+  /// fails, it is given up if the next try would be below the least step.
+  runge_kutta_merson,
 };
 std::string_view name(Method method);
 
@@ -114,8 +118,8 @@ class Integrator {
   virtual const Eigen::VectorXd& y() const = 0;  ///< at t()
 
   /// The state within the last step by an interpolant that calls no derivative: of the order of the step in multistep
-  /// methods, of order 4 in Dormand and Prince's (as in DOPRI5), and of order 3 in the diagonally implicit one (the
-  /// cubic through states and slopes at both ends of the step).
+  /// methods, of order 4 in Dormand and Prince's (as in DOPRI5), and of order 3 in the diagonally implicit one and in
+  /// Merson's (the cubic through states and slopes at both ends of the step).
   virtual Eigen::VectorXd state_at(double t) const = 0;
 
   virtual const Work& work() const = 0;

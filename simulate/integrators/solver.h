@@ -26,8 +26,8 @@ enum class Outcome : std::uint8_t {
 /// least halves the step, so that a hundred mean that no size works.
 inline constexpr int kMostFailuresInAStep = 100;
 
-/// One of SUNDIALS' integrators from one start on; made anew at each start, so that nothing of the past is in it.
-/// Exceptions of the equation wait in it.
+/// One of SUNDIALS' or Simbody's integrators from one start on; made anew at each start, so that nothing of the past is
+/// in it. Exceptions of the equation wait in it.
 class Solver {
  public:
   struct Counts {  ///< since the start
@@ -42,7 +42,7 @@ class Solver {
   virtual bool interpolate(double t, Eigen::VectorXd& y) = 0;  ///< within the last step
   virtual Counts counts() const = 0;
   virtual int order() const = 0;            ///< of the last step
-  virtual std::string message() const = 0;  ///< SUNDIALS' last error, empty if there was none
+  virtual std::string message() const = 0;  ///< the library's last error, empty if there was none
 };
 
 std::unique_ptr<Solver> make_cvode(Method method, CountedEquation& equation, const StepControl& control, double t,
@@ -51,5 +51,7 @@ std::unique_ptr<Solver> make_ida(CountedEquation& equation, const StepControl& c
                                  const Eigen::VectorXd& y);
 std::unique_ptr<Solver> make_arkode(Method method, CountedEquation& equation, const StepControl& control, double t,
                                     const Eigen::VectorXd& y);
+std::unique_ptr<Solver> make_runge_kutta_merson(CountedEquation& equation, const StepControl& control, double t,
+                                                const Eigen::VectorXd& y);
 
 }  // namespace pcm::simulate
