@@ -38,11 +38,41 @@ TEST(RungeKuttaMerson, ARefusedTryIsCountedOnceAndIsNoErrorTestFailure) {
   control.least_step = 1e-9;
   const auto integrator = make_integrator(Method::runge_kutta_merson, equation, control);
   integrator->start(0, vector({0}));
-  EXPECT_THROW(run(*integrator, 2), IntegrationFailure);
+  run(*integrator, 0.4);
+  // Ends much nearer than the step that is due: tried again ten times smaller, it may well end there again.
+  const auto run_on = [&] {
+    while (true) run(*integrator, integrator->t() + 0.003);
+  };
+  EXPECT_THROW(run_on(), IntegrationFailure);
   EXPECT_GT(refusals, 5);
   EXPECT_EQ(integrator->work().failures.not_here, refusals);
   EXPECT_EQ(integrator->work().failures.error_test, 0);
   EXPECT_NEAR(integrator->t(), 0.5, 1e-8);  // within some least steps
+}
+
+TEST(RungeKuttaMerson, AnEquationThatThrowsIsNotAskedAgain) {
+  bool has_thrown = false;
+  int calls_after = 0;
+  const auto equation = everywhere(1, [&](double t, const Eigen::VectorXd& y) -> Eigen::VectorXd {
+    calls_after += has_thrown;
+    has_thrown = t > 0.5;
+    if (has_thrown) throw 1;
+    return -y;
+  });
+  const auto integrator = make_integrator(Method::runge_kutta_merson, equation, tolerance(1e-6, 1));
+  integrator->start(0, vector({1}));
+  EXPECT_THROW(run(*integrator, 1), int);
+  EXPECT_EQ(calls_after, 0);
+}
+
+// Simbody would make a step by up to a thousandth greater to meet an end.
+TEST(RungeKuttaMerson, NoStepIsStretchedBeyondTheGreatest) {
+  StepControl control = tolerance(1e-2, 2);
+  control.greatest_step = 0.01;
+  const auto integrator = make_integrator(Method::runge_kutta_merson, oscillator(), control);
+  integrator->start(0, vector({0, 1}));
+  run(*integrator, 1);
+  EXPECT_LE(integrator->step(integrator->t() + 1.0005 * control.greatest_step).size, control.greatest_step);
 }
 
 std::int64_t steps_with(double relative, double absolute) {
