@@ -195,7 +195,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("SCENE", options->scene, built_in_names() + ", or a scene file");
   command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
   command->add_option("--integrator", options->method,
-                      "adams, bdf, ida, dormand_prince, esdirk or rkc, in place of the scene's");
+                      "adams, bdf, ida, dormand_prince, esdirk, rkc or runge_kutta_merson, in place of the scene's");
   command->add_option("--duration", options->duration, "In s, in place of the scene's");
   command->add_option("--from", options->from,
                       "Start from a state that a run of this scene, or of one with the same bodies and joints, has "

@@ -11,10 +11,10 @@
 
 namespace pcm::simulate {
 
-/// What C callbacks answer to SUNDIALS.
+/// What C callbacks answer to SUNDIALS; Simbody's get an exception for the last two.
 enum class Answer : int { given = 0, try_smaller = 1, stop = -1 };
 
-/// The equation as SUNDIALS' callbacks see it: counted, without exceptions, on plain arrays.
+/// The equation as the solvers' callbacks see it: counted, without exceptions, on plain arrays.
 class CountedEquation {
  public:
   CountedEquation(DifferentialEquation equation, Eigen::VectorXd absolute);

@@ -33,6 +33,8 @@ void check(Method method, const DifferentialEquation& equation, const StepContro
              std::to_string(equation.size) + " components: one each");
   expect(control.relative > 0 && std::isfinite(control.relative), method,
          "the relative tolerance is " + text(control.relative) + ": it must be positive");
+  expect(control.relative < 1 || method != Method::runge_kutta_merson, method,
+         "the relative tolerance is " + text(control.relative) + ": Simbody takes those below 1 alone");
   for (Eigen::Index i = 0; i < equation.size; ++i) {
     expect(control.absolute[i] > 0 && std::isfinite(control.absolute[i]), method,
            "the absolute tolerance of component " + std::to_string(i) + " is " + text(control.absolute[i]) +
@@ -60,7 +62,7 @@ std::string cause_of(Outcome outcome, const CountedEquation& equation, const std
     case Outcome::tolerances_too_fine:
       return "the tolerances are finer than rounding of the state: loosen them";
     default:
-      return "SUNDIALS says: " + (message.empty() ? "nothing" : message);
+      return "its library says: " + (message.empty() ? "nothing" : message);
   }
 }
 
@@ -129,6 +131,8 @@ class SteppingIntegrator final : public Integrator {
         return make_ida(equation_, control_, t_, y_);
       case Method::rkc:
         return make_rkc(equation_, control_, t_, y_);
+      case Method::runge_kutta_merson:
+        return make_runge_kutta_merson(equation_, control_, t_, y_);
       default:
         return make_arkode(method_, equation_, control_, t_, y_);
     }
@@ -209,6 +213,8 @@ std::string_view name(Method method) {
       return "ARKODE, Dormand-Prince";
     case Method::rkc:
       return "Runge-Kutta-Chebyshev";
+    case Method::runge_kutta_merson:
+      return "Simbody, Runge-Kutta-Merson";
     default:
       return "ARKODE, ESDIRK";
   }

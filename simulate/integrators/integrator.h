@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string_view>
 
-/// Ordinary differential equations, integrated step by step: by SUNDIALS and by a stabilised explicit method. Times are
-/// in s. C++17, as Simbody's headers can't be read as C++20.
+/// Ordinary differential equations, integrated step by step: by SUNDIALS, by Simbody and by a stabilised explicit
+/// method. Times are in s. C++17, as Simbody's headers can't be read as C++20.
 namespace pcm::simulate {
 
 /// Whether a function could be had where it was asked for.
@@ -46,6 +46,10 @@ enum class Method : std::uint8_t {
   dormand_prince,  ///< ARKODE: explicit Runge-Kutta of order 5(4), 7 stages, as in DOPRI5
   esdirk,  ///< ARKODE: diagonally implicit Runge-Kutta of order 4(3), 6 stages, stiffly accurate (ESDIRK4(3)6L[2]SA)
   rkc,     ///< Runge-Kutta-Chebyshev, explicit, of order 2, stages by the spectral radius (chebyshev_stages.h)
+  /// Simbody: explicit Runge-Kutta of order 4(3), 5 stages. Its errors are divided by the greater of relative |y_i| and
+  /// absolute_i, where |y_i| is that at the step's beginning. Takes relative tolerances below 1 alone. Where a step
+  /// fails, it is given up if the next try would be below the least step.
+  runge_kutta_merson,
 };
 std::string_view name(Method method);
 

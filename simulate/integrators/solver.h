@@ -42,7 +42,7 @@ class Solver {
   virtual bool interpolate(double t, Eigen::VectorXd& y) = 0;  ///< within the last step
   virtual Counts counts() const = 0;
   virtual int order() const = 0;            ///< of the last step
-  virtual std::string message() const = 0;  ///< SUNDIALS' last error, empty if there was none
+  virtual std::string message() const = 0;  ///< the library's last error, empty if there was none
 };
 
 std::unique_ptr<Solver> make_cvode(Method method, CountedEquation& equation, const StepControl& control, double t,
@@ -53,5 +53,7 @@ std::unique_ptr<Solver> make_arkode(Method method, CountedEquation& equation, co
                                     const Eigen::VectorXd& y);
 std::unique_ptr<Solver> make_rkc(CountedEquation& equation, const StepControl& control, double t,
                                  const Eigen::VectorXd& y);
+std::unique_ptr<Solver> make_runge_kutta_merson(CountedEquation& equation, const StepControl& control, double t,
+                                                const Eigen::VectorXd& y);
 
 }  // namespace pcm::simulate

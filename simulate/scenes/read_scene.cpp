@@ -39,9 +39,13 @@ constexpr std::pair<const char*, JointType> kJointTypes[] = {
     {"slider", JointType::slider}, {"universal", JointType::universal},
     {"gimbal", JointType::gimbal}, {"ball", JointType::ball},
     {"free", JointType::free}};
-constexpr std::pair<const char*, Method> kMethods[] = {
-    {"adams", Method::adams},   {"bdf", Method::bdf}, {"ida", Method::ida}, {"dormand_prince", Method::dormand_prince},
-    {"esdirk", Method::esdirk}, {"rkc", Method::rkc}};
+constexpr std::pair<const char*, Method> kMethods[] = {{"adams", Method::adams},
+                                                       {"bdf", Method::bdf},
+                                                       {"ida", Method::ida},
+                                                       {"dormand_prince", Method::dormand_prince},
+                                                       {"esdirk", Method::esdirk},
+                                                       {"rkc", Method::rkc},
+                                                       {"runge_kutta_merson", Method::runge_kutta_merson}};
 constexpr std::pair<const char*, DampingMode> kDampingModes[] = {
     {"no_tension", DampingMode::no_tension}, {"full", DampingMode::full}, {"compression", DampingMode::compression}};
 constexpr std::pair<const char*, Mode> kModes[] = {{"E", Mode::E}, {"F", Mode::F}, {"both", Mode::both}};

@@ -42,6 +42,11 @@ TEST_P(Refused, AreTolerancesAndStepsThatMakeNoSense) {
   expect_control_refused([](StepControl& c) { c.most_steps = 0; }, "allow some");
 }
 
+TEST(RefusedBySimbody, AreRelativeTolerancesFromOneOn) {
+  expect_refused([] { (void)make_integrator(Method::runge_kutta_merson, oscillator(), tolerance(1, 2)); },
+                 "Simbody takes those below 1");
+}
+
 TEST_P(Refused, AreEquationsWithoutSizeOrDerivative) {
   expect_refused([] { (void)make_integrator(GetParam(), {2, {}, {}}, tolerance(1e-6, 2)); }, "no derivative");
   DifferentialEquation empty = oscillator();

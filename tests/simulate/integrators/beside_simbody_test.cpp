@@ -52,8 +52,8 @@ TEST(BesideSimbody, BothSundialsRunInOneProgram) {
   using pcm::simulate::Method;
   for (int round = 0; round < 2; ++round) {
     const double simbody = angle_by_simbody();
-    for (const Method method :
-         {Method::adams, Method::bdf, Method::ida, Method::dormand_prince, Method::esdirk, Method::rkc}) {
+    for (const Method method : {Method::adams, Method::bdf, Method::ida, Method::dormand_prince, Method::esdirk,
+                                Method::rkc, Method::runge_kutta_merson}) {
       EXPECT_NEAR(angle_by_sundials(method), simbody, 1e-6) << name(method);
     }
   }

@@ -13,14 +13,23 @@
 
 namespace pcm::simulate {
 
-inline constexpr std::array kMethods = {Method::adams,          Method::bdf,    Method::ida,
-                                        Method::dormand_prince, Method::esdirk, Method::rkc};
+inline constexpr std::array kMethods = {Method::adams,
+                                        Method::bdf,
+                                        Method::ida,
+                                        Method::dormand_prince,
+                                        Method::esdirk,
+                                        Method::rkc,
+                                        Method::runge_kutta_merson};
 inline constexpr std::array kStiffMethods = {Method::bdf, Method::ida, Method::esdirk};
+
+inline bool is_explicit_runge_kutta(Method method) {
+  return method == Method::dormand_prince || method == Method::rkc || method == Method::runge_kutta_merson;
+}
 
 /// For tests that run once a method.
 class EachMethod : public testing::TestWithParam<Method> {};
 inline std::string test_name(const testing::TestParamInfo<Method>& info) {
-  constexpr std::array kNames = {"adams", "bdf", "ida", "dormand_prince", "esdirk", "rkc"};
+  constexpr std::array kNames = {"adams", "bdf", "ida", "dormand_prince", "esdirk", "rkc", "runge_kutta_merson"};
   return kNames.at(static_cast<std::size_t>(info.param));
 }
 

@@ -65,7 +65,9 @@ TEST_P(Failing, AStepIntoWhatIsNotThereIsTriedSmallerAndCounted) {
     EXPECT_EQ(integrator->work().failures.not_here, failures.not_here);
     EXPECT_EQ(integrator->work().failures.not_finite, failures.not_finite);
     EXPECT_NEAR(integrator->y()[0], 0.9999, 1e-2);
-    EXPECT_LT(failures.not_here + failures.not_finite, integrator->work().steps / 4);
+    // Simbody makes a refused step ten times smaller and the next ones up to five times greater, whatever was refused.
+    const int part = GetParam() == Method::runge_kutta_merson ? 2 : 4;
+    EXPECT_LT(failures.not_here + failures.not_finite, integrator->work().steps / part);
     if (GetParam() != Method::adams) {  // whose iteration fails by itself where steps are great
       EXPECT_EQ(integrator->work().failures.nonlinear, 0);
     }
@@ -167,7 +169,7 @@ TEST_P(Failing, WhatTheEquationThrowsComesOut) {
     }
     const auto integrator = make_integrator(GetParam(), equation, tolerance(1e-6, 1));
     integrator->start(0, vector({1}));
-    const bool has_jacobians = std::find(kStiffMethods.begin(), kStiffMethods.end(), GetParam()) != kStiffMethods.end();
+    const bool has_jacobians = GetParam() != Method::adams && !is_explicit_runge_kutta(GetParam());
     if (in_jacobian && !has_jacobians) continue;
     EXPECT_THROW(run(*integrator, 1), OwnException);
     const double t = integrator->t();

@@ -1,56 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Motions known in closed form, through the whole path: scene file, Simbody's model, contact, integrator.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <functional>
 #include <string>
 
-#include "simulate/run/simulation.h"
-#include "simulate/scenes/read_scene.h"
+#include "tests/simulate/run/run_scene.h"
 
 namespace pcm::simulate {
 namespace {
-
-struct Tried {
-  Method method;
-  double tolerance;
-};
-
-Scene scene_with(const std::string& text, const Tried& tried) {
-  Scene scene = parse_scene(text, "test.json");
-  scene.integrator.method = tried.method;
-  scene.integrator.relative_tolerance = scene.integrator.absolute_tolerance = tried.tolerance;
-  return scene;
-}
-
-/// Coordinates and speeds at the end of the scene.
-Eigen::VectorXd end_of(const Scene& scene, const std::function<void(const SimulatedStep&)>& visit = {}) {
-  Simulation simulation(scene);
-  simulation.start();
-  while (!simulation.finished()) {
-    const SimulatedStep step = simulation.step();
-    if (visit) visit(step);
-  }
-  return simulation.checkpoint().y;
-}
-
-class KnownMotion : public testing::TestWithParam<Method> {};
-
-std::string method_name(const testing::TestParamInfo<Method>& tested) {
-  constexpr const char* kNames[] = {"Adams", "Bdf", "Ida", "DormandPrince", "Esdirk", "Rkc"};
-  return kNames[static_cast<std::size_t>(tested.param)];
-}
-
-// A free joint's coordinates: quaternion, position; its speeds: angular velocity, velocity.
-constexpr int kX = 4, kZ = 6, kVx = 10, kVz = 12;
 
 TEST_P(KnownMotion, OfAThrownBodyIsAParabola) {
   const Scene scene = scene_with(R"({"bodies": [{"name": "stone", "mass": 2, "inertia": [1, 1, 1],
       "centre_of_mass": [0, 0, 0], "velocity": [3, 0, 4], "angular_velocity": [0, 0, 2]}],
     "duration": 1, "gravity": [0, 0, -9.81], "output": {"checkpoint_interval": 0.3}})",
-                                 {GetParam(), 1e-8});
+                                 GetParam(), 1e-8);
   const Eigen::VectorXd y = end_of(scene);
   EXPECT_NEAR(y[kX], 3, 1e-6);
   EXPECT_NEAR(y[kZ], 4 - 9.81 / 2, 1e-6);
@@ -64,7 +27,7 @@ TEST_P(KnownMotion, OfACartOnABumperIsHalfAPeriodOfItsSpring) {
   Scene scene = scene_with(R"({"bodies": [{"name": "cart", "mass": 2, "inertia": [1, 1, 1], "centre_of_mass": [0, 0, 0],
       "joint": {"type": "slider", "speeds": [2], "limits": [{"coordinate": 0, "from": -5, "to": 1, "stiffness": 800}]}}],
     "duration": 1, "gravity": [0, 0, 0]})",
-                           {GetParam(), 1e-8});
+                           GetParam(), 1e-8);
   scene.duration = 0.5 + period + 0.25;
   const Eigen::VectorXd y = end_of(scene);
   EXPECT_NEAR(y[0], 1 - 0.25 * 2, 1e-5);
@@ -94,7 +57,7 @@ std::string block_on_slope(double tilt, const std::string& friction, const std::
 // N m: 2e-5 rad, which moves the block by 1e-6 m and turns gravity against the block by 2e-5.
 TEST_P(KnownMotion, OfASlidingBlockHasGravityLessFriction) {
   const double tilt = 0.3, mu = 0.2;
-  const Scene scene = scene_with(block_on_slope(tilt, "0.2", "0.5"), {GetParam(), 1e-6});
+  const Scene scene = scene_with(block_on_slope(tilt, "0.2", "0.5"), GetParam(), 1e-6);
   const Eigen::VectorXd y = end_of(scene);
   const double a = 9.81 * (std::sin(tilt) - mu * std::cos(tilt));
   EXPECT_NEAR(y[kVx], 0.5 + a * 0.5, 2e-4);
@@ -104,7 +67,7 @@ TEST_P(KnownMotion, OfASlidingBlockHasGravityLessFriction) {
 // Steeper friction than slope: it stops, but for a creep at which regularised friction (20) carries it, below v_eps.
 TEST_P(KnownMotion, OfASlidingBlockEndsInACreepBelowTheSlipVelocity) {
   const double tilt = 0.1, mu = 0.5;
-  const Scene scene = scene_with(block_on_slope(tilt, "0.5", "0.5"), {GetParam(), 1e-5});
+  const Scene scene = scene_with(block_on_slope(tilt, "0.5", "0.5"), GetParam(), 1e-5);
   const double a = 9.81 * (mu * std::cos(tilt) - std::sin(tilt));
   const Eigen::VectorXd y = end_of(scene);
   EXPECT_NEAR(y[kX], -2.01 + 0.5 * 0.5 / (2 * a), 5e-4);
@@ -121,7 +84,7 @@ TEST_P(KnownMotion, OfAnUndampedBounceEndsWhereItBegan) {
   // Down 0.2 m in sqrt(0.04) s; then m d2u/dt2 = m g - c u from 2 m/s on: as long as u > 0.
   const double w = std::sqrt(1e6 / 100), shift = 10 / (w * w);
   const double contact = 2 * (std::acos(-1.0) - std::atan2(2 / w, shift)) / w;
-  Scene scene = scene_with(text, {GetParam(), 1e-8});
+  Scene scene = scene_with(text, GetParam(), 1e-8);
   scene.duration = 0.4 + contact;
   double energy = 0, greatest_change = 0;
   const Eigen::VectorXd y = end_of(scene, [&](const SimulatedStep& step) {
@@ -133,10 +96,7 @@ TEST_P(KnownMotion, OfAnUndampedBounceEndsWhereItBegan) {
   EXPECT_LT(greatest_change, 1e-5 * energy);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, KnownMotion,
-                         testing::Values(Method::adams, Method::bdf, Method::ida, Method::dormand_prince,
-                                         Method::esdirk, Method::rkc),
-                         method_name);
+INSTANTIATE_TEST_SUITE_P(Methods, KnownMotion, kEachMethod, method_name);
 
 TEST(Multiples, AreCountedAsTheyAreMade) {
   for (const double interval : {0.1, 0.3, 0.07, 0.01, 0.001})
@@ -152,7 +112,7 @@ TEST(Multiples, AreCountedAsTheyAreMade) {
 
 // What the flow of energy takes is what is missing at the end.
 TEST(Simulation, EnergyTakenByFrictionAndDampingIsWhatIsMissing) {
-  const Scene scene = scene_with(block_on_slope(0.3, "0.2", "0.5"), {Method::dormand_prince, 1e-7});
+  const Scene scene = scene_with(block_on_slope(0.3, "0.2", "0.5"), Method::dormand_prince, 1e-7);
   Simulation simulation(scene);
   simulation.start();
   const double before = simulation.checkpoint().energy_at_start;
@@ -163,7 +123,7 @@ TEST(Simulation, EnergyTakenByFrictionAndDampingIsWhatIsMissing) {
 }
 
 TEST(Simulation, CountsElementsThatEnterAndLeave) {
-  Scene scene = scene_with(std::string(built_in_scenes().front().text), {Method::adams, 2e-4});
+  Scene scene = scene_with(std::string(built_in_scenes().front().text), Method::adams, 2e-4);
   scene.duration = 0.6;
   Index elements = 0;
   bool any = false;
