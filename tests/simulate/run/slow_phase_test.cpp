@@ -85,6 +85,17 @@ TEST(SlowPhase, ExplicitStepsAreThoseOfTheStabilityLimit) {
   EXPECT_NEAR(products[products.size() / 2], 3.3, 0.4);
 }
 
+// Dormand and Prince's takes 6 evaluations for every 3.3 / |lambda|, RKC some 30 for its greatest step of 0.05 s.
+TEST(SlowPhase, TheStabilisedExplicitMethodTakesAnEighthOfTheEvaluationsAndIsMoreAccurate) {
+  Scene scene = creep(Method::dormand_prince, 1e-4);
+  scene.duration = 2;
+  const Creep explicit_run = run(scene);
+  scene.integrator.method = Method::rkc;
+  const Creep stabilised = run(scene);
+  EXPECT_LT(8 * stabilised.derivatives, explicit_run.derivatives);
+  EXPECT_NEAR(stabilised.y[10], creep_speed() * kSlipVelocity, 1e-7);
+}
+
 TEST(SlowPhase, ImplicitMethodsTakeATwentiethOfTheEvaluationsAndAreAsAccurate) {
   const auto run_for_2_s = [](Method method, double tolerance) {
     Scene scene = creep(method, tolerance);
