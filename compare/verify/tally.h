@@ -67,6 +67,10 @@ struct Widths {
   static Widths from_json(const nlohmann::ordered_json& json);
 };
 
+/// Upper end of the one-sided 95 % confidence interval (Clopper and Pearson 1934) of the rate of what was seen `seen`
+/// times in `trials`; about 3 / n where it never was.
+double rate_upper_bound(std::int64_t seen, std::int64_t trials);
+
 inline constexpr int kErrors = 8;
 
 /// The errors of RelativeErrors in their order there, by name; the engine's own bounds last.
@@ -122,8 +126,7 @@ struct Tally {
   /// Quantile q of error k: rounded up by the histogram, but never above the greatest.
   double error_quantile(std::size_t k, double q) const;
 
-  /// Upper end of the one-sided 95 % confidence interval (Clopper and Pearson 1934) of the rate of disagreeing poses;
-  /// about 3 / n where there was none.
+  /// Of the rate of disagreeing poses.
   double disagreement_rate_bound() const;
 
   nlohmann::ordered_json to_json() const;
