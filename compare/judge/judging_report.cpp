@@ -13,7 +13,8 @@ namespace {
 
 /// A rate as people read it.
 TableCell rate_cell(double rate) {
-  return {fmt::format("{:.2g} %", 100 * rate), rate};
+  const double percent = 100 * rate;
+  return {percent < 10 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent), rate};
 }
 
 std::vector<TableCell> fact_row(const std::string& stratum, Fact fact, const JudgedTally& tally) {
