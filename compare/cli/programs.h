@@ -9,13 +9,16 @@
 namespace pcm::compare {
 
 /// What `pcm --help` says of the subcommands that are programs of their own.
+inline constexpr const char* kAnswerDescription = "Our own engines as anybody's: answers for 'pcm judge'";
 inline constexpr const char* kBenchDescription =
     "How fast the engine is, beside others, over sizes, and by what it skips";
 inline constexpr const char* kContactDescription =
     "Contact between two surfaces: polygons, areas, force and torque, one JSON object a line for each pose";
 inline constexpr const char* kInspectDescription =
     "Jumps of the elastic force along a path of poses: where, how large and why; and the work done";
+inline constexpr const char* kJudgeDescription = "Anybody's answers to the poses of 'pcm poses' before the oracle";
 inline constexpr const char* kMeshDescription = "Surfaces: check, make, convert";
+inline constexpr const char* kPosesDescription = "The poses of 'pcm verify' as files that any program reads";
 inline constexpr const char* kSimulateDescription =
     "Bodies in motion: the paper's scenes or one of yours, integrated, recorded, with its energies";
 

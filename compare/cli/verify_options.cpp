@@ -22,9 +22,43 @@ bool asks_for_other_tables(const VerifyOptions& options) {
                      [](const std::string& engine) { return engine != "fast"; });
 }
 
+void add_plan_options(CLI::App& command, VerifyOptions& options) {
+  options.seed = std::to_string(VerificationPlan().seed);
+  command
+      .add_option("--poses", options.poses,
+                  "How many poses in all (strata that no pair has leave theirs out); of a trajectory, how many at "
+                  "most, spread evenly (default: all)")
+      ->type_name("N")
+      ->default_str(std::to_string(VerificationPlan().poses));
+  command.add_option("--seed", options.seed, "Seed of the random poses, a whole number")
+      ->type_name("S")
+      ->capture_default_str();
+  command.add_option("--strata", options.strata, "Of " + strata_names() + " (default: all)")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  command
+      .add_option(
+          "--pair", options.pairs,
+          std::string("Two surfaces E and F (") + kMeshFormats + ") in place of the built-in pairs; may be repeated")
+      ->type_name("E F")
+      ->type_size(2)
+      ->allow_extra_args(false);
+  command
+      .add_option("--mode", options.mode,
+                  "Whose faces are masters: E, F or both; all: each pose in these three modes (default of a "
+                  "trajectory: as recorded)")
+      ->check(CLI::IsMember({"E", "F", "both", "all"}))
+      ->default_str("both");
+  command
+      .add_option(
+          "--scheme", options.scheme,
+          "How elements sample the penetration: barycentric, clipped, or both (default: every third pose in the "
+          "clipped scheme; of a trajectory as recorded, or one of the two)")
+      ->check(CLI::IsMember({"barycentric", "clipped", "both"}));
+}
+
 void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act) {
   auto options = std::make_shared<VerifyOptions>();
-  options->seed = std::to_string(VerificationPlan().seed);
   CLI::App* command =
       program.add_subcommand("verify", "Hold the engine against the oracle over randomized or recorded poses");
   command->footer(fmt::format(
@@ -57,37 +91,7 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "  pcm verify --trajectory bubbles/trajectory/trajectory.json --out results\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17_both.json",
       kMostFindings));
-  command
-      ->add_option("--poses", options->poses,
-                   "How many poses in all (strata that no pair has leave theirs out); of a trajectory, how many at "
-                   "most, spread evenly (default: all)")
-      ->type_name("N")
-      ->default_str(std::to_string(VerificationPlan().poses));
-  command->add_option("--seed", options->seed, "Seed of the random poses, a whole number")
-      ->type_name("S")
-      ->capture_default_str();
-  command->add_option("--strata", options->strata, "Of " + strata_names() + " (default: all)")
-      ->type_name("NAME,...")
-      ->delimiter(',');
-  command
-      ->add_option(
-          "--pair", options->pairs,
-          std::string("Two surfaces E and F (") + kMeshFormats + ") in place of the built-in pairs; may be repeated")
-      ->type_name("E F")
-      ->type_size(2)
-      ->allow_extra_args(false);
-  command
-      ->add_option("--mode", options->mode,
-                   "Whose faces are masters: E, F or both; all: each pose in these three modes (default of a "
-                   "trajectory: as recorded)")
-      ->check(CLI::IsMember({"E", "F", "both", "all"}))
-      ->default_str("both");
-  command
-      ->add_option(
-          "--scheme", options->scheme,
-          "How elements sample the penetration: barycentric, clipped, or both (default: every third pose in the "
-          "clipped scheme; of a trajectory as recorded, or one of the two)")
-      ->check(CLI::IsMember({"barycentric", "clipped", "both"}));
+  add_plan_options(*command, *options);
   command
       ->add_option(
           "--engine", options->engines,

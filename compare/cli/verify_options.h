@@ -31,6 +31,9 @@ struct VerifyOptions {
   bool quick = false;
 };
 
+/// Adds the options that say which poses are asked: --poses, --seed, --strata, --pair, --mode, --scheme.
+void add_plan_options(CLI::App& command, VerifyOptions& options);
+
 /// Adds the subcommand; `act` is what it does.
 void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -33,10 +34,10 @@ Value named(const Json& json, const std::array<Value, N>& values) {
   throw BadInput(in_quotes(word) + " is none of " + known);
 }
 
-double number_at(const Json& json, const char* key) {
+double number_at(const Json& json, const char* key, double (*number)(const Json&)) {
   const Json& value = json.at(key);
   try {
-    return number_from(value);
+    return number(value);
   } catch (const BadInput& error) {
     throw BadInput(std::string(key) + ": " + error.what());
   }
@@ -57,32 +58,44 @@ double number_from(const Json& json) {
   return *value;
 }
 
-Json law_json(const ContactLaw& law) {
+Json number_json(double x, Notation notation) {
+  return notation == Notation::decimal && std::isfinite(x) ? Json(x) : Json(hexadecimal(x));
+}
+
+double number_in_either_notation(const Json& json) {
+  if (!json.is_number()) return number_from(json);
+  const auto value = json.get<double>();
+  if (!std::isfinite(value)) throw BadInput(json.dump() + " is beyond the range of doubles");
+  return value;
+}
+
+Json law_json(const ContactLaw& law, Notation notation) {
+  const auto number = [notation](double x) { return number_json(x, notation); };
   Json json;
-  json["stiffness"] = hexadecimal(law.stiffness);
+  json["stiffness"] = number(law.stiffness);
   if (law.layers) {
-    json["stiffness_E"] = hexadecimal(law.layers->c_E);
-    json["stiffness_F"] = hexadecimal(law.layers->c_F);
+    json["stiffness_E"] = number(law.layers->c_E);
+    json["stiffness_F"] = number(law.layers->c_F);
   }
-  json["damping"] = hexadecimal(law.damping);
-  json["transition_depth"] = hexadecimal(law.transition_depth);
-  json["friction"] = hexadecimal(law.friction);
-  json["slip_velocity"] = hexadecimal(law.slip_velocity);
-  json["max_penetration"] = hexadecimal(law.max_penetration);
+  json["damping"] = number(law.damping);
+  json["transition_depth"] = number(law.transition_depth);
+  json["friction"] = number(law.friction);
+  json["slip_velocity"] = number(law.slip_velocity);
+  json["max_penetration"] = number(law.max_penetration);
   json["damping_mode"] = std::string(name(law.damping_mode));
   return json;
 }
 
-ContactLaw law_from(const Json& json) {
+ContactLaw law_from(const Json& json, double (*number)(const Json&)) {
   ContactLaw law;
-  law.stiffness = number_at(json, "stiffness");
+  law.stiffness = number_at(json, "stiffness", number);
   if (json.contains("stiffness_E"))
-    law.layers = LayerStiffness{number_at(json, "stiffness_E"), number_at(json, "stiffness_F")};
-  law.damping = number_at(json, "damping");
-  law.transition_depth = number_at(json, "transition_depth");
-  law.friction = number_at(json, "friction");
-  law.slip_velocity = number_at(json, "slip_velocity");
-  law.max_penetration = number_at(json, "max_penetration");
+    law.layers = LayerStiffness{number_at(json, "stiffness_E", number), number_at(json, "stiffness_F", number)};
+  law.damping = number_at(json, "damping", number);
+  law.transition_depth = number_at(json, "transition_depth", number);
+  law.friction = number_at(json, "friction", number);
+  law.slip_velocity = number_at(json, "slip_velocity", number);
+  law.max_penetration = number_at(json, "max_penetration", number);
   law.damping_mode = named(json.at("damping_mode"), kDampingModes);
   return law;
 }

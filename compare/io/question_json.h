@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -15,12 +16,19 @@ namespace pcm::compare {
 
 /// As C hexadecimal floating point, e.g. "0x1.8p-3", or "inf".
 std::string hexadecimal(double x);
-/// A finite number or "inf".
+/// A finite number or "inf", in quotes.
 double number_from(const Json& json);
 
-Json law_json(const ContactLaw& law);
+/// How a file writes its doubles: as JSON numbers, or in quotes as above. Both read back bit for bit, and infinity is
+/// "inf" in both.
+enum class Notation : std::uint8_t { decimal, hexadecimal };
+Json number_json(double x, Notation notation);
+/// A number in either notation.
+double number_in_either_notation(const Json& json);
+
+Json law_json(const ContactLaw& law, Notation notation = Notation::hexadecimal);
 /// Values may be out of their ranges: whoever asks the question refuses them.
-ContactLaw law_from(const Json& json);
+ContactLaw law_from(const Json& json, double (*number)(const Json&) = number_from);
 
 Mode mode_from(const Json& json);
 Scheme scheme_from(const Json& json);

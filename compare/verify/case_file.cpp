@@ -137,6 +137,13 @@ Json decided(const reference::Answer& truth) {
 
 std::string format_case(const Case& posed, const std::vector<Disagreement>& disagreements, const Json& engine,
                         const Json& oracle) {
+  std::vector<std::array<std::string, 2>> words;
+  for (const Disagreement& d : disagreements) words.push_back({std::string(name(d.kind)), d.text});
+  return format_foreign_case(posed, words, engine, oracle);
+}
+
+std::string format_foreign_case(const Case& posed, const std::vector<std::array<std::string, 2>>& disagreements,
+                                const Json& engine, const Json& oracle) {
   Json json;
   json["format"] = "pcm case 1";
   json["origin"] = posed.origin;
@@ -151,7 +158,7 @@ std::string format_case(const Case& posed, const std::vector<Disagreement>& disa
   json["scheme"] = std::string(name(posed.scheme));
   json["mode"] = std::string(name(posed.mode));
   json["disagreements"] = Json::array();
-  for (const Disagreement& d : disagreements) json["disagreements"].push_back({std::string(name(d.kind)), d.text});
+  for (const auto& [kind, text] : disagreements) json["disagreements"].push_back(Json::array({kind, text}));
   json["engine"] = engine;
   json["oracle"] = oracle;
   json["E"] = to_json(posed.E, posed.file_E);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -38,6 +39,10 @@ nlohmann::ordered_json decided(const reference::Answer& truth);
 /// read back bit for bit.
 std::string format_case(const Case& posed, const std::vector<Disagreement>& disagreements,
                         const nlohmann::ordered_json& engine, const nlohmann::ordered_json& oracle);
+
+/// The same where what disagrees goes by other words: pairs of a kind and what each side says.
+std::string format_foreign_case(const Case& posed, const std::vector<std::array<std::string, 2>>& disagreements,
+                                const nlohmann::ordered_json& engine, const nlohmann::ordered_json& oracle);
 
 /// Reads a case file. Throws BadInput naming the file and what is wrong with it: not JSON, a key missing or of the
 /// wrong type, a number that is none, a mesh file missing (paths are relative to the case file) or changed since.

@@ -181,10 +181,14 @@ double Tally::error_quantile(std::size_t k, double q) const {
   return std::min(errors[k].quantile(q), worst[k].value);
 }
 
+double rate_upper_bound(std::int64_t seen, std::int64_t trials) {
+  if (trials == 0 || seen == trials) return 1;
+  return boost::math::binomial_distribution<>::find_upper_bound_on_p(static_cast<double>(trials),
+                                                                     static_cast<double>(seen), 0.05);
+}
+
 double Tally::disagreement_rate_bound() const {
-  if (poses == 0 || disagreeing == poses) return 1;
-  return boost::math::binomial_distribution<>::find_upper_bound_on_p(static_cast<double>(poses),
-                                                                     static_cast<double>(disagreeing), 0.05);
+  return rate_upper_bound(disagreeing, poses);
 }
 
 nlohmann::ordered_json Tally::to_json() const {

@@ -67,8 +67,14 @@ struct Widths {
   static Widths from_json(const nlohmann::ordered_json& json);
 };
 
+<<<<<<< HEAD
 /// What the tables show of a distribution: median, 99th and 99.9th percentile.
 inline constexpr std::array<double, 3> kShownQuantiles = {0.5, 0.99, 0.999};
+=======
+/// Upper end of the one-sided 95 % confidence interval (Clopper and Pearson 1934) of the rate of what was seen `seen`
+/// times in `trials`; about 3 / n where it never was.
+double rate_upper_bound(std::int64_t seen, std::int64_t trials);
+>>>>>>> part-judge
 
 inline constexpr int kErrors = 8;
 
@@ -125,8 +131,7 @@ struct Tally {
   /// Quantile q of error k: rounded up by the histogram, but never above the greatest.
   double error_quantile(std::size_t k, double q) const;
 
-  /// Upper end of the one-sided 95 % confidence interval (Clopper and Pearson 1934) of the rate of disagreeing poses;
-  /// about 3 / n where there was none.
+  /// Of the rate of disagreeing poses.
   double disagreement_rate_bound() const;
 
   nlohmann::ordered_json to_json() const;

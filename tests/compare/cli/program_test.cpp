@@ -54,8 +54,9 @@ constexpr const char* kOverlap = "1 0 0  0 1 0  0 0 1  0.125 0.25 0.875\n";
 TEST(ProgramHelp, EveryCommandShowsAnExample) {
   for (const Words& command :
        {Words{}, Words{"bench"}, Words{"bench", "peers"}, Words{"bench", "scaling"}, Words{"bench", "skip"},
-        Words{"bench", "work-precision"}, Words{"contact"}, Words{"inspect"}, Words{"verify"}, Words{"mesh"},
-        Words{"mesh", "check"}, Words{"mesh", "make"}, Words{"mesh", "convert"}}) {
+        Words{"bench", "work-precision"}, Words{"contact"}, Words{"inspect"}, Words{"poses"}, Words{"judge"},
+        Words{"answer"}, Words{"verify"}, Words{"mesh"}, Words{"mesh", "check"}, Words{"mesh", "make"},
+        Words{"mesh", "convert"}}) {
     Words arguments = command;
     arguments.emplace_back("--help");
     const Outcome outcome = run_pcm(arguments);

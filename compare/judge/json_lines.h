@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "compare/io/exact_json.h"
+
+namespace pcm::compare {
+
+/// The JSON object that a line is. Throws BadInput where it is none.
+Json object_from_line(std::string_view line);
+
+/// Throws BadInput naming the first key of the object that is none of the known ones.
+void refuse_other_keys(const Json& object, std::initializer_list<std::string_view> known);
+
+/// The text under a key. Throws BadInput where there is none.
+std::string text_at(const Json& object, const char* key);
+
+/// A file of JSON objects, one a line, read object by object; blank lines are skipped, a leading UTF-8 byte order mark
+/// too.
+class JsonLines {
+ public:
+  /// Throws BadInput where `path` is no readable file.
+  explicit JsonLines(const std::filesystem::path& path);
+
+  /// The next object; none at the end. Throws BadInput with file and line for a line that is none, or only half of one.
+  std::optional<Json> next();
+
+  /// Of the last object, from 1.
+  std::int64_t line() const { return line_; }
+  /// "file:line" of it, for messages.
+  std::string place() const { return place(line_); }
+  std::string place(std::int64_t line) const { return name_ + ":" + std::to_string(line); }
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+  std::ifstream file_;
+  std::int64_t line_ = 0;
+};
+
+}  // namespace pcm::compare
