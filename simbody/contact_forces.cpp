@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
+#include "fast/base/same_bits.h"
 #include "pcm/scene.h"
 #include "pcm/simbody.h"
 
@@ -15,10 +17,6 @@ Eigen::Vector3d to_eigen(const SimTK::Vec3& v) {
 
 SimTK::Vec3 to_simtk(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
-}
-
-bool same(const fast::BodyState& a, const fast::BodyState& b) {
-  return a.pose.A == b.pose.A && a.pose.r == b.pose.r && a.velocity.v == b.velocity.v && a.velocity.w == b.velocity.w;
 }
 
 using Answers = std::vector<PairingAnswer>;
@@ -55,6 +53,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   void visit_elements(const SimTK::State& state, const Visit& visit) const;
   double elastic_energy(const SimTK::State& state) const;
   void remember(const SimTK::State& state) const;
+  void forget() const;
   ContactCounters counters() const;
 
  private:
@@ -76,6 +75,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   void move_scene(fast::Scene& scene, const SimTK::State& state, bool moving) const;
   PairingAnswer answer(const SimTK::State& state, Index pairing) const;
   bool is_remembered(Index pairing) const;
+  bool is_unmoved() const;
   Answers compute(const SimTK::State& state) const;
 
   const SimTK::GeneralForceSubsystem& forces_;
@@ -161,20 +161,32 @@ bool ContactForces::Implementation::is_remembered(Index pairing) const {
   const Ends& ends = ends_[static_cast<std::size_t>(pairing)];
   const auto as_before = [&](Index surface) {
     const auto i = static_cast<std::size_t>(surface);
-    return same(states_[i], remembered_states_[i]);
+    return fast::same_bits(states_[i].pose, remembered_states_[i].pose) &&
+           fast::same_bits(states_[i].velocity, remembered_states_[i].velocity);
   };
   return as_before(ends.E) && as_before(ends.F);
+}
+
+/// Whether all surfaces are where they were at the remembered state.
+bool ContactForces::Implementation::is_unmoved() const {
+  const auto in_place = [](const fast::BodyState& a, const fast::BodyState& b) {
+    return fast::same_bits(a.pose, b.pose);
+  };
+  return !remembered_states_.empty() &&
+         std::equal(states_.begin(), states_.end(), remembered_states_.begin(), remembered_states_.end(), in_place);
 }
 
 Answers ContactForces::Implementation::compute(const SimTK::State& state) const {
   move_scene(scene_, state, true);
   ++counters_.states;
+  counters_.unmoved += is_unmoved();
   Answers result;
   for (Index p = 0; p < scene_.pairings(); ++p) {
     const bool known = is_remembered(p);
     result.push_back(known ? remembered_answers_[static_cast<std::size_t>(p)] : answer(state, p));
     ++(known ? counters_.recalled : counters_.evaluated);
   }
+  counters_.law_only += scene_.counters().work.law_only;
   return result;
 }
 
@@ -245,11 +257,22 @@ double ContactForces::Implementation::elastic_energy(const SimTK::State& state) 
 }
 
 void ContactForces::Implementation::remember(const SimTK::State& state) const {
+  {
+    const std::lock_guard<std::mutex> lock(asking_);
+    move_scene(scene_, state, false);
+    scene_.remember_poses();
+  }
   const Answers& now = answers(state);
   const std::lock_guard<std::mutex> lock(asking_);
   remembered_answers_ = now;
   move_scene(scene_, state, true);
   remembered_states_ = states_;
+}
+
+void ContactForces::Implementation::forget() const {
+  const std::lock_guard<std::mutex> lock(asking_);
+  remembered_answers_.clear();
+  remembered_states_.clear();
 }
 
 ContactCounters ContactForces::Implementation::counters() const {
@@ -319,6 +342,10 @@ double ContactForces::elastic_energy(const SimTK::State& state) const {
 
 void ContactForces::remember(const SimTK::State& state) const {
   implementation().remember(state);
+}
+
+void ContactForces::forget() const {
+  implementation().forget();
 }
 
 ContactCounters ContactForces::counters() const {

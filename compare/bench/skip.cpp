@@ -14,6 +14,7 @@
 #include "compare/verify/wanted_presets.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
+#include "pcm/pairing_memory.h"
 #include "reference/oracle.h"
 
 namespace pcm::compare {
@@ -142,6 +143,17 @@ std::vector<Question> questions() {
            &Savings::filters, "exact signs", &fast::WorkCounters::exact_predicates}};
 }
 
+/// Turned about the axis that joins the two: bubbles meet pole to pole.
+Pose drawn_pose(double touching, double overlap, std::int64_t number) {
+  PoseRandom random(kSeed, 1, 0, static_cast<std::uint64_t>(number));
+  Pose pose;
+  const double angle = random.uniform(0, 6);
+  pose.A << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
+  const double x = 0.01 * touching * random.uniform(-1, 1), y = 0.01 * touching * random.uniform(-1, 1);
+  pose.r = {x, y, touching - overlap};
+  return pose;
+}
+
 SavingResult measure(const Question& question, std::int64_t poses) {
   const fast::Pairing pairing{fast::Surface(question.E), fast::Surface(question.F), question.law, Mode::E,
                               Scheme::barycentric};
@@ -149,13 +161,7 @@ SavingResult measure(const Question& question, std::int64_t poses) {
   SavingResult result{question.saving, question.scene, 0, 0, question.counted, 0, 0};
   std::vector<double> on, off;
   for (std::int64_t p = 0; p < poses; ++p) {
-    PoseRandom random(kSeed, 1, 0, static_cast<std::uint64_t>(p));
-    Pose pose;
-    // About the axis that joins them: bubbles meet pole to pole.
-    const double angle = random.uniform(0, 6);
-    pose.A << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
-    pose.r = {0.01 * question.touching * random.uniform(-1, 1), 0.01 * question.touching * random.uniform(-1, 1),
-              question.touching - question.overlap};
+    const Pose pose = drawn_pose(question.touching, question.overlap, p);
     const auto ask = [&](const Savings& savings) -> const fast::Contact& {
       return fast::evaluate(pairing, pose, bench_velocity(), question.wanted, workspace, savings);
     };
@@ -167,6 +173,48 @@ SavingResult measure(const Question& question, std::int64_t poses) {
   result.on_us = quantile(on, 0.5);
   result.off_us = quantile(off, 0.5);
   return result;
+}
+
+/// The same pose with another velocity, as for a Jacobian by difference quotients: the law alone, and all anew.
+SavingResult measure_known_pose(const std::string& bodies, const TriangleMesh& mesh, double touching, Scheme scheme,
+                                std::int64_t poses) {
+  const fast::Surface surface(mesh);
+  const fast::Pairing pairing(surface, surface, bench_law(), Mode::E, scheme);
+  fast::PairingMemory memory(pairing);
+  fast::Workspace workspace;
+  SavingResult result{"all but the law",
+                      fmt::format("force on two {}, 5 % deep, another velocity{}", bodies,
+                                  scheme == Scheme::clipped ? ", clipped" : ""),
+                      0,
+                      0,
+                      "candidate pairs",
+                      0,
+                      0};
+  std::vector<double> on, off;
+  for (std::int64_t p = 0; p < poses; ++p) {
+    const Pose pose = drawn_pose(touching, 0.05 * touching, p);
+    Velocity velocity = bench_velocity();
+    const auto ask = [&](const Savings& savings) -> const fast::Contact& {
+      velocity.v *= 1 + 0x1p-20;
+      return memory.evaluate(pose, velocity, kForceOnly, workspace, savings);
+    };
+    ask({});
+    on.push_back(least_time([] {}, [&] { ask({}); }).query_us);
+    result.work_on += ask({}).work.candidate_pairs;
+    off.push_back(least_time([] {}, [&] { ask(without(&Savings::known_poses)); }).query_us);
+    result.work_off += ask(without(&Savings::known_poses)).work.candidate_pairs;
+  }
+  result.on_us = quantile(on, 0.5);
+  result.off_us = quantile(off, 0.5);
+  return result;
+}
+
+void measure_known_poses(std::int64_t poses, SkipResult& result) {
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    result.savings.push_back(measure_known_pose("bubbles", generate::bubble(), 0.4, scheme, poses));
+    result.savings.push_back(
+        measure_known_pose("spheres of 20,480 faces", generate::icosphere(1, 5), 2, scheme, poses));
+  }
 }
 
 /// The oracle looks exactly at pairs of faces whose boxes meet, or at all.
@@ -262,6 +310,8 @@ SkipResult run_skip(int bubbles, std::int64_t steps, std::int64_t poses,
     progress(question.saving);
     result.savings.push_back(measure(question, poses));
   }
+  progress("known poses");
+  measure_known_poses(5 * poses, result);
   progress("oracle's candidate region");
   result.savings.push_back(measure_candidate_region(poses));
   return result;

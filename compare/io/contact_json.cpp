@@ -47,7 +47,7 @@ Json work_json(const fast::WorkCounters& work) {
           {"crossing_pairs", work.crossing_pairs}, {"vertices_transformed", work.vertices_transformed},
           {"predicates", work.predicates},         {"exact_predicates", work.exact_predicates},
           {"tie_breaks", work.tie_breaks},         {"elements", work.elements},
-          {"velocities", work.velocities}};
+          {"velocities", work.velocities},         {"law_only", work.law_only}};
 }
 
 Json statistics_json(const fast::Statistics& statistics) {

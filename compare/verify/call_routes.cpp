@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/call_routes.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <bit>
 #include <limits>
@@ -23,7 +24,7 @@ std::uint64_t mixed(std::uint64_t x) {
 }
 
 /// What the bits drawn at a state are for.
-enum class Draw : std::uint64_t { ask = 1, scene_ask, bodies, turn };
+enum class Draw : std::uint64_t { ask = 1, scene_ask, bodies, turn, known_pose_ask, ways };
 
 /// 64 bits that depend on all bits of a state's doubles: those of coarse ones are in the upper half alone.
 std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) {
@@ -35,7 +36,7 @@ std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) 
   return mixed(hash + static_cast<std::uint64_t>(purpose));
 }
 
-/// Fourteen switches from as many bits.
+/// Fifteen switches from as many bits.
 Ask drawn_ask(Route route, std::uint64_t bits) {
   Ask ask{route, {}, {}};
   const auto next = [&bits] {
@@ -46,9 +47,9 @@ Ask drawn_ask(Route route, std::uint64_t bits) {
   for (bool* wanted : {&ask.wanted.polygons, &ask.wanted.areas, &ask.wanted.force, &ask.wanted.elements,
                        &ask.wanted.bound, &ask.wanted.statistics})
     *wanted = next();
-  for (bool* saving :
-       {&ask.savings.broad_phase, &ask.savings.certificates, &ask.savings.first_crossing, &ask.savings.lazy_vertices,
-        &ask.savings.one_sided, &ask.savings.velocities, &ask.savings.only_wanted, &ask.savings.filters})
+  for (bool* saving : {&ask.savings.broad_phase, &ask.savings.certificates, &ask.savings.first_crossing,
+                       &ask.savings.lazy_vertices, &ask.savings.one_sided, &ask.savings.velocities,
+                       &ask.savings.only_wanted, &ask.savings.filters, &ask.savings.known_poses})
     *saving = next();
   return ask;
 }
@@ -68,6 +69,47 @@ void hold_route(Route route, const fast::Contact& whole, const fast::Contact& an
   checks.checked(Kind::paths);
   if (const std::string difference = difference_in_bits(whole, answer, wanted); !difference.empty())
     checks.add(Kind::paths, "{}: {}", name(route), difference);
+}
+
+/// At rest it has other bits, and the same value.
+Velocity another(const Velocity& velocity) {
+  return {-0.5 * velocity.v, -0.5 * velocity.w};
+}
+
+/// Whether a pose is known after an answer there.
+bool keeps_poses(const Ask& ask) {
+  return ask.savings.known_poses && ask.savings.only_wanted && !ask.wanted.bound;
+}
+
+/// Calls `ask`; false where it throws: on the way to a question, the force may be beyond all doubles.
+template <class Call>
+bool is_answered(const Call& ask) {
+  try {
+    ask();
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+void hold_law_only(Route route, bool expected, bool found, Checks& checks) {
+  checks.checked(Kind::paths);
+  if (found != expected) checks.add(Kind::paths, "{}: the law alone was {}applied", name(route), found ? "" : "not ");
+}
+
+/// Asks beside the pose first, which leaves elements that are not those of the pose.
+void hold_known_pose(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                     const Ask& ask, const fast::Contact& whole, double step, fast::Workspace& workspace,
+                     Checks& checks) {
+  fast::PairingMemory memory(pairing);
+  Pose nearby = pose;
+  nearby.r.x() += step;
+  is_answered([&] { memory.evaluate(nearby, velocity, ask.wanted, workspace, ask.savings); });
+  const bool answered =
+      is_answered([&] { memory.evaluate(pose, another(velocity), ask.wanted, workspace, ask.savings); });
+  const fast::Contact& answer = seam.evaluate_known(memory, pose, velocity, ask, workspace);
+  hold_route(Route::known_pose, whole, answer, ask.wanted, checks);
+  hold_law_only(Route::known_pose, answered && keeps_poses(ask), answer.work.law_only == 1, checks);
 }
 
 /// One of the 24 rotations that turn axes onto axes: products with it are exact.
@@ -116,24 +158,61 @@ Eigen::Matrix3d small_turn(std::uint64_t which) {
   return R;
 }
 
+Eigen::Vector3d centre_of_box(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : mesh.vertices) box.extend(x);
+  return box.center();
+}
+
+/// F a step away. Either it is turned about its marker and moved by `step`: where it lies far off the marker, the turn
+/// moves it by more. Or it is turned about the middle of its box, which stays: then nothing but the turn has moved it.
+fast::BodyState stepped(const fast::BodyState& F, const TriangleMesh& mesh, double step, std::uint64_t which) {
+  fast::BodyState nearby = F;
+  nearby.pose.A = small_turn(which % 6) * F.pose.A;
+  if (which / 6 % 2 == 0) {
+    nearby.pose.r.x() += step;
+  } else {
+    const Eigen::Vector3d centre = centre_of_box(mesh);
+    nearby.pose.r += F.pose.A * centre - nearby.pose.A * centre;
+  }
+  return nearby;
+}
+
+/// Holds what the scene says of its pairing and its bodies against the answer's force and torque. E's axes are those of
+/// W in another order, so that no product with its A is rounded, and the torque about E is rounded as here.
+void hold_loads(fast::Scene& scene, const Eigen::Matrix3d& A_WE, const Eigen::Vector3d& r_Me,
+                const Eigen::Vector3d& force_Me, const Eigen::Vector3d& torque_Me, Checks& checks) {
+  checks.checked(Kind::paths);
+  scene.evaluate_all();
+  const fast::PairingLoad& load = scene.load(0);
+  const std::vector<fast::BodyLoad> loads = scene.body_loads();
+  const Eigen::Vector3d about_E_Me = torque_Me + r_Me.cross(force_Me);
+  if (!same_bits(load.force_Me, force_Me) || !same_bits(load.torque_Me, torque_Me))
+    checks.add(Kind::paths, "{}: the load kept of the pairing is another", name(Route::scene));
+  if (loads[0].force_W != A_WE * force_Me || loads[0].torque_W != A_WE * about_E_Me ||
+      loads[1].force_W != -(A_WE * force_Me) || loads[1].torque_W != -(A_WE * torque_Me))
+    checks.add(Kind::paths, "{}: force or torque on a body is not that of its pairing", name(Route::scene));
+}
+
 /// Holds a scene's answer against `whole`, the one to everything and a bound. A step on the way makes the scene look
-/// for a certificate where the bodies are apart, and use it where it still holds. F is moved and turned about its
-/// marker on the way: where it lies far off that, the turn moves it by more than the step.
+/// for a certificate where the bodies are apart, and use it where it still holds. With `remembering` F then has another
+/// velocity first where it is asked for, and loads, which cost little there, are held too.
 void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
-                const Ask& ask, const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks) {
+                const Ask& ask, bool remembering, const fast::Contact& whole, double step, fast::Workspace& workspace,
+                Checks& checks) {
   fast::Scene scene(ask.savings);
   scene.add_body(pairing.surface_E());
   scene.add_body(pairing.surface_F());
   scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), ask.wanted);
   const TwoBodies bodies(pose, velocity);
-  fast::BodyState nearby = bodies.F;
-  nearby.pose.A = small_turn(bits_of(pose, velocity, Draw::turn) % 6) * nearby.pose.A;
-  nearby.pose.r.x() += step;
-  scene.move({bodies.E, nearby});
-  // Nearby the force may be beyond all doubles; what is asked is the place itself.
-  try {
-    scene.evaluate(0, workspace);
-  } catch (const std::exception&) {
+  scene.move({bodies.E, stepped(bodies.F, pairing.surface_F().mesh(), step, bits_of(pose, velocity, Draw::turn))});
+  if (remembering) scene.remember_poses();
+  is_answered([&] { scene.evaluate(0, workspace); });
+  bool is_known = false;
+  if (remembering) {
+    scene.move({bodies.E, {bodies.F.pose, another(bodies.F.velocity)}});
+    scene.remember_poses();
+    is_known = is_answered([&] { scene.evaluate(0, workspace); }) && keeps_poses(ask);
   }
   scene.move({bodies.E, bodies.F});
   const Pose relative = scene.relative_pose(0);
@@ -150,7 +229,14 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   }
   if (same_bits(relative.A, pose.A) && same_bits(relative.r, pose.r) && same_bits(motion.v, velocity.v) &&
       same_bits(motion.w, velocity.w)) {
-    hold_route(Route::scene, whole, seam.evaluate_in(scene, workspace), ask.wanted, checks);
+    const fast::Contact& answer = seam.evaluate_in(scene, workspace);
+    hold_route(Route::scene, whole, answer, ask.wanted, checks);
+    const fast::SceneCounters counters = scene.counters();
+    if (counters.evaluated == 1) hold_law_only(Route::scene, is_known, counters.work.law_only == 1, checks);
+    if (is_known && ask.wanted.force) {
+      const Eigen::Vector3d force_Me = answer.force_Me, torque_Me = answer.torque_Me;  // the next question changes it
+      hold_loads(scene, bodies.E.pose.A, relative.r, force_Me, torque_Me, checks);
+    }
     return;
   }
   Ask everything{Route::plain, {}, {}};
@@ -162,7 +248,8 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
 }  // namespace
 
 std::string_view name(Route route) {
-  constexpr std::array<std::string_view, 6> kNames = {"plain", "bounded", "force", "touch", "drawn", "scene"};
+  constexpr std::array<std::string_view, 7> kNames = {"plain", "bounded",    "force", "touch",
+                                                      "drawn", "known pose", "scene"};
   return kNames[static_cast<std::size_t>(route)];
 }
 
@@ -181,6 +268,10 @@ const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Po
   return fast::evaluate(pairing, pose, velocity, ask.wanted, workspace, ask.savings);
 }
 
+std::vector<Ask> known_pose_asks_at(const Pose& pose, const Velocity& velocity) {
+  return {{Route::known_pose, {}, {}}, drawn_ask(Route::known_pose, bits_of(pose, velocity, Draw::known_pose_ask))};
+}
+
 std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity) {
   return {{Route::scene, {}, {}}, drawn_ask(Route::scene, bits_of(pose, velocity, Draw::scene_ask))};
 }
@@ -195,6 +286,11 @@ const fast::Contact& EngineSeam::evaluate_for_draw(const fast::Pairing& pairing,
                                                    const Velocity& velocity, const Wanted& wanted,
                                                    fast::Workspace& workspace) const {
   return fast::evaluate(pairing, pose, velocity, wanted, workspace);
+}
+
+const fast::Contact& EngineSeam::evaluate_known(fast::PairingMemory& memory, const Pose& pose, const Velocity& velocity,
+                                                const Ask& ask, fast::Workspace& workspace) const {
+  return memory.evaluate(pose, velocity, ask.wanted, workspace, ask.savings);
 }
 
 const fast::Contact& EngineSeam::evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const {
@@ -218,9 +314,14 @@ void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pos
     expected.bound = answer.bound;  // others that have a bound have this one
     on_bound(answer);
   }
+  // Of two questions, and of two ways to ask a scene, each state takes one: all of them would cost a half more.
+  const std::uint64_t ways = bits_of(pose, velocity, Draw::ways);
+  hold_known_pose(seam, pairing, pose, velocity, known_pose_asks_at(pose, velocity)[ways % 2], expected, step,
+                  workspace, checks);
   if (!is_pose_for_scenes(pose)) return;
-  for (const Ask& ask : scene_asks_at(pose, velocity))
-    hold_scene(seam, pairing, pose, velocity, ask, expected, step, workspace, checks);
+  const std::vector<Ask> asks = scene_asks_at(pose, velocity);
+  for (std::size_t k = 0; k < asks.size(); ++k)
+    hold_scene(seam, pairing, pose, velocity, asks[k], (ways >> (k + 1) & 1) != 0, expected, step, workspace, checks);
 }
 
 }  // namespace pcm::compare

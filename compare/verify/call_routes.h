@@ -9,6 +9,7 @@
 
 #include "compare/verify/checks.h"
 #include "pcm/engine.h"
+#include "pcm/pairing_memory.h"
 #include "pcm/scene.h"
 
 /// The ways by which callers reach the engine. Each takes other code; all answers must be one, bit for bit.
@@ -20,7 +21,12 @@ enum class Route : std::uint8_t {
   force,    ///< force and torque only
   touch,    ///< whether the surfaces cross only
   drawn,    ///< a choice of Wanted and Savings drawn from the pose's own bits, so that it is drawn again
-  scene,    ///< two bodies of a fast::Scene, after a step from a place nearby: by default, and with drawn choices
+  /// A fast::PairingMemory that was asked about a place nearby, and then about another velocity there: by default or
+  /// with drawn choices.
+  known_pose,
+  /// Two bodies of a fast::Scene, after a step from a place nearby: by default, and with drawn choices; each at once,
+  /// or when it was asked about other velocities there and remembers the pose, and then what acts on either body too.
+  scene,
 };
 
 std::string_view name(Route route);
@@ -32,8 +38,11 @@ struct Ask {
   fast::Savings savings;
 };
 
-/// What every pose is asked: the plain question first, then all others but the scenes'.
+/// What `evaluate` is asked at every pose: the plain question first.
 std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity);
+
+/// What a fast::PairingMemory may be asked there: everything but a bound with all savings, or a choice drawn apart.
+std::vector<Ask> known_pose_asks_at(const Pose& pose, const Velocity& velocity);
 
 /// What scenes are asked there: everything but a bound with all savings, then a choice drawn apart from that of
 /// `drawn`.
@@ -58,6 +67,8 @@ class EngineSeam {
   virtual const fast::Contact& evaluate_for_draw(const fast::Pairing& pairing, const Pose& pose,
                                                  const Velocity& velocity, const Wanted& wanted,
                                                  fast::Workspace& workspace) const;
+  virtual const fast::Contact& evaluate_known(fast::PairingMemory& memory, const Pose& pose, const Velocity& velocity,
+                                              const Ask& ask, fast::Workspace& workspace) const;
   /// The answer of a scene's only pairing, where its bodies are.
   virtual const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const;
 
@@ -66,8 +77,8 @@ class EngineSeam {
 };
 
 /// Asks by every route but the plain one and holds each answer against the plain one, `whole`, bit by bit; `on_bound`
-/// hears of the answer that has a bound. `step`: a length by which the scene's body F is moved first, beside a small
-/// turn about its marker, m.
+/// hears of the answer that has a bound. `step`: a length by which F is moved first, m; in scenes it
+/// is turned besides, or turned in place.
 void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                  const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
                  const std::function<void(const fast::Contact&)>& on_bound);

@@ -107,7 +107,7 @@ void visit_statistics(T& statistics, const Visit& visit) {
 template <class T, class Visit>
 void visit_work(T& work, const Visit& visit) {
   auto& [box_tests, candidate_pairs, crossing_pairs, vertices_transformed, predicates, exact_predicates, tie_breaks,
-         elements, velocities] = work;
+         elements, velocities, law_only] = work;
   visit(Field{"work.box_tests", Asked::work, Kind::work}, box_tests);
   visit(Field{"work.candidate_pairs", Asked::work, Kind::work}, candidate_pairs);
   visit(Field{"work.crossing_pairs", Asked::work, Kind::work}, crossing_pairs);
@@ -117,6 +117,7 @@ void visit_work(T& work, const Visit& visit) {
   visit(Field{"work.tie_breaks", Asked::work, Kind::work}, tie_breaks);
   visit(Field{"work.elements", Asked::work, Kind::work}, elements);
   visit(Field{"work.velocities", Asked::work, Kind::work}, velocities);
+  visit(Field{"work.law_only", Asked::work, Kind::work}, law_only);
 }
 
 }  // namespace fields

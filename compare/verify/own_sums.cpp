@@ -104,6 +104,7 @@ void check_work(const Question& question, const fast::Contact& subj, Checks& che
   check("predicates, exact ones and ties are not in this order",
         work.predicates >= work.exact_predicates && work.exact_predicates >= work.tie_breaks && work.tie_breaks >= 0);
   check("no box tested", work.box_tests > 0);
+  check("a whole evaluation is counted as the law alone", work.law_only == 0);
 }
 
 /// The greatest penetration is no less than any element's, and barycentric, where an element has one depth, the

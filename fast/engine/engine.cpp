@@ -7,6 +7,7 @@
 #include "fast/active/active_areas.h"
 #include "fast/crossings/crossings.h"
 #include "fast/crossings/polygons.h"
+#include "fast/engine/evaluation.h"
 #include "fast/engine/force_by_scheme.h"
 #include "fast/engine/workspace.h"
 #include "fast/force/law.h"
@@ -120,7 +121,7 @@ namespace {
 
 /// The steps, in their order.
 void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                     const Savings& savings, Workspace::Data& data) {
+                     const Savings& savings, bool keep_found, Workspace::Data& data) {
   Contact& contact = data.contact;
   data.elements.take_back_list(contact);
   contact.clear();
@@ -153,8 +154,8 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& v
                         contact);
   }
   if (wants_force(wanted)) {
-    ForceProblem problem(pairing.law(), pose, velocity, wanted);
-    if (!savings.velocities) problem.with_velocities = true;
+    ForceProblem problem = force_problem(pairing, pose, velocity, wanted, savings);
+    problem.keep_found = keep_found;
     if (!savings.one_sided) {
       form_elements_of_slave(found, pairing.scheme(), pairing.mode(), problem, data.force_scratch);
     }
@@ -165,31 +166,44 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& v
   }
 }
 
-[[gnu::noinline]] const Contact& evaluate_in_default_environment(const Pairing& pairing, const Pose& pose,
-                                                                 const Velocity& velocity, const Wanted& wanted,
-                                                                 Workspace& workspace, const Savings& savings) {
+[[gnu::noinline]] Contact& evaluate_in_default_environment(const Pairing& pairing, const Pose& pose,
+                                                           const Velocity& velocity, const Wanted& wanted,
+                                                           Workspace& workspace, const Savings& savings,
+                                                           bool keep_found) {
   if (!savings.only_wanted) {
     Savings others = savings;
     others.only_wanted = true;
     Wanted all;
     all.bound = wanted.bound;  // a promise of its own, and all of its cost
-    evaluate_in_default_environment(pairing, pose, velocity, all, workspace, others);
+    evaluate_in_default_environment(pairing, pose, velocity, all, workspace, others, keep_found);
     keep_only(wanted, workspace.data().contact);
     return workspace.data().contact;
   }
   require_valid(pose, velocity);
   Workspace::Data& data = workspace.data();
-  evaluate_wanted(pairing, pose, velocity, wanted, savings, data);
+  evaluate_wanted(pairing, pose, velocity, wanted, savings, keep_found, data);
   data.contact.work = data.posed.work;
   return data.contact;
 }
 
 }  // namespace
 
+ForceProblem force_problem(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
+                           const Savings& savings) {
+  ForceProblem problem(pairing.law(), pose, velocity, wanted);
+  if (!savings.velocities) problem.with_velocities = true;
+  return problem;
+}
+
+Contact& evaluate_and_keep_found(const Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                                 const Wanted& wanted, Workspace& workspace, const Savings& savings) {
+  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings, true);
+}
+
 const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
                         Workspace& workspace, const Savings& savings) {
   const DefaultFloatingPoint environment;
-  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings);
+  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings, false);
 }
 
 }  // namespace pcm::fast

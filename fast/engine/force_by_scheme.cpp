@@ -24,26 +24,42 @@ PairingForce sum_bounded_elements(const Intersection& intersection, Scheme schem
   return {total, bound.result()};
 }
 
-}  // namespace
-
-PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
-                           bool with_bound, ForceScratch& scratch, ElementRecord& record) {
-  record.clear();
-  const auto of_master = [&](Side master) -> PairingForce {
-    if (with_bound) return sum_bounded_elements(intersection, scheme, master, problem, scratch, record);
-    return {sum_elements(intersection, scheme, master, problem, scratch, record), std::nullopt};
-  };
+/// Asks for the forces of each master, E first.
+template <class OfMaster>
+PairingForce force_by_mode(Mode mode, const OfMaster& of_master) {
   PairingForce result;
   if (mode == Mode::both) {
     const PairingForce on_E = of_master(Side::E);
     const PairingForce on_F = of_master(Side::F);
     result.total = mean(on_E.total, on_F.total);
-    if (with_bound) result.bound = mean_bound(*on_E.bound, *on_F.bound, result.total);
+    if (on_E.bound) result.bound = mean_bound(*on_E.bound, *on_F.bound, result.total);
   } else {
     result = of_master(mode == Mode::E ? Side::E : Side::F);
   }
   require_finite(result.total);
   return result;
+}
+
+}  // namespace
+
+PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
+                           bool with_bound, ForceScratch& scratch, ElementRecord& record) {
+  record.clear();
+  return force_by_mode(mode, [&](Side master) -> PairingForce {
+    if (with_bound) return sum_bounded_elements(intersection, scheme, master, problem, scratch, record);
+    return {sum_elements(intersection, scheme, master, problem, scratch, record), std::nullopt};
+  });
+}
+
+MasterForce repeat_force(const FoundElements& found, Mode mode, const ForceProblem& problem, ForceScratch& scratch,
+                         ElementRecord& record, WorkCounters& work) {
+  record.clear();
+  const auto of_master = [&](Side master) -> PairingForce {
+    ElementQueue queue(problem, master, record, work, scratch.barycentric.lanes);
+    for (const KeptLanes& kept : found.of(master)) queue.add_kept(kept);
+    return {queue.total(), std::nullopt};
+  };
+  return force_by_mode(mode, of_master).total;
 }
 
 void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,

@@ -32,6 +32,11 @@ struct PairingForce {
 PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
                            bool with_bound, ForceScratch& scratch, ElementRecord& record);
 
+/// Of elements that were found at the problem's pose and kept: the law, at another velocity, in the same order and to
+/// the bits of compute_force, which throws likewise. Records what velocities change.
+MasterForce repeat_force(const FoundElements& found, Mode mode, const ForceProblem& problem, ForceScratch& scratch,
+                         ElementRecord& record, WorkCounters& work);
+
 /// Forms the elements that modes E and F do without, and forgets them: what a one-sided mode saves.
 void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
                             ForceScratch& scratch);

@@ -6,10 +6,12 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "fast/base/geometry.h"
+#include "fast/base/same_bits.h"
 #include "fast/base/thread_team.h"
 #include "fast/engine/separation.h"
 #include "fast/engine/workspace.h"
@@ -17,6 +19,7 @@
 #include "fast/surface/prepared_surface.h"
 #include "meshes/base/floating_point_environment.h"
 #include "pcm/bad_input.h"
+#include "pcm/pairing_memory.h"
 
 namespace pcm::fast {
 
@@ -90,6 +93,12 @@ class Patience {
   static constexpr int kAtFirst = 8;
 };
 
+/// Where a pairing was when poses were to be remembered, and what was found of it there once it was asked about.
+struct RememberedPose {
+  Pose pose;
+  std::optional<PairingMemory> memory;
+};
+
 struct ScenePairing {
   Index body_E, body_F;
   Pairing pairing;
@@ -97,6 +106,7 @@ struct ScenePairing {
   BoundingBall ball_F;
   SeparationCertificate certificate;
   Patience patience;
+  std::unique_ptr<RememberedPose> remembered;
   // Since the last move, written by the one thread that has the pairing.
   Outcome outcome = Outcome::not_asked;
   bool sought = false;
@@ -115,6 +125,7 @@ void add(WorkCounters& sum, const WorkCounters& work) {
   sum.tie_breaks += work.tie_breaks;
   sum.elements += work.elements;
   sum.velocities += work.velocities;
+  sum.law_only += work.law_only;
 }
 
 [[noreturn]] void refuse(std::size_t body, const std::string& why) {
@@ -161,6 +172,7 @@ struct Scene::Data {
 
   /// Evaluates the pairing where it may be in contact; nullptr where it surely is apart.
   const Contact* answer(ScenePairing& pairing, Workspace& workspace) const;
+  const Contact& evaluate_at(const Pose& pose, ScenePairing& pairing, Workspace& workspace) const;
 };
 
 [[gnu::noinline]] Pose Scene::Data::relative_pose(const ScenePairing& pairing) const {
@@ -177,6 +189,16 @@ struct Scene::Data {
   return {to_Me * (F.velocity.v - E.velocity.v - carried_W), to_Me * (F.velocity.w - E.velocity.w)};
 }
 
+const Contact& Scene::Data::evaluate_at(const Pose& pose, ScenePairing& pairing, Workspace& workspace) const {
+  const Velocity velocity = relative_velocity(pairing);
+  RememberedPose* remembered = pairing.remembered.get();
+  if (remembered == nullptr || !same_bits(pose, remembered->pose)) {
+    return fast::evaluate(pairing.pairing, pose, velocity, pairing.wanted, workspace, savings);
+  }
+  if (!remembered->memory) remembered->memory.emplace(pairing.pairing);
+  return remembered->memory->evaluate(pose, velocity, pairing.wanted, workspace, savings);
+}
+
 const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) const {
   // Bounds tell of what is about to touch too, by boxes that overlap: they are not foreseen here.
   const bool may_skip = !pairing.wanted.bound;
@@ -191,9 +213,10 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
     return nullptr;
   }
   pairing.outcome = Outcome::evaluated;
-  const Contact& contact =
-      fast::evaluate(pairing.pairing, pose, relative_velocity(pairing), pairing.wanted, workspace, savings);
+  const Contact& contact = evaluate_at(pose, pairing, workspace);
   pairing.work = contact.work;
+  // Then the workspace holds nothing of this pairing; where it is apart, that was looked into when it was found.
+  if (contact.work.law_only != 0) return &contact;
   const bool apart =
       !contact.touching && !contact.nested && !contact.ambiguous && !has_pockets(workspace.data(), pairing.wanted);
   if (savings.certificates && may_skip && apart && pairing.patience.may_search()) {
@@ -238,6 +261,7 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
                        BoundingBall(F.data()),
                        {},
                        {},
+                       nullptr,
                        Outcome::not_asked,
                        false,
                        {},
@@ -275,6 +299,14 @@ void Scene::move(const std::vector<BodyState>& states) {
     pairing.outcome = Outcome::not_asked;
     pairing.sought = false;
     pairing.work = {};
+  }
+}
+
+void Scene::remember_poses() {
+  const DefaultFloatingPoint environment;
+  for (ScenePairing& pairing : data_->pairings) {
+    if (!pairing.remembered) pairing.remembered = std::make_unique<RememberedPose>();
+    pairing.remembered->pose = data_->relative_pose(pairing);
   }
 }
 

@@ -31,6 +31,7 @@ void ElementRecord::clear() {
   max_penetration = 0;
   penetration_exceeded = false;
   statistics = {};
+  found.clear();
 }
 
 void ElementRecord::take_back_list(Contact& contact) {
@@ -46,15 +47,19 @@ void require_finite(const MasterForce& total) {
   throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
 }
 
-void report_elements(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact) {
+void report_forces(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact) {
   contact.force_Me = total.force_Me;
   contact.torque_Me = total.torque_Me;
   contact.elements.swap(record.elements);
+  if (problem.with_statistics) contact.statistics = record.statistics.result();
+}
+
+void report_elements(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact) {
+  report_forces(problem, total, record, contact);
   contact.element_count = record.element_count;
   contact.too_deep = record.too_deep;
   contact.max_penetration = record.max_penetration;
   contact.penetration_exceeded = record.penetration_exceeded;
-  if (problem.with_statistics) contact.statistics = record.statistics.result();
 }
 
 void ElementSum::count(double greatest_penetration) {
@@ -83,6 +88,7 @@ ElementQueue::ElementQueue(const ForceProblem& problem, Side master, ElementReco
       master_(master),
       lanes_(lanes),
       limits_(force_limits(problem, master)),
+      kept_(problem.keep_found ? &record.found.of(master) : nullptr),
       sum_(problem, record, work) {}
 
 void ElementQueue::add(const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me) {
@@ -97,6 +103,7 @@ void ElementQueue::add(const Element& element, double greatest_penetration, cons
 
 void ElementQueue::add_lanes(LaneBits which) {
   assert(waiting_ == 0);
+  if (kept_ != nullptr && which != 0) kept_->push_back({lanes_, faces_, which});
   const LaneBits forced = which != 0 ? fastest_wide_elements().force(lanes_, limits_) : 0;
   for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
     if (!has_lane(which, lane)) continue;

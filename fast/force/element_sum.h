@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fast/force/force_problem.h"
+#include "fast/force/found_elements.h"
 #include "fast/force/statistics_sum.h"
 #include "fast/simd/elements.h"
 #include "pcm/contact.h"
@@ -27,6 +28,7 @@ struct ElementRecord {
   double max_penetration = 0;  ///< m
   bool penetration_exceeded = false;
   StatisticsSum statistics;  ///< where asked for
+  FoundElements found;       ///< where the problem keeps them
 
   /// Enters the greatest penetration of an element, or of a part that underflow keeps from being one, m.
   void note_depth(double greatest_penetration, const ContactLaw& law);
@@ -43,8 +45,10 @@ MasterForce mean(const MasterForce& on_E, const MasterForce& on_F);
 /// Throws BadInput where the force or its torque overflowed.
 void require_finite(const MasterForce& total);
 
-/// Writes force and torque, and what the record has, into the answer, which gets the list of elements and leaves its
-/// own in exchange.
+/// Writes force and torque, elements and statistics, all that velocities change, into the answer, which gets the list
+/// of elements and leaves its own in exchange.
+void report_forces(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact);
+/// The same, and what else the record has.
 void report_elements(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact);
 
 /// Sums the elements of one master, in the order they come, and records them.
@@ -81,6 +85,12 @@ class ElementQueue {
   void add(const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me);
   /// Elements whose areas, normals, feet and penetrations are in the lanes already; none may wait.
   void add_lanes(LaneBits which);
+  /// Elements that such a queue kept at this pose.
+  void add_kept(const KeptLanes& kept) {
+    static_cast<FoundLanes&>(lanes_) = kept;
+    faces_ = kept.faces;
+    add_lanes(kept.which);
+  }
   /// The faces of a lane for `add_lanes`.
   void set_faces(std::size_t lane, Index master_face, Index slave_face, double greatest_penetration) {
     faces_[lane] = {master_face, slave_face, greatest_penetration};
@@ -92,10 +102,6 @@ class ElementQueue {
   }
 
  private:
-  struct Faces {
-    Index master, slave;
-    double greatest_penetration;
-  };
   void form_waiting();
   void add_lane(std::size_t lane, bool forced);
 
@@ -103,7 +109,8 @@ class ElementQueue {
   Side master_;
   ElementLanes& lanes_;
   ForceLimits limits_;
-  std::array<Faces, kElementLanes> faces_{};
+  std::array<ElementFaces, kElementLanes> faces_{};
+  std::vector<KeptLanes>* kept_;  ///< null where the problem keeps none
   std::size_t waiting_ = 0;
   ElementSum sum_;
 };

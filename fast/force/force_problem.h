@@ -17,6 +17,7 @@ struct ForceProblem {
   bool with_velocities = false;  ///< some result depends on them
   bool keep_elements = false;    ///< in the answer
   bool with_statistics = false;
+  bool keep_found = false;  ///< elements before the law, in the record, for another velocity
 
   /// The problem that answers what is wanted, and no more. All that is given must outlive it.
   ForceProblem(const ContactLaw& contact_law, const Pose& pose_F, const Velocity& velocity_F, const Wanted& wanted);

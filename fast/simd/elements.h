@@ -41,20 +41,23 @@ inline bool has_lane(LaneBits bits, std::size_t lane) {
   return (bits >> lane & 1U) != 0;
 }
 
+/// Four elements as they were found: all of them that `force` reads.
+struct FoundLanes {
+  VectorLanes n_Me, barycentre_Me;  ///< of the master faces; in the clipped scheme the centre of pressure
+  DoubleLanes area, depth;
+};
+
 /// Four master faces of the barycentric scheme, the slave faces that they were matched with, and their elements.
-struct ElementLanes {
+struct ElementLanes : FoundLanes {
   CornerLanes master_corners{};
-  // What `geometry` fills.
+  // What `geometry` fills, beside n_Me, barycentre_Me and area.
   std::array<VectorLanes, 3> p_Me;  ///< corners of the master faces
-  VectorLanes n_Me, barycentre_Me;
-  DoubleLanes area;
   std::array<DoubleLanes, 2> side;  ///< 1-norms of p1 - p0 and p2 - p0, m
   // For `decide`.
   CornerLanes slave_corners{};
   std::array<const double*, kElementLanes> thickness{};     ///< PreparedSurface::thickness of the master faces, m
   std::array<const Clearance*, kElementLanes> clearance{};  ///< of the slave faces
-  // What `decide` fills, and `force` reads.
-  DoubleLanes depth;
+  // `decide` fills depth.
   // What `force` fills: see Element; the torque is about Mf.
   DoubleLanes normal_velocity, tangential_velocity, normal_force, tangential_force;
   VectorLanes position_Me, force_Me, torque_Me;

@@ -13,7 +13,7 @@ namespace pcm {
 /// back as it was, sticky exception flags included: what is raised meanwhile leaves no trace.
 ///
 /// A host may have any environment, and gets the same answer, where it calls
-/// - the engine: `fast::Surface`, `Pairing`, `evaluate`, `Scene` and `layer_stiffness`, and each thread they run;
+/// - the engine: `fast::Surface`, `Pairing`, `PairingMemory`, `evaluate`, `Scene`, `layer_stiffness`, and threads;
 /// - surfaces: `read_mesh`, `read_obj`, `read_off`, `parse_obj`, `parse_off`, `parse_number`, `make` and `check`;
 /// - the oracle: `reference::Oracle`, `Inquiry`, `prove_identities` and `self_intersections`.
 /// Each of these holds one, or computes nothing beside what it calls. What they are built of holds none: of

@@ -279,7 +279,9 @@ Eigen::VectorXd Model::normalised(const Eigen::VectorXd& y) const {
 Evaluation Model::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {
   Data& data = *data_;
   data.realize(t, y, SimTK::Stage::Velocity);
+  const std::int64_t unmoved = data.contacts.counters().unmoved;
   const std::vector<pcm::simbody::PairingAnswer>& answers = data.contacts.answers(data.state);
+  data.counters.law_only += data.contacts.counters().unmoved - unmoved;
   for (const pcm::simbody::PairingAnswer& answer : answers) {
     data.counters.nested += answer.nested;
     data.counters.penetration_exceeded += answer.penetration_exceeded;
@@ -295,6 +297,10 @@ Evaluation Model::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd
 void Model::remember(double t, const Eigen::VectorXd& y) {
   data_->realize(t, y, SimTK::Stage::Velocity);
   data_->contacts.remember(data_->state);
+}
+
+void Model::forget() {
+  data_->contacts.forget();
 }
 
 Observation Model::observe(double t, const Eigen::VectorXd& y) {

@@ -69,6 +69,8 @@ struct Observation {
 struct ModelCounters {
   std::int64_t nested = 0;                ///< not_here: one body within another
   std::int64_t penetration_exceeded = 0;  ///< not_here: deeper than max_penetration of the law
+  /// No surface was elsewhere than at the remembered state: at most the law was asked for.
+  std::int64_t law_only = 0;
 };
 
 /// A scene as equations of motion: y = (q, u), Simbody's generalized coordinates and speeds, the orientations of free
@@ -89,8 +91,11 @@ class Model {
 
   /// dy/dt. `not_here` where bodies are nested or deeper within one another than the law allows.
   Evaluation derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt);
-  /// Difference quotients from y on ask the engine only about pairings whose bodies they move. Changes no bit.
+  /// Difference quotients from y on ask the engine only about pairings whose bodies they move, and only for the law
+  /// where they change velocities alone. Changes no bit.
   void remember(double t, const Eigen::VectorXd& y);
+  /// From here on as if nothing had been remembered.
+  void forget();
 
   Observation observe(double t, const Eigen::VectorXd& y);
 

@@ -85,6 +85,7 @@ void RecordedRun::add_outputs() {
 void RecordedRun::account() {
   kept_.checkpoint = simulation_.checkpoint();
   kept_.cost.work = sum(cost_before_.work, simulation_.work());
+  kept_.cost.law_only = cost_before_.law_only + simulation_.law_only();
   kept_.cost.elements_changed = cost_before_.elements_changed + changed_;
   kept_.cost.too_deep = cost_before_.too_deep + too_deep_;
   kept_.cost.integration_seconds = cost_before_.integration_seconds + simulation_.integration_seconds();

@@ -87,6 +87,7 @@ Json to_json(const RunCost& cost) {
           {"nonlinear", failures.nonlinear},
           {"not_here", failures.not_here},
           {"not_finite", failures.not_finite},
+          {"law_only", cost.law_only},
           {"elements_changed", cost.elements_changed},
           {"too_deep", cost.too_deep},
           {"integration_seconds", cost.integration_seconds},
@@ -109,6 +110,7 @@ RunCost cost_from(const Json& json) {
   cost.work.failures.nonlinear = json.at("nonlinear");
   cost.work.failures.not_here = json.at("not_here");
   cost.work.failures.not_finite = json.at("not_finite");
+  cost.law_only = json.at("law_only");
   cost.elements_changed = json.at("elements_changed");
   cost.too_deep = json.at("too_deep");
   cost.integration_seconds = json.at("integration_seconds");

@@ -18,6 +18,7 @@ namespace pcm::simulate {
 /// What a run has cost so far. Seconds differ from run to run; all else is the same bits.
 struct RunCost {
   Work work;
+  std::int64_t law_only = 0;          ///< of the evaluations, see Simulation::law_only
   std::int64_t elements_changed = 0;  ///< steps in which an element came or went
   std::int64_t too_deep = 0;          ///< steps that end with faces without a force
   double integration_seconds = 0;     ///< processor time of the steps

@@ -83,7 +83,10 @@ Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
   DifferentialEquation equation;
   equation.size = model_.size();
   equation.derivative = [this](double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {
-    return model_.derivative(t, y, dydt);
+    const std::int64_t before = model_.counters().law_only;
+    const Evaluation evaluation = model_.derivative(t, y, dydt);
+    law_only_ += model_.counters().law_only - before;
+    return evaluation;
   };
   equation.before_differences = [this](double t, const Eigen::VectorXd& y) { model_.remember(t, y); };
   integrator_ = make_integrator(scene_.integrator.method, equation, control_for(scene_, model_.size()));
@@ -122,6 +125,7 @@ void Simulation::start(const Checkpoint& checkpoint) {
 void Simulation::begin_segment(double t, const Eigen::VectorXd& y) {
   steps_since_checkpoint_ = 0;
   const Eigen::VectorXd unit = model_.normalised(y);
+  model_.forget();
   integrator_->start(t, unit);
   Observation now = model_.observe(t, unit);
   powers_ = now.powers;

@@ -85,6 +85,9 @@ class Simulation {
   Model& model() { return model_; }
   const Scene& scene() const { return scene_; }
   const Work& work() const;
+  /// Of the evaluations that `work` counts: those that asked the engine for the law at most, as only velocities
+  /// differed from a state whose contacts were known (ModelCounters::law_only).
+  std::int64_t law_only() const { return law_only_; }
   /// Processor time of the integrator's steps so far, what is looked at beside them left out, s.
   double integration_seconds() const { return integration_seconds_; }
 
@@ -102,6 +105,7 @@ class Simulation {
   std::vector<ObservedElement> elements_;  ///< at t()
   std::int64_t segment_ = 0;               ///< checkpoints passed
   std::int64_t steps_since_checkpoint_ = 0;
+  std::int64_t law_only_ = 0;
   double integration_seconds_ = 0;
 };
 

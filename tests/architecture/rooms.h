@@ -36,6 +36,7 @@ inline const std::vector<Part>& parts() {
         {"savings.h", "base"},
         {"workspace.h", "engine"},
         {"engine.h", "engine"},
+        {"pairing_memory.h", "engine"},
         {"scene.h", "engine"}}},
       // The oracle's own facade lies beside its rooms; the proofs ask it.
       {"reference",

@@ -219,7 +219,7 @@ TEST(ContactForces, AskTheEngineOnceForEachState) {
 TEST(ContactForces, RememberedAnswersHaveTheSameBits) {
   const TwoBubblesOnPlate model, forgetful;
   model.contact.remember(model.state);
-  const std::int64_t before = model.contact.counters().evaluated;
+  const ContactCounters before = model.contact.counters();
   for (const bool velocities : {false, true}) {
     for (int i = 0; i < (velocities ? model.state.getNU() : model.state.getNQ()); ++i) {
       SimTK::State moved = model.state;
@@ -234,8 +234,41 @@ TEST(ContactForces, RememberedAnswersHaveTheSameBits) {
     }
   }
   // 7 coordinates and 6 speeds of each body; each moves two of three pairings.
-  EXPECT_EQ(model.contact.counters().recalled, 26);
-  EXPECT_EQ(model.contact.counters().evaluated - before, 52);
+  const ContactCounters after = model.contact.counters();
+  EXPECT_EQ(after.recalled, 26);
+  EXPECT_EQ(after.evaluated - before.evaluated, 52);
+  EXPECT_EQ(after.law_only, 24);
+  EXPECT_EQ(after.unmoved, 12);
+}
+
+// The states asked for may come in any order, and what is remembered last counts.
+TEST(ContactForces, OtherVelocitiesHaveTheSameBitsWhateverCameBefore) {
+  const TwoBubblesOnPlate model, forgetful;
+  SimTK::State elsewhere = model.state;
+  elsewhere.updQ()[5] += 1e-3;
+  elsewhere.updQ()[12] += 2e-3;
+  for (int k = 0; k < 12; ++k) {
+    SimTK::State state = k % 3 == 0 ? elsewhere : model.state;
+    state.updU()[k] *= -2;
+    if (k == 4) state.updU() = 0;
+    model.system.realize(state, SimTK::Stage::Velocity);
+    SimTK::State other = forgetful.state;
+    other.updQ() = state.getQ();
+    other.updU() = state.getU();
+    forgetful.system.realize(other, SimTK::Stage::Velocity);
+    if (k % 5 == 1) model.contact.remember(state);
+    EXPECT_TRUE(same_bits(model.body_forces(state), forgetful.body_forces(other))) << k;
+  }
+  // Remembered are states 1, 6 and 11. Two pairings move otherwise at 2, 5 and 9, and all at 4; at others they are
+  // elsewhere.
+  EXPECT_EQ(model.contact.counters().law_only, 9);
+  model.contact.forget();
+  const std::int64_t unmoved = model.contact.counters().unmoved;
+  SimTK::State again = model.state;
+  again.updU() = model.state.getU();
+  model.system.realize(again, SimTK::Stage::Velocity);
+  EXPECT_TRUE(same_bits(model.body_forces(again), forgetful.body_forces(forgetful.state)));
+  EXPECT_EQ(model.contact.counters().unmoved, unmoved);
 }
 
 // Remembered at one state, then at another one: the first is forgotten.

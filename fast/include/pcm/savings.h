@@ -24,9 +24,12 @@ struct Savings {
   bool only_wanted = true;
   /// Crossings: exact arithmetic only where the floating-point filter can't tell.
   bool filters = true;
+  /// PairingMemory, and scenes that remember poses: where only the velocity is another one, only the law is applied
+  /// anew. Off: all is found anew.
+  bool known_poses = true;
 
   /// Everything switched off.
-  static constexpr Savings none() { return {false, false, false, false, false, false, false, false}; }
+  static constexpr Savings none() { return {false, false, false, false, false, false, false, false, false}; }
 };
 
 }  // namespace pcm::fast

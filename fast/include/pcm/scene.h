@@ -37,7 +37,7 @@ struct BodyLoad {
 struct SceneCounters {
   std::int64_t apart_by_boxes = 0;        ///< the bodies' boxes are apart
   std::int64_t apart_by_certificate = 0;  ///< apart by more than they have moved since they were looked at
-  std::int64_t evaluated = 0;             ///< by the engine
+  std::int64_t evaluated = 0;             ///< by the engine, by the law alone included (work.law_only)
   std::int64_t certificates_sought = 0;   ///< searches for the distance of a pairing found apart
   WorkCounters work;                      ///< of these evaluations and searches
 };
@@ -74,8 +74,14 @@ class Scene {
   Pose relative_pose(Index pairing) const;
   Velocity relative_velocity(Index pairing) const;
 
-  /// Answers one pairing, where its bodies are; the answer lives in `workspace` until its next use. Throws as
-  /// `evaluate` does. Different pairings may be asked for by different threads at once, each with its own workspace.
+  /// From now on, until the next call, what is found of a pairing at the relative pose that it has now is kept: there
+  /// only the first evaluation is a whole one, further ones apply the law at whatever velocity it then has. For
+  /// difference quotients; wherever else bodies go costs what it did. Pairings with a bound are always found anew.
+  void remember_poses();
+
+  /// Answers one pairing, where its bodies are; the answer lives until the next use of `workspace`, or until the
+  /// pairing is asked for again. Throws as `evaluate` does. Different pairings may be asked for by different threads at
+  /// once, each with its own workspace.
   const Contact& evaluate(Index pairing, Workspace& workspace);
 
   /// Called with each answer in `evaluate_all`, from the thread that has it.

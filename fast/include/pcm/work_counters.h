@@ -17,6 +17,7 @@ struct WorkCounters {
   std::int64_t tie_breaks = 0;            ///< exact zeros decided by the tie rule
   std::int64_t elements = 0;              ///< formed
   std::int64_t velocities = 0;            ///< elements whose velocities were computed
+  std::int64_t law_only = 0;              ///< evaluations that found nothing anew, at a known pose: 1, or 0
 };
 
 }  // namespace pcm::fast

@@ -57,6 +57,9 @@ struct ContactCounters {
   std::int64_t states = 0;     ///< at which forces were computed
   std::int64_t evaluated = 0;  ///< pairings asked of the engine (which may find their boxes apart)
   std::int64_t recalled = 0;   ///< pairings whose answer was that of the remembered state, see `remember`
+  std::int64_t law_only = 0;   ///< of those asked: where the remembered pose was known, by the law alone
+  /// Of the states: every surface was where it was at the remembered one, and at most velocities differed.
+  std::int64_t unmoved = 0;
 };
 
 /// Contact forces among any number of surfaces. Like every Simbody force it belongs to the subsystem that it is added
@@ -98,10 +101,13 @@ class ContactForces : public SimTK::Force::Custom {
   /// potential of the force: docs/energy_and_jumps.md.
   double elastic_energy(const SimTK::State& state) const;
 
-  /// Keeps the answers at this state until the next call. Pairings whose relative pose and velocity are the same bits
-  /// at another state are answered from memory: with difference quotients for a Jacobian, those whose bodies did not
-  /// move. No bit of any answer changes.
+  /// Keeps the answers at this state until the next call, for difference quotients. Pairings whose bodies are where
+  /// they were, and move as they did, are answered from memory; where they only move otherwise, the engine applies the
+  /// law to what it found there. Call it before anything else is asked about the state: else what was found was not
+  /// kept, and is found once more. No bit of any answer changes.
   void remember(const SimTK::State& state) const;
+  /// From here on as if nothing had been remembered.
+  void forget() const;
 
   ContactCounters counters() const;
 

@@ -85,7 +85,7 @@ TEST_P(SeamOverSchemes, EveryFieldScrambledOnAllPathsAlikeIsFlaggedByTheCheckTha
 }
 
 TEST_P(SeamOverSchemes, EveryFieldScrambledOnOnePathAloneIsFlagged) {
-  for (const Route route : {Route::bounded, Route::force, Route::touch, Route::drawn, Route::scene})
+  for (const Route route : {Route::bounded, Route::force, Route::touch, Route::drawn, Route::known_pose, Route::scene})
     for (const Field& field : all_fields()) {
       if (field.asked == Asked::work || field.asked == Asked::bound) continue;
       const AlteringSeam seam([&](fast::Contact& contact) { return alter(contact, field.name); }, route);

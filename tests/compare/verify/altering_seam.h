@@ -24,6 +24,10 @@ class AlteringSeam final : public EngineSeam {
                                 const Ask& ask, fast::Workspace& workspace) const override {
     return altered(ask.route, EngineSeam::evaluate(pairing, pose, velocity, ask, workspace));
   }
+  const fast::Contact& evaluate_known(fast::PairingMemory& memory, const Pose& pose, const Velocity& velocity,
+                                      const Ask& ask, fast::Workspace& workspace) const override {
+    return altered(ask.route, EngineSeam::evaluate_known(memory, pose, velocity, ask, workspace));
+  }
   const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const override {
     return altered(Route::scene, EngineSeam::evaluate_in(scene, workspace));
   }

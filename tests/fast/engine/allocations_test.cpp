@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "meshes/generate/parts.h"
+#include "pcm/pairing_memory.h"
 #include "pcm/scene.h"
 #include "tests/fast/engine_support.h"
 
@@ -23,6 +24,18 @@ void* operator new(std::size_t size) {
   }
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
 }
 void operator delete(void* memory) noexcept {
   std::free(memory);
@@ -71,6 +84,30 @@ TEST(Allocations, NoneOnceTheWorkspaceHasGrown) {
 
 TEST(Allocations, NoneInTheClippedSchemeOnceTheWorkspaceHasGrown) {
   expect_no_allocation_once_grown(Scheme::clipped);
+}
+
+TEST(Allocations, NoneInAMemoryThatHasGrown) {
+  const Surface bubble(generate::bubble());
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    PairingMemory memory(Pairing(bubble, bubble, test::stiffness(1), Mode::both, scheme));
+    Workspace workspace;
+    const auto run = [&] {
+      for (int i = 0; i < 20; ++i) {
+        const Pose deep = test::turned(0.3 * i, {0.05, 0.1, 0.12});
+        for (int k = 0; k < 3; ++k) {
+          const Contact& contact = memory.evaluate(deep, {{0.1 * k, 0, 0}, {0, 0, 0}}, {}, workspace);
+          EXPECT_TRUE(contact.touching);
+          EXPECT_EQ(contact.work.law_only, k > 0);
+        }
+      }
+    };
+    // Lists change places between workspace and memory, so that two of each have to grow.
+    run();
+    run();
+    const long before = allocations;
+    run();
+    EXPECT_EQ(allocations - before, 0);
+  }
 }
 
 TEST(Allocations, NoneInASceneThatHasSeenItsContacts) {

@@ -13,6 +13,7 @@
 
 #include "fast/force/law.h"
 #include "pcm/bad_input.h"
+#include "pcm/pairing_memory.h"
 #include "pcm/scene.h"
 #include "tests/fast/engine_support.h"
 #include "tests/fast/same_answer.h"
@@ -120,7 +121,12 @@ std::vector<Contact> answers(const Question& question, const ContactLaw& law, bo
   Workspace workspace;
   for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
     const Pairing pairing(E, F, law, Mode::both, scheme);
-    for (const Pose& pose : question.poses) all.push_back(evaluate(pairing, pose, kVelocity, wanted, workspace));
+    PairingMemory memory(pairing);
+    for (const Pose& pose : question.poses) {
+      all.push_back(evaluate(pairing, pose, kVelocity, wanted, workspace));
+      memory.evaluate(pose, {}, wanted, workspace);
+      all.push_back(memory.evaluate(pose, kVelocity, wanted, workspace));
+    }
   }
   return all;
 }

@@ -95,6 +95,41 @@ TEST(Scene, WithAndWithoutSavingsAnswersEveryPairingBitForBitAlike) {
   EXPECT_GT(touching, 100);
 }
 
+/// As in difference quotients: one body after the other is faster, every fourth one is elsewhere too, and then all are
+/// back. Before poses are remembered anew everything is asked once without.
+TEST(Scene, AtRememberedPosesOnlyTheLawIsAppliedToTheSameBits) {
+  Wandering remembering({}), plain(Savings::none());
+  Workspace one, other;
+  std::int64_t law_only = 0, evaluated_again = 0;
+  for (int step = 0; step < 12; ++step) {
+    remembering.time = 0.3 * step;
+    for (int column = -2; column <= 8; ++column) {
+      std::vector<BodyState> states = remembering.states();
+      const bool changed = column >= 0 && column < 8;
+      if (changed) states[static_cast<std::size_t>(column)].velocity.v += Vector3d(1e-3, -0.1, 0.2);
+      if (changed && column % 4 == 3) states[static_cast<std::size_t>(column)].pose.r.y() += 1e-7;
+      remembering.scene.move(states);
+      plain.scene.move(states);
+      if (column == -1) remembering.scene.remember_poses();
+      for (Index i = 0; i < plain.scene.pairings(); ++i) {
+        SCOPED_TRACE("step " + std::to_string(step) + ", column " + std::to_string(column) + ", pairing " +
+                     std::to_string(i));
+        test::expect_same_answer(remembering.scene.evaluate(i, one), plain.scene.evaluate(i, other));
+        if (HasFailure()) return;
+      }
+      const SceneCounters counters = remembering.scene.counters();
+      if (column < 0) {
+        EXPECT_EQ(counters.work.law_only, 0);
+      }
+      law_only += counters.work.law_only;
+      if (column >= 0) evaluated_again += counters.evaluated - counters.work.law_only;
+    }
+  }
+  // Found anew are pairings with a bound, a fifth of them, and seven of 28 in a fifth of the columns.
+  EXPECT_GT(law_only, 500);
+  EXPECT_LT(evaluated_again, law_only);
+}
+
 TEST(Scene, AnyNumberOfThreadsGivesTheSameBits) {
   Wandering one({});
   for (const int threads : {2, 3, 8}) {
