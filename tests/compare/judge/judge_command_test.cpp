@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "tests/compare/run_pcm.h"
@@ -122,14 +123,17 @@ TEST_F(JudgeCommand, AnotherConventionEndsIt) {
                 .status,
             0);
   std::vector<std::string> lines = lines_of(run_pcm({"answer", "--poses", poses_}).out);
+  // Every number of a force gets another sign.
+  const std::regex force(R"("force":\[(-?)([^,]*),(-?)([^,]*),(-?)([^\]]*)\])");
   for (std::string& line : lines) {
-    const std::size_t at = line.find("\"force\":["), end = line.find(']', at);
-    if (at == std::string::npos) continue;
-    std::string negated;
-    std::istringstream numbers(line.substr(at + 9, end - at - 9));
-    for (std::string number; std::getline(numbers, number, ',');)
-      negated += (negated.empty() ? "" : ",") + (number.starts_with("-") ? number.substr(1) : "-" + number);
-    line.replace(at + 9, end - at - 9, negated);
+    std::smatch found;
+    if (!std::regex_search(line, found, force)) continue;
+    std::ostringstream negated;
+    negated << found.prefix() << "\"force\":[";
+    for (std::size_t k = 1; k < 7; k += 2)
+      negated << (k == 1 ? "" : ",") << (found[k].length() == 0 ? "-" : "") << found[k + 1];
+    negated << "]" << found.suffix();
+    line = negated.str();
   }
   const Outcome outcome = judge(lines);
   EXPECT_EQ(outcome.status, 2);
