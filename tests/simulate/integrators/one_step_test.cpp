@@ -9,7 +9,8 @@
 namespace pcm::simulate {
 namespace {
 
-/// Euler's formula, too short by a tenth, whose errors and looks a test rules; `events` tells what it was asked, in order.
+/// Euler's formula, too short by a tenth, whose errors and looks a test rules; `events` tells what it was asked, in
+/// order.
 struct ToldFormula final : OneStepFormula {
   struct Told {
     std::string events;
