@@ -67,14 +67,12 @@ struct Widths {
   static Widths from_json(const nlohmann::ordered_json& json);
 };
 
-<<<<<<< HEAD
 /// What the tables show of a distribution: median, 99th and 99.9th percentile.
 inline constexpr std::array<double, 3> kShownQuantiles = {0.5, 0.99, 0.999};
-=======
+
 /// Upper end of the one-sided 95 % confidence interval (Clopper and Pearson 1934) of the rate of what was seen `seen`
 /// times in `trials`; about 3 / n where it never was.
 double rate_upper_bound(std::int64_t seen, std::int64_t trials);
->>>>>>> part-judge
 
 inline constexpr int kErrors = 8;
 
