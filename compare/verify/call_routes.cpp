@@ -180,12 +180,11 @@ fast::BodyState stepped(const fast::BodyState& F, const TriangleMesh& mesh, doub
 
 /// Holds what the scene says of its pairing and its bodies against the answer's force and torque. E's axes are those of
 /// W in another order, so that no product with its A is rounded, and the torque about E is rounded as here.
-void hold_loads(fast::Scene& scene, const Eigen::Matrix3d& A_WE, const Eigen::Vector3d& r_Me,
+void hold_loads(const EngineSeam& seam, fast::Scene& scene, const Eigen::Matrix3d& A_WE, const Eigen::Vector3d& r_Me,
                 const Eigen::Vector3d& force_Me, const Eigen::Vector3d& torque_Me, Checks& checks) {
   checks.checked(Kind::paths);
-  scene.evaluate_all();
+  const std::vector<fast::BodyLoad> loads = seam.body_loads_in(scene);
   const fast::PairingLoad& load = scene.load(0);
-  const std::vector<fast::BodyLoad> loads = scene.body_loads();
   const Eigen::Vector3d about_E_Me = torque_Me + r_Me.cross(force_Me);
   if (!same_bits(load.force_Me, force_Me) || !same_bits(load.torque_Me, torque_Me))
     checks.add(Kind::paths, "{}: the load kept of the pairing is another", name(Route::scene));
@@ -235,7 +234,7 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
     if (counters.evaluated == 1) hold_law_only(Route::scene, is_known, counters.work.law_only == 1, checks);
     if (is_known && ask.wanted.force) {
       const Eigen::Vector3d force_Me = answer.force_Me, torque_Me = answer.torque_Me;  // the next question changes it
-      hold_loads(scene, bodies.E.pose.A, relative.r, force_Me, torque_Me, checks);
+      hold_loads(seam, scene, bodies.E.pose.A, relative.r, force_Me, torque_Me, checks);
     }
     return;
   }
@@ -295,6 +294,11 @@ const fast::Contact& EngineSeam::evaluate_known(fast::PairingMemory& memory, con
 
 const fast::Contact& EngineSeam::evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const {
   return scene.evaluate(0, workspace);
+}
+
+std::vector<fast::BodyLoad> EngineSeam::body_loads_in(fast::Scene& scene) const {
+  scene.evaluate_all();
+  return scene.body_loads();
 }
 
 const EngineSeam& EngineSeam::none() {

@@ -71,6 +71,8 @@ class EngineSeam {
                                               const Ask& ask, fast::Workspace& workspace) const;
   /// The answer of a scene's only pairing, where its bodies are.
   virtual const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const;
+  /// What acts on its two bodies there.
+  virtual std::vector<fast::BodyLoad> body_loads_in(fast::Scene& scene) const;
 
   /// The one that lets answers pass.
   static const EngineSeam& none();

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -155,6 +156,51 @@ TEST_P(SeamOverSchemes, AnswersToThePoseBeforeAreFlagged) {
     const DrawnPose drawn = draw_pose(Stratum::generic, held.features(), PoseRandom(kSeed, 0, 0, i));
     EXPECT_FALSE(held.hold(drawn.pose, drawn.velocity, workspace, seam).front().disagreements.empty()) << i;
   }
+}
+
+/// What a scene says of one of its bodies is wrong by an ulp.
+class LoadSeam final : public EngineSeam {
+ public:
+  LoadSeam(std::size_t body, Eigen::Vector3d fast::BodyLoad::*part) : body_(body), part_(part) {}
+
+  std::vector<fast::BodyLoad> body_loads_in(fast::Scene& scene) const override {
+    std::vector<fast::BodyLoad> loads = EngineSeam::body_loads_in(scene);
+    Eigen::Vector3d& load = loads[body_].*part_;
+    Eigen::Index greatest = 0;
+    has_altered_ |= load.cwiseAbs().maxCoeff(&greatest) > 0;
+    load[greatest] = std::nextafter(load[greatest], 2 * load[greatest]);
+    return loads;
+  }
+
+  bool take_altered() const { return std::exchange(has_altered_, false); }
+
+ private:
+  std::size_t body_;
+  Eigen::Vector3d fast::BodyLoad::*part_;
+  mutable bool has_altered_ = false;
+};
+
+TEST_P(SeamOverSchemes, LoadOnABodyOfASceneThatIsOffByAnUlpIsFlagged) {
+  const SurfacePair pair = small_pair();
+  const HeldPairing held(pair.E, pair.F, ContactLaw{}, Mode::both, GetParam());
+  fast::Workspace workspace;
+  for (const std::size_t body : {0U, 1U})
+    for (Eigen::Vector3d fast::BodyLoad::*const part : {&fast::BodyLoad::force_W, &fast::BodyLoad::torque_W}) {
+      const LoadSeam seam(body, part);
+      int altered = 0;
+      for (std::uint64_t i = 0; i < 40; ++i) {
+        const DrawnPose drawn = draw_pose(Stratum::generic, held.features(), PoseRandom(kSeed, 0, 0, i));
+        const PoseOutcome outcome = held.hold(drawn.pose, drawn.velocity, workspace, seam).front();
+        if (!seam.take_altered()) {
+          EXPECT_TRUE(outcome.disagreements.empty()) << i;
+          continue;
+        }
+        ++altered;
+        ASSERT_FALSE(outcome.disagreements.empty()) << i;
+        EXPECT_EQ(outcome.disagreements.front().kind, Kind::paths);
+      }
+      EXPECT_GE(altered, 10);  // of 40: at half of the poses or more the scene remembers
+    }
 }
 
 TEST(Seam, EngineThatThrowsIsAFailure) {
