@@ -7,7 +7,7 @@
 #include "fast/active/active_areas.h"
 #include "fast/crossings/crossings.h"
 #include "fast/crossings/polygons.h"
-#include "fast/engine/evaluation.h"
+#include "fast/engine/engine.h"
 #include "fast/engine/force_by_scheme.h"
 #include "fast/engine/workspace.h"
 #include "fast/force/law.h"

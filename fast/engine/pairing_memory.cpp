@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "fast/base/same_bits.h"
-#include "fast/engine/evaluation.h"
+#include "fast/engine/engine.h"
 #include "fast/engine/workspace.h"
 #include "fast/force/law.h"
 #include "meshes/base/floating_point_environment.h"

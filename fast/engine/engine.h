@@ -5,6 +5,7 @@
 #include "fast/force/force_problem.h"
 #include "pcm/engine.h"
 
+/// Of the engine, what this room needs beside <pcm/engine.h>.
 namespace pcm::fast {
 
 /// The law, with what is wanted and what the savings leave.
