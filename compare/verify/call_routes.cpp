@@ -12,6 +12,7 @@
 #include "compare/verify/contact_fields.h"
 #include "compare/verify/wanted_presets.h"
 #include "fast/base/geometry.h"
+#include "fast/base/same_bits.h"
 
 namespace pcm::compare {
 namespace {
@@ -52,16 +53,6 @@ Ask drawn_ask(Route route, std::uint64_t bits) {
                        &ask.savings.only_wanted, &ask.savings.filters, &ask.savings.known_poses})
     *saving = next();
   return ask;
-}
-
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-template <class Derived>
-bool same_bits(const Eigen::MatrixBase<Derived>& a, const Eigen::MatrixBase<Derived>& b) {
-  for (Eigen::Index k = 0; k < a.size(); ++k)
-    if (!same_bits(a.derived().data()[k], b.derived().data()[k])) return false;
-  return true;
 }
 
 void hold_route(Route route, const fast::Contact& whole, const fast::Contact& answer, const Wanted& wanted,
@@ -186,7 +177,7 @@ void hold_loads(const EngineSeam& seam, fast::Scene& scene, const Eigen::Matrix3
   const std::vector<fast::BodyLoad> loads = seam.body_loads_in(scene);
   const fast::PairingLoad& load = scene.load(0);
   const Eigen::Vector3d about_E_Me = torque_Me + r_Me.cross(force_Me);
-  if (!same_bits(load.force_Me, force_Me) || !same_bits(load.torque_Me, torque_Me))
+  if (!fast::same_bits(load.force_Me, force_Me) || !fast::same_bits(load.torque_Me, torque_Me))
     checks.add(Kind::paths, "{}: the load kept of the pairing is another", name(Route::scene));
   if (loads[0].force_W != A_WE * force_Me || loads[0].torque_W != A_WE * about_E_Me ||
       loads[1].force_W != -(A_WE * force_Me) || loads[1].torque_W != -(A_WE * torque_Me))
@@ -226,8 +217,7 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
     checks.add(Kind::paths, "{}: relative pose or velocity of two moving bodies is another", name(Route::scene));
     return;
   }
-  if (same_bits(relative.A, pose.A) && same_bits(relative.r, pose.r) && same_bits(motion.v, velocity.v) &&
-      same_bits(motion.w, velocity.w)) {
+  if (fast::same_bits(relative, pose) && fast::same_bits(motion, velocity)) {
     const fast::Contact& answer = seam.evaluate_in(scene, workspace);
     hold_route(Route::scene, whole, answer, ask.wanted, checks);
     const fast::SceneCounters counters = scene.counters();

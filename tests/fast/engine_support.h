@@ -30,6 +30,16 @@ inline ContactLaw stiffness(double c_l) {
   return law;
 }
 
+/// With damping d_l, N s/m^3, its fade and friction: all that hangs on velocities.
+inline ContactLaw rough(double damping) {
+  ContactLaw law = stiffness(5.9e5);
+  law.damping = damping;
+  law.transition_depth = 0.01;
+  law.friction = 0.25;
+  law.slip_velocity = 0.5;
+  return law;
+}
+
 /// A copy of the answer to one question.
 inline Contact answer(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose = {},
                       const ContactLaw& law = stiffness(1), Mode mode = Mode::E, const Velocity& velocity = {},

@@ -3,7 +3,6 @@
 // Poses and answers as files: what is written reads back bit for bit, and what is no pose or answer is refused.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "compare/judge/answer_lines.h"
 #include "compare/judge/answers_file.h"
 #include "compare/judge/json_lines.h"
+#include "fast/base/same_bits.h"
 #include "pcm/bad_input.h"
 #include "tests/compare/judge/posed_folder.h"
 
@@ -33,12 +33,6 @@ PlannedPoses planned(std::int64_t poses, const std::vector<Scheme>& schemes) {
   return PlannedPoses(std::move(plan));
 }
 
-bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  for (int i = 0; i < 3; ++i)
-    if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i])) return false;
-  return true;
-}
-
 TEST(PosesFolder, HoldsWhatAVerificationAsksBitForBit) {
   for (const Notation notation : {Notation::decimal, Notation::hexadecimal}) {
     const PosedFolder folder(36, {Scheme::barycentric, Scheme::clipped}, notation);
@@ -53,10 +47,8 @@ TEST(PosesFolder, HoldsWhatAVerificationAsksBitForBit) {
         EXPECT_EQ(folder.posed.surfaces[read.E].mesh.vertices, surfaces.E.mesh.vertices);
         EXPECT_EQ(folder.posed.surfaces[read.F].mesh.vertices, surfaces.F.mesh.vertices);
         EXPECT_EQ(folder.posed.surfaces[read.F].mesh.faces, surfaces.F.mesh.faces);
-        for (int i = 0; i < 3; ++i) EXPECT_TRUE(same_bits(read.pose.A.row(i), asked.pose.A.row(i)));
-        EXPECT_TRUE(same_bits(read.pose.r, asked.pose.r));
-        EXPECT_TRUE(same_bits(read.velocity.v, asked.velocity.v));
-        EXPECT_TRUE(same_bits(read.velocity.w, asked.velocity.w));
+        EXPECT_TRUE(fast::same_bits(read.pose, asked.pose));
+        EXPECT_TRUE(fast::same_bits(read.velocity, asked.velocity));
         EXPECT_EQ(law_json(read.law), law_json(asked.law));
         EXPECT_EQ(read.scheme, asked.scheme);
         EXPECT_EQ(read.mode, cell.mode);

@@ -19,12 +19,7 @@ namespace {
 constexpr Wanted kForce{false, false, true, false, false, false};
 
 ContactLaw rough() {
-  ContactLaw law = test::stiffness(5.9e5);
-  law.damping = 1e5;
-  law.transition_depth = 0.01;
-  law.friction = 0.25;
-  law.slip_velocity = 0.5;
-  return law;
+  return test::rough(1e5);
 }
 
 /// Elastic, and with everything that a law has, in turn.

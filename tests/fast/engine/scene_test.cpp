@@ -20,12 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 ContactLaw rough() {
-  ContactLaw law = test::stiffness(5.9e5);
-  law.damping = 1000;
-  law.transition_depth = 0.01;
-  law.friction = 0.25;
-  law.slip_velocity = 0.5;
-  return law;
+  return test::rough(1000);
 }
 
 /// Bubbles, a ball and an open pyramid that wander into, through and past each other.
