@@ -10,6 +10,7 @@
 
 #include "compare/verify/bound_arithmetic.h"
 #include "compare/verify/contact_fields.h"
+#include "compare/verify/scene_counters.h"
 #include "compare/verify/wanted_presets.h"
 #include "fast/base/geometry.h"
 #include "fast/base/same_bits.h"
@@ -220,7 +221,8 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   if (fast::same_bits(relative, pose) && fast::same_bits(motion, velocity)) {
     const fast::Contact& answer = seam.evaluate_in(scene, workspace);
     hold_route(Route::scene, whole, answer, ask.wanted, checks);
-    const fast::SceneCounters counters = scene.counters();
+    const fast::SceneCounters counters = seam.counters_of(scene);
+    hold_counters(counters, answer.work, checks);
     if (counters.evaluated == 1) hold_law_only(Route::scene, is_known, counters.work.law_only == 1, checks);
     if (is_known && ask.wanted.force) {
       const Eigen::Vector3d force_Me = answer.force_Me, torque_Me = answer.torque_Me;  // the next question changes it
@@ -289,6 +291,10 @@ const fast::Contact& EngineSeam::evaluate_in(fast::Scene& scene, fast::Workspace
 std::vector<fast::BodyLoad> EngineSeam::body_loads_in(fast::Scene& scene) const {
   scene.evaluate_all();
   return scene.body_loads();
+}
+
+fast::SceneCounters EngineSeam::counters_of(const fast::Scene& scene) const {
+  return scene.counters();
 }
 
 const EngineSeam& EngineSeam::none() {

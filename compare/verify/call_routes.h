@@ -73,6 +73,8 @@ class EngineSeam {
   virtual const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const;
   /// What acts on its two bodies there.
   virtual std::vector<fast::BodyLoad> body_loads_in(fast::Scene& scene) const;
+  /// What it has counted since its last move.
+  virtual fast::SceneCounters counters_of(const fast::Scene& scene) const;
 
   /// The one that lets answers pass.
   static const EngineSeam& none();

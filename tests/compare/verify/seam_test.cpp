@@ -158,6 +158,54 @@ TEST_P(SeamOverSchemes, AnswersToThePoseBeforeAreFlagged) {
   }
 }
 
+/// A scene counts one more of something.
+class CounterSeam final : public EngineSeam {
+ public:
+  explicit CounterSeam(std::int64_t& (*counter)(fast::SceneCounters&)) : counter_(counter) {}
+
+  fast::SceneCounters counters_of(const fast::Scene& scene) const override {
+    fast::SceneCounters counters = EngineSeam::counters_of(scene);
+    ++counter_(counters);
+    return counters;
+  }
+
+ private:
+  std::int64_t& (*counter_)(fast::SceneCounters&);
+};
+
+TEST_P(SeamOverSchemes, SceneThatCountsOneMoreIsFlagged) {
+  using Counters = fast::SceneCounters;
+  const SurfacePair pair = small_pair();
+  const HeldPairing held(pair.E, pair.F, ContactLaw{}, Mode::both, GetParam());
+  const DrawnPose drawn = draw_pose(Stratum::generic, held.features(), PoseRandom(kSeed, 0, 0, 0));
+  fast::Workspace workspace;
+  for (std::int64_t& (*const counter)(Counters&) : std::initializer_list<std::int64_t& (*)(Counters&)>{
+           [](Counters& c) -> auto& { return c.apart_by_boxes;
+}
+, [](Counters& c) -> auto& {
+  return c.apart_by_certificate;
+}
+, [](Counters& c) -> auto& {
+  return c.evaluated;
+}
+, [](Counters& c) -> auto& {
+  return c.work.box_tests;
+}
+, [](Counters& c) -> auto& {
+  return c.work.tie_breaks;
+}
+, [](Counters& c) -> auto& {
+  return c.work.elements;
+}
+}  // namespace
+) {
+  const CounterSeam seam(counter);
+  const PoseOutcome outcome = held.hold(drawn.pose, drawn.velocity, workspace, seam).front();
+  ASSERT_FALSE(outcome.disagreements.empty());
+  EXPECT_EQ(outcome.disagreements.front().kind, Kind::work);
+}
+}  // namespace pcm::compare
+
 /// What a scene says of one of its bodies is wrong by an ulp.
 class LoadSeam final : public EngineSeam {
  public:
