@@ -305,7 +305,7 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
       }
     }
     // A face that hangs from the master's corners is at depth 0 only there, in both problems.
-    if (!(g.hinge_depth > 0)) {
+    if (!g.only_hangs) {
       const double cut = roundings_of_depth(g, f.box);
       zero = strip_along_line(g.depth, {g.line_error + cut, g.depth_error + cut}, f, g, box);
       if (std::abs(g.depth.middle(box)) - g.depth.half_range(box) <= beside_error) {

@@ -155,10 +155,41 @@ struct SeenFace {
         distance(error.distance(greatest_s, greatest_t, farthest_depth)) {}
 };
 
+/// Whether a face with just one corner of the master, and its corners a and b, is deeper than 0 all over the master but
+/// there, though a may be above 0. Its points are c + l_a (a - c) + l_b (b - c), l_b > 0 or beyond a side of the master
+/// through c: let w be the weight that is 0 at that side. Over the master l_a w(a) + l_b w(b) >= 0, so with w(a) < 0
+/// l_a is no more than l_b w(b) / -w(a), and the depth l_a d_a + l_b d_b no less than l_b (d_b + d_a w(b) / -w(a)) if
+/// d_a < 0.
+bool hangs_by_one_corner(const PrismPoint& c, const PrismPoint& a, const PrismPoint& b, const PrismPositionError& off,
+                         double third) {
+  const double d_a = a[kDepth] - off.depth, d_b = b[kDepth] - off.depth;
+  if (!(d_b > 0)) return false;
+  const std::array<double, 3> weight_error = {off.s + off.t + third, off.s, off.t};
+  for (int weight = 0; weight < 3; ++weight) {
+    const double w_a = a[weight] + weight_error[static_cast<std::size_t>(weight)];
+    const double w_b = b[weight] + weight_error[static_cast<std::size_t>(weight)];
+    if (c[weight] == 0 && w_a < 0 && d_b * -w_a > kSafetyFactor * -d_a * w_b) return true;
+  }
+  return false;
+}
+
+bool only_hangs(const SeenFace& seen, const FaceEnclosure& f) {
+  if (f.hinge_depth > 0) return true;
+  const std::array<bool, 3>& shared = seen.face.shared;
+  if (shared[0] + shared[1] + shared[2] != 1) return false;
+  const std::size_t k = shared[0] ? 0 : shared[1] ? 1 : 2;
+  const std::array<PrismPoint, 3>& corners = seen.face.corners;
+  const PrismPoint &c = corners[k], &a = corners[(k + 1) % 3], &b = corners[(k + 2) % 3];
+  const PrismPositionError off{f.hinge_error.s, f.hinge_error.t, 2 * f.hinge_error.depth};
+  return hangs_by_one_corner(c, a, b, off, seen.rounding.third) ||
+         hangs_by_one_corner(c, b, a, off, seen.rounding.third);
+}
+
 /// What a face that stands on corners of the master hangs from; false where it surely lies beside the master.
 bool find_hinge(const PrismError& error, const SeenFace& seen, FaceEnclosure& f) {
   const std::array<bool, 3>& shared = seen.face.shared;
   f.hinge_depth = 0;
+  f.only_hangs = false;
   if (!(shared[0] || shared[1] || shared[2])) return true;
   const PrismPositionError frame = error.of_frame(seen.farthest_depth);
   const double far = 1 + seen.greatest_s + seen.greatest_t;
@@ -170,6 +201,7 @@ bool find_hinge(const PrismError& error, const SeenFace& seen, FaceEnclosure& f)
     if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, seen.face.corners[k][kDepth]);
   }
   f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_error.depth, 0.0) : 0;
+  f.only_hangs = only_hangs(seen, f);
   return true;
 }
 

@@ -64,6 +64,8 @@ struct FaceEnclosure {
   /// be shifted; 0 otherwise. At a depth d it is shifted by no more than d over that height times as much.
   double hinge_depth;
   PrismPositionError hinge_error;
+  /// It has a corner of the master, and wherever else it is over the master it is deeper than 0, in both problems.
+  bool only_hangs;
   double sliver;             ///< where facing is not sure: its area as computed
   double relative_rounding;  ///< of a linear function that is given by its values at the corners
   double crossing_rounding;  ///< how far off the line may be, m over m, where this plane meets a face that far away

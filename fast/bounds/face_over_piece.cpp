@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/bounds/face_over_piece.h"
 
+#include <array>
 #include <cmath>
 
 #include "fast/posed/vertex_rounding.h"
@@ -46,12 +47,26 @@ bool side_may_meet(const FaceEnclosure& face, std::size_t k, const ConvexPolygon
          UncertainFunction(-side_s, b[kS], -side_t, b[kT], 0, error).sign_over(piece) != Sign::negative;
 }
 
+bool leaves_master_alone(const FaceEnclosure& face, std::size_t k) {
+  const std::size_t next = (k + 1) % 3;
+  if (!face.fixed[k] && !face.fixed[next]) return false;
+  if (face.fixed[k] && face.fixed[next]) return true;
+  const PrismPoint& corner = face.corners[face.fixed[k] ? k : next];
+  const PrismPoint& end = face.corners[face.fixed[k] ? next : k];
+  const PrismPositionError& off = face.hinge_error;
+  const std::array<double, 3> weight_error = {off.s + off.t + face.rounding.third, off.s, off.t};
+  for (int weight = 0; weight < 3; ++weight) {
+    if (corner[weight] == 0 && end[weight] < -weight_error[static_cast<std::size_t>(weight)]) return true;
+  }
+  return false;
+}
+
 UncertainFunction depth_of(const FaceEnclosure& face) {
   return UncertainFunction(face.depth, face.depth_error);
 }
 
 bool lies_deep(const FaceEnclosure& face, const ConvexPolygon& points) {
-  return face.hinge_depth > 0 || depth_of(face).sign_over(points) == Sign::positive;
+  return face.only_hangs || depth_of(face).sign_over(points) == Sign::positive;
 }
 
 UncertainFunction depth_beyond(const FaceEnclosure& f, const FaceEnclosure& g) {

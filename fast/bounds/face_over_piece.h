@@ -21,6 +21,10 @@ bool lies_outside(const FaceEnclosure& face, const ConvexPolygon& piece);
 /// Whether side k may have a point over the piece.
 bool side_may_meet(const FaceEnclosure& face, std::size_t k, const ConvexPolygon& piece);
 
+/// Whether side k of a face of the master's body meets the master nowhere, or where the master ends: it is a side of
+/// the master, or leads from a corner of it to a point that is certainly beyond a side through that corner.
+bool leaves_master_alone(const FaceEnclosure& face, std::size_t k);
+
 UncertainFunction depth_of(const FaceEnclosure& face);
 
 /// Whether the face lies deeper than 0 wherever it covers the points. One that hangs from the master's corners is at

@@ -168,7 +168,7 @@ void Search::weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& 
   }
   if (lies_outside(g, polygon)) return;
   const UncertainFunction depth = depth_of(g), beyond = depth_beyond(f, g);
-  const Sign below = g.hinge_depth > 0 ? Sign::positive : depth.sign_over(polygon);
+  const Sign below = g.only_hangs ? Sign::positive : depth.sign_over(polygon);
   Sign before = beyond.sign_over(polygon);
   if (below == Sign::negative || before == Sign::negative) return;
   if (before == Sign::unsure) {
@@ -211,8 +211,7 @@ std::optional<std::size_t> Search::side_that_borders(const FaceEnclosure& g, con
                                                      const FaceEnclosure& f) const {
   const std::vector<const FaceEnclosure*>& covering = scratch_.covering;
   for (std::size_t k = 0; k < 3; ++k) {
-    const bool is_masters_own = g.fixed[k] && g.fixed[(k + 1) % 3];
-    if (is_masters_own || !side_may_meet(g, k, polygon) || surely_beside(g, k, f)) continue;
+    if (!side_may_meet(g, k, polygon) || leaves_master_alone(g, k) || surely_beside(g, k, f)) continue;
     if (std::none_of(covering.begin(), covering.end(), [&](const FaceEnclosure* h) { return goes_on(g, k, *h); }))
       return k;
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "fast/bounds/face_over_piece.h"
 #include "fast/bounds/prism_error.h"
 #include "fast/bounds/uncertain_strips.h"
 #include "fast/prism/projected_face.h"
@@ -114,10 +115,36 @@ void PrintTo(const Regime& regime, std::ostream* out) {
 struct Ratios {
   double shift = 0, side = 0, depth = 0, field = 0, line = 0, area = 0;
   int found = 0, seen = 0, edgewise = 0, unseen = 0;
+  int hangs = 0, hangs_from_above = 0, leaves_alone = 0;
 };
 
 double ratio(const mpq_class& off, double bound) {
   return bound > 0 ? mpq_class(abs(off) / mpq_class(bound)).get_d() : off == 0 ? 0.0 : HUGE_VAL;
+}
+
+bool is_corner(const Seen& x) {
+  return x[0] * x[1] == 0 && x[1] * x[2] == 0 && x[0] * x[2] == 0;
+}
+
+/// Holds what is said of a face that has corners of the master: linear functions are positive where they are at the
+/// corners of a polygon.
+void hold_hanging(const FaceEnclosure& f, const std::array<Seen, 3>& true_seen, Ratios& ratios) {
+  if (f.only_hangs) {
+    SeenPolygon beneath{true_seen[0], true_seen[1], true_seen[2]};
+    for (std::size_t k = 0; k < 3; ++k) beneath = kept(beneath, [k](const Seen& x) { return x[k]; });
+    for (const Seen& x : beneath) ASSERT_TRUE(x[3] > 0 || (x[3] == 0 && is_corner(x)));
+    ++ratios.hangs;
+    const auto is_above = [](const Seen& x) { return x[3] < 0; };
+    ratios.hangs_from_above += std::any_of(true_seen.begin(), true_seen.end(), is_above) && !beneath.empty();
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if (f.fixed[k] == f.fixed[next] || !leaves_master_alone(f, k)) continue;
+    SeenPolygon side{true_seen[k], true_seen[next]};
+    for (std::size_t w = 0; w < 3; ++w) side = kept(side, [w](const Seen& x) { return x[w]; });
+    for (const Seen& x : side) ASSERT_TRUE(is_corner(x));
+    ++ratios.leaves_alone;
+  }
 }
 
 class FootprintOf : public testing::TestWithParam<Regime> {};
@@ -223,6 +250,15 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
         c[static_cast<int>((first + 2) % 3)] = off;
         c[kDepth] = drawn[k][kDepth];
       }
+      if (regime.place == Place::hanging && hanging == 1 && k == 1 && random.integer(0, 1) == 0) {
+        // Far beyond a side through that corner, or hardly, and about the master's plane, or above it.
+        const double scale = random.integer(0, 1) == 0 ? 1 : 40 * little;
+        const auto beyond = static_cast<int>((first + 1) % 3), along = static_cast<int>((first + 2) % 3);
+        c[beyond] = scale * random.unit();
+        c[along] = random.unit();
+        c[static_cast<int>(first)] = 1 - c[beyond] - c[along];
+        c[kDepth] = regime.width * (random.integer(0, 1) == 0 ? 3 * little : 0.3) * random.unit();
+      }
       x[k] = p[0] + c[kS] * (p[1] - p[0]) + c[kT] * (p[2] - p[0]) - c[kDepth] * geometry.n_Me;
       corners[k] = prism.see(x[k], work);
       true_x[k] = stirred(x[k], stir_face, random);
@@ -276,6 +312,8 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
     ASSERT_EQ(facing, f.facing) << trial;
     // Counterclockwise, as the enclosure has it.
     if (facing < 0) std::swap(true_seen[1], true_seen[2]);
+    hold_hanging(f, true_seen, greatest);
+    if (HasFatalFailure()) FAIL() << trial;
     const std::array<Seen, 3> computed{as_exact(f.corners[0]), as_exact(f.corners[1]), as_exact(f.corners[2])};
     for (const Seen& c : part) {
       if (!(area > 0)) break;
@@ -333,6 +371,11 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
   std::printf("  greatest over bound: shift %.3f side %.3f depth %.3f field %.3f computed %.3f sliver %.3f\n",
               greatest.shift, greatest.side, greatest.depth, greatest.field, greatest.line, greatest.area);
   EXPECT_GE(greatest.found, regime.trials / 4);
+  if (regime.place != Place::hanging) return;
+  std::printf("  %d only hang, %d of them from above; %d sides leave the master alone\n", greatest.hangs,
+              greatest.hangs_from_above, greatest.leaves_alone);
+  EXPECT_GE(greatest.hangs_from_above, 10);
+  EXPECT_GE(greatest.leaves_alone, 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(

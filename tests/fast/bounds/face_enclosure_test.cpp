@@ -55,6 +55,7 @@ FaceEnclosure draw_face(Draw& draw, double shift, Index first_vertex) {
   f.depth = plane_of(f.corners);
   f.relative_rounding = f.crossing_rounding = 0;
   f.hinge_depth = 0;
+  f.only_hangs = false;
   f.knows_sides = true;
   f.depth_error = f.field_error = shift * (1 + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
   f.greatest = 3;

@@ -55,6 +55,7 @@ FaceInView in_view(const Face& face, Index number) {
   f.depth = face.depth;
   f.field_error = f.line_error = f.depth_error = face.depth_error;
   f.hinge_depth = 0;
+  f.only_hangs = false;
   f.sliver = f.relative_rounding = f.crossing_rounding = 0;
   view.may_carry = face.facing <= 0;
   return view;
