@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <sstream>
 
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
@@ -18,13 +18,6 @@ namespace {
 using Words = std::vector<std::string>;
 
 constexpr std::string_view kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  return content.str();
-}
 
 std::string last_line(const std::string& text) {
   const std::vector<std::string> lines = lines_of(text);

@@ -5,7 +5,6 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "compare/judge/answer_lines.h"
 #include "compare/judge/answers_file.h"
@@ -13,16 +12,10 @@
 #include "fast/base/same_bits.h"
 #include "pcm/bad_input.h"
 #include "tests/compare/judge/posed_folder.h"
+#include "tests/meshes/content_of.h"
 
 namespace pcm::compare {
 namespace {
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  return content.str();
-}
 
 /// The plan of PosedFolder once more.
 PlannedPoses planned(std::int64_t poses, const std::vector<Scheme>& schemes) {
