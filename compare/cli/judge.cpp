@@ -22,7 +22,7 @@
 #include "compare/judge/judging_report.h"
 #include "compare/judge/poses_folder.h"
 #include "compare/judge/schemas.h"
-#include "compare/verify/verify.h"
+#include "compare/verify/run/verify.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 

@@ -11,12 +11,12 @@
 #include <optional>
 
 #include "compare/cli/verify_run.h"
-#include "compare/verify/kept_run.h"
-#include "compare/verify/run_verdict.h"
-#include "compare/verify/summary.h"
-#include "compare/verify/verification_table.h"
-#include "compare/verify/verification_widths.h"
-#include "compare/verify/verify.h"
+#include "compare/verify/run/kept_run.h"
+#include "compare/verify/run/run_verdict.h"
+#include "compare/verify/run/verify.h"
+#include "compare/verify/tables/summary.h"
+#include "compare/verify/tables/verification_table.h"
+#include "compare/verify/tables/verification_widths.h"
 #include "meshes/files/text_file.h"
 
 namespace pcm::compare {

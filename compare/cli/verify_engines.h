@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compare/cli/command_line.h"
-#include "compare/verify/verification_plan.h"
+#include "compare/verify/run/verification_plan.h"
 #include "compare/wrong_answers/tested_engine.h"
 
 namespace pcm::compare {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "compare/poses/strata.h"
-#include "compare/verify/verify.h"
+#include "compare/verify/run/verify.h"
 #include "pcm/bad_input.h"
 #include "pcm/read_mesh.h"
 

@@ -14,7 +14,7 @@
 
 #include "compare/cli/surface_warnings.h"
 #include "compare/io/names.h"
-#include "compare/verify/trajectory.h"
+#include "compare/verify/run/trajectory.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compare/cli/verify_options.h"
-#include "compare/verify/verify.h"
+#include "compare/verify/run/verify.h"
 
 /// What runs over poses share, whoever is held against the oracle.
 namespace pcm::compare {

@@ -9,7 +9,7 @@
 
 #include "compare/judge/given_answer.h"
 #include "compare/judge/judgement.h"
-#include "compare/verify/question.h"
+#include "compare/verify/bounds/question.h"
 #include "reference/vocabulary/answer.h"
 
 /// Conventions other than those of docs/judge.md, where they can be told: what is wrong by ours is right by theirs.

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "compare/verify/bound_arithmetic.h"
-#include "compare/verify/clipped_bounds.h"
-#include "compare/verify/element_law.h"
-#include "compare/verify/rounding_bounds.h"
+#include "compare/verify/bounds/bound_arithmetic.h"
+#include "compare/verify/bounds/clipped_bounds.h"
+#include "compare/verify/bounds/element_law.h"
+#include "compare/verify/bounds/rounding_bounds.h"
 #include "pcm/contact.h"
 
 namespace pcm::compare {

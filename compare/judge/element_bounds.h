@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/judge/given_answer.h"
-#include "compare/verify/question.h"
+#include "compare/verify/bounds/question.h"
 #include "reference/vocabulary/answer.h"
 
 namespace pcm::compare {

@@ -12,7 +12,7 @@
 #include "compare/io/names.h"
 #include "compare/judge/element_bounds.h"
 #include "compare/judge/true_facts.h"
-#include "compare/verify/rounding_bounds.h"
+#include "compare/verify/bounds/rounding_bounds.h"
 
 namespace pcm::compare {
 namespace {

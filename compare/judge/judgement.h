@@ -8,7 +8,7 @@
 #include "compare/judge/fact.h"
 #include "compare/judge/given_answer.h"
 #include "compare/judge/tolerances.h"
-#include "compare/verify/question.h"
+#include "compare/verify/bounds/question.h"
 #include "reference/vocabulary/answer.h"
 
 namespace pcm::compare {

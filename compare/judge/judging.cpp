@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "compare/judge/answer_lines.h"
-#include "compare/verify/verify.h"
+#include "compare/verify/run/verify.h"
 
 namespace pcm::compare {
 

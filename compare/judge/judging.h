@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "compare/judge/judge.h"
-#include "compare/verify/case_file.h"
+#include "compare/verify/verdict/case_file.h"
 
 namespace pcm::compare {
 

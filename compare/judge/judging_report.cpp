@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "compare/verify/tally.h"
+#include "compare/verify/verdict/tally.h"
 
 namespace pcm::compare {
 namespace {

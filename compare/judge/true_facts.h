@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compare/judge/given_answer.h"
-#include "compare/verify/question.h"
+#include "compare/verify/bounds/question.h"
 #include "reference/vocabulary/answer.h"
 
 /// Facts of the oracle's answer in the form in which answers give them.

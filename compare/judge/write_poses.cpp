@@ -15,7 +15,7 @@
 
 #include "compare/judge/poses_folder.h"
 #include "compare/judge/poses_writer.h"
-#include "compare/verify/state_draw.h"
+#include "compare/verify/routes/state_draw.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {

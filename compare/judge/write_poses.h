@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "compare/io/question_json.h"
-#include "compare/verify/planned_poses.h"
+#include "compare/verify/run/planned_poses.h"
 
 namespace pcm::compare {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "compare/io/exact_json.h"
-#include "compare/verify/verify.h"
+#include "compare/verify/run/verify.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "tests/compare/run_pcm.h"
