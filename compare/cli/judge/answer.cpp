@@ -10,9 +10,9 @@
 #include <string>
 
 #include "compare/cli/frame/programs.h"
-#include "compare/judge/answer_lines.h"
-#include "compare/judge/own_answers.h"
-#include "compare/judge/poses_folder.h"
+#include "compare/judge/engines/own_answers.h"
+#include "compare/judge/lines/answer_lines.h"
+#include "compare/judge/poses/poses_folder.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {

@@ -14,9 +14,9 @@
 
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/verify/verify_run.h"
-#include "compare/judge/catalogue_poses.h"
-#include "compare/judge/poses_folder.h"
-#include "compare/judge/write_poses.h"
+#include "compare/judge/poses/catalogue_poses.h"
+#include "compare/judge/poses/poses_folder.h"
+#include "compare/judge/poses/write_poses.h"
 
 namespace pcm::compare {
 namespace {
