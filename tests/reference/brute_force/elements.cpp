@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/reference/brute_force/elements.h"
+
 #include <optional>
 
 #include "tests/reference/brute_force/steps.h"

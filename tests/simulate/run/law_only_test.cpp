@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "simulate/integrators/make_integrator.h"
 #include "simulate/run/simulation.h"
 #include "simulate/scenes/read_scene.h"
 #include "tests/simulate/scenes/built_in_scene.h"
