@@ -7,7 +7,7 @@
 #include <array>
 
 #include "compare/io/random.h"
-#include "compare/verify/wanted_presets.h"
+#include "compare/verify/routes/wanted_presets.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/parts.h"
 #include "meshes/generate/round.h"

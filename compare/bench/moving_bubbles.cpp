@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "compare/io/random.h"
-#include "compare/verify/wanted_presets.h"
+#include "compare/verify/routes/wanted_presets.h"
 #include "meshes/generate/bubbles.h"
 
 namespace pcm::compare {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/bench/peer.h"
-#include "compare/verify/wanted_presets.h"
+#include "compare/verify/routes/wanted_presets.h"
 #include "pcm/engine.h"
 #include "reference/oracle.h"
 

@@ -3,7 +3,7 @@
 #include "compare/bench/peer.h"
 #include "compare/published/algorithm_2003.h"
 #include "compare/published/algorithm_2023.h"
-#include "compare/verify/wanted_presets.h"
+#include "compare/verify/routes/wanted_presets.h"
 
 namespace pcm::compare {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "compare/bench/peer.h"
 #include "compare/io/random.h"
-#include "compare/verify/wanted_presets.h"
+#include "compare/verify/routes/wanted_presets.h"
 #include "meshes/generate/round.h"
 #include "pcm/engine.h"
 

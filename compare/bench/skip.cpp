@@ -11,7 +11,7 @@
 #include "compare/bench/bodies.h"
 #include "compare/bench/moving_bubbles.h"
 #include "compare/io/random.h"
-#include "compare/verify/wanted_presets.h"
+#include "compare/verify/routes/wanted_presets.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
 #include "pcm/pairing_memory.h"

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "compare/io/random.h"
-#include "compare/verify/wanted_presets.h"
+#include "compare/verify/routes/wanted_presets.h"
 
 namespace pcm::compare {
 namespace {

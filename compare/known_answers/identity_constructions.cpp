@@ -10,8 +10,8 @@
 
 #include "compare/bodies/known_answer_bodies.h"
 #include "compare/poses/pairs.h"
-#include "compare/verify/verification_table.h"
-#include "compare/verify/verify.h"
+#include "compare/verify/run/verify.h"
+#include "compare/verify/tables/verification_table.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/bodies.h"
 

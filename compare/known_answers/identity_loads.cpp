@@ -9,7 +9,7 @@
 
 #include "compare/bodies/known_answer_bodies.h"
 #include "compare/poses/surface_features.h"
-#include "compare/verify/bound_arithmetic.h"
+#include "compare/verify/bounds/bound_arithmetic.h"
 #include "pcm/bad_input.h"
 #include "reference/proofs/self_intersections.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "compare/poses/surface_features.h"
-#include "compare/verify/bound_arithmetic.h"
+#include "compare/verify/bounds/bound_arithmetic.h"
 
 namespace pcm::compare {
 namespace {

@@ -26,7 +26,7 @@ enum class Stratum : std::uint8_t {
   nested,           ///< one body inside the other, no crossing
   degenerate,       ///< features coincide exactly
   near_degenerate,  ///< degenerate, then moved by 1 to 8 ulps
-  trajectory,       ///< not drawn: recorded by a simulation (compare/verify/trajectory.h)
+  trajectory,       ///< not drawn: recorded by a simulation (compare/verify/run/trajectory.h)
 };
 
 /// Those that poses are drawn from.

@@ -11,7 +11,7 @@
 #include <memory>
 #include <mutex>
 
-#include "compare/verify/planned_poses.h"
+#include "compare/verify/run/planned_poses.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {

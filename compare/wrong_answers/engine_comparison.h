@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/verify/verification_plan.h"
+#include "compare/verify/run/verification_plan.h"
 #include "compare/wrong_answers/wrong_answers.h"
 
 /// Several engines held against the oracle on the same poses: what exactness buys.

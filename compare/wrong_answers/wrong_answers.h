@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "compare/verify/rounding_bounds.h"
+#include "compare/verify/bounds/rounding_bounds.h"
 #include "compare/wrong_answers/tested_engine.h"
 
 /// A verdict on several engines by one measure, coarser than that of verdict.h, which is the engine's alone.

@@ -6,7 +6,7 @@
 
 /// The force law, (12) to (20), in the engine; (14), (15), (18), (20) are in fast/law/element_force.h, for one element
 /// and for four at once; its error in fast/bounds/force_error.h. Who changes it changes the oracle's own too
-/// (reference/force/law.h), and the verdict's (compare/verify/element_law.h, law_bounds.h).
+/// (reference/force/law.h), and the verdict's (compare/verify/bounds/element_law.h, law_bounds.h).
 ///
 /// All but `layer_stiffness` are parts of the engine's entry points, which hold a `DefaultFloatingPoint`, and compute
 /// in the caller's floating-point environment.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/cli/program.h"
+#include "compare/cli/frame/program.h"
 #include "simulate/cli/simulate.h"
 
 int main(int argc, char** argv) {

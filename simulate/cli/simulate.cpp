@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/cli/programs.h"
+#include "compare/cli/frame/programs.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "simulate/page/page.h"

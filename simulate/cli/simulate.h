@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compare/cli/command_line.h"
+#include "compare/cli/frame/command_line.h"
 
 namespace pcm::simulate {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 /// Ordinary differential equations, integrated step by step: by SUNDIALS, by Simbody and by a stabilised explicit
@@ -125,7 +125,5 @@ class Integrator {
 
   virtual const Work& work() const = 0;
 };
-
-std::unique_ptr<Integrator> make_integrator(Method method, DifferentialEquation equation, StepControl control);
 
 }  // namespace pcm::simulate

@@ -19,6 +19,7 @@
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/write_obj.h"
+#include "simulate/integrators/make_integrator.h"
 
 namespace pcm::simulate {
 namespace {

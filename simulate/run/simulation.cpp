@@ -12,6 +12,7 @@
 
 #include "pcm/bad_input.h"
 #include "simulate/integrators/difference_quotients.h"
+#include "simulate/integrators/make_integrator.h"
 
 namespace pcm::simulate {
 namespace {

@@ -7,24 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
-namespace {
-
-std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  return content.str();
-}
-
-}  // namespace
-
 Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output) {
   const TemporaryFolder scratch;
   const std::string out = output.empty() ? scratch.path("out") : output.string();

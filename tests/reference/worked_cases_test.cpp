@@ -12,11 +12,13 @@
 #include "meshes/generate/round.h"
 #include "reference/oracle.h"
 #include "tests/reference/oracle_combinatorics.h"
+#include "tests/reference/problems.h"
 #include "tests/shifted_pose.h"
 
 namespace pcm::brute_force {
 namespace {
 
+using reference::kProblems;
 using reference::Problem;
 
 /// The oracle's answer, after its combinatorics have been held against the twin's.
@@ -25,8 +27,6 @@ reference::Answer answer_held_by_twin(const TriangleMesh& E, const TriangleMesh&
   EXPECT_EQ(difference(combinatorics_of(answer(E, F, pose, problem)), combinatorics_of(oracle)), "");
   return oracle;
 }
-
-constexpr Problem kProblems[] = {Problem::rounded, Problem::exact};
 
 TriangleMesh box(double x0, double y0, double z0, double x1, double y1, double z1) {
   return generate::box(Eigen::Vector3d(x0, y0, z0), Eigen::Vector3d(x1, y1, z1));

@@ -10,6 +10,7 @@
 
 #include "meshes/generate/boxes.h"
 #include "pcm/engine.h"
+#include "tests/compare/io/occurrences.h"
 #include "tests/compare/io/well_formed_xml.h"
 
 namespace pcm::compare {
@@ -29,12 +30,6 @@ class ContactPictureTest : public testing::Test {
     return svg({mesh_E_, mesh_F_, pose_, contact, best_view(contact), "box & <box>", "in \"words\""});
   }
 };
-
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
-  return n;
-}
 
 /// Twice the area a path goes round, positive if counterclockwise as it is seen; y points down on the page.
 double turn_of(const std::string& picture, std::size_t at) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/compare/io/occurrences.h"
 #include "tests/compare/io/well_formed_xml.h"
 
 namespace pcm::compare {
@@ -39,12 +40,6 @@ Figure figure_of(const PlotCurve& first) {
   plot.y_title = "error < 1";
   plot.curves.push_back(first);
   return figure;
-}
-
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
-  return n;
 }
 
 TEST(SvgPlot, PointsLieWhereTheirLogarithmsDo) {

@@ -8,8 +8,8 @@
 #include "tests/fast/engine_support.h"
 #include "tests/fast/same_answer.h"
 
-/// What the engine promises about its bounds that needs no oracle; tests/compare/verify/force_bound_test.cpp holds them
-/// to the truth.
+/// What the engine promises about its bounds that needs no oracle; tests/compare/verify/bounds/force_bound_test.cpp
+/// holds them to the truth.
 namespace pcm::fast {
 namespace {
 

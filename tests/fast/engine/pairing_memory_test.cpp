@@ -18,13 +18,11 @@ namespace {
 
 constexpr Wanted kForce{false, false, true, false, false, false};
 
-ContactLaw rough() {
-  return test::rough(1e5);
-}
+const ContactLaw kRough = test::rough(1e5);
 
 /// Elastic, and with everything that a law has, in turn.
 std::vector<ContactLaw> laws() {
-  std::vector<ContactLaw> laws{test::stiffness(1), rough(), rough(), rough(), rough()};
+  std::vector<ContactLaw> laws{test::stiffness(1), kRough, kRough, kRough, kRough};
   laws[2].damping_mode = DampingMode::full;
   laws[2].slip_velocity = 0;
   laws[3].damping_mode = DampingMode::compression;
@@ -100,7 +98,7 @@ TEST_P(InBothSchemes, AnotherVelocityHasTheBitsOfAWholeEvaluation) {
 
 TEST_P(InBothSchemes, WhatComesInBetweenIsNeverTakenForTheAnswer) {
   const Bodies touch = bodies().front();
-  const Pairing pairing(touch.E, touch.F, rough(), Mode::both, GetParam());
+  const Pairing pairing(touch.E, touch.F, kRough, Mode::both, GetParam());
   PairingMemory memory(pairing);
   Workspace one, other;
   const auto ask = [&](const Pose& pose, const Velocity& velocity, const Wanted& wanted, const Savings& savings,
@@ -141,7 +139,7 @@ TEST_P(InBothSchemes, WhatComesInBetweenIsNeverTakenForTheAnswer) {
 
 TEST_P(InBothSchemes, AZeroOfTheOtherSignIsAnotherPose) {
   const Surface bubble(generate::bubble());
-  const Pairing pairing(bubble, bubble, rough(), Mode::E, GetParam());
+  const Pairing pairing(bubble, bubble, kRough, Mode::E, GetParam());
   PairingMemory memory(pairing);
   Workspace one, other;
   Pose pose;
@@ -155,7 +153,7 @@ TEST_P(InBothSchemes, AZeroOfTheOtherSignIsAnotherPose) {
 
 TEST_P(InBothSchemes, BadVelocitiesAreRefusedAndNothingIsForgotten) {
   const Bodies touch = bodies().front();
-  ContactLaw law = rough();
+  ContactLaw law = kRough;
   law.damping_mode = DampingMode::full;
   const Pairing pairing(touch.E, touch.F, law, Mode::E, GetParam());
   PairingMemory memory(pairing);

@@ -19,10 +19,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-ContactLaw rough() {
-  return test::rough(1000);
-}
-
 /// Bubbles, a ball and an open pyramid that wander into, through and past each other.
 struct Wandering {
   Scene scene;
@@ -38,7 +34,7 @@ struct Wandering {
         Wanted wanted;
         wanted.bound = (E + F) % 5 == 0;
         wanted.elements = (E + F) % 2 == 0;
-        scene.add_pairing(E, F, rough(), (E + F) % 3 == 0 ? Mode::both : Mode::E,
+        scene.add_pairing(E, F, test::rough(1000), (E + F) % 3 == 0 ? Mode::both : Mode::E,
                           F % 4 == 1 ? Scheme::clipped : Scheme::barycentric, wanted);
       }
     }

@@ -100,7 +100,7 @@ TEST(HeightOver, IsRarelyComputedExactlyForPointsInNoSpecialPlace) {
   EXPECT_LE(static_cast<double>(work.exact_predicates), 4 * kExactHeight * static_cast<double>(work.predicates));
 }
 
-// What compare/verify/master_view.h's bounds rest on, and fast/clipped/visible_parts.h's.
+// What compare/verify/bounds/master_view.h's bounds rest on, and fast/clipped/visible_parts.h's.
 TEST(MasterPrism, SeesPointsTo24RoundingsOfTheirDistanceTimesTheSkewOfTheFaceHoweverNarrowItIs) {
   Doubles random(154);
   WorkCounters work;

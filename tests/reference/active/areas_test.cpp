@@ -10,11 +10,10 @@
 #include "reference/oracle.h"
 #include "reference/proofs/identities.h"
 #include "tests/reference/poses.h"
+#include "tests/reference/problems.h"
 
 namespace pcm::reference {
 namespace {
-
-const Problem kProblems[] = {Problem::rounded, Problem::exact};
 
 Answer answer_of(const TriangleMesh& E, const TriangleMesh& F, Problem problem, const Pose& pose = {}) {
   return Oracle(E, F).answer(problem, pose);

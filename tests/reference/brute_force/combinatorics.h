@@ -5,7 +5,7 @@
 #include <string>
 #include <tuple>
 
-#include "tests/reference/brute_force/brute_force.h"
+#include "tests/reference/brute_force/answer.h"
 
 namespace pcm::brute_force {
 

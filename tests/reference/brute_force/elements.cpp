@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/reference/brute_force/elements.h"
+
 #include <optional>
 
 #include "tests/reference/brute_force/steps.h"
@@ -75,7 +77,7 @@ void find_element(Answer& answer, Side master, Index face) {
 }
 
 /// C_k (13) with equal layers.
-Vector position(const Scene& scene, const Element& element) {
+Vector exact_position(const Scene& scene, const Element& element) {
   return element.foot - Rational(element.q / 2) * scene.body(element.master).normals[element.master_face];
 }
 
@@ -85,7 +87,7 @@ Vector force_or_torque(const Scene& scene, const Element& element, bool torque, 
   Vector force = Rational(-stiffness * element.alpha * element.q) * N;
   if (element.master == Side::F) force = Rational(-1) * force;
   if (!torque) return force;
-  return cross(position(scene, element) - scene.r_MeMf, force);
+  return cross(exact_position(scene, element) - scene.r_MeMf, force);
 }
 
 /// factor |N|, correctly rounded.
@@ -117,7 +119,7 @@ double element_area(const Scene& scene, const Element& element) {
 }
 
 std::array<double, 3> element_position(const Scene& scene, const Element& element) {
-  const Vector C = scene.unit * position(scene, element);
+  const Vector C = scene.unit * exact_position(scene, element);
   return {rounded(C[0]), rounded(C[1]), rounded(C[2])};
 }
 

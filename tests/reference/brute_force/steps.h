@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "tests/reference/brute_force/brute_force.h"
+#include "tests/reference/brute_force/answer.h"
 
 /// The steps of the twin, each filling its part of the answer.
 namespace pcm::brute_force {

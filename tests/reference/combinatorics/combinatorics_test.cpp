@@ -8,11 +8,10 @@
 #include "meshes/generate/bubbles.h"
 #include "pcm/bad_input.h"
 #include "tests/reference/poses.h"
+#include "tests/reference/problems.h"
 
 namespace pcm::reference {
 namespace {
-
-const Problem kProblems[] = {Problem::rounded, Problem::exact};
 
 TEST(OracleCombinatorics, BoxCornerInBoxGivesOneClosedPolygonThroughSixEdges) {
   const Oracle oracle(generate::box({0, 0, 0}, {2, 2, 2}), generate::box({1, 1, 1}, {3, 3, 3}));

@@ -16,11 +16,10 @@
 #include "meshes/generate/round.h"
 #include "reference/oracle.h"
 #include "tests/reference/poses.h"
+#include "tests/reference/problems.h"
 
 namespace pcm::reference {
 namespace {
-
-constexpr Problem kProblems[] = {Problem::rounded, Problem::exact};
 
 ContactLaw stiffness(double c_l) {
   ContactLaw law;

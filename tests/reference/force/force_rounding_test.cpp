@@ -11,14 +11,14 @@
 #include "meshes/generate/round.h"
 #include "reference/oracle.h"
 #include "tests/reference/brute_force/brute_force.h"
+#include "tests/reference/problems.h"
 
 namespace pcm::brute_force {
 namespace {
 
+using reference::kProblems;
 using reference::Oracle;
 using reference::Problem;
-
-constexpr Problem kProblems[] = {Problem::rounded, Problem::exact};
 
 /// A convex cross-section in x and z, counterclockwise seen from -y, extruded from y0 to y0 + 1.
 TriangleMesh prism(const std::vector<std::array<double, 2>>& section, double y0) {

@@ -10,11 +10,11 @@
 #include "meshes/generate/round.h"
 #include "reference/oracle.h"
 #include "tests/reference/poses.h"
+#include "tests/reference/problems.h"
 
 namespace pcm::reference {
 namespace {
 
-const Problem kProblems[] = {Problem::rounded, Problem::exact};
 const double kInfinite = std::numeric_limits<double>::infinity();
 
 ContactLaw stiffness(double c_l) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulate/integrators/integrator.h"
+#include "simulate/integrators/make_integrator.h"
 
 /// libSimTKmath exports some hundred functions of an old SUNDIALS under the names of today's; either side crashes where
 /// it gets the other's.

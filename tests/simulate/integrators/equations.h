@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "simulate/integrators/integrator.h"
+#include "simulate/integrators/make_integrator.h"
 
 namespace pcm::simulate {
 

@@ -10,16 +10,10 @@
 #include "meshes/generate/human.h"
 #include "simulate/model/model.h"
 #include "simulate/scenes/read_scene.h"
+#include "tests/simulate/scenes/built_in_scene.h"
 
 namespace pcm::simulate {
 namespace {
-
-Scene built_in(const std::string& name) {
-  for (const BuiltInScene& scene : built_in_scenes())
-    if (scene.name == name) return parse_scene(std::string(scene.text), name);
-  ADD_FAILURE() << name;
-  return {};
-}
 
 const Body& body_named(const Scene& scene, const std::string& name) {
   const auto found =
@@ -29,7 +23,7 @@ const Body& body_named(const Scene& scene, const std::string& name) {
 }
 
 TEST(BubblesScene, IsThePapers) {
-  const Scene scene = built_in("bubbles");
+  const Scene scene = built_in_scene("bubbles");
   EXPECT_EQ(Model(scene).degrees_of_freedom(), 18);
   EXPECT_EQ(Model(scene).size(), 39);  // 36 states of the paper's, and a quaternion's fourth number for each bubble
   ASSERT_EQ(scene.surfaces.size(), 4U);
@@ -48,7 +42,7 @@ TEST(BubblesScene, IsThePapers) {
 }
 
 TEST(PedestrianScene, IsThePapers) {
-  const Scene scene = built_in("pedestrian");
+  const Scene scene = built_in_scene("pedestrian");
   EXPECT_EQ(Model(scene).degrees_of_freedom(), 29);
   ASSERT_EQ(scene.bodies.size(), 16U);
   double mass = 0;
@@ -72,7 +66,7 @@ TEST(PedestrianScene, IsThePapers) {
 
 // The file's numbers are those of the generators, to six digits.
 TEST(PedestrianScene, HasTheManOfTheGenerators) {
-  const Scene scene = built_in("pedestrian");
+  const Scene scene = built_in_scene("pedestrian");
   const std::vector<generate::HumanSegment>& segments = generate::human_segments();
   for (const generate::HumanSegment& segment : segments) {
     SCOPED_TRACE(segment.name);
@@ -90,7 +84,7 @@ TEST(PedestrianScene, HasTheManOfTheGenerators) {
 
 // Neighbours overlap at their joints and are no pairings; nothing else touches at the start.
 TEST(PedestrianScene, StartsWithNothingInContactAndStandsAsTheGeneratorsSay) {
-  const Scene scene = built_in("pedestrian");
+  const Scene scene = built_in_scene("pedestrian");
   Model model(scene);
   const Observation now = model.observe(0, model.start());
   for (const PairingObservation& pairing : now.pairings) EXPECT_FALSE(pairing.touching || pairing.nested);

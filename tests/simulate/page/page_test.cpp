@@ -9,16 +9,15 @@
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "meshes/generate/boxes.h"
 #include "pcm/bad_input.h"
 #include "simulate/page/base64.h"
 #include "simulate/page/page_files.h"
+#include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
 #include "tests/simulate/base64_decoded.h"
 #include "tests/simulate/page/falling_box.h"
@@ -238,11 +237,9 @@ TEST(Page, IsWrittenToAFile) {
   if (page_files().three.empty()) GTEST_SKIP() << "libjs-three was not installed when this was built";
   const TemporaryFolder folder;
   write_page(folder.path("a.html"), sentinels());
-  std::ifstream in{folder.path("a.html"), std::ios::binary};
-  std::ostringstream content;
-  content << in.rdbuf();
-  EXPECT_EQ(content.str(), page(sentinels()));
-  EXPECT_NE(content.str().find("OrbitControls"), std::string::npos);
+  const std::string content = content_of(folder.path("a.html"));
+  EXPECT_EQ(content, page(sentinels()));
+  EXPECT_NE(content.find("OrbitControls"), std::string::npos);
   EXPECT_THROW(write_page(folder.path("missing/a.html"), sentinels()), BadInput);
 }
 

@@ -11,25 +11,22 @@
 #include "simulate/record/integrator_comparison_report.h"
 #include "simulate/scenes/read_scene.h"
 #include "tests/meshes/expect_bad_input.h"
+#include "tests/simulate/scenes/built_in_scene.h"
 
 namespace pcm::simulate {
 namespace {
 
 /// The block that creeps from 0.13 s on.
-Scene short_creep() {
-  for (const BuiltInScene& built_in : built_in_scenes()) {
-    if (built_in.name != "creep") continue;
-    Scene scene = parse_scene(std::string(built_in.text), "creep");
-    scene.duration = 0.3;
-    return scene;
-  }
-  ADD_FAILURE();
-  return {};
+Scene shortly_creeping() {
+  Scene scene = built_in_scene("creep");
+  scene.duration = 0.3;
+  return scene;
 }
 
 const IntegratorComparison& comparison() {
-  static const IntegratorComparison compared = compare_integrators(
-      short_creep(), {{"bdf", Method::bdf}, {"dormand_prince", Method::dormand_prince}}, [](const std::string&) {});
+  static const IntegratorComparison compared =
+      compare_integrators(shortly_creeping(), {{"bdf", Method::bdf}, {"dormand_prince", Method::dormand_prince}},
+                          [](const std::string&) {});
   return compared;
 }
 
@@ -63,7 +60,7 @@ TEST(IntegratorComparison, ErrorsFallWithTheToleranceAndTheReferenceIsBelowThem)
 }
 
 TEST(IntegratorComparison, TakesASceneWithFriction) {
-  Scene scene = short_creep();
+  Scene scene = shortly_creeping();
   scene.pairings[0].law.friction = 0;
   expect_bad_input([&] { compare_integrators(scene, {}, [](const std::string&) {}); }, "no law of this scene has");
 }
@@ -80,7 +77,7 @@ TEST(IntegratorComparison, TableAndPictureHaveThemAll) {
 }
 
 TEST(SlipVelocity, IsThatOfLawsWithFrictionAlone) {
-  Scene scene = short_creep();
+  Scene scene = shortly_creeping();
   scene.pairings.push_back(scene.pairings[0]);
   scene.pairings[1].law.friction = 0;
   set_slip_velocity(scene, 0.02);

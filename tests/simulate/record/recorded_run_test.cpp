@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "compare/verify/trajectory.h"
+#include "compare/verify/run/trajectory.h"
 #include "simulate/record/recorded_run.h"
 #include "simulate/scenes/read_scene.h"
 #include "tests/meshes/expect_bad_input.h"

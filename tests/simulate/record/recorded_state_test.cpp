@@ -14,6 +14,7 @@
 #include "simulate/scenes/read_scene.h"
 #include "tests/meshes/expect_bad_input.h"
 #include "tests/meshes/temporary_folder.h"
+#include "tests/simulate/scenes/built_in_scene.h"
 
 namespace pcm::simulate {
 namespace {
@@ -22,15 +23,10 @@ namespace fs = std::filesystem;
 
 /// The creeping block for half a second, with states and checkpoints at tenths.
 Scene short_creep() {
-  for (const BuiltInScene& built_in : built_in_scenes()) {
-    if (built_in.name != "creep") continue;
-    Scene scene = parse_scene(std::string(built_in.text), "creep");
-    scene.duration = 0.5;
-    scene.output.interval = scene.output.checkpoint_interval = 0.1;
-    return scene;
-  }
-  ADD_FAILURE();
-  return {};
+  Scene scene = built_in_scene("creep");
+  scene.duration = 0.5;
+  scene.output.interval = scene.output.checkpoint_interval = 0.1;
+  return scene;
 }
 
 Scene short_creep_from(const InitialState& state) {

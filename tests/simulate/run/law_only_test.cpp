@@ -5,23 +5,20 @@
 
 #include <string>
 
+#include "simulate/integrators/make_integrator.h"
 #include "simulate/run/simulation.h"
 #include "simulate/scenes/read_scene.h"
+#include "tests/simulate/scenes/built_in_scene.h"
 
 namespace pcm::simulate {
 namespace {
 
 /// One of the built-in scenes, without checkpoints on the way.
 Scene short_scene(const std::string& name, Method method, double duration) {
-  for (const BuiltInScene& built_in : built_in_scenes()) {
-    if (built_in.name != name) continue;
-    Scene scene = parse_scene(std::string(built_in.text), name);
-    scene.integrator.method = method;
-    scene.duration = scene.output.checkpoint_interval = duration;
-    return scene;
-  }
-  ADD_FAILURE();
-  return {};
+  Scene scene = built_in_scene(name);
+  scene.integrator.method = method;
+  scene.duration = scene.output.checkpoint_interval = duration;
+  return scene;
 }
 
 /// The same run, in which everything is found anew at every state.

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 
 #include "simulate/run/simulation.h"
 #include "simulate/scenes/read_scene.h"
+#include "tests/simulate/scenes/built_in_scene.h"
 
 namespace pcm::simulate {
 
@@ -29,18 +29,18 @@ inline std::string method_name(const testing::TestParamInfo<Method>& tested) {
 }
 
 /// By this method, at this relative and absolute tolerance.
-inline Scene scene_with(const std::string& text, Method method, double tolerance) {
-  Scene scene = parse_scene(text, "test.json");
+inline Scene with_integrator(Scene scene, Method method, double tolerance) {
   scene.integrator.method = method;
   scene.integrator.relative_tolerance = scene.integrator.absolute_tolerance = tolerance;
   return scene;
 }
 
-/// A built-in scene likewise.
+inline Scene scene_with(const std::string& text, Method method, double tolerance) {
+  return with_integrator(parse_scene(text, "test.json"), method, tolerance);
+}
+
 inline Scene built_in_scene_with(const std::string& name, Method method, double tolerance) {
-  for (const BuiltInScene& built_in : built_in_scenes())
-    if (built_in.name == name) return scene_with(std::string(built_in.text), method, tolerance);
-  throw std::out_of_range(name);
+  return with_integrator(built_in_scene(name), method, tolerance);
 }
 
 /// Coordinates and speeds at the end of the scene.

@@ -11,6 +11,7 @@
 
 #include "simulate/run/simulation.h"
 #include "simulate/scenes/read_scene.h"
+#include "tests/simulate/run/run_scene.h"
 
 namespace pcm::simulate {
 namespace {
@@ -18,15 +19,7 @@ namespace {
 constexpr double kMu = 0.5, kSlipVelocity = 1e-3, kTilt = 0.1, kGravity = 9.81;
 
 Scene creep(Method method, double tolerance) {
-  for (const BuiltInScene& built_in : built_in_scenes()) {
-    if (built_in.name != "creep") continue;
-    Scene scene = parse_scene(std::string(built_in.text), "creep");
-    scene.integrator.method = method;
-    scene.integrator.relative_tolerance = scene.integrator.absolute_tolerance = tolerance;
-    return scene;
-  }
-  ADD_FAILURE();
-  return {};
+  return built_in_scene_with("creep", method, tolerance);
 }
 
 struct Creep {

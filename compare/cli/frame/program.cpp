@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/frame/program.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "pcm/bad_input.h"
+#include "pcm/version.h"
+
+namespace pcm::compare {
+namespace {
+
+/// A closed standard stream would lend its number to the next file opened, and what is printed would end up there. So
+/// each such number is taken by something that can't be written to: printing then fails and is reported.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) != -1) continue;
+    if (open("/dev/null", O_RDONLY) == -1) return;
+  }
+}
+
+/// The subcommand that the command line has got to, for pointing at its help.
+const CLI::App& innermost(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  return *command;
+}
+
+std::string full_name(const CLI::App& app) {
+  return app.get_parent() == nullptr ? app.get_name() : full_name(*app.get_parent()) + ' ' + app.get_name();
+}
+
+/// What is wrong with the command line, and where the right one is described.
+std::string describe(const CLI::ParseError& error, const CLI::App& program) {
+  const CLI::App& command = innermost(program);
+  const bool wants_subcommand = !command.get_subcommands([](const CLI::App*) { return true; }).empty();
+  const std::vector<std::string> unexpected = command.remaining();
+  std::string what = error.what();
+  if (!unexpected.empty() && unexpected.front().size() > 1 && unexpected.front().front() == '-') {
+    what = "unknown option '" + unexpected.front() + "'";
+  } else if (!unexpected.empty()) {
+    what = (wants_subcommand ? "unknown command '" : "unexpected argument '") + unexpected.front() + "'";
+  } else if (wants_subcommand) {
+    what = "a command is missing";
+  }
+  return what + "; see '" + full_name(command) + " --help'";
+}
+
+}  // namespace
+
+int exit_status_of(const std::function<Exit()>& work) {
+  occupy_closed_streams();
+  Exit status = Exit::bad_input;
+  try {
+    const Exit verdict = work();
+    flush_output();
+    status = verdict;
+  } catch (const BadInput& error) {
+    complain(error.what());
+  } catch (const std::system_error& error) {
+    complain(error.what());
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+  }
+  return static_cast<int>(status);
+}
+
+Exit run_command_line(int argc, char** argv, const std::function<void(CLI::App&, Run&)>& add_commands) {
+  CLI::App program("Polygonal contact between triangulated surfaces: a fast engine held against an exact oracle.",
+                   "pcm");
+  program.set_version_flag("--version", "pcm " PCM_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "Exit status: 0 if all is well, 1 for a negative verdict, 2 for bad input.\n"
+      "Example:\n  pcm contact E.obj F.obj\n'pcm COMMAND --help' describes a command.");
+  Run run;
+  add_commands(program, run);
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help or --version
+    program.exit(request);
+    return Exit::success;
+  } catch (const CLI::ParseError& error) {
+    complain(describe(error, program));
+    return Exit::bad_input;
+  }
+  return run();
+}
+
+void list_command(CLI::App& program, const std::string& name, const std::string& description) {
+  program.add_subcommand(name, description);
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/judge/judge.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/cli/frame/programs.h"
+#include "compare/cli/verify/verify_run.h"
+#include "compare/judge/engines/asked_engine.h"
+#include "compare/judge/judgement/judging_report.h"
+#include "compare/judge/lines/answers_file.h"
+#include "compare/judge/lines/schemas.h"
+#include "compare/judge/poses/poses_folder.h"
+#include "compare/verify/run/verify.h"
+#include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct JudgeOptions {
+  std::optional<std::string> answers, command, poses, schema;
+  std::string time_limit = "10";
+  std::string ulps = "8";
+  std::vector<std::string> tolerances, absolutes;
+  VerifyOptions shared;  ///< --jobs and --out, as for `pcm verify`
+};
+
+constexpr std::uint64_t kMostUlps = 1 << 20;
+
+/// Few at first, so that another convention is noticed before every pose has been looked at twice.
+constexpr std::size_t kFirstBatch = 64;
+constexpr std::size_t kBatch = 1024;
+
+/// Where answers come from: the next one, none at the end; and what stands before a convention's name in a message.
+struct Source {
+  std::function<std::optional<Reply>()> next;
+  std::function<std::string(std::int64_t line)> place;
+  std::function<std::string()> missing;
+};
+
+Source source_of_file(const std::string& path, const PosedQuestions& posed) {
+  const auto file = std::make_shared<AnswersFile>(path, posed);
+  return {[file] { return file->next(); }, [file](std::int64_t line) { return file->place(line); },
+          [file] { return file->missing(); }};
+}
+
+Source source_of_command(const JudgeOptions& options, const PosedQuestions& posed) {
+  const Conversation::Seconds limit(positive_number("--time-limit", options.time_limit));
+  const auto engine = std::make_shared<AskedEngine>(*options.command, posed, *options.poses, limit);
+  const auto k = std::make_shared<std::size_t>(0);
+  return {[engine, k, &posed]() -> std::optional<Reply> {
+            if (*k == posed.questions.size()) return std::nullopt;
+            return engine->ask((*k)++);
+          },
+          [](std::int64_t) { return std::string("--command"); }, [] { return std::string(); }};
+}
+
+/// Judges all that comes. What is wrong with the input ends it; what came before is judged. Returns that complaint;
+/// empty where all was well.
+std::string judge_all(Judging& run, const Source& source, int jobs, const Interruptible& work) {
+  std::string complaint;
+  bool more = true;
+  for (std::size_t batch = kFirstBatch; more && !work.interrupted(); batch = kBatch) {
+    std::vector<Reply> replies;
+    try {
+      while (replies.size() < batch && !work.interrupted() && more) {
+        std::optional<Reply> reply = source.next();
+        more = reply.has_value();
+        if (reply) replies.push_back(std::move(*reply));
+      }
+    } catch (const BadInput& error) {
+      complaint = error.what();
+      more = false;
+    }
+    run.add(
+        std::move(replies), jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
+    const Conventions::Found other = run.conventions().found();
+    if (!other.text.empty()) return source.place(other.line) + ": " + other.text;
+  }
+  return complaint.empty() && !work.interrupted() ? source.missing() : complaint;
+}
+
+/// In place of those of an earlier run.
+void write_cases(const fs::path& folder, const Judging& run) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (const std::string name = entry.path().filename().string(); name.starts_with("case_") && name.ends_with(".json"))
+      fs::remove(entry.path());
+  for (const WrongAnswer& wrong : run.wrong_answers()) {
+    std::string file = "case_" + run.judge().posed().questions[wrong.reply.question].id + ".json";
+    std::replace_if(
+        file.begin(), file.end(), [](char c) { return c == '/' || c == ' '; }, '_');
+    write_text_file(folder / file, run.case_text(wrong));
+  }
+}
+
+void print_wrong_answers(const Judging& run) {
+  constexpr std::size_t kShown = 20;
+  for (std::size_t k = 0; k < std::min(kShown, run.wrong_answers().size()); ++k) {
+    const WrongAnswer& wrong = run.wrong_answers()[k];
+    const std::string& id = run.judge().posed().questions[wrong.reply.question].id;
+    for (const FactVerdict& fact : wrong.facts)
+      if (fact.verdict == Verdict::wrong) std::cout << fmt::format("{}: {}: {}\n", id, name(fact.fact), fact.text);
+    if (wrong.reply.breakdown)
+      std::cout << fmt::format("{}: {}: {}\n", id, kBreakdownNames[static_cast<std::size_t>(*wrong.reply.breakdown)],
+                               wrong.reply.failure);
+  }
+}
+
+void report(const Judging& run, const JudgingSetup& setup, const std::optional<fs::path>& folder,
+            const std::string& ended) {
+  const Table strata = strata_table(run), facts = facts_table(run);
+  const std::string verdict = judging_verdict(run, ended.empty());
+  if (folder) {
+    write_cases(*folder, run);
+    write_text_file(*folder / "judgement.md", "# Answers before the oracle\n\n" + judging_legend(setup) + "\n" +
+                                                  markdown(strata) + "\n" + markdown(facts) + "\n" + verdict + "\n");
+    write_text_file(*folder / "strata.csv", csv(strata));
+    write_text_file(*folder / "facts.csv", csv(facts));
+    write_text_file(*folder / "judgement.json", judging_json(run, setup, ended).dump(1) + "\n");
+  }
+  std::cout << judging_legend(setup) << '\n' << on_screen(strata) << '\n' << on_screen(facts) << '\n';
+  print_wrong_answers(run);
+  std::cout << verdict << '\n';
+}
+
+Exit judge(const JudgeOptions& options) {
+  if (options.schema) {
+    std::cout << (*options.schema == "poses" ? pose_schema() : answer_schema());
+    return Exit::success;
+  }
+  if (!options.poses) throw BadInput("--poses is missing; give the folder that 'pcm poses' has written");
+  if (options.answers.has_value() == options.command.has_value())
+    throw BadInput("give either a file of answers or --command");
+  const int jobs = number_of_jobs(options.shared);
+  Tolerances tolerances;
+  tolerances.add("--tolerance", options.tolerances, &Tolerance::relative);
+  tolerances.add("--absolute", options.absolutes, &Tolerance::absolute);
+  const int ulps = static_cast<int>(whole_number("--ulps", options.ulps, 0, kMostUlps));
+  const PosedQuestions posed = read_poses_folder(*options.poses);
+  const Source source = options.answers ? source_of_file(*options.answers, posed) : source_of_command(options, posed);
+  const std::optional<fs::path> folder = prepared_folder(options.shared);
+  std::optional<Interruptible> work(std::in_place, std::ssize(posed.questions));
+  const Judge judge(posed, tolerances, ulps);
+  Judging run(judge);
+  const std::string complaint = judge_all(run, source, jobs, *work);
+  const bool interrupted = work->interrupted();
+  work.reset();
+  const JudgingSetup setup{options.answers.value_or(options.command.value_or("")), *options.poses, tolerances.text(),
+                           ulps};
+  report(run, setup, folder, !complaint.empty() ? complaint : interrupted ? "interrupted" : "");
+  if (!complaint.empty()) throw BadInput(complaint);
+  return interrupted || run.total().wrong > 0 ? Exit::negative : Exit::success;
+}
+
+}  // namespace
+
+void add_judge_command(CLI::App& program, Run& run) {
+  auto options = std::make_shared<JudgeOptions>();
+  CLI::App* command = program.add_subcommand("judge", kJudgeDescription);
+  command->footer(fmt::format(
+      "Answers are JSON, one a line: the id of a pose and whichever facts the engine knows. docs/judge.md says what\n"
+      "each one means. What is not given is not judged. With --command the engine is started, without a shell, and\n"
+      "asked pose by pose: first it gets the first line of poses.jsonl, which it does not answer, with absolute paths\n"
+      "of the surfaces; then a line a pose, each of which it answers by a line before it gets the next one. After a\n"
+      "crash, a hang or a line that is no answer it is started anew.\n"
+      "Case files are written of the first {} wrong answers; 'pcm verify --case' puts the same question to this "
+      "engine.\n"
+      "The exit status is 1 with a wrong answer or when interrupted, 2 for bad input; what was judged by then is "
+      "printed.\n"
+      "Examples:\n"
+      "  pcm poses --out poses --poses 2000\n"
+      "  my_engine poses > answers.jsonl\n"
+      "  pcm judge answers.jsonl --poses poses --tolerance force=1e-6,torque=1e-6 --out judgement\n"
+      "  pcm judge --command 'python3 my_engine.py --fast' --poses poses",
+      kMostFindings));
+  command->add_option("ANSWERS", options->answers, "File of answers")->type_name("FILE");
+  command->add_option("--poses", options->poses, "Folder that 'pcm poses' has written")->type_name("DIR");
+  command->add_option("--command", options->command, "The engine and its arguments, in place of a file")
+      ->type_name("'WORD ...'");
+  command->add_option("--time-limit", options->time_limit, "With --command: for one answer, start included, s")
+      ->type_name("S")
+      ->capture_default_str();
+  command
+      ->add_option("--tolerance", options->tolerances,
+                   "How far off values may be beyond what roundings make, relative: of the sum of |F_k| (force) or of "
+                   "|C_k - r| |F_k| (torque), of the value itself (area, volume, element_area, element_penetration)")
+      ->type_name("FACT=X,...")
+      ->delimiter(',');
+  command->add_option("--absolute", options->absolutes, "The same in N, N m, m^2, m^3, m^2, m")
+      ->type_name("FACT=X,...")
+      ->delimiter(',');
+  command
+      ->add_option("--ulps", options->ulps,
+                   "How far away another answer may be for a wrong one to count as near, in ulps of the greatest "
+                   "coordinate; 0: none does")
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--jobs", options->shared.jobs, "Threads (default: as many as cores)")->type_name("N");
+  command
+      ->add_option("--out", options->shared.out,
+                   "Folder for tables and case files; case_*.json of an earlier run are removed")
+      ->type_name("DIR");
+  command->add_option("--schema", options->schema, "Print the JSON schema of a line instead: poses or answers")
+      ->type_name("WHICH")
+      ->check(CLI::IsMember({"poses", "answers"}));
+  command->callback([options, &run] { run = [options] { return judge(*options); }; });
+}
+
+}  // namespace pcm::compare

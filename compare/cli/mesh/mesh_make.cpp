@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/mesh/mesh_make.h"
+
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "meshes/generate/make.h"
+#include "pcm/bad_input.h"
+#include "pcm/write_obj.h"
+
+namespace pcm::compare {
+namespace {
+
+using Parameters = std::map<std::string, double, std::less<>>;
+
+struct MakeOptions {
+  std::string shape, output;
+  std::vector<std::string> parameters;  ///< the words after the name that are no options of the command itself
+};
+
+/// "--name=value" or "--name value", any number of times. The shape says which names there are.
+Parameters parameters_from(const std::vector<std::string>& words) {
+  Parameters parameters;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word.size() < 3 || word.substr(0, 2) != "--")
+      throw BadInput("unexpected argument '" + word + "'; parameters are written --name=value");
+    const std::size_t equals = word.find('=');
+    const std::string option = word.substr(0, equals);
+    if (equals == std::string::npos && i + 1 == words.size())
+      throw BadInput(option + ": its value is missing; write " + option + "=value");
+    const std::string value = equals == std::string::npos ? words[++i] : word.substr(equals + 1);
+    const bool added = parameters.emplace(option.substr(2), finite_number(option, value)).second;
+    if (!added) throw BadInput(option + ": it is given twice");
+  }
+  return parameters;
+}
+
+Exit make_shape(const MakeOptions& options) {
+  const TriangleMesh mesh = make(options.shape, parameters_from(options.parameters));
+  if (options.output.empty()) {
+    std::cout << format_obj(mesh);
+  } else {
+    write_obj(mesh, options.output);
+  }
+  return Exit::success;
+}
+
+std::string list_of_shapes() {
+  std::string text = "Shapes, with their parameters and defaults:\n";
+  for (const Shape& shape : shapes()) {
+    text += fmt::format("  {}: {}\n", shape.name, shape.description);
+    for (const ShapeParameter& parameter : shape.parameters)
+      text += fmt::format("      {:<28}{} ({})\n", fmt::format("--{}={}", parameter.name, parameter.default_value),
+                          parameter.description, parameter.unit);
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_mesh_make_command(CLI::App& mesh, Run& run) {
+  auto options = std::make_shared<MakeOptions>();
+  CLI::App* command = mesh.add_subcommand("make", "Generate a surface and write it as Wavefront OBJ");
+  command->footer(std::string());  // Inherited from the parent, it would be printed after the one below.
+  command->footer([] {
+    return list_of_shapes() +
+           "Example:\n"
+           "  pcm mesh make torus --tube_radius=0.1 -o torus.obj";
+  });
+  command->add_option("NAME", options->shape, "The shape; the words after it are its parameters, --name=value")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", options->output, "File to write (default: standard output)")->type_name("FILE");
+  command->allow_extras();
+  command->callback([options, command, &run] {
+    options->parameters = command->remaining();
+    run = [options] { return make_shape(*options); };
+  });
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/frame/program.h"
+#include "compare/cli/verify/verify_other_tables.h"
+
+int main(int argc, char** argv) {
+  using namespace pcm::compare;
+  return exit_status_of([=] {
+    return run_command_line(argc, argv,
+                            [](CLI::App& program, Run& run) { add_verify_command(program, run, verify_other_tables); });
+  });
+}

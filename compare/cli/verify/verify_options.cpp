@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/verify/verify_options.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "compare/poses/strata.h"
+#include "compare/verify/run/verify.h"
+#include "pcm/bad_input.h"
+#include "pcm/read_mesh.h"
+
+namespace pcm::compare {
+
+bool asks_for_other_tables(const VerifyOptions& options) {
+  return options.known_answers || options.error_budget || options.audits ||
+         std::any_of(options.engines.begin(), options.engines.end(),
+                     [](const std::string& engine) { return engine != "fast"; });
+}
+
+void add_plan_options(CLI::App& command, VerifyOptions& options) {
+  options.seed = std::to_string(VerificationPlan().seed);
+  command
+      .add_option("--poses", options.poses,
+                  "How many poses in all (strata that no pair has leave theirs out); of a trajectory, how many at "
+                  "most, spread evenly (default: all)")
+      ->type_name("N")
+      ->default_str(std::to_string(VerificationPlan().poses));
+  command.add_option("--seed", options.seed, "Seed of the random poses, a whole number")
+      ->type_name("S")
+      ->capture_default_str();
+  command.add_option("--strata", options.strata, "Of " + strata_names() + " (default: all)")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  command
+      .add_option(
+          "--pair", options.pairs,
+          std::string("Two surfaces E and F (") + kMeshFormats + ") in place of the built-in pairs; may be repeated")
+      ->type_name("E F")
+      ->type_size(2)
+      ->allow_extra_args(false);
+  command
+      .add_option("--mode", options.mode,
+                  "Whose faces are masters: E, F or both; all: each pose in these three modes (default of a "
+                  "trajectory: as recorded)")
+      ->check(CLI::IsMember({"E", "F", "both", "all"}))
+      ->default_str("both");
+  command
+      .add_option(
+          "--scheme", options.scheme,
+          "How elements sample the penetration: barycentric, clipped, or both (default: every third pose in the "
+          "clipped scheme; of a trajectory as recorded, or one of the two)")
+      ->check(CLI::IsMember({"barycentric", "clipped", "both"}));
+}
+
+void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command =
+      program.add_subcommand("verify", "Hold the engine against the oracle over randomized or recorded poses");
+  command->footer(fmt::format(
+      "Poses are spread evenly over strata and pairs; the same arguments give the same tables, whatever the number of\n"
+      "jobs. A summary is printed; the tables by pair and stratum are written to --out. The last line printed is the\n"
+      "verdict; the exit status is 1 with a disagreement, with rounding errors of generic poses above 1e-13 S/p, with "
+      "a\n"
+      "wrong answer of any --engine, or when interrupted. The measure of 1e-13 S/p is taken at the 99.9th percentile, "
+      "of\n"
+      "greatest penetrations at the 99th, always leaves out one answer at least, and is not demanded of the pairs "
+      "made\n"
+      "to hurt; an interrupted run is `unfinished`, not verified. A stratum, scheme or pair that is named must get a\n"
+      "pose; what else gets none is said.\n"
+      "Every pose is answered on all paths that callers take (everything, with a bound, force only, touch only, drawn\n"
+      "choices, in a scene), under a law drawn for it; widths.csv says how wide each kind of check was. Case files "
+      "are\n"
+      "written of the first {} answers with a disagreement in the order of the tables; all are counted.\n"
+      "Known answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each "
+      "case\n"
+      "are written to --out.\n"
+      "Poses of a trajectory are asked under the law of their pairing; they are not generic, and no measure is "
+      "demanded.\n"
+      "Examples:\n"
+      "  pcm verify --poses 200000 --mode all --out results\n"
+      "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
+      "  pcm verify --engine fast,published-2003,published-2023\n"
+      "  pcm verify --known-answers --out answers\n"
+      "  pcm verify --error-budget --out budget\n"
+      "  pcm verify --audits --out audits\n"
+      "  pcm verify --trajectory bubbles/trajectory/trajectory.json --out results\n"
+      "  pcm verify --case results/case_cube-cube_degenerate_17_both.json",
+      kMostFindings));
+  add_plan_options(*command, *options);
+  command
+      ->add_option(
+          "--engine", options->engines,
+          "Of fast (default), published-2003, published-2023: with one of the published algorithms, instead of "
+          "the full verdict how many answers of each named one are wrong, by stratum and by what")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"fast", "published-2003", "published-2023"}));
+  command->add_option("--jobs", options->jobs, "Threads (default: as many as cores)")->type_name("N");
+  command
+      ->add_option(
+          "--out", options->out,
+          "Folder for tables and case files; a run with the same arguments is continued, but one of another build or "
+          "surfaces is removed, its case_*.json too, and so is what a run without state.json has left")
+      ->type_name("DIR");
+  command->add_option("--case", options->case_file, "Replay a case file instead")
+      ->type_name("FILE")
+      ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--out");
+  CLI::Option* known = command
+                           ->add_flag("--known-answers", options->known_answers,
+                                      "Instead: forces known in closed form over resolutions, and identities (minutes)")
+                           ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  CLI::Option* budget =
+      command
+          ->add_flag("--error-budget", options->error_budget,
+                     "Instead: rounding, discretisation and geometry error of smooth bodies over resolutions (minutes)")
+          ->excludes(known)
+          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  CLI::Option* audits =
+      command
+          ->add_flag(
+              "--audits", options->audits,
+              "Instead: work left over, tangential force and jumps of the elastic force over closed loops of poses")
+          ->excludes(known, budget)
+          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  command
+      ->add_option("--trajectory", options->trajectory,
+                   "Hold the poses of this recorded trajectory (trajectory/trajectory.json of a folder of `pcm "
+                   "simulate`) instead of random ones")
+      ->type_name("FILE")
+      ->excludes(known, budget, audits)
+      ->excludes("--seed", "--strata", "--pair", "--engine", "--case");
+  command->add_flag("--quick", options->quick,
+                    "Known answers or error budget on coarser meshes only, audits in coarser steps");
+  command->callback([options, &run, act] {
+    run = [options, act] {
+      if (options->quick && !options->known_answers && !options->error_budget && !options->audits &&
+          !options->case_file)
+        throw BadInput("--quick goes with --known-answers, --error-budget or --audits");
+      return act(*options);
+    };
+  });
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/verify/verify_other_tables.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include "compare/cli/verify/verify_audits.h"
+#include "compare/cli/verify/verify_engines.h"
+#include "compare/cli/verify/verify_error_budget.h"
+#include "compare/cli/verify/verify_known_answers.h"
+#include "compare/cli/verify/verify_run.h"
+#include "pcm/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+Extent extent_of(const VerifyOptions& options) {
+  return options.quick ? Extent::quick : Extent::full;
+}
+
+Exit engine_comparison(const VerifyOptions& options) {
+  if (options.scheme && *options.scheme != "barycentric")
+    throw BadInput("--engine: the published algorithms know the barycentric scheme only; leave out --scheme");
+  const int jobs = number_of_jobs(options);
+  std::vector<Engine> engines;
+  for (const Engine engine : kEngines)
+    if (std::find(options.engines.begin(), options.engines.end(), name(engine)) != options.engines.end())
+      engines.push_back(engine);
+  std::vector<std::string> notices;
+  VerificationPlan plan = plan_from(options, notices);
+  plan.schemes = {Scheme::barycentric};
+  const std::optional<fs::path> folder = prepared_folder(options);
+  for (const std::string& notice : notices) complain(notice);
+  const Interruptible work(plan.poses);
+  return verify_engines(
+      std::move(plan), engines, jobs, folder, [&] { return work.interrupted(); },
+      [&](std::int64_t done) { work.show(done); });
+}
+
+Exit known_answers(const VerifyOptions& options) {
+  const std::uint64_t seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  const std::optional<fs::path> folder = prepared_folder(options);
+  return verify_known_answers(extent_of(options), seed, number_of_jobs(options), folder);
+}
+
+Exit error_budget(const VerifyOptions& options) {
+  const std::optional<fs::path> folder = prepared_folder(options);
+  return verify_error_budget(extent_of(options), number_of_jobs(options), folder);
+}
+
+Exit audits(const VerifyOptions& options) {
+  const std::optional<fs::path> folder = prepared_folder(options);
+  return verify_audits(extent_of(options), number_of_jobs(options), folder);
+}
+
+}  // namespace
+
+Exit verify_other_tables(const VerifyOptions& options) {
+  if (options.audits) return audits(options);
+  if (options.error_budget) return error_budget(options);
+  if (options.known_answers) return known_answers(options);
+  return engine_comparison(options);
+}
+
+}  // namespace pcm::compare

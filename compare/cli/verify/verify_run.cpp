@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/verify/verify_run.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <limits>
+#include <system_error>
+#include <thread>
+
+#include "compare/cli/frame/surface_warnings.h"
+#include "compare/io/names.h"
+#include "compare/verify/run/trajectory.h"
+#include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// More than any machine gets through; products of pose numbers and shares stay below 2^63.
+constexpr std::uint64_t kMostPoses = 10'000'000'000;
+
+/// Set by the first interrupt; a signal can't reach anything else. The second one ends the program as usual.
+volatile std::sig_atomic_t interrupted = 0;
+
+void note_interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+std::int64_t number_of_poses(const std::string& text) {
+  return static_cast<std::int64_t>(whole_number("--poses", text, 1, kMostPoses));
+}
+
+HeldPairing::Modes modes_named(const std::string& word) {
+  return word == "all" ? HeldPairing::Modes{Mode::E, Mode::F, Mode::both} : HeldPairing::Modes{mode_named(word)};
+}
+
+/// Refuses pairs that are unfit for contact, and notes once what is odd about others.
+void note_warnings(const std::vector<SurfacePair>& pairs, std::vector<std::string>& notices) {
+  for (const SurfacePair& pair : pairs)
+    for (const TriangleMesh* mesh : {&pair.E, &pair.F}) {
+      const std::string warning = require_fit_or_warn(*mesh);
+      if (!warning.empty() && std::find(notices.begin(), notices.end(), warning) == notices.end())
+        notices.push_back(warning);
+    }
+}
+
+}  // namespace
+
+Interruptible::Interruptible(std::int64_t poses) : poses_(poses), terminal_(isatty(STDERR_FILENO) != 0) {
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+}
+
+Interruptible::~Interruptible() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  if (terminal_) std::cerr << '\n';
+}
+
+bool Interruptible::interrupted() const {
+  return pcm::compare::interrupted != 0;
+}
+
+void Interruptible::show(std::int64_t done) const {
+  if (terminal_ && (done % 16 == 0 || done == poses_))
+    std::cerr << fmt::format("\r{} of {} poses", done, poses_) << std::flush;
+}
+
+int number_of_jobs(const VerifyOptions& options) {
+  if (options.jobs) return static_cast<int>(whole_number("--jobs", *options.jobs, 1, 4096));
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices) {
+  VerificationPlan plan;
+  if (options.poses) plan.poses = number_of_poses(*options.poses);
+  plan.seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  plan.modes = modes_named(options.mode.value_or("both"));
+  plan.schemes = options.scheme && *options.scheme != "both" ? std::vector{scheme_named(*options.scheme)}
+                                                             : std::vector{Scheme::barycentric, Scheme::clipped};
+  plan.schemes_named = options.scheme.has_value();
+  plan.strata_named = !options.strata.empty();
+  plan.pairs_named = !options.pairs.empty();
+  if (plan.strata_named) plan.strata.clear();
+  for (const std::string& word : options.strata) {
+    const std::optional<Stratum> stratum = stratum_named(word);
+    if (!stratum) throw BadInput("--strata: unknown stratum '" + word + "'; known are " + strata_names());
+    if (std::find(plan.strata.begin(), plan.strata.end(), *stratum) == plan.strata.end())
+      plan.strata.push_back(*stratum);
+  }
+  for (const std::vector<std::string>& files : options.pairs)
+    plan.pairs.push_back(pair_from_files(files.at(0), files.at(1)));
+  note_warnings(plan.pairs, notices);
+  if (!plan.pairs.empty()) {
+    tell_apart(plan.pairs);
+    return plan;
+  }
+  std::vector<std::string> missing;
+  plan.pairs = built_in_pairs(installed_real_surfaces(), missing);
+  if (!missing.empty())
+    notices.push_back(
+        fmt::format("skipped for want of the real surfaces of libcgal-demo: {}", fmt::join(missing, ", ")));
+  return plan;
+}
+
+VerificationPlan plan_from_trajectory(const VerifyOptions& options, std::vector<std::string>& notices) {
+  TrajectoryChoice choice;
+  if (options.poses) choice.poses = number_of_poses(*options.poses);
+  if (options.mode) choice.modes = modes_named(*options.mode);
+  if (options.scheme == "both")
+    throw BadInput("--scheme both: a recorded pose is asked in one scheme; name barycentric or clipped");
+  if (options.scheme) choice.scheme = scheme_named(*options.scheme);
+  VerificationPlan plan = read_trajectory(*options.trajectory, choice);
+  note_warnings(plan.pairs, notices);
+  return plan;
+}
+
+std::optional<fs::path> prepared_folder(const VerifyOptions& options) {
+  if (!options.out) return std::nullopt;
+  const fs::path folder = *options.out;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder, error))
+    throw BadInput("--out " + *options.out + ": no such folder, and it cannot be made");
+  write_text_file(folder / "state.probe", "");
+  fs::remove(folder / "state.probe", error);
+  return folder;
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/cli/verify/verify_options.h"
+#include "compare/verify/run/verify.h"
+
+/// What runs over poses share, whoever is held against the oracle.
+namespace pcm::compare {
+
+/// While it lives the first interrupt is only noted, and progress is shown on a terminal.
+class Interruptible {
+ public:
+  explicit Interruptible(std::int64_t poses);
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+  ~Interruptible();
+
+  bool interrupted() const;
+  void show(std::int64_t done) const;
+
+ private:
+  std::int64_t poses_;
+  bool terminal_;
+};
+
+int number_of_jobs(const VerifyOptions& options);
+
+/// What the options ask for. `notices` gets lines on what is left out or odd.
+VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices);
+
+/// The same where they name a trajectory.
+VerificationPlan plan_from_trajectory(const VerifyOptions& options, std::vector<std::string>& notices);
+
+/// The folder that --out names, made if need be; none where it is not given. Throws BadInput where nothing can be
+/// written there.
+std::optional<std::filesystem::path> prepared_folder(const VerifyOptions& options);
+
+}  // namespace pcm::compare

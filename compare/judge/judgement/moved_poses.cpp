@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/judge/judgement/moved_poses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcm::compare {
+
+std::vector<Pose> moved_poses(const Pose& pose, double scale, int most) {
+  const double ulp = std::nextafter(scale, std::numeric_limits<double>::infinity()) - scale;
+  std::vector<Pose> moved;
+  if (most == 0 || !std::isfinite(ulp)) return moved;
+  for (int ulps = 1;; ulps = std::min(2 * ulps, most)) {
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z) {
+          if (x == 0 && y == 0 && z == 0) continue;
+          moved.push_back(pose);
+          moved.back().r += ulps * ulp * Eigen::Vector3d(x, y, z);
+        }
+    if (ulps == most) return moved;
+  }
+}
+
+}  // namespace pcm::compare

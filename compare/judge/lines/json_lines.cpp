@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/judge/lines/json_lines.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "compare/io/question_json.h"
+#include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+/// JSON has no word for what is no number, but Python and others write NaN and Infinity: the parser stops at their
+/// first letter.
+bool names_no_number(std::string_view message) {
+  return message.ends_with("N'") || message.ends_with("I'") || message.ends_with("na'");
+}
+
+}  // namespace
+
+Json object_from_line(std::string_view line) {
+  try {
+    Json json = Json::parse(line);
+    if (!json.is_object()) throw BadInput("this is JSON, but no object: " + in_quotes(line));
+    return json;
+  } catch (const nlohmann::json::exception& error) {
+    const std::string what = description(error);
+    if (names_no_number(what)) throw BadInput("NaN and infinity are no answers, and no JSON: " + what);
+    throw BadInput("this is no JSON object: " + what);
+  }
+}
+
+void refuse_other_keys(const Json& object, std::initializer_list<std::string_view> known) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    std::string words;
+    for (const std::string_view word : known) words += (words.empty() ? "" : ", ") + std::string(word);
+    throw BadInput("the key " + in_quotes(key) + " is none of " + words);
+  }
+}
+
+std::string text_at(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw BadInput("\"" + std::string(key) + "\" is missing");
+  if (!found->is_string()) throw BadInput("\"" + std::string(key) + "\" is no text: " + found->dump());
+  return found->get<std::string>();
+}
+
+JsonLines::JsonLines(const std::filesystem::path& path) : name_(path.string()), file_(path, std::ios::binary) {
+  if (!file_.is_open() || std::filesystem::is_directory(path)) throw BadInput(name_ + ": this is no readable file");
+}
+
+std::optional<Json> JsonLines::next() {
+  for (std::string text; std::getline(file_, text);) {
+    ++line_;
+    const bool is_last = file_.eof();  // and without a line feed
+    std::string_view line = text;
+    if (line_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    try {
+      return object_from_line(line);
+    } catch (const BadInput& error) {
+      throw BadInput(place() + ": " + (is_last ? "the file ends within this line: " : "") + error.what());
+    }
+  }
+  if (file_.bad()) throw BadInput(name_ + ": the file can't be read to its end");
+  return std::nullopt;
+}
+
+}  // namespace pcm::compare

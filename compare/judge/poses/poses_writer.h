@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compare/judge/lines/posed_question.h"
+
+namespace pcm::compare {
+
+/// The surfaces of a folder of poses, each once, however many pairs have it.
+class PosedSurfaces {
+ public:
+  /// The surface's number; another one of the same vertices and faces has it too.
+  std::size_t number_of(const TriangleMesh& mesh);
+  /// Writes the files, whose bytes the hashes are of.
+  const std::vector<PosedSurface>& write(const std::filesystem::path& folder);
+  const std::vector<PosedSurface>& surfaces() const { return surfaces_; }
+
+ private:
+  std::string free_name(const std::string& name);
+
+  std::vector<PosedSurface> surfaces_;
+  std::map<std::string, std::size_t> by_hash_;
+  std::set<std::string> names_;
+};
+
+/// A poses.jsonl being written: under a name of its own, so that one of that name is always whole.
+class PosesWriter {
+ public:
+  /// Writes the first line; the surfaces are in their files already.
+  PosesWriter(const std::filesystem::path& folder, const std::vector<PosedSurface>& surfaces, std::int64_t poses,
+              const std::string& origin);
+  PosesWriter(const PosesWriter&) = delete;
+  PosesWriter& operator=(const PosesWriter&) = delete;
+  /// Nothing is left of what was not finished.
+  ~PosesWriter();
+
+  void add(const std::string& line) { out_ << line << '\n'; }
+  /// Throws BadInput where it could not be written.
+  void finish();
+
+ private:
+  std::filesystem::path file_, partial_;
+  std::ofstream out_;
+};
+
+}  // namespace pcm::compare

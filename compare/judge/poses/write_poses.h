@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "compare/io/question_json.h"
+#include "compare/verify/run/planned_poses.h"
+
+namespace pcm::compare {
+
+/// Writes what a plan asks: every pose in every mode as a line of poses.jsonl, the surfaces beside it as OBJ files,
+/// those of variants and of the stratum nested included. The same bytes whatever the number of threads. Memory does not
+/// grow with the number of poses. Once `stop` says yes nothing is left behind but surfaces; `progress` gets the number
+/// of lines written. Returns whether all were.
+bool write_poses(const std::filesystem::path& folder, const PlannedPoses& poses, Notation notation, int jobs,
+                 const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
+
+}  // namespace pcm::compare

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verify/verdict/case_file.h"
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "compare/io/names.h"
+#include "compare/io/poses_file.h"
+#include "compare/io/question_json.h"
+#include "compare/io/sha256.h"
+#include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
+#include "pcm/read_mesh.h"
+
+namespace pcm::compare {
+namespace {
+
+Json to_json(const Eigen::Vector3d& x) {
+  return {hexadecimal(x.x()), hexadecimal(x.y()), hexadecimal(x.z())};
+}
+
+Eigen::Vector3d vector(const Json& json) {
+  return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
+}
+
+std::string read_bytes(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (!stream.is_open() || stream.bad()) throw BadInput("cannot read the mesh " + path.string());
+  return bytes;
+}
+
+Json to_json(const TriangleMesh& mesh, const std::filesystem::path& file) {
+  Json json;
+  json["name"] = mesh.name;
+  if (!file.empty()) {
+    json["path"] = std::filesystem::absolute(file).string();
+    json["sha256"] = sha256(read_bytes(file));
+    return json;
+  }
+  json["vertices"] = Json::array();
+  for (const Eigen::Vector3d& x : mesh.vertices) json["vertices"].push_back({x.x(), x.y(), x.z()});
+  json["faces"] = mesh.faces;
+  return json;
+}
+
+TriangleMesh mesh_from(const Json& json, const std::filesystem::path& folder, std::filesystem::path& file) {
+  if (json.contains("path")) {
+    file = folder / json.at("path").get<std::string>();
+    if (sha256(read_bytes(file)) != json.at("sha256").get<std::string>())
+      throw BadInput("the mesh " + file.string() + " has changed since (its SHA-256 is another)");
+    return read_mesh(file);
+  }
+  TriangleMesh mesh;
+  mesh.name = json.at("name").get<std::string>();
+  for (const Json& x : json.at("vertices"))
+    mesh.vertices.emplace_back(x.at(0).get<double>(), x.at(1).get<double>(), x.at(2).get<double>());
+  for (const Json& corners : json.at("faces")) {
+    Triangle face{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Json& corner = corners.at(k);
+      const auto v = corner.is_number_integer() ? corner.get<std::int64_t>() : -1;
+      if (v < 0 || v >= static_cast<std::int64_t>(mesh.vertices.size()))
+        throw BadInput("a face of mesh '" + mesh.name + "' names the vertex " + corner.dump() +
+                       ", which does not exist");
+      face[k] = static_cast<Index>(v);
+    }
+    mesh.faces.push_back(face);
+  }
+  return mesh;
+}
+
+template <typename Crossing>
+Json crossing_json(const Crossing& x) {
+  return {x.edge_side == Side::E ? "E" : "F", x.edge[0], x.edge[1], x.face, to_json(x.position_Me)};
+}
+
+/// What both result types name alike.
+template <typename Answer>
+Json common_facts(const Answer& answer) {
+  Json json;
+  json["touching"] = answer.touching;
+  json["nested"] = answer.nested;
+  json["ambiguous"] = answer.ambiguous;
+  json["patches"] = answer.patches;
+  const auto active = [](const auto& area) {
+    Json side;
+    side["intersected"] = area.intersected;
+    side["inner"] = area.inner;
+    side["area"] = hexadecimal(area.area);
+    side["vector_area"] = to_json(area.vector_area_Me);
+    return side;
+  };
+  json["E"] = active(answer.E);
+  json["F"] = active(answer.F);
+  json["elements"] = Json::array();
+  for (const auto& e : answer.elements)
+    json["elements"].push_back({e.master == Side::E ? "E" : "F", e.master_face, e.slave_face, hexadecimal(e.area),
+                                hexadecimal(e.penetration), to_json(e.position_Me), to_json(e.force_Me)});
+  json["too_deep"] = answer.too_deep;
+  json["max_penetration"] = hexadecimal(answer.max_penetration);
+  json["penetration_exceeded"] = answer.penetration_exceeded;
+  json["force"] = to_json(answer.force_Me);
+  json["torque"] = to_json(answer.torque_Me);
+  return json;
+}
+
+}  // namespace
+
+Json decided(const fast::Contact& subj) {
+  Json json = common_facts(subj);
+  json["volume"] = subj.has_volume ? Json(hexadecimal(subj.volume)) : Json();
+  json["polygons"] = Json::array();
+  for (const fast::Polygon& polygon : subj.polygons) {
+    Json points = Json::array();
+    const Index end = polygon.first + polygon.count;
+    for (Index k = polygon.first; k < end; ++k)
+      points.push_back(crossing_json(subj.crossings[static_cast<std::size_t>(k)]));
+    json["polygons"].push_back({{"closed", polygon.closed}, {"patch", polygon.patch}, {"points", points}});
+  }
+  return json;
+}
+
+Json decided(const reference::Answer& truth) {
+  Json json = common_facts(truth);
+  json["volume"] = truth.volume ? Json(hexadecimal(*truth.volume)) : Json();
+  json["polygons"] = Json::array();
+  for (const reference::Polygon& polygon : truth.polygons) {
+    Json points = Json::array();
+    for (const reference::Crossing& x : polygon.points) points.push_back(crossing_json(x));
+    json["polygons"].push_back({{"closed", polygon.closed}, {"patch", polygon.patch}, {"points", points}});
+  }
+  return json;
+}
+
+std::string format_case(const Case& posed, const std::vector<Disagreement>& disagreements, const Json& engine,
+                        const Json& oracle) {
+  std::vector<std::array<std::string, 2>> words;
+  for (const Disagreement& d : disagreements) words.push_back({std::string(name(d.kind)), d.text});
+  return format_foreign_case(posed, words, engine, oracle);
+}
+
+std::string format_foreign_case(const Case& posed, const std::vector<std::array<std::string, 2>>& disagreements,
+                                const Json& engine, const Json& oracle) {
+  Json json;
+  json["format"] = "pcm case 1";
+  json["origin"] = posed.origin;
+  Json pose;
+  pose["A"] = Json::array();
+  for (int k = 0; k < 9; ++k) pose["A"].push_back(hexadecimal(posed.pose.A(k / 3, k % 3)));
+  pose["r"] = to_json(posed.pose.r);
+  pose["v"] = to_json(posed.velocity.v);
+  pose["w"] = to_json(posed.velocity.w);
+  json["pose"] = pose;
+  json["law"] = law_json(posed.law);
+  json["scheme"] = std::string(name(posed.scheme));
+  json["mode"] = std::string(name(posed.mode));
+  json["disagreements"] = Json::array();
+  for (const auto& [kind, text] : disagreements) json["disagreements"].push_back(Json::array({kind, text}));
+  json["engine"] = engine;
+  json["oracle"] = oracle;
+  json["E"] = to_json(posed.E, posed.file_E);
+  json["F"] = to_json(posed.F, posed.file_F);
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Case read_case(const std::filesystem::path& path) {
+  const std::string text = read_text_file(path);
+  try {
+    const Json json = Json::parse(text);
+    if (!json.is_object() || json.value("format", "") != "pcm case 1")
+      throw BadInput("this is no case file of pcm (\"format\": \"pcm case 1\" is missing)");
+    Case posed;
+    posed.origin = json.at("origin").get<std::string>();
+    for (int k = 0; k < 9; ++k)
+      posed.pose.A(k / 3, k % 3) = number_from(json.at("pose").at("A").at(static_cast<std::size_t>(k)));
+    posed.pose.r = vector(json.at("pose").at("r"));
+    posed.velocity.v = vector(json.at("pose").at("v"));
+    posed.velocity.w = vector(json.at("pose").at("w"));
+    if (!is_rotation(posed.pose.A)) throw BadInput("A of the pose is not a rotation to 1e-9");
+    if (!posed.pose.r.allFinite() || !posed.velocity.v.allFinite() || !posed.velocity.w.allFinite())
+      throw BadInput("r, v or w of the pose is not finite");
+    posed.law = law_from(json.at("law"));
+    posed.scheme = scheme_from(json.at("scheme"));
+    posed.mode = mode_from(json.at("mode"));
+    posed.E = mesh_from(json.at("E"), path.parent_path(), posed.file_E);
+    posed.F = mesh_from(json.at("F"), path.parent_path(), posed.file_F);
+    return posed;
+  } catch (const nlohmann::json::exception& error) {
+    throw BadInput(path.string() + ": this is no case file of pcm: " + description(error));
+  } catch (const BadInput& error) {
+    throw BadInput(path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The programs as users meet them: poses out, answers in, a conversation, and what they leave behind.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "tests/compare/run_pcm.h"
+#include "tests/meshes/content_of.h"
+#include "tests/meshes/temporary_folder.h"
+
+namespace pcm::compare {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr std::string_view kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+std::string last_line(const std::string& text) {
+  const std::vector<std::string> lines = lines_of(text);
+  return lines.empty() ? "" : lines.back();
+}
+
+class JudgeCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string surface = scratch_.write("tetrahedron.obj", kTetrahedron);
+    const Outcome written =
+        run_pcm({"poses", "--out", poses_, "--poses", "60", "--pair", surface, surface, "--jobs", "2"});
+    ASSERT_EQ(written.status, 0) << written.err;
+    const Outcome answered = run_pcm({"answer", "--poses", poses_});
+    ASSERT_EQ(answered.status, 0) << answered.err;
+    answers_ = lines_of(answered.out);
+    ASSERT_EQ(answers_.size(), 61U);
+  }
+
+  Outcome judge(const std::vector<std::string>& lines, Words options = {}) const {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    Words words{"judge", scratch_.write("answers.jsonl", text), "--poses", poses_, "--jobs", "2"};
+    words.insert(words.end(), options.begin(), options.end());
+    return run_pcm(words);
+  }
+  /// The number that follows a key of a JSON line is replaced.
+  static std::string replaced(std::string line, const std::string& from, const std::string& to) {
+    const std::size_t at = line.find(from);
+    EXPECT_NE(at, std::string::npos) << from << " in " << line;
+    return line.replace(at, from.size(), to);
+  }
+
+  const TemporaryFolder scratch_;
+  const std::string poses_ = scratch_.path("poses");
+  std::vector<std::string> answers_;
+};
+
+TEST_F(JudgeCommand, OurOwnEngineAsAForeignOneIsRight) {
+  const Outcome outcome = judge(answers_, {"--out", scratch_.path("judged")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(last_line(outcome.out), "right: 60 answers, 0 wrong, 0 near another answer");
+  for (const char* file : {"judgement.md", "judgement.json", "strata.csv", "facts.csv"})
+    EXPECT_TRUE(std::filesystem::exists(scratch_.path("judged") + "/" + file)) << file;
+
+  const Outcome spoken = run_pcm({"judge", "--poses", poses_, "--command", std::string(PCM_PROGRAM) + " answer"});
+  EXPECT_EQ(spoken.status, 0) << spoken.err << spoken.out;
+  EXPECT_EQ(last_line(spoken.out), "right: 60 answers, 0 wrong, 0 near another answer");
+}
+
+TEST_F(JudgeCommand, AWrongAnswerIsShownAndKeptAsACase) {
+  std::vector<std::string> lines = answers_;
+  for (std::string& line : lines)
+    if (line.find("/generic/0/") != std::string::npos) line = replaced(line, "\"touching\":true", "\"touching\":false");
+  const std::string out = scratch_.path("judged");
+  const Outcome outcome = judge(lines, {"--out", out});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_EQ(last_line(outcome.out), "NOT right: 60 answers, 1 wrong, 0 near another answer");
+  EXPECT_NE(outcome.out.find("touching: engine false, oracle true"), std::string::npos) << outcome.out;
+  std::string kept;
+  for (const auto& entry : std::filesystem::directory_iterator(out))
+    if (entry.path().filename().string().starts_with("case_")) kept = entry.path().string();
+  ASSERT_NE(kept, "");
+  EXPECT_NE(content_of(kept).find("engine false, oracle true"), std::string::npos);
+  const Outcome replayed = run_pcm({"verify", "--case", kept});
+  EXPECT_EQ(replayed.status, 0) << replayed.out;
+
+  EXPECT_EQ(judge(answers_, {"--out", out}).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(kept)) << "of an earlier run";
+}
+
+TEST_F(JudgeCommand, WhatWasJudgedBeforeBadInputIsKept) {
+  std::vector<std::string> lines(answers_.begin(), answers_.begin() + 31);
+  lines.push_back("{\"id\":");
+  const std::string out = scratch_.path("judged");
+  const Outcome outcome = judge(lines, {"--out", out});
+  EXPECT_EQ(outcome.status, 2);
+  ASSERT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("answers.jsonl:32: this is no JSON object"), std::string::npos) << outcome.err;
+  EXPECT_EQ(last_line(outcome.out), "unfinished: 30 answers, 0 wrong, 0 near another answer");
+  EXPECT_NE(content_of(out + "/judgement.json").find("\"complete\": false"), std::string::npos);
+}
+
+TEST_F(JudgeCommand, PosesWithoutAnAnswerAreBadInput) {
+  const Outcome outcome = judge({answers_.begin(), answers_.end() - 1});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("1 of 60 poses have no answer"), std::string::npos) << outcome.err;
+  EXPECT_EQ(last_line(outcome.out), "unfinished: 59 answers, 0 wrong, 0 near another answer");
+}
+
+TEST_F(JudgeCommand, AnotherConventionEndsIt) {
+  const std::string surface = scratch_.path("tetrahedron.obj");
+  ASSERT_EQ(run_pcm({"poses", "--out", poses_, "--poses", "120", "--pair", surface, surface, "--strata",
+                     "generic,degenerate", "--scheme", "clipped"})
+                .status,
+            0);
+  std::vector<std::string> lines = lines_of(run_pcm({"answer", "--poses", poses_}).out);
+  // Every number of a force gets another sign.
+  const std::regex force(R"("force":\[(-?)([^,]*),(-?)([^,]*),(-?)([^\]]*)\])");
+  for (std::string& line : lines) {
+    std::smatch found;
+    if (!std::regex_search(line, found, force)) continue;
+    std::ostringstream negated;
+    negated << found.prefix() << "\"force\":[";
+    for (std::size_t k = 1; k < 7; k += 2)
+      negated << (k == 1 ? "" : ",") << (found[k].length() == 0 ? "-" : "") << found[k + 1];
+    negated << "]" << found.suffix();
+    line = negated.str();
+  }
+  const Outcome outcome = judge(lines);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("the force has the opposite sign"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("answers.jsonl:"), std::string::npos) << outcome.err;
+}
+
+TEST_F(JudgeCommand, BreakdownsOfAnEngineAreCounted) {
+  const std::string engine = scratch_.write("engine.sh",
+                                            "read -r greeting\nwhile read -r line; do\n"
+                                            "  id=${line#'{\"id\":\"'}\n  id=${id%%'\"'*}\n"
+                                            "  case $id in\n    */grazing/0/*) exit 1 ;;\n"
+                                            "    */grazing/1/*) echo nonsense ;;\n"
+                                            "    *) echo '{\"id\":\"'\"$id\"'\"}' ;;\n  esac\ndone\n");
+  const Outcome outcome = run_pcm({"judge", "--poses", poses_, "--command", "sh '" + engine + "'"});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_EQ(last_line(outcome.out), "NOT right: 60 answers, 2 wrong, 0 near another answer, 2 without an answer");
+  EXPECT_NE(outcome.out.find("crash: it ended with status 1"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("garbage: this is no JSON object"), std::string::npos) << outcome.out;
+}
+
+TEST_F(JudgeCommand, RefusesWhatItCannotDo) {
+  const auto expect = [&](const Words& words, const std::string& named) {
+    const Outcome outcome = run_pcm(words);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(named), std::string::npos) << "expected '" << named << "' in: " << outcome.err;
+  };
+  const std::string answers = scratch_.write("answers.jsonl", answers_[0]);
+  expect({"judge", answers}, "--poses is missing");
+  expect({"judge", "--poses", poses_}, "give either a file of answers or --command");
+  expect({"judge", answers, "--command", "cat", "--poses", poses_}, "give either a file of answers or --command");
+  expect({"judge", answers, "--poses", scratch_.path("nowhere")}, "poses.jsonl: this is no readable file");
+  expect({"judge", scratch_.path("nothing"), "--poses", poses_}, "nothing: this is no readable file");
+  expect({"judge", answers, "--poses", poses_, "--tolerance", "touching=1"}, "'touching' is none of area, volume");
+  expect({"judge", answers, "--poses", poses_, "--tolerance", "force"}, "'force' has no '='");
+  expect({"judge", answers, "--poses", poses_, "--absolute", "force=-1"}, "'-1' is no number from 0 on");
+  expect({"judge", answers, "--poses", poses_, "--ulps", "-1"}, "--ulps");
+  expect({"judge", "--command", "/no/such/engine", "--poses", poses_}, "'/no/such/engine' can't be started");
+  expect({"judge", "--command", "sh 'x", "--poses", poses_}, "has no end");
+  expect({"judge", "--command", "cat", "--poses", poses_, "--time-limit", "0"}, "--time-limit: 0 is not positive");
+  expect({"poses", "--poses", "10"}, "--out is required");
+}
+
+}  // namespace
+}  // namespace pcm::compare

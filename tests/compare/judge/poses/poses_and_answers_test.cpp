@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poses and answers as files: what is written reads back bit for bit, and what is no pose or answer is refused.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "compare/judge/lines/answer_lines.h"
+#include "compare/judge/lines/answers_file.h"
+#include "compare/judge/lines/json_lines.h"
+#include "fast/base/same_bits.h"
+#include "pcm/bad_input.h"
+#include "tests/compare/judge/poses/posed_folder.h"
+#include "tests/meshes/content_of.h"
+
+namespace pcm::compare {
+namespace {
+
+/// The plan of PosedFolder once more.
+PlannedPoses planned(std::int64_t poses, const std::vector<Scheme>& schemes) {
+  VerificationPlan plan;
+  plan.poses = poses;
+  plan.schemes = schemes;
+  plan.pairs = {small_pair()};
+  return PlannedPoses(std::move(plan));
+}
+
+TEST(PosesFolder, HoldsWhatAVerificationAsksBitForBit) {
+  for (const Notation notation : {Notation::decimal, Notation::hexadecimal}) {
+    const PosedFolder folder(36, {Scheme::barycentric, Scheme::clipped}, notation);
+    const PlannedPoses poses = planned(36, {Scheme::barycentric, Scheme::clipped});
+    std::size_t k = 0;
+    for (const PlannedCell& cell : poses.cells())
+      for (std::int64_t pose = cell.first; pose < cell.first + cell.poses; ++pose, ++k) {
+        const PosedQuestion& read = folder.posed.questions.at(k);
+        const HeldPairing::State asked = poses.asked(cell, pose);
+        const FeaturePair& surfaces = poses.held_pairing(cell, pose).features();
+        EXPECT_EQ(read.id, poses.pose_name(cell, pose));
+        EXPECT_EQ(folder.posed.surfaces[read.E].mesh.vertices, surfaces.E.mesh.vertices);
+        EXPECT_EQ(folder.posed.surfaces[read.F].mesh.vertices, surfaces.F.mesh.vertices);
+        EXPECT_EQ(folder.posed.surfaces[read.F].mesh.faces, surfaces.F.mesh.faces);
+        EXPECT_TRUE(fast::same_bits(read.pose, asked.pose));
+        EXPECT_TRUE(fast::same_bits(read.velocity, asked.velocity));
+        EXPECT_EQ(law_json(read.law), law_json(asked.law));
+        EXPECT_EQ(read.scheme, asked.scheme);
+        EXPECT_EQ(read.mode, cell.mode);
+      }
+    EXPECT_EQ(k, folder.posed.questions.size());
+    EXPECT_GE(folder.posed.surfaces.size(), 3U) << "a nested guest is scaled";
+  }
+}
+
+class Folder : public testing::Test {
+ protected:
+  const PosedFolder folder_{12};
+
+  void expect_refused(const std::string& text, const std::string& named) const {
+    const TemporaryFolder scratch;
+    AnswersFile file(scratch.write("answers.jsonl", text), folder_.posed);
+    try {
+      while (file.next()) {
+      }
+      ADD_FAILURE() << "read: " << text;
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find(named), std::string::npos)
+          << "expected '" << named << "' in: " << error.what();
+    }
+  }
+  std::string id(std::size_t k = 0) const { return folder_.posed.questions[k].id; }
+  std::string with(const std::string& facts) const { return "\n{\"id\":\"" + id() + "\"," + facts + "}\n"; }
+};
+
+TEST_F(Folder, AnswersReadBackBitForBit) {
+  for (const Notation notation : {Notation::decimal, Notation::hexadecimal})
+    for (std::size_t k = 0; k < folder_.answers.size(); ++k) {
+      const Json written = answer_json(id(k), folder_.answers[k], notation);
+      const GivenAnswer read =
+          answer_from(Json::parse(dump_exactly(written)), folder_.posed, folder_.posed.questions[k]);
+      EXPECT_EQ(answer_json(id(k), read, notation), written);
+    }
+}
+
+TEST_F(Folder, WhatIsNoAnswerIsRefusedWithFileAndLine) {
+  expect_refused("no JSON\n", "answers.jsonl:1: this is no JSON object");
+  expect_refused("[1]\n", "answers.jsonl:1: this is JSON, but no object");
+  expect_refused("\n{\"id\":\"" + id() + "\",\"for", "answers.jsonl:2: the file ends within this line");
+  expect_refused("{\"touching\":true}\n", "answers.jsonl:1: \"id\" is missing");
+  expect_refused("{\"id\":7}\n", "answers.jsonl:1: \"id\" is no text");
+  expect_refused("{\"id\":\"nobody\"}\n", "answers.jsonl:1: no pose is called 'nobody'");
+  expect_refused("{\"id\":\"" + id() + "\"}\n{\"id\":\"" + id() + "\"}\n",
+                 "answers.jsonl:2: '" + id() + "' is answered a second time; line 1");
+  expect_refused(with("\"touching\":1"), "answers.jsonl:2: \"touching\": 1 is neither true nor false");
+  expect_refused(with("\"force\":[1,2,NaN]"), "answers.jsonl:2: NaN and infinity are no answers");
+  expect_refused(with("\"force\":[1,2,Infinity]"), "answers.jsonl:2: NaN and infinity are no answers");
+  expect_refused(with("\"force\":[1,2,\"nan\"]"), "answers.jsonl:2: \"force\": 'nan' is no number");
+  expect_refused(with("\"force\":[1,2,\"inf\"]"), "answers.jsonl:2: \"force\": an infinite component");
+  expect_refused(with("\"force\":[1,2]"), "answers.jsonl:2: \"force\": '[1,2]' is no list of three numbers");
+  expect_refused(with("\"torque\":1"), "answers.jsonl:2: \"torque\": '1' is no list");
+  expect_refused(with("\"volume\":\"big\""), "answers.jsonl:2: \"volume\": 'big' is no number");
+  expect_refused(with("\"volume\":1e999"), "answers.jsonl:2: ");
+  expect_refused(with("\"polygons\":-1"), "answers.jsonl:2: \"polygons\": '-1' is no number of things");
+  expect_refused(with("\"polygons\":1.5"), "answers.jsonl:2: \"polygons\": '1.5' is no number of things");
+  expect_refused(with("\"elements\":-2"), "answers.jsonl:2: \"elements\": '-2' is no number of things");
+  expect_refused(with("\"pairs\":[]"), "answers.jsonl:2: the key 'pairs' is none of id, touching, crossing_pairs");
+  expect_refused(with("\"crossing_pairs\":[[0,1,2]]"), "answers.jsonl:2: \"crossing_pairs\": '[0,1,2]' is no pair");
+  expect_refused(with("\"crossing_pairs\":[[0,1],[0,1]]"),
+                 "answers.jsonl:2: \"crossing_pairs\": a pair is listed twice");
+  const std::size_t faces = folder_.posed.surfaces[folder_.posed.questions[0].E].mesh.faces.size();
+  expect_refused(with("\"E\":{\"inner\":[" + std::to_string(faces) + "]}"),
+                 "is no face of E, whose faces are 0 to " + std::to_string(faces - 1));
+  expect_refused(with("\"E\":{\"inner\":[3,3]}"), "answers.jsonl:2: \"E\": \"inner\": a face is listed twice");
+  expect_refused(with("\"F\":{\"vector_area\":[0,0,0]}"), "answers.jsonl:2: \"F\": the key 'vector_area' is none of");
+  expect_refused(with("\"elements\":[{\"master_face\":0,\"slave_face\":0}]"), "\"master\" is missing");
+  expect_refused(with("\"elements\":[{\"master\":\"E\",\"master_face\":0}]"),
+                 "\"slave_face\" of an element is missing");
+}
+
+TEST_F(Folder, AnswersOfOtherFormatsAndSurfacesAreRefused) {
+  expect_refused("{\"format\":\"pcm answers 9\"}\n", "answers.jsonl:1: these are answers of another format");
+  const PosedSurface& surface = folder_.posed.surfaces[0];
+  const auto header = [&](const std::string& name, const std::string& hash) {
+    return "{\"format\":\"pcm answers 1\",\"surfaces\":{\"" + name + "\":\"" + hash + "\"}}\n";
+  };
+  expect_refused(header(surface.name, std::string(64, '0')),
+                 "answers.jsonl:1: the engine has read another surface '" + surface.name + "'");
+  expect_refused(header("nothing", surface.sha256), "answers.jsonl:1: no surface is called 'nothing'");
+  const TemporaryFolder scratch;
+  AnswersFile right(scratch.write("right.jsonl", header(surface.name, surface.sha256)), folder_.posed);
+  EXPECT_FALSE(right.next());
+  EXPECT_NE(right.missing().find("12 of 12 poses have no answer"), std::string::npos) << right.missing();
+}
+
+TEST_F(Folder, PosesThatWereTamperedWithAreRefused) {
+  const std::string poses = folder_.path() + "/poses.jsonl", whole = content_of(poses);
+  const auto expect = [&](const std::string& text, const std::string& named) {
+    std::ofstream(poses, std::ios::binary) << text;
+    try {
+      read_poses_folder(folder_.path());
+      ADD_FAILURE() << named;
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find(named), std::string::npos)
+          << "expected '" << named << "' in: " << error.what();
+    }
+  };
+  const std::size_t second = whole.find('\n') + 1, third = whole.find('\n', second) + 1;
+  expect(whole.substr(0, third), "1 poses, where the first line says 12");
+  expect(whole + whole.substr(second, third - second), "poses.jsonl:14: a pose '" + id() + "' stands there already");
+  expect(whole.substr(0, third + 40), "poses.jsonl:3: the file ends within this line");
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  expect(replaced("pcm poses 1", "pcm poses 2"), "poses.jsonl:1: these are poses of another format");
+  expect(replaced("\"A\":[[", "\"A\":[[7.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,1.0]],\"former\":[["),
+         "poses.jsonl:2: A is not a rotation");
+  expect(replaced(",\"mode\":\"both\"", ""), "poses.jsonl:2: key 'mode' not found");
+
+  std::ofstream(poses, std::ios::binary) << whole;
+  std::ofstream(folder_.path() + "/" + folder_.posed.surfaces[0].file, std::ios::app) << "# other bytes\n";
+  expect(whole, "has changed since the poses were written");
+}
+
+}  // namespace
+}  // namespace pcm::compare

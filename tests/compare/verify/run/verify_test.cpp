@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs of the comparison: right answers pass, tables repeat, runs resume, and what gets no pose is said.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/verify/run/run_verdict.h"
+#include "compare/verify/run/verify.h"
+#include "compare/verify/tables/summary.h"
+#include "compare/verify/tables/verification_table.h"
+#include "meshes/generate/degenerate/lattice_tetrahedra.h"
+#include "pcm/bad_input.h"
+#include "tests/compare/small_pair.h"
+#include "tests/compare/verify/routes/altering_seam.h"
+
+namespace pcm::compare {
+namespace {
+
+const auto kNever = [] { return false; };
+const auto kSilent = [](std::int64_t) {};
+
+VerificationPlan small_plan(std::int64_t poses) {
+  VerificationPlan plan;
+  plan.poses = poses;
+  plan.pairs = {small_pair()};
+  return plan;
+}
+
+void run_all(Verification& run, int jobs) {
+  while (!run.finished()) run.run_batch(jobs, kNever, kSilent);
+}
+
+TEST(Verification, SmallPairAgreesInEveryStratum) {
+  Verification run(small_plan(600));
+  run_all(run, 2);
+  const Tally total = run.total();
+  EXPECT_EQ(total.poses, 600);
+  EXPECT_EQ(total.disagreeing, 0);
+  for (const Finding& finding : run.findings())
+    for (const Disagreement& d : finding.disagreements)
+      ADD_FAILURE() << run.poses().pose_name(run.cells()[finding.cell], finding.pose) << ": " << name(d.kind) << ": "
+                    << d.text;
+  for (const Cell& cell : run.cells()) {
+    const double touching = static_cast<double>(cell.tally.touching) / static_cast<double>(cell.poses);
+    if (cell.stratum == Stratum::separated || cell.stratum == Stratum::nested) {
+      EXPECT_EQ(cell.tally.touching, 0) << name(cell.stratum);
+    } else {
+      EXPECT_GE(touching, 0.5) << name(cell.stratum);
+    }
+    if (cell.stratum == Stratum::nested) {
+      EXPECT_EQ(cell.tally.nested, cell.poses);
+    }
+  }
+}
+
+TEST(Verification, ErrorsAboveTheMeasureAreNamedWithTheirPercentile) {
+  VerificationPlan plan = small_plan(240);
+  plan.strata = {Stratum::generic};
+  Verification right(plan);
+  run_all(right, 2);
+  EXPECT_FALSE(missed_measure(right).has_value());
+
+  const AlteringSeam deeper([](fast::Contact& contact) {
+    contact.max_penetration *= 1 + 1e-10;
+    return true;
+  });
+  Verification wrong(plan, deeper);
+  run_all(wrong, 1);
+  const std::optional<MissedMeasure> missed = missed_measure(wrong);
+  ASSERT_TRUE(missed.has_value());
+  EXPECT_EQ(missed->what, "penetration");
+  EXPECT_NE(verdict_line(wrong).find("at the 99th percentile"), std::string::npos) << verdict_line(wrong);
+
+  const AlteringSeam wider([](fast::Contact& contact) {
+    contact.volume *= 1 + 1e-10;
+    return true;
+  });
+  Verification too_wide(plan, wider);
+  run_all(too_wide, 1);
+  EXPECT_NE(verdict_line(too_wide).find("volume error"), std::string::npos) << verdict_line(too_wide);
+  EXPECT_NE(verdict_line(too_wide).find("at the 99.9th percentile"), std::string::npos);
+}
+
+TEST(Verification, PosesOfAPairWithVariantsTakeThemInTurn) {
+  VerificationPlan plan;
+  plan.poses = 60;
+  plan.strata = {Stratum::degenerate};
+  SurfacePair& pair = plan.pairs.emplace_back(small_pair());
+  for (const std::uint64_t number : {0, 2}) pair.variants.push_back(degenerate::lattice_tetrahedra(number));
+  Verification run(plan);
+  const Cell& cell = run.cells().front();
+  std::vector<std::vector<Eigen::Vector3d>> expected = {pair.E.vertices, pair.variants[0][0].vertices,
+                                                        pair.variants[1][0].vertices};
+  for (std::int64_t pose = 0; pose < 6; ++pose) {
+    EXPECT_EQ(run.poses().held_pairing(cell, pose).features().E.mesh.vertices,
+              expected[static_cast<std::size_t>(pose % 3)])
+        << pose;
+    EXPECT_EQ(run.as_case({0, pose, {}}).E.vertices, expected[static_cast<std::size_t>(pose % 3)]) << pose;
+  }
+  run_all(run, 2);
+  EXPECT_EQ(run.total().disagreeing, 0);
+  EXPECT_GT(run.total().touching, 30);
+}
+
+TEST(Verification, TablesDoNotDependOnTheNumberOfThreads) {
+  Verification one(small_plan(240)), four(small_plan(240));
+  run_all(one, 1);
+  run_all(four, 4);
+  EXPECT_EQ(verification_markdown(one), verification_markdown(four));
+  EXPECT_EQ(verification_csv(one), verification_csv(four));
+  EXPECT_EQ(verification_json(one), verification_json(four));
+}
+
+TEST(Verification, AllModesTogetherAnswerAsThreeRunsBitForBit) {
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    VerificationPlan plan = small_plan(60);
+    plan.schemes = {scheme};
+    plan.modes = {Mode::E, Mode::F, Mode::both};
+    Verification together(plan);
+    run_all(together, 2);
+    EXPECT_EQ(together.poses_done(), 60);
+    EXPECT_EQ(together.total().poses, 180);
+    const auto answers = [](const Tally& tally) {
+      nlohmann::ordered_json json = tally.to_json();
+      json.erase("seconds");
+      return json;
+    };
+    for (std::size_t m = 0; m < 3; ++m) {
+      plan.modes = {std::vector{Mode::E, Mode::F, Mode::both}[m]};
+      Verification alone(plan);
+      run_all(alone, 2);
+      EXPECT_EQ(answers(together.by_mode()[m].tally), answers(alone.total()));
+      ASSERT_EQ(together.cells().size(), 3 * alone.cells().size());
+      for (std::size_t c = 0; c < alone.cells().size(); ++c) {
+        EXPECT_EQ(together.cells()[3 * c + m].mode, plan.modes.front());
+        EXPECT_EQ(answers(together.cells()[3 * c + m].tally), answers(alone.cells()[c].tally));
+      }
+      EXPECT_THROW(alone.restore(together.state()), BadInput);
+    }
+    Verification continued(together.plan());
+    continued.restore(together.state());
+    EXPECT_EQ(verification_csv(continued), verification_csv(together));
+    EXPECT_EQ(verification_markdown(continued), verification_markdown(together));
+    EXPECT_NE(verdict_line(together).find("60 poses in 3 modes"), std::string::npos);
+  }
+}
+
+TEST(Verification, ContinuedRunEndsLikeAnUninterruptedOne) {
+  VerificationPlan plan = small_plan(2500);
+  plan.strata = {Stratum::separated};
+  Verification whole(plan), first(plan), second(plan);
+  ASSERT_GT(whole.batches(), 2);
+  run_all(whole, 2);
+  first.run_batch(2, kNever, kSilent);
+  const auto state = nlohmann::ordered_json::parse(first.state().dump());
+  second.restore(state);
+  EXPECT_EQ(second.poses_done(), first.poses_done());
+  run_all(second, 2);
+  EXPECT_EQ(verification_csv(second), verification_csv(whole));
+
+  plan.seed = 2;
+  Verification other(plan);
+  EXPECT_THROW(other.restore(state), BadInput);
+}
+
+TEST(Verification, InterruptedBatchKeepsWhatItHasAndIsNotDone) {
+  Verification run(small_plan(240));
+  int asked = 0;
+  run.run_batch(
+      1, [&] { return ++asked > 10; }, kSilent);
+  EXPECT_EQ(run.poses_done(), 10);
+  EXPECT_EQ(run.batches_done(), 0);
+  EXPECT_TRUE(verdict_line(run).starts_with("unfinished: 10 poses")) << verdict_line(run);
+  EXPECT_NE(verdict_line(run).find("interrupted"), std::string::npos);
+  EXPECT_FALSE(is_verified(run));
+
+  Verification continued(run.plan()), whole(run.plan());
+  continued.restore(nlohmann::ordered_json::parse(run.state().dump()));
+  EXPECT_EQ(continued.poses_done(), 10);
+  run_all(continued, 2);
+  run_all(whole, 1);
+  EXPECT_EQ(continued.poses_done(), 240);
+  EXPECT_EQ(verification_csv(continued), verification_csv(whole));
+}
+
+/// A plan of both schemes, two pairs and all strata.
+VerificationPlan plan_of_both_schemes(std::int64_t poses) {
+  VerificationPlan plan = small_plan(poses);
+  plan.schemes = {Scheme::barycentric, Scheme::clipped};
+  SurfacePair& second = plan.pairs.emplace_back(small_pair());
+  second.name = "the other pair";
+  std::swap(second.E, second.F);
+  return plan;
+}
+
+TEST(Verification, NoPoseOfAPairAndStratumIsAskedTwice) {
+  const Verification run(plan_of_both_schemes(1800));
+  std::map<std::pair<std::size_t, Stratum>, std::set<std::int64_t>> numbers;
+  std::set<std::vector<double>> states;
+  std::size_t poses = 0, generic = 0;
+  for (const Cell& cell : run.cells())
+    for (std::int64_t pose = cell.first; pose < cell.first + cell.poses; ++pose) {
+      ++poses;
+      EXPECT_TRUE(numbers[std::pair(cell.pair, cell.stratum)].insert(pose).second) << run.poses().pose_name(cell, pose);
+      if (cell.stratum != Stratum::generic) continue;  // of the others some may be in one place by chance
+      ++generic;
+      const HeldPairing::State state = run.poses().asked(cell, pose);
+      states.insert({state.pose.r.x(), state.pose.r.y(), state.pose.r.z(), state.law.stiffness, state.law.damping,
+                     state.law.friction});
+    }
+  EXPECT_EQ(poses, 1800U);
+  EXPECT_EQ(states.size(), generic);
+  for (const auto& [key, found] : numbers)
+    EXPECT_EQ(*found.rbegin() + 1, std::ssize(found)) << "numbers from 0 on without a gap";
+  EXPECT_EQ(run.cells().front().first, 0);
+}
+
+TEST(Verification, PosesOfOneSchemeAloneAreNumberedFromZero) {
+  VerificationPlan plan = plan_of_both_schemes(60);
+  plan.schemes = {Scheme::clipped};
+  const Verification run(plan);
+  for (const Cell& cell : run.cells()) EXPECT_EQ(cell.first, 0);
+}
+
+TEST(Verification, FindingsOfTheClippedSchemeAreThePosesThatWereAsked) {
+  VerificationPlan plan = plan_of_both_schemes(120);
+  plan.strata = {Stratum::generic};
+  const Verification run(plan);
+  const auto clipped = std::find_if(run.cells().begin(), run.cells().end(),
+                                    [](const Cell& cell) { return cell.scheme == Scheme::clipped; });
+  ASSERT_NE(clipped, run.cells().end());
+  ASSERT_GT(clipped->first, 0);
+  const Case posed = run.as_case({static_cast<std::size_t>(clipped - run.cells().begin()), clipped->first, {}});
+  EXPECT_EQ(posed.scheme, Scheme::clipped);
+  EXPECT_EQ(posed.pose.r, run.poses().draw(*clipped, clipped->first).pose.r);
+  EXPECT_NE(posed.origin.find(std::to_string(clipped->first) + "/both/clipped"), std::string::npos) << posed.origin;
+}
+
+bool any_says(const std::vector<std::string>& lines, const std::string& words) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
+
+TEST(Verification, WhatIsNamedMustGetAPose) {
+  // A pose a stratum: the second pair gets all of them.
+  const VerificationPlan plan = plan_of_both_schemes(6);
+  const auto expect_refused = [](const VerificationPlan& named, const std::string& what) {
+    try {
+      const Verification run(named);
+      ADD_FAILURE() << what << " got no pose, and nobody said so";
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+  };
+  VerificationPlan pairs = plan, schemes = plan, strata = plan, nested = plan;
+  pairs.pairs_named = true;
+  expect_refused(pairs, "pair " + small_pair().name);
+  schemes.schemes_named = true;
+  expect_refused(schemes, "clipped scheme");
+  strata.strata_named = true;
+  strata.poses = 5;
+  expect_refused(strata, "stratum generic");
+  nested.strata_named = true;
+  for (SurfacePair& pair : nested.pairs)
+    for (TriangleMesh* mesh : {&pair.E, &pair.F}) mesh->faces.pop_back();  // open, so that nothing is inside
+  expect_refused(nested, "stratum nested gets no pose: it is not to be had");
+}
+
+TEST(Verification, WhatGetsNoPoseIsSaidInTablesAndVerdict) {
+  Verification run(plan_of_both_schemes(5));
+  run_all(run, 1);
+  for (const std::string& words : {std::string("stratum generic"), std::string("clipped scheme"),
+                                   "1 of 2 pairs get no pose (" + small_pair().name}) {
+    EXPECT_TRUE(any_says(run.poses().omissions(), words)) << words;
+    EXPECT_NE(verification_summary(run).find(words), std::string::npos) << words;
+    EXPECT_NE(verification_markdown(run).find(words), std::string::npos) << words;
+  }
+  EXPECT_NE(verdict_line(run).find("(no pose: generic; clipped scheme; 1 of 2 pairs)"), std::string::npos)
+      << verdict_line(run);
+  const Verification enough(plan_of_both_schemes(120));
+  EXPECT_EQ(enough.poses().without_poses(), "");
+  EXPECT_TRUE(enough.poses().omissions().empty()) << enough.poses().omissions().front();
+}
+
+/// Breaks down, by no BadInput, when a law is drawn at some poses.
+class BreakingSeam final : public EngineSeam {
+ public:
+  const fast::Contact& evaluate_for_draw(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                                         const Wanted& wanted, fast::Workspace& workspace) const override {
+    if (pose.r.x() > 0) throw std::logic_error("out of order");
+    return EngineSeam::evaluate_for_draw(pairing, pose, velocity, wanted, workspace);
+  }
+};
+
+TEST(Verification, EngineThatBreaksDownWhileALawIsDrawnFailsThatPoseAndHasACase) {
+  VerificationPlan plan = small_plan(60);
+  plan.strata = {Stratum::generic};
+  plan.modes = {Mode::E, Mode::both};
+  const BreakingSeam seam;
+  Verification run(plan, seam);
+  run_all(run, 2);
+  EXPECT_EQ(run.poses_done(), 60);
+  const Tally total = run.total();
+  EXPECT_GT(total.disagreeing, 0);
+  EXPECT_LT(total.disagreeing, total.poses);
+  EXPECT_EQ(total.by_kind[static_cast<std::size_t>(Kind::failure)], total.disagreeing);
+  ASSERT_FALSE(run.findings().empty());
+  const Finding& finding = run.findings().front();
+  EXPECT_NE(finding.disagreements.front().text.find("out of order"), std::string::npos);
+  const Case posed = run.as_case(finding);
+  EXPECT_EQ(posed.mode, Mode::both);
+  EXPECT_GT(posed.pose.r.x(), 0);
+  EXPECT_TRUE(verdict_line(run).starts_with("NOT verified")) << verdict_line(run);
+}
+
+TEST(Verification, PosesThatNoSceneIsAskedAboutAreCountedAndKept) {
+  VerificationPlan plan = small_plan(600);
+  plan.strata = {Stratum::near_degenerate};
+  plan.modes = {Mode::E, Mode::F};
+  Verification run(plan);
+  run_all(run, 2);
+  std::int64_t skipped = 0;
+  const Cell& cell = run.cells().front();
+  for (std::int64_t pose = 0; pose < cell.poses; ++pose)
+    skipped += !is_pose_for_scenes(run.poses().asked(cell, pose).pose);
+  ASSERT_GT(skipped, 0);
+  const std::string words = "no scene was asked about " + std::to_string(skipped) + " of 600 poses";
+  EXPECT_NE(verification_summary(run).find(words), std::string::npos) << without_scene_line(run);
+  EXPECT_NE(verification_markdown(run).find(words), std::string::npos);
+  EXPECT_EQ(verification_json(run)["without_scene"]["near-degenerate"], skipped);
+  Verification continued(plan);
+  continued.restore(nlohmann::ordered_json::parse(run.state().dump()));
+  EXPECT_EQ(without_scene_line(continued), without_scene_line(run));
+}
+
+}  // namespace
+}  // namespace pcm::compare

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Case files hold a disagreement so that it replays anywhere: what is written is read back bit for bit or refused.
+#include "compare/verify/verdict/case_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compare/poses/strata.h"
+#include "compare/verify/routes/held_pairing.h"
+#include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
+#include "pcm/write_obj.h"
+#include "tests/compare/small_pair.h"
+#include "tests/meshes/temporary_folder.h"
+
+namespace pcm::compare {
+namespace {
+
+class CaseFiles : public testing::Test {
+ protected:
+  static Case posed() {
+    SurfacePair pair = small_pair();
+    const FeaturePair features(pair.E, pair.F);
+    const DrawnPose drawn = draw_pose(Stratum::near_degenerate, features, PoseRandom(1, 5, 0, 3));
+    Case posed;
+    posed.origin = "a test";
+    posed.E = pair.E;
+    posed.F = pair.F;
+    posed.pose = drawn.pose;
+    posed.velocity = drawn.velocity;
+    posed.law = verification_law(2, pair.E, pair.F);
+    posed.mode = Mode::F;
+    posed.scheme = Scheme::clipped;
+    return posed;
+  }
+
+  // Its own, since ctest runs these tests side by side.
+  const TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
+};
+
+void expect_same_question(const Case& a, const Case& b) {
+  EXPECT_EQ(a.E.vertices, b.E.vertices);
+  EXPECT_EQ(a.F.faces, b.F.faces);
+  EXPECT_EQ(a.pose.A, b.pose.A);
+  EXPECT_EQ(a.pose.r, b.pose.r);
+  EXPECT_EQ(a.velocity.v, b.velocity.v);
+  EXPECT_EQ(a.velocity.w, b.velocity.w);
+  EXPECT_EQ(a.mode, b.mode);
+  EXPECT_EQ(a.scheme, b.scheme);
+  EXPECT_EQ(a.law.damping, b.law.damping);
+  EXPECT_EQ(a.law.layers->c_F, b.law.layers->c_F);
+  EXPECT_EQ(a.law.damping_mode, b.law.damping_mode);
+  EXPECT_EQ(a.law.max_penetration, b.law.max_penetration);
+}
+
+TEST_F(CaseFiles, ReadBackBitForBitWithMeshesInline) {
+  const Case written = posed();
+  write_text_file(folder_ / "case.json", format_case(written, {{Kind::force, "off"}}, {}, {}));
+  expect_same_question(read_case(folder_ / "case.json"), written);
+}
+
+TEST_F(CaseFiles, ReadBackBitForBitWithMeshesByPathAndRefuseChangedOnes) {
+  Case written = posed();
+  written.file_E = folder_ / "E.obj";
+  write_obj(written.E, written.file_E);
+  write_text_file(folder_ / "case.json", format_case(written, {}, {}, {}));
+  expect_same_question(read_case(folder_ / "case.json"), written);
+  std::ofstream(written.file_E, std::ios::app) << "# changed\n";
+  EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
+}
+
+TEST_F(CaseFiles, BadOnesAreRefused) {
+  EXPECT_THROW(read_case(folder_ / "missing.json"), BadInput);
+  EXPECT_THROW(read_case(folder_), BadInput);
+  const std::string whole = format_case(posed(), {}, {}, {});
+  for (const std::string& text : {std::string("{"), std::string("[1]"), std::string("{\"format\": \"pcm case 1\"}"),
+                                  std::string(whole).replace(whole.find("clipped"), 7, "cut"),
+                                  std::string(whole).replace(whole.find("0x"), 2, "zz")}) {
+    write_text_file(folder_ / "case.json", text);
+    EXPECT_THROW(read_case(folder_ / "case.json"), BadInput) << text.substr(0, 40);
+  }
+  const auto refused_with = [&](const std::function<void(nlohmann::ordered_json&)>& change) {
+    auto json = nlohmann::ordered_json::parse(whole);
+    change(json);
+    write_text_file(folder_ / "case.json", json.dump());
+    EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
+  };
+  refused_with([](auto& json) { json["pose"]["A"][0] = "2"; });
+  refused_with([](auto& json) { json["pose"]["A"][0] = 1; });
+  refused_with([](auto& json) { json["pose"]["r"][0] = "inf"; });
+  refused_with([](auto& json) { json["pose"]["v"][0] = "nan"; });
+  refused_with([](auto& json) { json["E"]["faces"][0][0] = -1; });
+  refused_with([](auto& json) { json["E"]["faces"][0][0] = 0.5; });
+  refused_with([](auto& json) { json["E"]["faces"][0][0] = 4294967296; });
+  EXPECT_THROW(write_text_file(folder_ / "no" / "such" / "folder.json", ""), BadInput);
+}
+
+TEST(HeldPairings, UnfitAndEmptySurfacesAreRefused) {
+  const SurfacePair pair = small_pair();
+  EXPECT_THROW(HeldPairing(TriangleMesh{}, pair.F, pair.law, Mode::E), BadInput);
+  TriangleMesh torn = pair.E;
+  torn.faces[0] = {0, 0, 1};
+  EXPECT_THROW(HeldPairing(pair.F, torn, pair.law, Mode::E), BadInput);
+}
+
+TEST_F(CaseFiles, ReplayGivesTheSameVerdict) {
+  const Case written = posed();
+  write_text_file(folder_ / "case.json", format_case(written, {}, {}, {}));
+  const Case read = read_case(folder_ / "case.json");
+  const HeldPairing held(read.E, read.F, read.law, read.mode, read.scheme);
+  fast::Workspace workspace;
+  EXPECT_TRUE(held.hold(read.pose, read.velocity, workspace).front().disagreements.empty());
+}
+
+}  // namespace
+}  // namespace pcm::compare
