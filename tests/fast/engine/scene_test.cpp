@@ -187,6 +187,25 @@ TEST(Scene, FarFromTheOriginBoxesOfTouchingBodiesStillTouch) {
   EXPECT_LT(touching, 36);
 }
 
+TEST(Scene, BodiesThatTouchByLessThanTheirBoxesAreRoundedByAreNotApart) {
+  // Each box is 0.8 ulp of 2^20 longer than 1, a part that is lost where its middle and its half are rounded there; the
+  // bodies overlap by 0.6 ulp, and their boxes as computed are an ulp apart.
+  constexpr double kUlp = 0x1p-32;
+  TriangleMesh longer_ahead = generate::box({1, 1, 1}), longer_behind = longer_ahead;
+  for (Vector3d& x : longer_ahead.vertices) x.x() += x.x() > 0 ? 0.8 * kUlp : 0;
+  for (Vector3d& x : longer_behind.vertices) x.x() -= x.x() < 0 ? 0.8 * kUlp : 0;
+  Scene scene;
+  scene.add_body(Surface(longer_ahead));
+  scene.add_body(Surface(longer_behind));
+  scene.add_pairing(0, 1);
+  BodyState E, F;
+  E.pose.r = {0x1p20, 0, 0};
+  F.pose.r = {0x1p20 + 1 + kUlp, 0.25, 0.125};
+  scene.move({E, F});
+  Workspace workspace;
+  EXPECT_TRUE(scene.evaluate(0, workspace).touching);
+}
+
 TEST(Scene, ABodyInTheCavityOfAnotherIsApartByCertificate) {
   Scene scene;
   TriangleMesh hollow = generate::box({4, 4, 4});
