@@ -10,6 +10,7 @@
 #include "compare/explain/joined_features.h"
 #include "compare/explain/line_coincidences.h"
 #include "compare/explain/near_features.h"
+#include "compare/explain/signs.h"
 #include "compare/poses/rounded_vertices.h"
 #include "pcm/engine.h"
 #include "pcm/workspace.h"

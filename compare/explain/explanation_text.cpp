@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kSignsShown = 4;
 
 std::string point(const Eigen::Vector3d& x) {
-  return fmt::format("({:.17g}, {:.17g}, {:.17g})", x[0], x[1], x[2]);
+  return fmt::format("({}, {}, {})", x[0], x[1], x[2]);
 }
 
 std::string direction(const Eigen::Vector3d& d) {
@@ -66,18 +66,18 @@ std::string coincidence_text(const ListedCoincidence& listed, double ulp, bool a
 }
 
 std::string next_text(const Explanation& explanation) {
-  if (!explanation.next) return "Another answer: none was found along any direction.\n";
+  if (!explanation.next) return "Other crossings or faces inside: found along no direction.\n";
   const NextAnswer& next = *explanation.next;
-  return fmt::format("Another answer: within {}, along {}, at r = {}: {}.\n",
+  return fmt::format("Other crossings or faces inside: within {}, along {}, at r = {}: {}.\n",
                      distance_text(next.distance, explanation.ulp), direction(next.direction), point(next.pose.r),
                      answer_text(next.answer));
 }
 
 std::string free_text(const Explanation& explanation) {
   if (explanation.free_distance > 0)
-    return fmt::format("No r nearer than {} has another answer, A as it is.\n",
+    return fmt::format("No r nearer than {} has others, A as it is.\n",
                        distance_text(explanation.free_distance, explanation.ulp));
-  return "How far r can be moved without another answer is not known: features are as near as roundings.\n";
+  return "No distance is known to be free of them: features are as near as roundings.\n";
 }
 
 std::string nearest_text(const Explanation& explanation) {

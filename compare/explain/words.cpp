@@ -25,35 +25,33 @@ constexpr std::array<KindWords, kCoincidenceKinds> kKinds{{
     {"barycentre_on_face", "barycentre on a face", "barycentres on faces"},
 }};
 
-/// "edge 1-2 of F passes", from a line's side.
-std::string value_text(Predicate predicate, int sign) {
-  if (sign == 0) return "0";
-  switch (predicate) {
-    case Predicate::orientation:
-      return sign > 0 ? "above" : "below";
-    case Predicate::side_of_line:
-      return sign > 0 ? "+1" : "-1";
-    case Predicate::facing:
-      return sign > 0 ? "enters" : "leaves";
-    case Predicate::distance_along_line:
-      return sign > 0 ? "ahead" : "behind";
-  }
-  return "";
+/// Whether an orientation is that of a vertex against a face: the first three vertices are of one body.
+bool is_against_plane(const Sign& sign) {
+  return sign.predicate == Predicate::orientation && sign.of[0].side == sign.of[2].side;
+}
+
+std::string value_text(const Sign& sign, int value) {
+  if (sign.predicate == Predicate::distance_along_line) return value > 0 ? "ahead" : "behind";
+  if (sign.predicate == Predicate::facing) return value > 0 ? "enters" : "leaves";
+  if (is_against_plane(sign)) return value > 0 ? "above" : "below";
+  return value > 0 ? "+1" : "-1";
 }
 
 std::string subject(const Sign& sign) {
-  const auto plane = [&] {
-    return fmt::format("plane ({}, {}, {})", text(sign.of[0]), text(sign.of[1]), text(sign.of[2]));
-  };
+  const auto number = [&](std::size_t k) { return sign.of[k].index[0]; };
+  if (is_against_plane(sign))
+    return fmt::format("{} against the plane of vertices {}, {}, {} of {}", text(sign.of[3]), number(0), number(1),
+                       number(2), name(sign.of[0].side));
   switch (sign.predicate) {
     case Predicate::orientation:
-      return fmt::format("{} against the {}", text(sign.of[3]), plane());
+      return fmt::format("orientation of vertices {}, {} of {} and {}, {} of {}", number(0), number(1),
+                         name(sign.of[0].side), number(2), number(3), name(sign.of[3].side));
     case Predicate::side_of_line:
       return fmt::format("side of {} that {} passes on", text(sign.of[0]), text(sign.of[1]));
     case Predicate::facing:
       return fmt::format("whether {} leaves or enters by {}", text(sign.of[0]), text(sign.of[1]));
     case Predicate::distance_along_line:
-      return fmt::format("distance from {} to {}", text(sign.of[0]), text(sign.of[1]));
+      return fmt::format("distance from {} to {} along the line", text(sign.of[0]), text(sign.of[1]));
   }
   return "";
 }
@@ -104,15 +102,14 @@ std::string text(const std::vector<MovedCoordinate>& term) {
 }
 
 std::string text(const Sign& sign) {
-  std::string line = subject(sign) + ": ";
-  if (sign.stage == Stage::filter) return line + value_text(sign.predicate, sign.decided) + ", the filter is sure";
-  line += sign.exact == 0 ? "exactly 0" : value_text(sign.predicate, sign.exact) + " by exact arithmetic";
-  line += ", the filter can't tell";
-  if (sign.stage != Stage::tie_rule) return line;
-  line += "; tie rule: " + value_text(sign.predicate, sign.decided);
-  if (sign.predicate == Predicate::orientation) return line + ", by " + text(sign.term);
-  return line +
-         (sign.shift == 1 ? ", by the shift along the face's first side" : ", by the shift along its second side");
+  const std::string line = subject(sign) + ": ";
+  if (sign.stage == Stage::filter) return line + value_text(sign, sign.decided) + ", the filter is sure";
+  if (sign.exact != 0) return line + value_text(sign, sign.exact) + ", by exact arithmetic, the filter can't tell";
+  if (sign.stage == Stage::exact) return line + "exactly 0, by exact arithmetic, which no rule changes";
+  return line + "exactly 0; tie rule: " + value_text(sign, sign.decided) + ", by " +
+         (sign.predicate == Predicate::orientation ? text(sign.term)
+          : sign.shift == 1                        ? "the barycentre's shift along its face's first side"
+                                                   : "the barycentre's shift along its face's second side");
 }
 
 }  // namespace pcm::compare
