@@ -112,8 +112,16 @@ Vector<Number> shift(const PenetrationLine& line, std::size_t order) {
   return difference<Number>(line.points()[order], line.points()[0]);
 }
 
-/// The side of the line that the directed edge from `from` to `to` passes on; never 0 for an edge of a face with
-/// facing != 0.
+}  // namespace
+
+PenetrationLine::PenetrationLine(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1, const Eigen::Vector3d& p2)
+    : points_{p0, p1, p2}, normal_(normal<Bounded>(points_)) {}
+
+int facing(const PenetrationLine& line, const FacePoints& f, WorkCounters& work) {
+  return sign_of<kRoundedFacing.count>(
+      [&]<class Number>() { return dot(line_normal<Number>(line), normal<Number>(f)); }, work);
+}
+
 int side_sign(const PenetrationLine& line, const Eigen::Vector3d& from, const Eigen::Vector3d& to, WorkCounters& work) {
   int sign = sign_of<kRoundedSide.count>(
       [&]<class Number>() {
@@ -131,16 +139,6 @@ int side_sign(const PenetrationLine& line, const Eigen::Vector3d& from, const Ei
         work);
   }
   return sign;
-}
-
-}  // namespace
-
-PenetrationLine::PenetrationLine(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1, const Eigen::Vector3d& p2)
-    : points_{p0, p1, p2}, normal_(normal<Bounded>(points_)) {}
-
-int facing(const PenetrationLine& line, const FacePoints& f, WorkCounters& work) {
-  return sign_of<kRoundedFacing.count>(
-      [&]<class Number>() { return dot(line_normal<Number>(line), normal<Number>(f)); }, work);
 }
 
 bool passes_through(const PenetrationLine& line, const FacePoints& f, WorkCounters& work) {

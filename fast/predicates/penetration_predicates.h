@@ -36,9 +36,13 @@ class PenetrationLine {
 /// where it never meets f. Degree 4.
 int facing(const PenetrationLine& line, const FacePoints& f, WorkCounters& work);
 
-/// Whether the line, taken as infinite both ways, passes through f: the three side tests D(C) = N . ((f_i - C) x (f_j -
-/// C)) have one sign. Where D = 0, C is shifted by d (p1 - p0) + d^2 (p2 - p0), d -> 0+: the first non-zero of D,
-/// (f_i - f_j) . (N x (p1 - p0)), (f_i - f_j) . (N x (p2 - p0)) decides. Degree 4. Only for faces with facing != 0.
+/// The side of the line, taken as infinite both ways, that the directed edge from f_i to f_j passes on: the sign of
+/// D(C) = N . ((f_i - C) x (f_j - C)). Where D = 0, C is shifted by d (p1 - p0) + d^2 (p2 - p0), d -> 0+: the first
+/// non-zero of D, (f_i - f_j) . (N x (p1 - p0)), (f_i - f_j) . (N x (p2 - p0)) decides. Degree 4. Never 0 for an edge
+/// of a face with facing != 0.
+int side_sign(const PenetrationLine& line, const Eigen::Vector3d& f_i, const Eigen::Vector3d& f_j, WorkCounters& work);
+
+/// Whether the line passes through f: the three edges of f pass on one side of it. Only for faces with facing != 0.
 bool passes_through(const PenetrationLine& line, const FacePoints& f, WorkCounters& work);
 
 /// The sign of q_f = -((f0 - C) . N_f) / (N . N_f), the distance from C along the line to the plane of f, before the

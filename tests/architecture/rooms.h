@@ -58,6 +58,7 @@ inline const std::vector<Part>& parts() {
         "judge/poses",
         "judge/judgement",
         "judge/engines",
+        "explain",
         "known_answers",
         "error_budget",
         "motion",

@@ -14,6 +14,8 @@ inline constexpr const char* kBenchDescription =
     "How fast the engine is, beside others, over sizes, and by what it skips";
 inline constexpr const char* kContactDescription =
     "Contact between two surfaces: polygons, areas, force and torque, one JSON object a line for each pose";
+inline constexpr const char* kExplainDescription =
+    "Why an answer is what it is: what coincides, who decides, how near another answer is";
 inline constexpr const char* kInspectDescription =
     "Jumps of the elastic force along a path of poses: where, how large and why; and the work done";
 inline constexpr const char* kJudgeDescription = "Anybody's answers to the poses of 'pcm poses' before the oracle";

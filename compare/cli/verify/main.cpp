@@ -18,10 +18,11 @@ struct Command {
 };
 
 /// The subcommands that are programs of their own.
-constexpr std::array kElsewhere = {Command{"answer", kAnswerDescription},   Command{"bench", kBenchDescription},
-                                   Command{"contact", kContactDescription}, Command{"inspect", kInspectDescription},
-                                   Command{"judge", kJudgeDescription},     Command{"mesh", kMeshDescription},
-                                   Command{"poses", kPosesDescription},     Command{"simulate", kSimulateDescription}};
+constexpr std::array kElsewhere = {Command{"answer", kAnswerDescription},    Command{"bench", kBenchDescription},
+                                   Command{"contact", kContactDescription},  Command{"explain", kExplainDescription},
+                                   Command{"inspect", kInspectDescription},  Command{"judge", kJudgeDescription},
+                                   Command{"mesh", kMeshDescription},        Command{"poses", kPosesDescription},
+                                   Command{"simulate", kSimulateDescription}};
 
 /// The first word that is no option: pcm's own options have no values.
 std::string_view command_word(int argc, char** argv) {

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/contact/explain.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/cli/frame/programs.h"
+#include "compare/cli/frame/surface_warnings.h"
+#include "compare/explain/explanation_json.h"
+#include "compare/explain/explanation_text.h"
+#include "compare/io/names.h"
+#include "compare/io/poses_file.h"
+#include "compare/verify/verdict/case_file.h"
+#include "meshes/generate/degenerate/catalogue.h"
+#include "pcm/bad_input.h"
+#include "pcm/read_mesh.h"
+
+namespace pcm::compare {
+namespace {
+
+struct ExplainCommand {
+  std::vector<std::string> files;  ///< a case file, or two surfaces
+  std::optional<std::string> named, poses, mode, scheme;
+  std::string ulps = "8";
+  bool all = false;
+  bool json = false;
+  bool schema = false;
+};
+
+/// What is to be explained; what the command line says of mode and scheme comes first.
+struct Asked {
+  std::string origin;
+  TriangleMesh E, F;
+  Pose pose;
+  Mode mode = Mode::E;
+  Scheme scheme = Scheme::barycentric;
+};
+
+Asked from_case_file(const std::string& path) {
+  Case posed = read_case(path);
+  return {posed.origin, std::move(posed.E), std::move(posed.F), posed.pose, posed.mode, posed.scheme};
+}
+
+/// By its name, or by the id that `pcm poses --catalogue` gives it: catalogue/NAME/both, catalogue/NAME/both/clipped.
+Asked from_catalogue(std::string word) {
+  const std::string origin = word;
+  constexpr std::string_view kBegin = "catalogue/", kMode = "/both", kClipped = "/clipped";
+  const bool clipped = word.ends_with(kClipped);
+  if (clipped) word.erase(word.size() - kClipped.size());
+  if (word.ends_with(kMode)) word.erase(word.size() - kMode.size());
+  if (word.starts_with(kBegin)) word.erase(0, kBegin.size());
+  degenerate::Case named = degenerate::find_case(word);
+  return {fmt::format("{}: {}", origin, named.shows),
+          std::move(named.E),
+          std::move(named.F),
+          {named.A, named.r},
+          Mode::both,
+          clipped ? Scheme::clipped : Scheme::barycentric};
+}
+
+Asked from_surfaces(const std::vector<std::string>& files) {
+  TriangleMesh E = read_mesh(files[0]);
+  const std::string warning_E = require_fit_or_warn(E);
+  TriangleMesh F = read_mesh(files[1]);
+  print_warnings(warning_E, require_fit_or_warn(F));
+  return {files[0] + " and " + files[1], std::move(E), std::move(F), {}, Mode::E, Scheme::barycentric};
+}
+
+Asked asked(const ExplainCommand& command) {
+  if (command.named.has_value() == !command.files.empty())
+    throw BadInput("give a case file, two surfaces, or --pose with the name of a degenerate pose");
+  if (command.files.size() > 2) throw BadInput("give one case file or two surfaces, not more");
+  if (command.poses && command.files.size() != 2) throw BadInput("--poses goes with two surfaces");
+  Asked question = command.named               ? from_catalogue(*command.named)
+                   : command.files.size() == 1 ? from_case_file(command.files[0])
+                                               : from_surfaces(command.files);
+  if (command.mode) question.mode = mode_named(*command.mode);
+  if (command.scheme) question.scheme = scheme_named(*command.scheme);
+  return question;
+}
+
+Exit explain(const ExplainCommand& command) {
+  if (command.schema) {
+    std::cout << explanation_schema();
+    return Exit::success;
+  }
+  ExplainOptions options;
+  options.near_ulps = positive_number("--ulps", command.ulps);
+  if (command.all) options.listed = std::numeric_limits<std::size_t>::max();
+  std::optional<PosesFile> poses;
+  if (command.poses) poses.emplace(*command.poses);
+  Asked question = asked(command);
+  const Explainer explainer(std::move(question.E), std::move(question.F), question.mode, question.scheme);
+  const auto print = [&](const Pose& pose, const std::string& origin) {
+    const Explanation explanation = explainer.explain(pose, options);
+    if (command.json)
+      std::cout << dump_exactly(explanation_json(explanation, explainer, options, origin)) << '\n';
+    else
+      std::cout << origin << '\n' << explanation_text(explanation, options, command.all);
+    flush_output();
+  };
+  if (!poses) {
+    print(question.pose, question.origin);
+    return Exit::success;
+  }
+  while (const std::optional<State> state = poses->next()) {
+    if (!command.json && poses->line() > 1) std::cout << '\n';
+    try {
+      print(state->pose, fmt::format("{}, {}", question.origin, poses->place()));
+    } catch (const BadInput& error) {
+      throw BadInput(poses->place() + ": " + error.what());
+    }
+  }
+  return Exit::success;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& program, Run& run) {
+  auto options = std::make_shared<ExplainCommand>();
+  CLI::App* command = program.add_subcommand("explain", kExplainDescription);
+  command->footer(
+      "Which vertices, edges and faces of the two surfaces coincide, or nearly do; what penetration lines pass "
+      "through\n"
+      "(barycentric scheme); by what margin; whether the floating-point filter decides the signs that hang on it, "
+      "exact\n"
+      "arithmetic or the tie rule, and by which of its displacements; and how near the next pose with another answer "
+      "is.\n"
+      "All of it is of the rounded problem. Vertices and faces are numbered from 0. docs/explain.md has worked "
+      "examples.\n"
+      "Examples:\n"
+      "  pcm explain --pose vertex_on_edge\n"
+      "  pcm explain case_seed_1.json --all\n"
+      "  pcm explain E.obj F.obj --poses poses.txt --json");
+  command
+      ->add_option(
+          "FILES", options->files,
+          std::string("A case file of 'pcm verify' or 'pcm judge', or the surfaces of E and F, ") + kMeshExtensions)
+      ->type_name("FILE");
+  command
+      ->add_option("--pose", options->named,
+                   "Instead: a pose of the degenerate catalogue, by its name or as 'pcm poses --catalogue' calls it")
+      ->type_name("NAME");
+  command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity)")->type_name("FILE");
+  command
+      ->add_option("--mode", options->mode,
+                   "Whose faces have penetration lines: E, F or both (default: as the case file says; E for surfaces; "
+                   "both for a named pose)")
+      ->type_name("MODE")
+      ->check(CLI::IsMember({"E", "F", "both"}));
+  command
+      ->add_option(
+          "--scheme", options->scheme,
+          "barycentric (default, unless the case says otherwise) or clipped, which has no penetration lines to "
+          "look at")
+      ->type_name("SCHEME")
+      ->check(CLI::IsMember({"barycentric", "clipped"}));
+  command
+      ->add_option("--ulps", options->ulps,
+                   "How far apart features nearly coincide, in ulps of the greatest coordinate")
+      ->type_name("X")
+      ->capture_default_str();
+  command->add_flag("--all", options->all, "List all coincidences with all their signs, not only the nearest ten");
+  command->add_flag("--json", options->json, "One JSON object a line for each pose");
+  command->add_flag("--schema", options->schema, "Print the JSON schema of such a line instead");
+  command->callback([options, &run] { run = [options] { return explain(*options); }; });
+}
+
+}  // namespace pcm::compare

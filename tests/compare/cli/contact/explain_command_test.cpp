@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `pcm explain` as users meet it: named poses, surfaces, case files, text and JSON, bad input.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
+
+namespace pcm::compare {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+constexpr std::string_view kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+constexpr std::string_view kIdentity = "1 0 0  0 1 0  0 0 1  ";
+
+/// The tetrahedron as a case file has it.
+constexpr std::string_view kSurface =
+    R"({"name":"t","vertices":[[0.0,0.0,0.0],[1.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,1.0]],)"
+    R"("faces":[[0,2,1],[0,1,3],[0,3,2],[1,2,3]]})";
+
+TEST(ExplainCommand, ExplainsANamedPose) {
+  const Outcome outcome = run_pcm({"explain", "--pose", "vertex_on_face"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* words :
+       {"a vertex of F inside a face of E", "the surfaces touch", "Coincide exactly: 1 vertex on a face.",
+        "margin: 0, exactly", "vertex 0 of F", "tie rule: below, by z of vertex", "Other crossings or faces inside: within"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
+  EXPECT_EQ(run_pcm({"explain", "--pose", "catalogue/vertex_on_face/both"}).status, 0);
+}
+
+TEST(ExplainCommand, ExplainsPosesOfTwoSurfacesAsJson) {
+  const TemporaryFolder scratch;
+  const std::string surface = scratch.write("t.obj", kTetrahedron);
+  const std::string poses =
+      scratch.write("poses.txt", std::string(kIdentity) + "1 0 0\n" + std::string(kIdentity) + "0.3 0.2 0.17\n");
+  const Outcome outcome = run_pcm({"explain", surface, surface, "--poses", poses, "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 2U);
+  const json tie = json::parse(lines[0]), generic = json::parse(lines[1]);
+  EXPECT_EQ(tie["coincident"], true);
+  EXPECT_EQ(tie["counts"]["vertex_on_vertex"]["exact"], 1);
+  EXPECT_EQ(tie["coincidences"][0]["margin"], 0);
+  EXPECT_EQ(tie["free_distance"], 0);
+  EXPECT_EQ(generic["coincident"], false);
+  EXPECT_EQ(generic["coincidences"], json::array());
+  EXPECT_TRUE(generic["nearest"].is_object());
+}
+
+TEST(ExplainCommand, ExplainsACaseFile) {
+  const TemporaryFolder scratch;
+  const std::string pose = R"({"A":["0x1p+0","0x0p+0","0x0p+0","0x0p+0","0x1p+0","0x0p+0","0x0p+0","0x0p+0","0x1p+0"],)"
+                           R"("r":["0x1p+0","0x0p+0","0x0p+0"],"v":["0x0p+0","0x0p+0","0x0p+0"],)"
+                           R"("w":["0x0p+0","0x0p+0","0x0p+0"]})";
+  const std::string law =
+      R"({"stiffness":"0x1p+20","damping":"0x0p+0","transition_depth":"0x0p+0","friction":"0x0p+0",)"
+      R"("slip_velocity":"0x0p+0","max_penetration":"inf","damping_mode":"no-tension"})";
+  const std::string file =
+      scratch.write("case.json", R"({"format":"pcm case 1","origin":"by hand","pose":)" + pose + R"(,"law":)" + law +
+                                     R"(,"scheme":"clipped","mode":"both","E":)" + std::string(kSurface) + R"(,"F":)" +
+                                     std::string(kSurface) + "}");
+  const Outcome outcome = run_pcm({"explain", file, "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json explained = json::parse(outcome.out);
+  EXPECT_EQ(explained["origin"], "by hand");
+  EXPECT_EQ(explained["scheme"], "clipped");
+  EXPECT_EQ(explained["mode"], "both");
+  EXPECT_EQ(explained["counts"]["vertex_on_vertex"]["exact"], 1);
+}
+
+TEST(ExplainCommand, ListsAllOnRequest) {
+  const Outcome some = run_pcm({"explain", "--pose", "identical_boxes"});
+  const Outcome all = run_pcm({"explain", "--pose", "identical_boxes", "--all"});
+  EXPECT_NE(some.out.find("coincidences more (--all)"), std::string::npos) << some.out;
+  EXPECT_EQ(all.out.find("(--all)"), std::string::npos);
+  EXPECT_GT(all.out.size(), some.out.size());
+}
+
+TEST(ExplainCommand, RefusesWhatItCannotDo) {
+  const TemporaryFolder scratch;
+  const std::string surface = scratch.write("t.obj", kTetrahedron);
+  const std::string skew = scratch.write("skew.txt", "1 0 0  0 1 0  0 0 2   0 0 0\n");
+  const auto expect = [&](const Words& words, const std::string& named) {
+    const Outcome outcome = run_pcm(words);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(named), std::string::npos) << "expected '" << named << "' in: " << outcome.err;
+  };
+  expect({"explain"}, "give a case file, two surfaces, or --pose");
+  expect({"explain", surface, "--pose", "vertex_on_face"}, "give a case file, two surfaces, or --pose");
+  expect({"explain", surface, surface, surface}, "not more");
+  expect({"explain", surface}, "this is no case file of pcm");
+  expect({"explain", "--pose", "no_such_pose"}, "there is no degenerate case 'no_such_pose'");
+  expect({"explain", surface, scratch.path("nowhere.obj")}, "nowhere.obj");
+  expect({"explain", surface, surface, "--poses", skew}, "skew.txt:1");
+  expect({"explain", "--pose", "vertex_on_face", "--poses", skew}, "--poses goes with two surfaces");
+  expect({"explain", surface, surface, "--ulps", "0"}, "--ulps: 0 is not positive");
+  expect({"explain", surface, surface, "--ulps", "nan"}, "--ulps");
+  expect({"explain", surface, surface, "--mode", "G"}, "--mode");
+}
+
+}  // namespace
+}  // namespace pcm::compare
