@@ -48,6 +48,7 @@ inline const std::vector<Part>& parts() {
         "motion", "bench", "cli"},
        {}},
       {"simbody", {""}, {{"simbody.h", ""}}},
+      {"bindings", {"c", "python", "examples"}, {}},
       {"simulate", {"integrators", "scenes", "model", "run", "record", "page", "paraview", "stills", "cli"}, {}},
   };
   return all;
