@@ -40,7 +40,10 @@ using pcm::c::guarded;
 template <class Handle, class Make>
 pcm_status define(Handle** handle, pcm_error* error, const Make& make) {
   if (handle != nullptr) *handle = nullptr;
-  return guarded(error, [&] { given(handle, "where the handle is to be written") = make().release(); });
+  return guarded(error, [&] {
+    Handle*& made = given(handle, "where the handle is to be written");  // before there is what could be lost
+    made = make().release();
+  });
 }
 
 void require_room(const char* what, std::size_t size, std::size_t capacity) {

@@ -82,8 +82,8 @@ void bind_contact(py::module_& module) {
       .def_readonly("nested", &Contact::nested,
                     "A part of one lies in the other without crossing: it carries no force.")
       .def_readonly("ambiguous", &Contact::ambiguous, "An open surface labels faces both ways.")
-      .def_readonly("E", &Contact::E)
-      .def_readonly("F", &Contact::F)
+      .def_readonly("E", &Contact::E, "ActiveArea of E's surface.")
+      .def_readonly("F", &Contact::F, "ActiveArea of F's surface.")
       .def_readonly("undefined_areas", &Contact::undefined_areas,
                     "Number of faces whose area counts as 0, for a border of the other surface ends there.")
       .def_readonly("has_volume", &Contact::has_volume, "False where a surface is open or the answer is ambiguous.")
@@ -107,7 +107,7 @@ void bind_contact(py::module_& module) {
       .def_property_readonly("force_Me", vector(&Contact::force_Me), "On body E, N.")
       .def_property_readonly("torque_Me", vector(&Contact::torque_Me), "On body E about the origin of Mf, N m.")
       .def_readonly("bound", &Contact::bound, "ForceBound, or None.")
-      .def_readonly("statistics", &Contact::statistics)
+      .def_readonly("statistics", &Contact::statistics, "Statistics over the elements.")
       .def("__repr__", &text_of);
 }
 
