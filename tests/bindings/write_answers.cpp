@@ -203,7 +203,7 @@ Tally write_answers(const std::filesystem::path& folder) {
   out << 2 * all.size() << '\n';
   std::uint64_t number = 0;
   for (const compare::SurfacePair& pair : all) {
-    const std::string file_E = "E" + std::to_string(number) + ".obj", file_F = "F" + std::to_string(number) + ".obj";
+    const std::string file_E = std::to_string(number) + "_E.obj", file_F = std::to_string(number) + "_F.obj";
     write_obj(pair.E, folder / file_E);
     write_obj(pair.F, folder / file_F);
     const Surface E(pair.E), F(pair.F);
