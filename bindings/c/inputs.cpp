@@ -17,7 +17,8 @@ namespace {
 
 void require_numbered(const char* what, std::size_t count) {
   if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
-    throw BadInput("surface: " + std::to_string(count) + " " + what + "; at most 2147483647 can be numbered");
+    throw BadInput(std::string("surface: ") + std::to_string(count) + " " + what +
+                   "; at most 2147483647 can be numbered");
 }
 
 DampingMode damping_mode_from(std::int32_t mode) {

@@ -68,7 +68,7 @@ void copy_out(const char* what, const List& list, Entry* to, std::size_t capacit
 
 const std::vector<pcm::Index>& active_faces(const pcm::fast::Contact& contact, pcm::Side side, std::int32_t kind) {
   if (kind != PCM_INTERSECTED && kind != PCM_INNER)
-    throw BadCall("kind is " + std::to_string(kind) + "; it must be PCM_INTERSECTED or PCM_INNER");
+    throw BadCall(std::string("kind is ") + std::to_string(kind) + "; it must be PCM_INTERSECTED or PCM_INNER");
   const pcm::fast::ActiveArea& area = side == pcm::Side::E ? contact.E : contact.F;
   return kind == PCM_INTERSECTED ? area.intersected : area.inner;
 }

@@ -44,7 +44,7 @@ py::array numbers(const py::handle& value, const char* name, std::string_view ki
 
 Index index_from(std::int64_t number) {
   if (number < std::numeric_limits<Index>::min() || number > std::numeric_limits<Index>::max())
-    throw BadInput("faces: " + std::to_string(number) + " is no vertex number");
+    throw BadInput(std::string("faces: ") + std::to_string(number) + " is no vertex number");
   return static_cast<Index>(number);
 }
 

@@ -46,7 +46,7 @@ void evaluate_range(const fast::Pairing& pairing, const States& states, std::siz
     try {
       rows[i] = row_of(fast::evaluate(pairing, states.pose(i), states.velocity(i), wanted, workspace));
     } catch (const BadInput& bad) {
-      throw BadInput("pose " + std::to_string(i) + ": " + bad.what());
+      throw BadInput(std::string("pose ") + std::to_string(i) + ": " + bad.what());
     }
   }
 }
@@ -55,7 +55,7 @@ void evaluate_range(const fast::Pairing& pairing, const States& states, std::siz
 
 void evaluate_many(const fast::Pairing& pairing, const States& states, const Wanted& wanted, int threads,
                    WorkspacePool& workspaces, AnswerRow* rows) {
-  if (threads < 1) throw BadInput("threads is " + std::to_string(threads) + "; it must be at least 1");
+  if (threads < 1) throw BadInput(std::string("threads is ") + std::to_string(threads) + "; it must be at least 1");
   const std::size_t parts =
       std::min<std::size_t>(static_cast<std::size_t>(threads), std::max<std::size_t>(states.count, 1));
   std::vector<std::exception_ptr> failures(parts);

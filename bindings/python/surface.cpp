@@ -45,7 +45,7 @@ py::array_t<Index> faces_of(const Surface& surface) {
 }
 
 std::string text_of(const Surface& surface) {
-  return "<pcm.Surface: " + std::to_string(surface.mesh().vertices.size()) + " vertices, " +
+  return std::string("<pcm.Surface: ") + std::to_string(surface.mesh().vertices.size()) + " vertices, " +
          std::to_string(surface.mesh().faces.size()) + " faces, " + (surface.closed() ? "closed>" : "open>");
 }
 
