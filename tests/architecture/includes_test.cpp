@@ -29,19 +29,31 @@ struct Include {
   std::string header;
 };
 
+/// What begins a comment in sources of each kind, by their extension.
+const std::map<std::string, std::string>& comment_marks() {
+  static const std::map<std::string, std::string> marks{
+      {".h", "//"}, {".cpp", "//"}, {".c", "//"}, {".f90", "!"}, {".py", "#"}};
+  return marks;
+}
+
 std::vector<fs::path> sources_of(const std::string& room) {
   std::vector<fs::path> sources;
   for (const auto& entry : fs::recursive_directory_iterator{fs::path{PCM_SOURCE_DIR} / room}) {
-    const std::string extension = entry.path().extension().string();
-    if (extension == ".h" || extension == ".cpp") sources.push_back(entry.path());
+    if (comment_marks().contains(entry.path().extension().string())) sources.push_back(entry.path());
   }
   return sources;
+}
+
+bool may_include(const fs::path& source) {
+  const std::string extension = source.extension().string();
+  return extension == ".h" || extension == ".cpp" || extension == ".c";
 }
 
 std::vector<Include> includes_of(const std::string& room) {
   static const std::regex pattern{R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re"};
   std::vector<Include> includes;
   for (const fs::path& source : sources_of(room)) {
+    if (!may_include(source)) continue;
     std::ifstream in{source};
     for (std::string line; std::getline(in, line);) {
       std::smatch match;
@@ -89,7 +101,7 @@ std::string room_of(const Part& part, const fs::path& file) {
 
 /// The file in the project that an include names; empty where it names none of ours.
 fs::path resolved(const std::string& header) {
-  for (const std::string root : {"", "meshes/include/", "fast/include/"}) {
+  for (const std::string root : {"", "meshes/include/", "fast/include/", "bindings/c/include/"}) {
     if (fs::exists(fs::path{PCM_SOURCE_DIR} / (root + header))) return root + header;
   }
   return {};
@@ -202,6 +214,15 @@ TEST(Architecture, OnlyTestsIncludeSimulate) {
     expect_no_include(part, {"simulate/"});
 }
 
+TEST(Architecture, BindingsStandOnThePublicHeadersOfTheEngine) {
+  expect_no_include("bindings", {"meshes/", "fast/", "reference/", "compare/", "simbody/", "simulate/", "tests/"});
+}
+
+TEST(Architecture, OnlyTestsIncludeBindings) {
+  for (const std::string part : {"meshes", "fast", "reference", "compare", "simbody", "simulate"})
+    expect_no_include(part, {"bindings/", "pcm/pcm.h"});
+}
+
 TEST(Architecture, TheInputsHoldNoAlgorithm) {
   for (const Include& include : includes_of("fast")) {
     if (include.file == fs::path{"fast/include/pcm/inputs.h"}) {
@@ -211,17 +232,19 @@ TEST(Architecture, TheInputsHoldNoAlgorithm) {
 }
 
 TEST(Architecture, EverySourceNamesItsLicence) {
-  for (const std::string room : {"meshes", "fast", "simbody", "reference", "compare", "simulate", "tests"}) {
-    const std::string licence =
-        room == "meshes" || room == "fast" || room == "simbody" ? "BSD-3-Clause" : "GPL-3.0-or-later";
+  for (const std::string room :
+       {"meshes", "fast", "simbody", "bindings", "reference", "compare", "simulate", "tests"}) {
+    const bool is_permissive = room == "meshes" || room == "fast" || room == "simbody" || room == "bindings";
+    const std::string licence = is_permissive ? "BSD-3-Clause" : "GPL-3.0-or-later";
     for (const fs::path& source : sources_of(room)) {
+      const std::string mark = comment_marks().at(source.extension().string());
       std::ifstream in{source};
       std::string first;
       std::string second;
       std::getline(in, first);
       std::getline(in, second);
-      EXPECT_EQ(first, "// SPDX-FileCopyrightText: 2026 The pcm authors") << source;
-      EXPECT_EQ(second, "// SPDX-License-Identifier: " + licence) << source;
+      EXPECT_EQ(first, mark + " SPDX-FileCopyrightText: 2026 The pcm authors") << source;
+      EXPECT_EQ(second, mark + " SPDX-License-Identifier: " + licence) << source;
     }
   }
 }

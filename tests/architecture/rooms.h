@@ -71,6 +71,7 @@ inline const std::vector<Part>& parts() {
         "cli/bench"},
        {}},
       {"simbody", {""}, {{"simbody.h", ""}}},
+      {"bindings", {"c", "python", "examples"}, {}},
       {"simulate", {"integrators", "scenes", "model", "run", "record", "page", "paraview", "stills", "cli"}, {}},
   };
   return all;

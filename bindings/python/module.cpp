@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/pybind11.h>
+
+#include "bindings/python/bind.h"
+#include "bindings/python/rows.h"
+#include "pcm/bad_input.h"
+#include "pcm/version.h"
+
+PYBIND11_MODULE(pcm, module) {
+  module.doc() =
+      "Contact between triangle meshes by the Polygonal Contact Model, with exact decisions.\n\n"
+      "Define a Pairing of two Surfaces and evaluate it for as many states as wanted. Units are SI. Bodies E and F "
+      "carry\n"
+      "the markers Me and Mf; what ends in _Me is resolved in Me. Vertices and faces are numbered from 0. Input that "
+      "you\n"
+      "can mend raises BadInput, a ValueError.";
+  module.attr("__version__") = PCM_VERSION;
+  pybind11::register_exception<pcm::BadInput>(module, "BadInput", PyExc_ValueError).doc() =
+      "Input that you can mend: the text says what is wrong where.";
+  pcm::python::register_rows();
+  pcm::python::bind_surface(module);
+  pcm::python::bind_contact(module);
+  pcm::python::bind_pairing(module);
+}
