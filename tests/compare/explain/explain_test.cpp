@@ -94,6 +94,16 @@ TEST(Explain, MarginsAreNumbersOfUlps) {
   EXPECT_EQ(near.listed[0].coincidence.apart_Me, Eigen::Vector3d(0, 0, 1));
 }
 
+TEST(Explain, ANearVertexIsToldOnce) {
+  // The tip is near to edges and faces at the corner as well, where its projections lie.
+  const Explanation explanation =
+      explained(degenerate::find_case("vertex_on_vertex"), {-kUlpOf4, -2 * kUlpOf4, kUlpOf4});
+  EXPECT_EQ(explanation.total().exact, 0U);
+  EXPECT_EQ(explanation.total().near, 1U);
+  ASSERT_EQ(explanation.count(CoincidenceKind::vertex_on_vertex).near, 1U);
+  EXPECT_EQ(explanation.listed[0].coincidence.margin, std::sqrt(6.0) * kUlpOf4);
+}
+
 TEST(Explain, BeyondTheLimitNothingIsNear) {
   const degenerate::Case named = degenerate::find_case("vertex_on_face");
   EXPECT_EQ(explained(named, {0, 0, 8.5 * kUlpOf4}).total().near, 0U);

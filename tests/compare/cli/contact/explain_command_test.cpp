@@ -27,9 +27,9 @@ constexpr std::string_view kSurface =
 TEST(ExplainCommand, ExplainsANamedPose) {
   const Outcome outcome = run_pcm({"explain", "--pose", "vertex_on_face"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* words :
-       {"a vertex of F inside a face of E", "the surfaces touch", "Coincide exactly: 1 vertex on a face.",
-        "margin: 0, exactly", "vertex 0 of F", "tie rule: below, by z of vertex", "Other crossings or faces inside: within"})
+  for (const char* words : {"a vertex of F inside a face of E", "the surfaces touch",
+                            "Coincide exactly: 1 vertex on a face.", "margin: 0, exactly", "vertex 0 of F",
+                            "tie rule: below, by z of vertex", "Other crossings or faces inside: within"})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
   EXPECT_EQ(run_pcm({"explain", "--pose", "catalogue/vertex_on_face/both"}).status, 0);
 }
@@ -50,7 +50,8 @@ TEST(ExplainCommand, ExplainsPosesOfTwoSurfacesAsJson) {
   EXPECT_EQ(tie["free_distance"], 0);
   EXPECT_EQ(generic["coincident"], false);
   EXPECT_EQ(generic["coincidences"], json::array());
-  EXPECT_TRUE(generic["nearest"].is_object());
+  EXPECT_GT(generic["free_distance"], 0);
+  EXPECT_FALSE(generic["next_answer"].is_null());
 }
 
 TEST(ExplainCommand, ExplainsACaseFile) {
