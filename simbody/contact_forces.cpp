@@ -7,19 +7,14 @@
 #include "fast/base/same_bits.h"
 #include "pcm/scene.h"
 #include "pcm/simbody.h"
+#include "simbody/placed_surfaces.h"
 
 namespace pcm::simbody {
 namespace {
 
-Eigen::Vector3d to_eigen(const SimTK::Vec3& v) {
-  return {v[0], v[1], v[2]};
-}
-
-SimTK::Vec3 to_simtk(const Eigen::Vector3d& v) {
-  return {v[0], v[1], v[2]};
-}
-
 using Answers = std::vector<PairingAnswer>;
+/// What a State may hold; empty: the forces are the engine's.
+using KeptTangents = std::shared_ptr<const ContactTangents>;
 
 /// Nothing but force and torque: what the equations of motion need.
 constexpr Wanted kLoad{false, false, true, false, false, false};
@@ -31,11 +26,12 @@ constexpr Wanted kElements{false, false, true, true, false, false};
 class ContactForces::Implementation : public SimTK::Force::Custom::Implementation {
  public:
   Implementation(const SimTK::GeneralForceSubsystem& forces, const SimTK::SimbodyMatterSubsystem& matter)
-      : forces_(forces), matter_(matter) {}
+      : forces_(forces), surfaces_(matter) {}
 
   // Of Simbody.
   void realizeTopology(SimTK::State& state) const override {
     cache_ = forces_.allocateLazyCacheEntry(state, SimTK::Stage::Velocity, new SimTK::Value<Answers>());
+    tangents_ = forces_.allocateDiscreteVariable(state, SimTK::Stage::Dynamics, new SimTK::Value<KeptTangents>());
   }
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
                  SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
@@ -46,7 +42,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   const fast::Scene& scene() const { return scene_; }
 
   const Answers& answers(const SimTK::State& state) const;
-  Pose surface_pose(const SimTK::State& state, Index surface) const;
+  Pose surface_pose(const SimTK::State& state, Index surface) const { return surfaces_.pose(state, surface); }
   Pose relative_pose(const SimTK::State& state, Index pairing) const;
   Velocity relative_velocity(const SimTK::State& state, Index pairing) const;
   fast::Contact contact(const SimTK::State& state, Index pairing, const Wanted& wanted) const;
@@ -54,35 +50,31 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   double elastic_energy(const SimTK::State& state) const;
   void remember(const SimTK::State& state) const;
   void forget() const;
+  ContactTangents tangents(const SimTK::State& state, const TangentIncrements& increments) const;
+  void linearise(SimTK::State& state, KeptTangents tangents) const;
   ContactCounters counters() const;
 
  private:
-  struct Carrier {
-    SimTK::MobilizedBodyIndex body;
-    SimTK::Transform X_BS;
-    fast::Surface surface;
-  };
   struct Ends {
     Index E, F;
   };
 
-  const Carrier& carrier(Index surface) const { return carriers_[static_cast<std::size_t>(surface)]; }
-  const SimTK::MobilizedBody& body(Index surface) const { return matter_.getMobilizedBody(carrier(surface).body); }
-  SimTK::Transform surface_in_ground(const SimTK::State& state, Index surface) const {
-    return body(surface).getBodyTransform(state) * carrier(surface).X_BS;
-  }
-  fast::BodyState body_state(const SimTK::State& state, Index surface, bool moving) const;
   void move_scene(fast::Scene& scene, const SimTK::State& state, bool moving) const;
+  const Ends& ends(Index pairing) const { return ends_[static_cast<std::size_t>(pairing)]; }
   PairingAnswer answer(const SimTK::State& state, Index pairing) const;
   bool is_remembered(Index pairing) const;
   bool is_unmoved() const;
   Answers compute(const SimTK::State& state) const;
+  Answers by_tangents(const SimTK::State& state, const ContactTangents& tangents) const;
+  void add_loads(const SimTK::State& state, const Answers& all, SimTK::Vector_<SimTK::SpatialVec>& body_forces) const;
+  void set_load(const SimTK::State& state, Index pairing, const Load& load_Me, PairingAnswer& answer) const;
+  Load load_Me(const SimTK::State& state, Index pairing, const PairingAnswer& answer) const;
 
   const SimTK::GeneralForceSubsystem& forces_;
-  const SimTK::SimbodyMatterSubsystem& matter_;
-  std::vector<Carrier> carriers_;
+  PlacedSurfaces surfaces_;
   std::vector<Ends> ends_;
   mutable SimTK::CacheEntryIndex cache_;
+  mutable SimTK::DiscreteVariableIndex tangents_;
 
   // Scratch memory: no answer depends on what was asked before.
   mutable std::mutex asking_;
@@ -99,7 +91,7 @@ Index ContactForces::Implementation::add_surface(const SimTK::MobilizedBody& bod
                                                  const fast::Surface& surface) {
   const Index index = scene_.add_body(surface);
   elements_scene_.add_body(surface);
-  carriers_.push_back({body.getMobilizedBodyIndex(), X_BS, surface});
+  surfaces_.add(body, X_BS);
   return index;
 }
 
@@ -111,36 +103,30 @@ Index ContactForces::Implementation::add_pairing(Index surface_E, Index surface_
   return index;
 }
 
-Pose ContactForces::Implementation::surface_pose(const SimTK::State& state, Index surface) const {
-  const SimTK::Transform X = surface_in_ground(state, surface);
-  Pose pose;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) pose.A(row, column) = X.R().asMat33()(row, column);
-  pose.r = to_eigen(X.p());
-  return pose;
-}
-
-fast::BodyState ContactForces::Implementation::body_state(const SimTK::State& state, Index surface, bool moving) const {
-  const SimTK::MobilizedBody& carrying = body(surface);
-  fast::BodyState result;
-  result.pose = surface_pose(state, surface);
-  if (moving) {
-    result.velocity.v = to_eigen(carrying.findStationVelocityInGround(state, carrier(surface).X_BS.p()));
-    result.velocity.w = to_eigen(carrying.getBodyAngularVelocity(state));
-  }
-  return result;
-}
-
 void ContactForces::Implementation::move_scene(fast::Scene& scene, const SimTK::State& state, bool moving) const {
-  states_.clear();
-  for (Index surface = 0; surface < scene_.bodies(); ++surface) states_.push_back(body_state(state, surface, moving));
+  surfaces_.body_states(state, moving, states_);
   scene.move(states_);
 }
 
+/// Turned with E's frame from Me into Ground, about where Mf is now.
+void ContactForces::Implementation::set_load(const SimTK::State& state, Index pairing, const Load& load_Me,
+                                             PairingAnswer& answer) const {
+  const SimTK::Rotation R_GE = surfaces_.in_ground(state, ends(pairing).E).R();
+  answer.force_G = R_GE * to_simtk(load_Me.head<3>());
+  answer.torque_G = R_GE * to_simtk(load_Me.tail<3>());
+  answer.origin_of_F_G = surfaces_.in_ground(state, ends(pairing).F).p();
+}
+
+Load ContactForces::Implementation::load_Me(const SimTK::State& state, Index pairing,
+                                            const PairingAnswer& answer) const {
+  const SimTK::Rotation R_GE = surfaces_.in_ground(state, ends(pairing).E).R();
+  Load load;
+  load << to_eigen(~R_GE * answer.force_G), to_eigen(~R_GE * answer.torque_G);
+  return load;
+}
+
 PairingAnswer ContactForces::Implementation::answer(const SimTK::State& state, Index pairing) const {
-  const Ends& ends = ends_[static_cast<std::size_t>(pairing)];
   const fast::Contact& contact = scene_.evaluate(pairing, workspace_);
-  const SimTK::Transform X_GE = surface_in_ground(state, ends.E);
   PairingAnswer result;
   result.touching = contact.touching;
   result.nested = contact.nested;
@@ -149,22 +135,21 @@ PairingAnswer ContactForces::Implementation::answer(const SimTK::State& state, I
   result.too_deep = contact.too_deep;
   result.elements = contact.element_count;
   result.max_penetration = contact.max_penetration;
-  result.force_G = X_GE.R() * to_simtk(contact.force_Me);
-  result.torque_G = X_GE.R() * to_simtk(contact.torque_Me);
-  result.origin_of_F_G = surface_in_ground(state, ends.F).p();
+  Load load;
+  load << contact.force_Me, contact.torque_Me;
+  set_load(state, pairing, load, result);
   return result;
 }
 
 /// Of the two surfaces of a pairing, by their states: whether both are where they were, and moving as they did.
 bool ContactForces::Implementation::is_remembered(Index pairing) const {
   if (static_cast<std::size_t>(pairing) >= remembered_answers_.size()) return false;
-  const Ends& ends = ends_[static_cast<std::size_t>(pairing)];
   const auto as_before = [&](Index surface) {
     const auto i = static_cast<std::size_t>(surface);
     return fast::same_bits(states_[i].pose, remembered_states_[i].pose) &&
            fast::same_bits(states_[i].velocity, remembered_states_[i].velocity);
   };
-  return as_before(ends.E) && as_before(ends.F);
+  return as_before(ends(pairing).E) && as_before(ends(pairing).F);
 }
 
 /// Whether all surfaces are where they were at the remembered state.
@@ -199,20 +184,43 @@ const Answers& ContactForces::Implementation::answers(const SimTK::State& state)
   return SimTK::Value<Answers>::downcast(forces_.getCacheEntry(state, cache_)).get();
 }
 
+Answers ContactForces::Implementation::by_tangents(const SimTK::State& state, const ContactTangents& tangents) const {
+  const std::lock_guard<std::mutex> lock(asking_);
+  move_scene(scene_, state, true);
+  Answers result(tangents.pairings.size());
+  for (Index p = 0; p < scene_.pairings(); ++p) {
+    const std::optional<LoadTangent>& tangent = tangents.pairings[static_cast<std::size_t>(p)];
+    if (!tangent) continue;
+    PairingAnswer& answer = result[static_cast<std::size_t>(p)];
+    answer.touching = true;
+    set_load(state, p, tangent->at(scene_.relative_pose(p), scene_.relative_velocity(p)), answer);
+  }
+  return result;
+}
+
 void ContactForces::Implementation::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
                                               SimTK::Vector_<SimTK::Vec3>& /*particle_forces*/,
                                               SimTK::Vector& /*mobility_forces*/) const {
-  const Answers& all = answers(state);
-  for (std::size_t p = 0; p < all.size(); ++p) {
-    const PairingAnswer& a = all[p];
+  const auto& tangents = SimTK::Value<KeptTangents>::downcast(forces_.getDiscreteVariable(state, tangents_)).get();
+  if (tangents) {
+    add_loads(state, by_tangents(state, *tangents), body_forces);
+  } else {
+    add_loads(state, answers(state), body_forces);
+  }
+}
+
+void ContactForces::Implementation::add_loads(const SimTK::State& state, const Answers& all,
+                                              SimTK::Vector_<SimTK::SpatialVec>& body_forces) const {
+  for (Index p = 0; p < scene_.pairings(); ++p) {
+    const PairingAnswer& a = all[static_cast<std::size_t>(p)];
     if (!a.touching && !a.nested) continue;
     // On each body, about its own origin.
     const auto apply = [&](Index surface, double sign) {
-      const SimTK::Vec3 arm_G = a.origin_of_F_G - body(surface).getBodyOriginLocation(state);
-      body_forces[carrier(surface).body] += sign * SimTK::SpatialVec(a.torque_G + arm_G % a.force_G, a.force_G);
+      const SimTK::Vec3 arm_G = a.origin_of_F_G - surfaces_.body(surface).getBodyOriginLocation(state);
+      body_forces[surfaces_.body_index(surface)] += sign * SimTK::SpatialVec(a.torque_G + arm_G % a.force_G, a.force_G);
     };
-    apply(ends_[p].E, 1);
-    apply(ends_[p].F, -1);
+    apply(ends(p).E, 1);
+    apply(ends(p).F, -1);
   }
 }
 
@@ -273,6 +281,35 @@ void ContactForces::Implementation::forget() const {
   const std::lock_guard<std::mutex> lock(asking_);
   remembered_answers_.clear();
   remembered_states_.clear();
+}
+
+ContactTangents ContactForces::Implementation::tangents(const SimTK::State& state,
+                                                        const TangentIncrements& increments) const {
+  const Answers& here = answers(state);
+  const std::lock_guard<std::mutex> lock(asking_);
+  move_scene(scene_, state, true);
+  ContactTangents result;
+  for (Index p = 0; p < scene_.pairings(); ++p) {
+    const PairingAnswer& at_p = here[static_cast<std::size_t>(p)];
+    result.complete = !at_p.nested && !at_p.penetration_exceeded;
+    if (!result.complete) return result;
+    result.pairings.emplace_back();
+    if (!at_p.touching) continue;
+    const TangentAnswer answer = load_tangent(scene_.pairing(p), scene_.relative_pose(p), scene_.relative_velocity(p),
+                                              load_Me(state, p, at_p), increments, workspace_);
+    counters_.evaluated += answer.whole + answer.law_only;
+    counters_.law_only += answer.law_only;
+    result.whole = std::max(result.whole, answer.whole);
+    result.law_only = std::max(result.law_only, answer.law_only);
+    result.complete = answer.exists;
+    if (!result.complete) return result;
+    result.pairings.back() = answer.tangent;
+  }
+  return result;
+}
+
+void ContactForces::Implementation::linearise(SimTK::State& state, KeptTangents tangents) const {
+  SimTK::Value<KeptTangents>::updDowncast(forces_.updDiscreteVariable(state, tangents_)).upd() = std::move(tangents);
 }
 
 ContactCounters ContactForces::Implementation::counters() const {
@@ -346,6 +383,14 @@ void ContactForces::remember(const SimTK::State& state) const {
 
 void ContactForces::forget() const {
   implementation().forget();
+}
+
+ContactTangents ContactForces::tangents(const SimTK::State& state, const TangentIncrements& increments) const {
+  return implementation().tangents(state, increments);
+}
+
+void ContactForces::linearise(SimTK::State& state, std::shared_ptr<const ContactTangents> tangents) const {
+  implementation().linearise(state, std::move(tangents));
 }
 
 ContactCounters ContactForces::counters() const {

@@ -35,7 +35,8 @@ namespace {
 using compare::Exit;
 
 struct SimulateOptions {
-  std::string scene, out, method, duration, relative, absolute, greatest_step, spectrum, from, at, slip_velocity;
+  std::string scene, out, method, jacobian, duration, relative, absolute, greatest_step, spectrum, from, at,
+      slip_velocity;
   std::optional<std::string> stills;
   bool paraview = false, schema = false, print = false, compares = false;
 };
@@ -75,6 +76,7 @@ void apply(const SimulateOptions& options, Scene& scene) {
     if (!text.empty()) value = compare::positive_number(option, text);
   };
   if (!options.method.empty()) scene.integrator.method = method_named(options.method);
+  if (!options.jacobian.empty()) scene.integrator.jacobian = jacobian_named(options.jacobian);
   number("--duration", options.duration, scene.duration);
   number("--relative-tolerance", options.relative, scene.integrator.relative_tolerance);
   number("--absolute-tolerance", options.absolute, scene.integrator.absolute_tolerance);
@@ -196,6 +198,8 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
   command->add_option("--integrator", options->method,
                       "adams, bdf, ida, dormand_prince, esdirk, rkc or runge_kutta_merson, in place of the scene's");
+  command->add_option("--jacobian", options->jacobian,
+                      "differences or tangents, in place of the scene's: of what bdf, ida and esdirk make Jacobians");
   command->add_option("--duration", options->duration, "In s, in place of the scene's");
   command->add_option("--from", options->from,
                       "Start from a state that a run of this scene, or of one with the same bodies and joints, has "

@@ -82,6 +82,21 @@ Answer CountedEquation::derivative_beside(double t, const Eigen::VectorXd& y, Ei
   });
 }
 
+/// Into J_.
+Evaluation CountedEquation::differences(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& dydt) {
+  Linearisation linear;
+  if (equation_.linearise) linear = equation_.linearise(t, y);
+  derivatives_for_jacobians_ += linear.cost;
+  const auto asked = [&](double at, const Eigen::VectorXd& changed, Eigen::VectorXd& answer) {
+    if (!linear.derivative) return evaluate(at, changed, answer, derivatives_for_jacobians_);
+    ++linear_derivatives_;
+    linear.derivative(at, changed, answer);
+    expect_size(equation_.size, 1, answer, "linearised derivative");
+    return Evaluation::available;
+  };
+  return difference_quotients(asked, absolute_, t, y, dydt, J_);
+}
+
 Answer CountedEquation::jacobian(double t, const double* y, const double* dydt, double* J) {
   return guarded([&] {
     assert(dydt || (t == t_ && y_ == ConstMap(y, size())));
@@ -93,11 +108,7 @@ Answer CountedEquation::jacobian(double t, const double* y, const double* dydt, 
       evaluation = equation_.jacobian(t, state, slope, J_);
       expect_size(size(), size(), J_, "Jacobian");
     } else {
-      const auto counted = [this](double at, const Eigen::VectorXd& changed, Eigen::VectorXd& answer) {
-        return evaluate(at, changed, answer, derivatives_for_jacobians_);
-      };
-      if (equation_.before_differences) equation_.before_differences(t, state);
-      evaluation = difference_quotients(counted, absolute_, t, state, slope, J_);
+      evaluation = differences(t, state, slope);
     }
     if (evaluation == Evaluation::not_here) return refuse(t, tries_not_here_);
     if (!J_.allFinite()) return refuse(t, tries_not_finite_);

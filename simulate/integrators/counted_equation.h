@@ -44,6 +44,7 @@ class CountedEquation {
 
   std::int64_t derivatives() const { return derivatives_; }
   std::int64_t derivatives_for_jacobians() const { return derivatives_for_jacobians_; }
+  std::int64_t linear_derivatives() const { return linear_derivatives_; }
   std::int64_t jacobians() const { return jacobians_; }
   std::int64_t tries_not_here() const { return tries_not_here_; }
   std::int64_t tries_not_finite() const { return tries_not_finite_; }
@@ -53,6 +54,7 @@ class CountedEquation {
   Answer guarded(const Function& function);
   Answer refuse(double t, std::int64_t& tries);
   Evaluation evaluate(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt, std::int64_t& calls) const;
+  Evaluation differences(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& dydt);
 
   DifferentialEquation equation_;
   Eigen::VectorXd absolute_;
@@ -62,7 +64,7 @@ class CountedEquation {
   std::optional<double> refused_at_;
   bool refused_last_ = false, refused_last_not_finite_ = false;
   std::exception_ptr thrown_;
-  std::int64_t derivatives_ = 0, derivatives_for_jacobians_ = 0, jacobians_ = 0;
+  std::int64_t derivatives_ = 0, derivatives_for_jacobians_ = 0, linear_derivatives_ = 0, jacobians_ = 0;
   std::int64_t tries_not_here_ = 0, tries_not_finite_ = 0;
 };
 

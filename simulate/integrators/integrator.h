@@ -23,6 +23,13 @@ enum class Evaluation : std::uint8_t {
   not_here,
 };
 
+/// What difference quotients at a state ask in place of f.
+struct Linearisation {
+  /// f to first order about the state, without a refusal; where it is empty, f itself is asked.
+  std::function<void(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt)> derivative;
+  std::int64_t cost = 0;  ///< what it took to make it, in calls of `DifferentialEquation::derivative`
+};
+
 /// dy/dt = f(t, y).
 ///
 /// Both functions may throw: the step is given up and `Integrator::step` throws the same exception. What is not finite
@@ -35,8 +42,9 @@ struct DifferentialEquation {
   /// quotients take a call of `derivative` for each column (difference_quotients.h).
   std::function<Evaluation(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& dydt, Eigen::MatrixXd& J)>
       jacobian;
-  /// Called with y before the derivatives of its difference quotients are asked for, where that is of use.
-  std::function<void(double t, const Eigen::VectorXd& y)> before_differences = {};
+  /// Called with y before its difference quotients, of which it may say what they ask: where f is dear, and f to first
+  /// order is not. Where it is empty, f itself.
+  std::function<Linearisation(double t, const Eigen::VectorXd& y)> linearise = {};
 };
 
 enum class Method : std::uint8_t {
@@ -84,7 +92,8 @@ struct Step {
 struct Work {
   std::int64_t steps = 0;                      ///< accepted ones
   std::int64_t derivatives = 0;                ///< calls of `derivative` but for those in the next line
-  std::int64_t derivatives_for_jacobians = 0;  ///< calls of `derivative` for difference quotients
+  std::int64_t derivatives_for_jacobians = 0;  ///< calls of `derivative` for difference quotients, or their worth
+  std::int64_t linear_derivatives = 0;         ///< calls of linearised ones for difference quotients, beside these
   std::int64_t jacobians = 0;                  ///< by difference quotients or calls of `jacobian`
   std::int64_t nonlinear_iterations = 0;
   Failures failures;  ///< those of steps that were given up included

@@ -170,6 +170,7 @@ class SteppingIntegrator final : public Integrator {
     work_.nonlinear_iterations += counts.nonlinear_iterations - counts_.nonlinear_iterations;
     work_.derivatives = equation_.derivatives();
     work_.derivatives_for_jacobians = equation_.derivatives_for_jacobians();
+    work_.linear_derivatives = equation_.linear_derivatives();
     work_.jacobians = equation_.jacobians();
     counts_ = counts;
   }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstring>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -53,6 +55,18 @@ SimTK::MobilizedBody mobilized(SimTK::MobilizedBody& parent, const Joint& joint,
   throw BadInput("joint: no such type");
 }
 
+bool same_bits(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
+}
+
+/// dy/dt of a state that is realized to Stage::Acceleration.
+void read_slope(const SimTK::State& state, Eigen::VectorXd& dydt) {
+  const SimTK::Vector &qdot = state.getQDot(), &udot = state.getUDot();
+  for (int i = 0; i < qdot.size(); ++i) dydt[i] = qdot[i];
+  for (int i = 0; i < udot.size(); ++i) dydt[qdot.size() + i] = udot[i];
+}
+
 bool has_quaternion(JointType type) {
   return type == JointType::ball || type == JointType::free;
 }
@@ -68,7 +82,9 @@ struct Model::Data {
   }
   void add_body(const Body& body);
   void add_joint_forces(const Joint& joint, const SimTK::MobilizedBody& body);
-  /// y into `state`, realized to `stage`.
+  /// y into `of`, realized to `stage`.
+  void realize(SimTK::State& of, double t, const Eigen::VectorXd& y, SimTK::Stage stage) const;
+  /// y into `state`, likewise. Where it is there already, what is known of it stays known.
   void realize(double t, const Eigen::VectorXd& y, SimTK::Stage stage);
   Eigen::VectorXd y() const;
   void observe_contact(Index pairing, const fast::Contact& contact, Observation& observation) const;
@@ -96,6 +112,8 @@ struct Model::Data {
   std::vector<Bumper> bumpers;
   bool moves_by_prescription = false;
   SimTK::State state;
+  Eigen::VectorXd realized_y;  ///< of `state`, empty before the first
+  SimTK::State linear_state;   ///< its forces are by tangents
   ModelCounters counters;
 };
 
@@ -138,6 +156,7 @@ Model::Data::Data(const Scene& from) : scene(from) {
     bodies[b].setUToFitVelocity(state, {R_JG * w, R_JG * v});
   }
   system.realize(state, SimTK::Stage::Velocity);
+  linear_state = state;
 }
 
 void Model::Data::add_body(const Body& body) {
@@ -169,15 +188,25 @@ void Model::Data::add_joint_forces(const Joint& joint, const SimTK::MobilizedBod
   }
 }
 
-void Model::Data::realize(double t, const Eigen::VectorXd& y, SimTK::Stage stage) {
-  state.setTime(t);
-  SimTK::Vector& q = state.updQ();
+void Model::Data::realize(SimTK::State& of, double t, const Eigen::VectorXd& y, SimTK::Stage stage) const {
+  of.setTime(t);
+  SimTK::Vector& q = of.updQ();
   for (int i = 0; i < q.size(); ++i) q[i] = y[i];
-  SimTK::Vector& u = state.updU();
+  SimTK::Vector& u = of.updU();
   for (int i = 0; i < u.size(); ++i) u[i] = y[q.size() + i];
-  system.realize(state, SimTK::Stage::Time);
-  system.prescribe(state);
-  system.realize(state, stage);
+  system.realize(of, SimTK::Stage::Time);
+  system.prescribe(of);
+  system.realize(of, stage);
+}
+
+void Model::Data::realize(double t, const Eigen::VectorXd& y, SimTK::Stage stage) {
+  if (t == state.getTime() && same_bits(y, realized_y)) {
+    system.realize(state, stage);
+    return;
+  }
+  realized_y.resize(0);
+  realize(state, t, y, stage);
+  realized_y = y;
 }
 
 Eigen::VectorXd Model::Data::y() const {
@@ -288,19 +317,33 @@ Evaluation Model::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd
     if (answer.nested || answer.penetration_exceeded) return Evaluation::not_here;
   }
   data.system.realize(data.state, SimTK::Stage::Acceleration);
-  const SimTK::Vector &qdot = data.state.getQDot(), &udot = data.state.getUDot();
-  for (int i = 0; i < qdot.size(); ++i) dydt[i] = qdot[i];
-  for (int i = 0; i < udot.size(); ++i) dydt[qdot.size() + i] = udot[i];
+  read_slope(data.state, dydt);
   return Evaluation::available;
 }
 
 void Model::remember(double t, const Eigen::VectorXd& y) {
+  data_->realized_y.resize(0);  // what the engine finds is kept from here on, so it is found anew
   data_->realize(t, y, SimTK::Stage::Velocity);
   data_->contacts.remember(data_->state);
 }
 
 void Model::forget() {
   data_->contacts.forget();
+}
+
+TangentCost Model::linearise(double t, const Eigen::VectorXd& y, double increment) {
+  Data& data = *data_;
+  data.realize(t, y, SimTK::Stage::Velocity);
+  const auto tangents = std::make_shared<const pcm::simbody::ContactTangents>(
+      data.contacts.tangents(data.state, {increment, increment, increment, increment}));
+  data.counters.law_only += tangents->law_only;
+  if (tangents->complete) data.contacts.linearise(data.linear_state, tangents);
+  return {tangents->complete, tangents->whole, tangents->law_only};
+}
+
+void Model::linear_derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {
+  data_->realize(data_->linear_state, t, y, SimTK::Stage::Acceleration);
+  read_slope(data_->linear_state, dydt);
 }
 
 Observation Model::observe(double t, const Eigen::VectorXd& y) {

@@ -16,6 +16,7 @@ Work sum(const Work& a, const Work& b) {
   work.steps += b.steps;
   work.derivatives += b.derivatives;
   work.derivatives_for_jacobians += b.derivatives_for_jacobians;
+  work.linear_derivatives += b.linear_derivatives;
   work.jacobians += b.jacobians;
   work.nonlinear_iterations += b.nonlinear_iterations;
   work.failures.error_test += b.failures.error_test;

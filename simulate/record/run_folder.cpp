@@ -42,6 +42,7 @@ Json to_json(const Eigen::VectorXd& y) {
 Json settings(const Scene& scene) {
   Json json{{"duration", scene.duration},
             {"method", name(scene.integrator.method)},
+            {"jacobian", scene.integrator.jacobian},
             {"relative_tolerance", scene.integrator.relative_tolerance},
             {"absolute_tolerance", scene.integrator.absolute_tolerance},
             {"greatest_step", scene.integrator.greatest_step},
@@ -82,6 +83,7 @@ Json to_json(const RunCost& cost) {
   return {{"steps", cost.work.steps},
           {"derivatives", cost.work.derivatives},
           {"derivatives_for_jacobians", cost.work.derivatives_for_jacobians},
+          {"linear_derivatives", cost.work.linear_derivatives},
           {"jacobians", cost.work.jacobians},
           {"nonlinear_iterations", cost.work.nonlinear_iterations},
           {"error_test", failures.error_test},
@@ -105,6 +107,7 @@ RunCost cost_from(const Json& json) {
   cost.work.steps = json.at("steps");
   cost.work.derivatives = json.at("derivatives");
   cost.work.derivatives_for_jacobians = json.at("derivatives_for_jacobians");
+  cost.work.linear_derivatives = json.at("linear_derivatives");
   cost.work.jacobians = json.at("jacobians");
   cost.work.nonlinear_iterations = json.at("nonlinear_iterations");
   cost.work.failures.error_test = json.at("error_test");

@@ -46,6 +46,12 @@ std::string cost_table(const std::string& scene_name, const Scene& scene, const 
                   implicit ? std::to_string(work.derivatives_for_jacobians) : "",
                   implicit ? std::to_string(run.cost.law_only) : "", implicit ? std::to_string(work.jacobians) : "-",
                   run.cost.integration_seconds, run.cost.integration_seconds / simulated);
+  if (work.linear_derivatives > 0) {
+    text += fmt::format(
+        "\nJacobians by tangents of the pairings: their {} columns asked no engine and are not among the "
+        "evaluations.\n",
+        work.linear_derivatives);
+  }
   const Failures& failures = work.failures;
   text += fmt::format(
       "\n{} steps to t = {:g} s; rejected: {} for their error, {} by the nonlinear iteration, {} where bodies would be "

@@ -17,6 +17,9 @@
 namespace pcm::simulate {
 namespace {
 
+/// In m, rad, m/s and rad/s: far below any slip velocity, far above rounding.
+constexpr double kSmallChange = 1e-8;
+
 double processor_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -89,8 +92,25 @@ Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
     law_only_ += model_.counters().law_only - before;
     return evaluation;
   };
-  equation.before_differences = [this](double t, const Eigen::VectorXd& y) { model_.remember(t, y); };
+  equation.linearise = [this](double t, const Eigen::VectorXd& y) { return linearise(t, y); };
   integrator_ = make_integrator(scene_.integrator.method, equation, control_for(scene_, model_.size()));
+}
+
+Linearisation Simulation::linearise(double t, const Eigen::VectorXd& y) {
+  Linearisation linear;
+  if (scene_.integrator.jacobian == JacobianOf::tangents) {
+    const TangentCost cost = model_.linearise(t, y, kSmallChange);
+    linear.cost = cost.whole + cost.law_only;
+    law_only_ += cost.law_only;
+    if (cost.exists) {
+      linear.derivative = [this](double at, const Eigen::VectorXd& changed, Eigen::VectorXd& dydt) {
+        model_.linear_derivative(at, changed, dydt);
+      };
+      return linear;
+    }
+  }
+  model_.remember(t, y);
+  return linear;
 }
 
 void Simulation::start() {
@@ -158,7 +178,6 @@ const Work& Simulation::work() const {
   return integrator_->work();
 }
 
-// Difference quotients over changes of 1e-8 m, rad, m/s or rad/s: far below any slip velocity, far above rounding.
 std::optional<Spectrum> Simulation::spectrum(double t, const Eigen::VectorXd& y) {
   Eigen::VectorXd dydt(y.size());
   Eigen::MatrixXd J(y.size(), y.size());
@@ -167,7 +186,7 @@ std::optional<Spectrum> Simulation::spectrum(double t, const Eigen::VectorXd& y)
   };
   if (derivative(t, y, dydt) == Evaluation::not_here) return std::nullopt;
   model_.remember(t, y);
-  const Eigen::VectorXd absolute = Eigen::VectorXd::Constant(y.size(), 1e-7);  // a tenth of it is the change
+  const Eigen::VectorXd absolute = Eigen::VectorXd::Constant(y.size(), 10 * kSmallChange);  // a tenth is the change
   if (difference_quotients(derivative, absolute, t, y, dydt, J) == Evaluation::not_here) return std::nullopt;
   const Eigen::VectorXcd eigenvalues = J.eigenvalues();
   return Spectrum{eigenvalues.real().minCoeff(), eigenvalues.imag().cwiseAbs().maxCoeff(),

@@ -93,6 +93,7 @@ class Simulation {
 
  private:
   double next_checkpoint() const;
+  Linearisation linearise(double t, const Eigen::VectorXd& y);
   std::optional<Spectrum> spectrum(double t, const Eigen::VectorXd& y);
   void begin_segment(double t, const Eigen::VectorXd& y);
 

@@ -46,6 +46,8 @@ constexpr std::pair<const char*, Method> kMethods[] = {{"adams", Method::adams},
                                                        {"esdirk", Method::esdirk},
                                                        {"rkc", Method::rkc},
                                                        {"runge_kutta_merson", Method::runge_kutta_merson}};
+constexpr std::pair<const char*, JacobianOf> kJacobians[] = {{"differences", JacobianOf::differences},
+                                                             {"tangents", JacobianOf::tangents}};
 constexpr std::pair<const char*, DampingMode> kDampingModes[] = {
     {"no_tension", DampingMode::no_tension}, {"full", DampingMode::full}, {"compression", DampingMode::compression}};
 constexpr std::pair<const char*, Mode> kModes[] = {{"E", Mode::E}, {"F", Mode::F}, {"both", Mode::both}};
@@ -297,6 +299,7 @@ void SceneReader::read_pairing(const Json& json, const std::string& at) {
 void SceneReader::read_integrator(const Json& json) {
   IntegratorSettings& settings = scene_.integrator;
   if (json.contains("method")) settings.method = word_from(json["method"].get<std::string>(), kMethods);
+  if (json.contains("jacobian")) settings.jacobian = word_from(json["jacobian"].get<std::string>(), kJacobians);
   read(json, "relative_tolerance", settings.relative_tolerance);
   read(json, "absolute_tolerance", settings.absolute_tolerance);
   read(json, "greatest_step", settings.greatest_step);
@@ -343,6 +346,12 @@ Method method_named(const std::string& word) {
     known += (known.empty() ? "" : ", ") + std::string(name);
   }
   throw BadInput("there is no integrator '" + word + "'; known: " + known);
+}
+
+JacobianOf jacobian_named(const std::string& word) {
+  for (const auto& [name, jacobian] : kJacobians)
+    if (word == name) return jacobian;
+  throw BadInput("there are no Jacobians of '" + word + "'; known: differences, tangents");
 }
 
 Scene parse_scene(const std::string& text, const std::filesystem::path& file) {

@@ -25,6 +25,9 @@ std::vector<std::pair<std::string, Method>> known_methods();
 /// The method that a scene file calls by this word. Throws BadInput, listing the known ones.
 Method method_named(const std::string& word);
 
+/// What a scene file makes Jacobians of by this word. Throws BadInput, listing the known ones.
+JacobianOf jacobian_named(const std::string& word);
+
 /// The schema itself.
 std::string_view scene_schema();
 

@@ -91,8 +91,15 @@ struct ScenePairing {
   Scheme scheme = Scheme::barycentric;
 };
 
+/// What the Jacobians of implicit methods are made of.
+enum class JacobianOf : std::uint8_t {
+  differences,  ///< of the equations of motion: the engine is asked in every column
+  tangents,     ///< of the pairings, and differences of the equations of motion with them: the engine is asked 12 times
+};
+
 struct IntegratorSettings {
   Method method = Method::bdf;
+  JacobianOf jacobian = JacobianOf::differences;
   double relative_tolerance = 1e-4;
   double absolute_tolerance = 1e-4;  ///< m, rad, m/s, rad/s
   double greatest_step = 5e-3;       ///< s

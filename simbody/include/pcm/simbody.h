@@ -6,11 +6,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "pcm/contact.h"
 #include "pcm/engine.h"
 #include "pcm/inputs.h"
+#include "pcm/load_tangent.h"
 
 /// Contact between triangle meshes as a force element of Simbody (3.7): surfaces on mobilized bodies, pairings among
 /// them.
@@ -62,11 +65,23 @@ struct ContactCounters {
   std::int64_t unmoved = 0;
 };
 
+/// The loads of all pairings to first order about one state.
+struct ContactTangents {
+  /// Of each pairing; none where it does not touch there, which then has no load wherever it moves.
+  std::vector<std::optional<LoadTangent>> pairings;
+  /// False where a pairing has no tangent (TangentAnswer::exists), or is itself nested or too deep.
+  bool complete = true;
+  // What they cost: as many evaluations of all pairings would ask the engine as often.
+  int whole = 0;
+  int law_only = 0;  ///< by the law alone
+};
+
 /// Contact forces among any number of surfaces. Like every Simbody force it belongs to the subsystem that it is added
 /// to; this object is a handle, and copies mean the same forces.
 ///
-/// Forces are a function of the State alone, bit for bit: the order in which states are asked does not matter. Several
-/// threads may ask about different States; they wait for one another.
+/// Forces are a function of the State alone, bit for bit: the order in which states are asked does not matter. A State
+/// may hold tangents (`linearise`), and its forces are theirs. Several threads may ask about different States; they
+/// wait for one another.
 class ContactForces : public SimTK::Force::Custom {
  public:
   ContactForces(SimTK::GeneralForceSubsystem& forces, const SimTK::SimbodyMatterSubsystem& matter);
@@ -81,8 +96,9 @@ class ContactForces : public SimTK::Force::Custom {
   Index pairings() const;
   const fast::Pairing& pairing(Index pairing) const;
 
-  /// Of every pairing, in their order. `state` must be realized to Stage::Velocity, as everywhere below. Computed once
-  /// for each state. Throws BadInput, as fast::Scene::move and fast::evaluate do, where the state is out of all bounds.
+  /// Of every pairing, in their order, by the engine. `state` must be realized to Stage::Velocity, as everywhere below.
+  /// Computed once for each state. Throws BadInput, as fast::Scene::move and fast::evaluate do, where the state is out
+  /// of all bounds.
   const std::vector<PairingAnswer>& answers(const SimTK::State& state) const;
 
   /// Where a surface is in Ground; Stage::Position is enough.
@@ -108,6 +124,14 @@ class ContactForces : public SimTK::Force::Custom {
   void remember(const SimTK::State& state) const;
   /// From here on as if nothing had been remembered.
   void forget() const;
+
+  /// Of all pairings at this state, for Jacobians: some 12 evaluations, however many coordinates the model has.
+  /// Incomplete ones must not be used.
+  ContactTangents tangents(const SimTK::State& state, const TangentIncrements& increments) const;
+  /// From here on the forces at this State, and at copies of it, are by these tangents: the engine is not asked for
+  /// them. Each load is that to first order in the pose and velocity of the pairing there, turned with the frame of its
+  /// E. All else (answers, energies) is the engine's as before. Invalidates Stage::Dynamics.
+  void linearise(SimTK::State& state, std::shared_ptr<const ContactTangents> tangents) const;
 
   ContactCounters counters() const;
 

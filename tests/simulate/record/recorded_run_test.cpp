@@ -53,9 +53,9 @@ std::vector<fs::path> tables(const fs::path& folder) {
   return files;
 }
 
-bool run_in(const fs::path& folder, const std::function<bool()>& stop = {}) {
+bool run_in(const fs::path& folder, const std::function<bool()>& stop = {}, const Scene& scene = short_bubbles()) {
   std::string notice;
-  return RecordedRun(short_bubbles(), "bubbles", folder, notice).run(stop, {});
+  return RecordedRun(scene, "bubbles", folder, notice).run(stop, {});
 }
 
 void expect_same_tables(const fs::path& a, const fs::path& b) {
@@ -63,10 +63,11 @@ void expect_same_tables(const fs::path& a, const fs::path& b) {
   for (const fs::path& file : tables(a)) EXPECT_EQ(bytes(a / file), bytes(b / file)) << file;
 }
 
-TEST(RecordedRun, KilledTenTimesEndsWithTheBytesOfAnUninterruptedOne) {
+/// Killed at ten instants, and then left alone.
+void expect_bytes_of_an_uninterrupted_run(const Scene& scene) {
   const fs::path whole = empty_folder("whole"), killed = empty_folder("killed");
   const auto begin = std::chrono::steady_clock::now();
-  ASSERT_TRUE(run_in(whole));
+  ASSERT_TRUE(run_in(whole, {}, scene));
   const auto duration = std::chrono::steady_clock::now() - begin;
   EXPECT_GT(bytes(whole / "steps.csv").size(), 10000U);
 
@@ -77,7 +78,7 @@ TEST(RecordedRun, KilledTenTimesEndsWithTheBytesOfAnUninterruptedOne) {
   for (int i = 0; i < 10; ++i) {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
-    if (child == 0) _exit(run_in(killed) ? 0 : 1);
+    if (child == 0) _exit(run_in(killed, {}, scene) ? 0 : 1);
     std::this_thread::sleep_for(duration * std::uniform_real_distribution<>(0.05, 0.3)(random));
     kill(child, SIGKILL);
     int status = 0;
@@ -85,8 +86,28 @@ TEST(RecordedRun, KilledTenTimesEndsWithTheBytesOfAnUninterruptedOne) {
     killed_while_running += WIFSIGNALED(status);
   }
   EXPECT_GE(killed_while_running, 3);
-  ASSERT_TRUE(run_in(killed));
+  ASSERT_TRUE(run_in(killed, {}, scene));
   expect_same_tables(whole, killed);
+}
+
+TEST(RecordedRun, KilledTenTimesEndsWithTheBytesOfAnUninterruptedOne) {
+  expect_bytes_of_an_uninterrupted_run(short_bubbles());
+}
+
+TEST(RecordedRun, KilledTenTimesEndsWithTheSameBytesWithTangents) {
+  Scene scene = short_bubbles();
+  scene.integrator.method = Method::bdf;
+  scene.integrator.jacobian = JacobianOf::tangents;
+  expect_bytes_of_an_uninterrupted_run(scene);
+}
+
+TEST(RecordedRun, KilledTenTimesEndsWithTheSameBytesByMethodsOfOneStep) {
+  for (const Method method : {Method::rkc, Method::runge_kutta_merson}) {
+    SCOPED_TRACE(name(method));
+    Scene scene = short_bubbles();
+    scene.integrator.method = method;
+    expect_bytes_of_an_uninterrupted_run(scene);
+  }
 }
 
 TEST(RecordedRun, StoppedGoesOnAndFinishedStaysFinished) {
@@ -139,12 +160,13 @@ TEST(RecordedRun, RefusesACheckpointThatIsNotAsItWasWritten) {
 TEST(RecordedRun, RefusesTheFolderOfOtherSurfacesOrSettings) {
   const fs::path folder = stopped_run("other");
   std::string notice;
-  Scene longer = short_bubbles(), larger = short_bubbles();
+  Scene longer = short_bubbles(), larger = short_bubbles(), by_tangents = short_bubbles();
   longer.duration = 0.9;
+  by_tangents.integrator.jacobian = JacobianOf::tangents;
   TriangleMesh moved = larger.surfaces[1].surface.mesh();
   moved.vertices[0].x() += 1e-6;
   larger.surfaces[1].surface = fast::Surface(moved);
-  for (const Scene* scene : {&longer, &larger})
+  for (const Scene* scene : {&longer, &larger, &by_tangents})
     expect_bad_input([&] { RecordedRun(*scene, "bubbles", folder, notice); }, "or of other surfaces or options");
 }
 

@@ -100,6 +100,9 @@ TEST_F(RecordedState, CostIsThatOfTheTimeSimulatedFromIt) {
   EXPECT_NE(table.find("| 1 ms |"), std::string::npos) << table;
   EXPECT_NE(table.find("| 2 s | 20 |"), std::string::npos) << table;
   EXPECT_EQ(table.find("LSODE"), std::string::npos) << "published rows are of the whole scene";
+  EXPECT_EQ(table.find("tangents"), std::string::npos);
+  kept.cost.work.linear_derivatives = 26;
+  EXPECT_NE(cost_table("bubbles", scene, kept).find("their 26 columns asked no engine"), std::string::npos);
 }
 
 TEST_F(RecordedState, IsRefusedWhereThereIsNone) {

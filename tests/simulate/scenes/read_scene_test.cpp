@@ -32,7 +32,7 @@ const std::string kScene = R"({
   ],
   "pairings": [{"E": "plate", "F": "block", "law": "soft", "mode": "F", "scheme": "clipped"}],
   "duration": 2,
-  "integrator": {"method": "ida", "relative_tolerance": 1e-6},
+  "integrator": {"method": "ida", "jacobian": "tangents", "relative_tolerance": 1e-6},
   "output": {"stills": [0, 1.5, 2]}
 })";
 
@@ -65,6 +65,7 @@ TEST(ReadScene, TakesEveryKeyToItsPlace) {
   EXPECT_EQ(scene.pairings[0].scheme, Scheme::clipped);
   EXPECT_EQ(scene.pairings[0].law.stiffness, 1e6);
   EXPECT_EQ(scene.integrator.method, Method::ida);
+  EXPECT_EQ(scene.integrator.jacobian, JacobianOf::tangents);
   EXPECT_EQ(scene.integrator.relative_tolerance, 1e-6);
   EXPECT_EQ(scene.output.stills, (std::vector<double>{0, 1.5, 2}));
   EXPECT_EQ(scene.gravity_G.z(), -9.81);
@@ -108,6 +109,7 @@ TEST(ReadScene, RefusesWithFileLineAndKey) {
       {R"("make": "box")", R"("scale": 2)", "block.json:9: bodies[0].surfaces[0]: it takes either make or file"},
       {R"("name": "plate")", R"("name": "block")", "another surface has the name 'block'"},
       {R"("method": "ida")", R"("method": "euler")", "block.json:19: integrator.method: it must be one of: adams, bdf"},
+      {R"("tangents")", R"("exact")", "block.json:19: integrator.jacobian: it must be one of: differences, tangents"},
       {"1e-6", "-1e-6", "block.json:19: integrator.relative_tolerance: Expected number greater than 0"},
       {"1e-6", "1e999", "block.json:19: no JSON: "},
       {R"("coordinate": 0)", R"("coordinate": 4294967296)",
