@@ -99,10 +99,10 @@ enum class JacobianOf : std::uint8_t {
 
 struct IntegratorSettings {
   Method method = Method::bdf;
-  JacobianOf jacobian = JacobianOf::differences;
   double relative_tolerance = 1e-4;
   double absolute_tolerance = 1e-4;  ///< m, rad, m/s, rad/s
   double greatest_step = 5e-3;       ///< s
+  JacobianOf jacobian = JacobianOf::differences;
 };
 
 struct OutputSettings {
