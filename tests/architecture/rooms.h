@@ -47,7 +47,7 @@ inline const std::vector<Part>& parts() {
        {"io", "bodies", "poses", "verify", "published", "wrong_answers", "judge", "known_answers", "error_budget",
         "motion", "bench", "cli"},
        {}},
-      {"simbody", {""}, {{"simbody.h", ""}}},
+      {"simbody", {""}, {{"load_tangent.h", ""}, {"simbody.h", ""}}},
       {"simulate", {"integrators", "scenes", "model", "run", "record", "page", "paraview", "stills", "cli"}, {}},
   };
   return all;
