@@ -70,7 +70,7 @@ inline const std::vector<Part>& parts() {
         "cli/judge",
         "cli/bench"},
        {}},
-      {"simbody", {""}, {{"simbody.h", ""}}},
+      {"simbody", {""}, {{"load_tangent.h", ""}, {"simbody.h", ""}}},
       {"bindings", {"c", "python", "examples"}, {}},
       {"simulate", {"integrators", "scenes", "model", "run", "record", "page", "paraview", "stills", "cli"}, {}},
   };
