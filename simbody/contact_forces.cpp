@@ -7,6 +7,7 @@
 #include "fast/base/same_bits.h"
 #include "pcm/scene.h"
 #include "pcm/simbody.h"
+#include "simbody/load_of_contact.h"
 #include "simbody/placed_surfaces.h"
 
 namespace pcm::simbody {
@@ -16,8 +17,6 @@ using Answers = std::vector<PairingAnswer>;
 /// What a State may hold; empty: the forces are the engine's.
 using KeptTangents = std::shared_ptr<const ContactTangents>;
 
-/// Nothing but force and torque: what the equations of motion need.
-constexpr Wanted kLoad{false, false, true, false, false, false};
 /// Elements, for their energy.
 constexpr Wanted kElements{false, false, true, true, false, false};
 
@@ -97,7 +96,7 @@ Index ContactForces::Implementation::add_surface(const SimTK::MobilizedBody& bod
 
 Index ContactForces::Implementation::add_pairing(Index surface_E, Index surface_F, const ContactLaw& law, Mode mode,
                                                  Scheme scheme) {
-  const Index index = scene_.add_pairing(surface_E, surface_F, law, mode, scheme, kLoad);
+  const Index index = scene_.add_pairing(surface_E, surface_F, law, mode, scheme, kLoadAlone);
   elements_scene_.add_pairing(surface_E, surface_F, law, mode, scheme, kElements);
   ends_.push_back({surface_E, surface_F});
   return index;
@@ -135,9 +134,7 @@ PairingAnswer ContactForces::Implementation::answer(const SimTK::State& state, I
   result.too_deep = contact.too_deep;
   result.elements = contact.element_count;
   result.max_penetration = contact.max_penetration;
-  Load load;
-  load << contact.force_Me, contact.torque_Me;
-  set_load(state, pairing, load, result);
+  set_load(state, pairing, load_of(contact), result);
   return result;
 }
 

@@ -8,11 +8,10 @@
 #include <limits>
 
 #include "pcm/pairing_memory.h"
+#include "simbody/load_of_contact.h"
 
 namespace pcm::simbody {
 namespace {
-
-constexpr Wanted kLoadAlone{false, false, true, false, false, false};
 
 /// Along r, the rotation vector, v, w.
 using Displacement = Eigen::Matrix<double, 12, 1>;
@@ -114,10 +113,8 @@ TangentAnswer load_tangent(const fast::Pairing& pairing, const Pose& pose, const
     }
     answer.exists = is_of_use(*contact);
     if (!answer.exists) return answer;
-    Load load_there;
-    load_there << contact->force_Me, contact->torque_Me;
     // Over the distance that rounding has left of the change.
-    answer.tangent.slope.col(coordinate) = (load_there - load) / displacement(here, there)[coordinate];
+    answer.tangent.slope.col(coordinate) = (load_of(*contact) - load) / displacement(here, there)[coordinate];
   }
   return answer;
 }

@@ -8,10 +8,6 @@ namespace pcm::c {
 
 namespace {
 
-void copy(const Eigen::Vector3d& from, double (&to)[3]) {
-  Eigen::Map<Eigen::Vector3d>{to} = from;
-}
-
 template <class T>
 std::int32_t length(const std::vector<T>& list) {
   return static_cast<std::int32_t>(list.size());

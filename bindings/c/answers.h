@@ -8,6 +8,10 @@
 /// From what the engine answers to what C programs read: plain structs, number by number.
 namespace pcm::c {
 
+inline void copy(const Eigen::Vector3d& from, double (&to)[3]) {
+  Eigen::Map<Eigen::Vector3d>{to} = from;
+}
+
 pcm_answer answer_of(const fast::Contact& contact);
 
 pcm_element entry_of(const fast::Element& element);

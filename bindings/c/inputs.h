@@ -24,7 +24,7 @@ Scheme scheme_from(std::int32_t scheme);
 Side side_from(std::int32_t side);
 Wanted wanted_from(std::uint32_t flags);
 
-/// `A` by rows.
+/// `A` by rows. Neither may be NULL.
 Pose pose_from(const double* A, const double* r);
 /// Either may be NULL, for 0.
 Velocity velocity_from(const double* v, const double* w);

@@ -24,14 +24,6 @@ py::array_t<double> doubles(const py::handle& value, const char* name, std::init
 /// From arrays of shapes (n, 3): coordinates, and vertex numbers, which have to be integers.
 TriangleMesh mesh_from(const py::handle& vertices, const py::handle& faces);
 
-/// `A` has 9 numbers, by rows.
-inline Pose pose_from(const double* A, const double* r) {
-  Pose pose;
-  pose.A = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(A);
-  pose.r = Eigen::Map<const Eigen::Vector3d>(r);
-  return pose;
-}
-
 /// A copy as an array of three numbers.
 inline py::array_t<double> array_of(const Eigen::Vector3d& x) {
   return py::array_t<double>(3, x.data());

@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "bindings/python/arrays.h"
+#include "bindings/c/inputs.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::python {
@@ -27,14 +27,11 @@ void WorkspacePool::give_back(std::unique_ptr<fast::Workspace> workspace) {
 }
 
 Pose States::pose(std::size_t i) const {
-  return pose_from(A + 9 * i, r + 3 * i);
+  return c::pose_from(A + 9 * i, r + 3 * i);
 }
 
 Velocity States::velocity(std::size_t i) const {
-  Velocity velocity;
-  if (v != nullptr) velocity.v = Eigen::Map<const Eigen::Vector3d>(v + 3 * i);
-  if (w != nullptr) velocity.w = Eigen::Map<const Eigen::Vector3d>(w + 3 * i);
-  return velocity;
+  return c::velocity_from(v == nullptr ? v : v + 3 * i, w == nullptr ? w : w + 3 * i);
 }
 
 namespace {

@@ -6,9 +6,7 @@ namespace pcm::python {
 
 namespace {
 
-void copy(const Eigen::Vector3d& from, double (&to)[3]) {
-  Eigen::Map<Eigen::Vector3d>{to} = from;
-}
+using c::copy;
 
 void add_bound(const fast::ForceBound& bound, AnswerRow& row) {
   row.flipped = bound.flipped;

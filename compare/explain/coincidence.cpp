@@ -28,6 +28,10 @@ std::vector<Feature> closure_of(const Feature& feature, const TriangleMesh& mesh
 
 }  // namespace
 
+bool are_different_places(const Coincidence& a, const Coincidence& b, double width) {
+  return (a.exact() && b.exact()) || (a.position_Me - b.position_Me).norm() > 2 * width;
+}
+
 void sort_by_margin(std::vector<Coincidence>& coincidences) {
   std::sort(coincidences.begin(), coincidences.end(), [](const Coincidence& a, const Coincidence& b) {
     return std::tie(a.margin, a.kind, a.features) < std::tie(b.margin, b.kind, b.features);

@@ -73,6 +73,10 @@ struct Coincidence {
   bool exact() const { return margin == 0; }
 };
 
+/// Whether two of what nearly coincides, within `width`, m, are two places and not one that is told twice. Exact ones
+/// always are: of these each place is told once.
+bool are_different_places(const Coincidence& a, const Coincidence& b, double width);
+
 /// Nearest ones first, then by kind and features.
 void sort_by_margin(std::vector<Coincidence>& coincidences);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "compare/explain/joined_features.h"
@@ -26,18 +25,13 @@ using reference::ExactPose;
 constexpr double kSearchedPart = 0x1p-7;
 constexpr double kSearchGrowth = 1024;
 
-double ulp_of(double x) {
-  return std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
-}
-
 /// Crossings and labels of the oracle in the form of the engine's.
 DiscreteAnswer discrete_answer(const reference::Combinatorics& truth) {
   DiscreteAnswer answer;
   answer.touching = !truth.crossings.ids.empty();
   answer.nested = truth.E.nested || truth.F.nested;
   answer.ambiguous = truth.E.ambiguous || truth.F.ambiguous;
-  for (const reference::CrossingId& x : truth.crossings.ids)
-    answer.crossings.push_back({x.edge_side == Side::E ? 0 : 1, x.edge[0], x.edge[1], x.face});
+  for (const reference::CrossingId& x : truth.crossings.ids) answer.crossings.push_back(crossing_key(x));
   std::sort(answer.crossings.begin(), answer.crossings.end());
   answer.intersected = {truth.E.intersected, truth.F.intersected};
   answer.inner = {truth.E.inner, truth.F.inner};

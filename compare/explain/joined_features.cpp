@@ -48,7 +48,7 @@ std::vector<const Coincidence*> different_places(const std::vector<const Coincid
   std::vector<const Coincidence*> different;
   for (const Coincidence* place : places) {
     const bool is_new = std::all_of(different.begin(), different.end(), [&](const Coincidence* other) {
-      return (place->exact() && other->exact()) || (place->position_Me - other->position_Me).norm() > 2 * width;
+      return are_different_places(*place, *other, width);
     });
     if (is_new) different.push_back(place);
     if (different.size() == count) return different;

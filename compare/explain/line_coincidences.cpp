@@ -9,7 +9,9 @@
 #include <optional>
 #include <set>
 
+#include "compare/explain/grown_boxes.h"
 #include "compare/explain/nearest_points.h"
+#include "compare/explain/rounded_points.h"
 #include "compare/explain/stars.h"
 #include "reference/lines/penetration_line.h"
 
@@ -20,16 +22,6 @@ using reference::Box;
 using reference::BoxTree;
 using reference::Exact;
 using reference::ExactPose;
-
-/// Boxes of the slave's faces, grown, in a tree.
-BoxTree grown_tree(const ExactPose& pose, Side slave, double width) {
-  std::vector<Box> boxes = pose.face_boxes(slave);
-  for (Box& box : boxes) {
-    box.lower.array() -= width;
-    box.upper.array() += width;
-  }
-  return {pose.surface(slave).tree, boxes};
-}
 
 /// The faces of the slave that the line may be near to, no farther than the first that it meets.
 struct FacesInTheWay {
@@ -79,7 +71,7 @@ class LineSearch {
  public:
   LineSearch(const ExactPose& pose, Side master, Index face, const FacesInTheWay& way, double width)
       : pose_(pose), large_(pose), master_(master), face_(face), way_(way), width_(3 * width) {
-    const auto [p0, p1, p2] = master_corners();
+    const auto [p0, p1, p2] = rounded_corners(pose, master, face);
     C_Me_ = (p0 + p1 + p2) / 3;
     N_Me_ = (p1 - p0).cross(p2 - p0);
     ray_ = large_.line(master, face);
@@ -101,11 +93,6 @@ class LineSearch {
   std::vector<Coincidence> found;
 
  private:
-  std::array<Eigen::Vector3d, 3> master_corners() const {
-    std::array<Eigen::Vector3d, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = pose_.enclosure({master_, pose_.face(master_, face_)[k]}).lower;
-    return p;
-  }
   Feature line() const { return {FeatureKind::line, master_, {face_, -1}}; }
   void add(CoincidenceKind kind, const Feature& first, const Feature& second, const NearestPoints& nearest,
            const Eigen::Vector3d& position_Me) {
@@ -163,7 +150,7 @@ void add_lines_in_faces(const ExactPose& pose, double width, std::vector<Coincid
   for (auto& [f, places] : by_face) {
     sort_by_margin(places);  // exact ones first: any two of them are different
     const auto second = std::find_if(places.begin() + 1, places.end(), [&](const Coincidence& place) {
-      return (place.exact() && places[0].exact()) || (place.position_Me - places[0].position_Me).norm() > 2 * width;
+      return are_different_places(place, places[0], width);
     });
     if (second == places.end()) continue;
     const Feature& master = places[0].features[0];

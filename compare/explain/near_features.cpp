@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "compare/explain/grown_boxes.h"
 #include "compare/explain/nearest_points.h"
+#include "compare/explain/rounded_points.h"
 #include "reference/crossings/candidates.h"
 
 namespace pcm::compare {
@@ -20,12 +22,6 @@ using reference::IndexPair;
 struct FeaturePairs {
   std::vector<IndexPair> vertices, vertices_edges, edges_vertices, vertices_faces, faces_vertices, edges;
 };
-
-Box grown(Box box, double width) {
-  box.lower.array() -= width;
-  box.upper.array() += width;
-  return box;
-}
 
 Box vertex_box(const ExactPose& pose, Side side, Index v) {
   return pose.enclosure({side, v});
@@ -71,9 +67,7 @@ void keep_each_once(std::vector<IndexPair>& pairs) {
 }
 
 std::vector<IndexPair> faces_with_boxes_near(const ExactPose& pose, double width) {
-  std::vector<Box> boxes = pose.face_boxes(Side::F);
-  for (Box& box : boxes) box = grown(box, width);
-  return reference::meeting_boxes(pose.surface(Side::E).tree, reference::BoxTree(pose.surface(Side::F).tree, boxes));
+  return reference::meeting_boxes(pose.surface(Side::E).tree, grown_tree(pose, Side::F, width));
 }
 
 FeaturePairs pairs_with_boxes_near(const ExactPose& pose, double width) {
@@ -142,7 +136,7 @@ class NearSearch {
   ExactSegment segment(Side side, const std::array<Index, 2>& ends) const {
     return {point(side, ends[0]), point(side, ends[1])};
   }
-  Eigen::Vector3d rounded(Side side, Index v) const { return pose_.enclosure({side, v}).lower; }
+  Eigen::Vector3d rounded(Side side, Index v) const { return rounded_point(pose_, {side, v}); }
   const std::vector<std::array<Index, 2>>& edges_of(Side side) const { return pose_.surface(side).edges; }
 
   const ExactPose& pose_;

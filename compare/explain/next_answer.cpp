@@ -61,8 +61,7 @@ std::optional<double> nearest_difference(Walk& walk, double ulp, double farthest
 
 DiscreteAnswer discrete_answer(const fast::Contact& contact) {
   DiscreteAnswer answer{contact.touching, contact.nested, contact.ambiguous, {}, {}, {}};
-  for (const fast::Crossing& x : contact.crossings)
-    answer.crossings.push_back({x.edge_side == Side::E ? 0 : 1, x.edge[0], x.edge[1], x.face});
+  for (const fast::Crossing& x : contact.crossings) answer.crossings.push_back(crossing_key(x));
   std::sort(answer.crossings.begin(), answer.crossings.end());
   answer.intersected = {contact.E.intersected, contact.F.intersected};
   answer.inner = {contact.E.inner, contact.F.inner};

@@ -23,6 +23,11 @@ struct DiscreteAnswer {
   bool operator==(const DiscreteAnswer&) const = default;
 };
 
+/// A crossing of the engine's or of the oracle's, as DiscreteAnswer has it.
+std::array<Index, 4> crossing_key(const auto& crossing) {
+  return {crossing.edge_side == Side::E ? 0 : 1, crossing.edge[0], crossing.edge[1], crossing.face};
+}
+
 /// Crossings are ordered, whatever polygons they belong to. The contact must have polygons.
 DiscreteAnswer discrete_answer(const fast::Contact& contact);
 

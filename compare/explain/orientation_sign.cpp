@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "compare/explain/rounded_points.h"
 #include "compare/explain/signs.h"
 #include "fast/predicates/orientation.h"
 #include "reference/predicates/orientation.h"
@@ -55,13 +56,13 @@ Sign orientation_sign(const ExactPose& pose, const std::array<Vertex, 4>& vertic
   const auto count_E = static_cast<std::int64_t>(pose.surface(Side::E).mesh.vertices.size());
   Sign sign;
   for (std::size_t k = 0; k < 4; ++k) {
-    points[k] = pose.enclosure(vertices[k]).lower;
+    points[k] = rounded_point(pose, vertices[k]);
     ranked[k] = {points[k].data(), vertices[k].index + (vertices[k].side == Side::E ? 0 : count_E)};
     sign.of.push_back(vertex_feature(vertices[k].side, vertices[k].index));
   }
   fast::WorkCounters work;
   sign.decided = fast::orientation(ranked[0], ranked[1], ranked[2], ranked[3], work);
-  sign.stage = work.tie_breaks > 0 ? Stage::tie_rule : work.exact_predicates > 0 ? Stage::exact : Stage::filter;
+  sign.stage = stage_of(work);
   sign.exact = reference::Orientation(pose).unperturbed(vertices[0], vertices[1], vertices[2], vertices[3]);
   if (sign.stage == Stage::tie_rule) sign.term = deciding_term(pose, vertices);
   return sign;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "compare/explain/rounded_points.h"
 #include "compare/explain/stars.h"
 #include "fast/predicates/penetration_predicates.h"
 
@@ -51,19 +52,13 @@ std::vector<Sign> face_signs(const ExactPose& pose, const Feature& E, const Feat
   return signs;
 }
 
-fast::FacePoints face_points(const ExactPose& pose, Side side, Index face) {
-  fast::FacePoints points;
-  for (std::size_t k = 0; k < 3; ++k) points[k] = pose.enclosure({side, pose.face(side, face)[k]}).lower;
-  return points;
-}
-
 /// A penetration line as the engine and as the oracle's numbers have it.
 class LineSigns {
  public:
   LineSigns(const ExactPose& pose, const Feature& line)
       : pose_(pose),
         line_{FeatureKind::line, line.side, line.index},
-        points_(face_points(pose, line.side, line.index[0])),
+        points_(rounded_corners(pose, line.side, line.index[0])),
         engine_(points_[0], points_[1], points_[2]),
         corners_(pose.corners<Exact>(line.side, line.index[0])),
         N_(reference::doubled_normal(corners_[0], corners_[1], corners_[2])) {}
@@ -77,28 +72,25 @@ class LineSigns {
     Sign sign{Predicate::side_of_line, {line_, edge_feature(slave, ends)}, 0, Stage::filter, 0, {}, 0};
     sign.exact = reference::sign_of(determinant(N_, three_times_from_C(ends[0]), three_times_from_C(ends[1])));
     fast::WorkCounters work;
-    sign.decided = fast::side_sign(engine_, pose_.enclosure({slave, ends[0]}).lower,
-                                   pose_.enclosure({slave, ends[1]}).lower, work);
+    sign.decided =
+        fast::side_sign(engine_, rounded_point(pose_, {slave, ends[0]}), rounded_point(pose_, {slave, ends[1]}), work);
     sign.stage = stage_of(work);
     if (sign.stage == Stage::tie_rule) sign.shift = is_moved_by_first_shift(ends) ? 1 : 2;
     return sign;
   }
   Sign facing(const Feature& face) const {
     fast::WorkCounters work;
-    const int sign = fast::facing(engine_, face_points(pose_, face.side, face.index[0]), work);
+    const int sign = fast::facing(engine_, rounded_corners(pose_, face.side, face.index[0]), work);
     return {Predicate::facing, {line_, face}, sign, stage_of(work), sign, {}, 0};
   }
   Sign distance(const Feature& face) const {
     fast::WorkCounters work;
-    const int sign = fast::distance_sign(engine_, face_points(pose_, face.side, face.index[0]), work);
+    const int sign = fast::distance_sign(engine_, rounded_corners(pose_, face.side, face.index[0]), work);
     const Feature barycentre{FeatureKind::barycentre, line_.side, line_.index};
     return {Predicate::distance_along_line, {barycentre, face}, sign, stage_of(work), sign, {}, 0};
   }
 
  private:
-  static Stage stage_of(const fast::WorkCounters& work) {
-    return work.tie_breaks > 0 ? Stage::tie_rule : work.exact_predicates > 0 ? Stage::exact : Stage::filter;
-  }
   /// (f_i - f_j) . (N x (p1 - p0)) is not 0.
   bool is_moved_by_first_shift(const std::array<Index, 2>& ends) const {
     const Side slave = opposite(line_.side);
@@ -121,6 +113,10 @@ std::vector<Sign> through_vertex_signs(const ExactPose& pose, const LineSigns& l
 }
 
 }  // namespace
+
+Stage stage_of(const fast::WorkCounters& work) {
+  return work.tie_breaks > 0 ? Stage::tie_rule : work.exact_predicates > 0 ? Stage::exact : Stage::filter;
+}
 
 std::vector<Sign> signs_of(const ExactPose& pose, const Coincidence& coincidence) {
   const auto& [first, second] = coincidence.features;

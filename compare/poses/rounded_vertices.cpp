@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "compare/io/random.h"
 #include "compare/poses/exact_arithmetic.h"
@@ -40,6 +41,11 @@ double backward_error_ulps(const TriangleMesh& mesh_F, const Pose& pose) {
     }
   }
   return greatest;
+}
+
+double ulp_of(double x) {
+  const double magnitude = std::abs(x);
+  return std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
 }
 
 double coordinate_scale(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose& pose) {

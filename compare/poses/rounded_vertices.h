@@ -22,6 +22,9 @@ std::vector<Eigen::Vector3d> rounded_vertices(const TriangleMesh& mesh_F, const 
 /// terms an ulp each at most, the last one likewise two.
 double backward_error_ulps(const TriangleMesh& mesh_F, const Pose& pose);
 
+/// From |x| to the next greater double.
+double ulp_of(double x);
+
 /// S of DESIGN section 3: greatest |coordinate| of E, of A x_F, of x_F and of r, m.
 double coordinate_scale(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Pose& pose);
 

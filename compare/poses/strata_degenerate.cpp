@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "compare/poses/exact_arithmetic.h"
+#include "compare/poses/rounded_vertices.h"
 #include "compare/poses/strata.h"
 
 namespace pcm::compare::detail {
@@ -243,11 +244,6 @@ Attempt stacked(const FeaturePair& pair, PoseRandom& random) {
   return drawn.exact ? Attempt(drawn) : std::nullopt;
 }
 
-double ulp(double x) {
-  const double magnitude = std::abs(x);
-  return std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
-}
-
 }  // namespace
 
 DrawnPose draw_degenerate(const FeaturePair& pair, PoseRandom& random) {
@@ -277,7 +273,7 @@ void move_by_ulps(const FeaturePair& pair, PoseRandom& random, DrawnPose& drawn)
     if ((axes >> j & 1) == 0) continue;
     const double scale = std::max(std::abs(pair.E.box_min[j]), std::abs(pair.E.box_max[j]));
     double& r = drawn.pose.r[j];
-    r += steps * ulp(own_ulps && r != 0 ? r : std::max(std::abs(r), scale));
+    r += steps * ulp_of(own_ulps && r != 0 ? r : std::max(std::abs(r), scale));
   }
   if (random.below(4) == 0)
     for (int k = 0; k < 9; ++k) {

@@ -53,9 +53,8 @@ double greatest_difference(const std::array<PrismPoint, 3>& corners, int coordin
 }
 
 /// Whether a neighbour of the master face, which shares corners with it, surely lies beside it.
-bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared, double s, double t,
-                   double third) {
-  const std::array<double, 3> weight_error{s + t + third, s, t};
+bool surely_beside(const std::array<PrismPoint, 3>& corners, const std::array<bool, 3>& shared,
+                   const std::array<double, 3>& weight_error) {
   for (int weight = 0; weight < 3; ++weight) {
     bool beside = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -160,11 +159,10 @@ struct SeenFace {
 /// through c: let w be the weight that is 0 at that side. Over the master l_a w(a) + l_b w(b) >= 0, so with w(a) < 0
 /// l_a is no more than l_b w(b) / -w(a), and the depth l_a d_a + l_b d_b no less than l_b (d_b + d_a w(b) / -w(a)) if
 /// d_a < 0.
-bool hangs_by_one_corner(const PrismPoint& c, const PrismPoint& a, const PrismPoint& b, const PrismPositionError& off,
-                         double third) {
-  const double d_a = a[kDepth] - off.depth, d_b = b[kDepth] - off.depth;
+bool hangs_by_one_corner(const PrismPoint& c, const PrismPoint& a, const PrismPoint& b, double depth_error,
+                         const std::array<double, 3>& weight_error) {
+  const double d_a = a[kDepth] - depth_error, d_b = b[kDepth] - depth_error;
   if (!(d_b > 0)) return false;
-  const std::array<double, 3> weight_error = {off.s + off.t + third, off.s, off.t};
   for (int weight = 0; weight < 3; ++weight) {
     const double w_a = a[weight] + weight_error[static_cast<std::size_t>(weight)];
     const double w_b = b[weight] + weight_error[static_cast<std::size_t>(weight)];
@@ -173,16 +171,16 @@ bool hangs_by_one_corner(const PrismPoint& c, const PrismPoint& a, const PrismPo
   return false;
 }
 
-bool only_hangs(const SeenFace& seen, const FaceEnclosure& f) {
+bool only_hangs(const SeenFace& seen, const FaceEnclosure& f, const std::array<double, 3>& weight_error) {
   if (f.hinge_depth > 0) return true;
   const std::array<bool, 3>& shared = seen.face.shared;
   if (shared[0] + shared[1] + shared[2] != 1) return false;
   const std::size_t k = shared[0] ? 0 : shared[1] ? 1 : 2;
   const std::array<PrismPoint, 3>& corners = seen.face.corners;
   const PrismPoint &c = corners[k], &a = corners[(k + 1) % 3], &b = corners[(k + 2) % 3];
-  const PrismPositionError off{f.hinge_error.s, f.hinge_error.t, 2 * f.hinge_error.depth};
-  return hangs_by_one_corner(c, a, b, off, seen.rounding.third) ||
-         hangs_by_one_corner(c, b, a, off, seen.rounding.third);
+  const double depth_error = 2 * f.hinge_error.depth;
+  return hangs_by_one_corner(c, a, b, depth_error, weight_error) ||
+         hangs_by_one_corner(c, b, a, depth_error, weight_error);
 }
 
 /// What a face that stands on corners of the master hangs from; false where it surely lies beside the master.
@@ -195,13 +193,14 @@ bool find_hinge(const PrismError& error, const SeenFace& seen, FaceEnclosure& f)
   const double far = 1 + seen.greatest_s + seen.greatest_t;
   f.hinge_error = {seen.of_vertices.s + far * frame.s, seen.of_vertices.t + far * frame.t,
                    seen.of_vertices.depth + far * frame.depth + far * seen.distance * frame.s};
-  if (surely_beside(seen.face.corners, shared, f.hinge_error.s, f.hinge_error.t, seen.rounding.third)) return false;
+  const std::array<double, 3> weight_error = weight_errors(f.hinge_error, seen.rounding.third);
+  if (surely_beside(seen.face.corners, shared, weight_error)) return false;
   f.hinge_depth = kInfinity;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!shared[k]) f.hinge_depth = std::min(f.hinge_depth, seen.face.corners[k][kDepth]);
   }
   f.hinge_depth = std::isfinite(f.hinge_depth) ? std::max(f.hinge_depth - 2 * f.hinge_error.depth, 0.0) : 0;
-  f.only_hangs = only_hangs(seen, f);
+  f.only_hangs = only_hangs(seen, f, weight_error);
   return true;
 }
 

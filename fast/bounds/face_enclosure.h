@@ -108,6 +108,12 @@ struct FaceInPrism {
   Eigen::Vector3d rounding_Me;  ///< how far its vertices may be from the exact problem's, m
 };
 
+/// How far the weights of p0, p1 and p2 at a point may be off that is itself off by `off` in s and t. `third`: of the
+/// weight of p0 by itself (PrismRounding).
+inline std::array<double, 3> weight_errors(const PrismPositionError& off, double third) {
+  return {off.s + off.t + third, off.s, off.t};
+}
+
 /// False where the face is certainly not seen, in neither problem.
 bool find_face_enclosure(const PrismError& error, const FaceInPrism& seen, FaceEnclosure& enclosure);
 

@@ -53,8 +53,7 @@ bool leaves_master_alone(const FaceEnclosure& face, std::size_t k) {
   if (face.fixed[k] && face.fixed[next]) return true;
   const PrismPoint& corner = face.corners[face.fixed[k] ? k : next];
   const PrismPoint& end = face.corners[face.fixed[k] ? next : k];
-  const PrismPositionError& off = face.hinge_error;
-  const std::array<double, 3> weight_error = {off.s + off.t + face.rounding.third, off.s, off.t};
+  const std::array<double, 3> weight_error = weight_errors(face.hinge_error, face.rounding.third);
   for (int weight = 0; weight < 3; ++weight) {
     if (corner[weight] == 0 && end[weight] < -weight_error[static_cast<std::size_t>(weight)]) return true;
   }

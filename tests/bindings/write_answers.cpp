@@ -16,13 +16,13 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "compare/poses/pairs.h"
 #include "compare/poses/strata.h"
 #include "pcm/engine.h"
 #include "pcm/write_obj.h"
+#include "tests/fast/varied_questions.h"
 
 namespace pcm::fast {
 namespace {
@@ -130,12 +130,6 @@ Line answer_line(const Contact& contact) {
   return line;
 }
 
-/// Every subset of what may be wanted, by number, which is that of the C interface's flags.
-Wanted wanted_by_number(std::uint64_t number) {
-  const auto bit = [number](int i) { return (number >> i & 1) != 0; };
-  return {bit(0), bit(1), bit(2), bit(3), bit(4), bit(5)};
-}
-
 Line question_line(std::uint64_t wanted, const compare::DrawnPose& drawn) {
   Line line;
   line.add(wanted);
@@ -175,8 +169,8 @@ void write_poses(const Pairing& pairing, const compare::FeaturePair& features, s
     const compare::Stratum stratum = kStrata[i % std::size(kStrata)];
     const compare::PoseRandom random(kSeed, static_cast<std::uint64_t>(stratum), number, i);
     const compare::DrawnPose drawn = compare::draw_pose(stratum, features, random);
-    const std::uint64_t wanted = (i + 9 * number) % 64;
-    const Contact& contact = evaluate(pairing, drawn.pose, drawn.velocity, wanted_by_number(wanted), workspace);
+    const std::uint64_t wanted = (i + 9 * number) % test::kAllWanted;
+    const Contact& contact = evaluate(pairing, drawn.pose, drawn.velocity, test::wanted_by_number(wanted), workspace);
     question_line(wanted, drawn).write(out);
     answer_line(contact).write(out);
     ++tally.poses;
@@ -184,22 +178,11 @@ void write_poses(const Pairing& pairing, const compare::FeaturePair& features, s
   }
 }
 
-/// Smooth ones and ones on a grid, of genus 1, open, with a cavity, and wound about twice.
-std::vector<compare::SurfacePair> pairs() {
-  std::vector<std::string> missing;
-  std::vector<compare::SurfacePair> pairs;
-  for (compare::SurfacePair& pair : compare::built_in_pairs({}, missing))
-    for (const std::string_view wanted : {"bubble-bubble", "gridded cubes", "small icospheres", "small tori",
-                                          "cube-tray", "hollow cube-cube", "pentagram-cube"})
-      if (pair.name == wanted) pairs.push_back(std::move(pair));
-  return pairs;
-}
-
 Tally write_answers(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   std::ofstream out(folder / "answers.txt");
   Tally tally;
-  const std::vector<compare::SurfacePair> all = pairs();
+  const std::vector<compare::SurfacePair> all = test::varied_pairs();
   out << 2 * all.size() << '\n';
   std::uint64_t number = 0;
   for (const compare::SurfacePair& pair : all) {

@@ -12,7 +12,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "compare/poses/pairs.h"
@@ -21,6 +20,7 @@
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
 #include "pcm/engine.h"
+#include "tests/fast/varied_questions.h"
 
 namespace pcm::fast {
 namespace {
@@ -218,26 +218,6 @@ void print_hashes() {
   }
 }
 
-/// Every subset of what may be wanted, by number.
-constexpr int kAllWanted = 64;
-Wanted wanted_by_number(int number) {
-  const auto bit = [number](int i) { return (number >> i & 1) != 0; };
-  return {
-      .polygons = bit(0), .areas = bit(1), .force = bit(2), .elements = bit(3), .bound = bit(4), .statistics = bit(5)};
-}
-
-/// Of the pairs that `pcm verify` has, with their laws: smooth ones and ones on a grid, of genus 1, open, with a
-/// cavity, and wound about twice.
-std::vector<compare::SurfacePair> stratum_pairs() {
-  std::vector<std::string> missing;
-  std::vector<compare::SurfacePair> pairs;
-  for (compare::SurfacePair& pair : compare::built_in_pairs({}, missing))
-    for (const std::string_view wanted : {"bubble-bubble", "gridded cubes", "small icospheres", "small tori",
-                                          "cube-tray", "hollow cube-cube", "pentagram-cube"})
-      if (pair.name == wanted) pairs.push_back(std::move(pair));
-  return pairs;
-}
-
 /// A pair as a stratum sees it, with each body as master and both. Features refer to the pair's meshes.
 struct StratumPair {
   StratumPair(const compare::SurfacePair& pair, compare::Stratum stratum, Scheme scheme)
@@ -259,11 +239,12 @@ struct StratumPair {
 void add_stratum_pair(const compare::SurfacePair& pair, compare::Stratum stratum, Scheme scheme, std::uint64_t number,
                       Workspace& workspace, Tally& tally) {
   const StratumPair prepared(pair, stratum, scheme);
-  for (int i = 0; i < kAllWanted; ++i) {
+  for (int i = 0; i < test::kAllWanted; ++i) {
     const compare::PoseRandom random(2003, static_cast<std::uint64_t>(stratum), number, static_cast<std::uint64_t>(i));
     const compare::DrawnPose drawn = compare::draw_pose(stratum, prepared.features, random);
     for (const Pairing& pairing : prepared.by_mode) {
-      const Contact& contact = evaluate(pairing, drawn.pose, drawn.velocity, wanted_by_number(i), workspace);
+      const Contact& contact = evaluate(pairing, drawn.pose, drawn.velocity,
+                                        test::wanted_by_number(static_cast<std::uint64_t>(i)), workspace);
       add_lengths(tally.hash, contact);
       add(tally.hash, contact);
       ++tally.answers;
@@ -273,7 +254,7 @@ void add_stratum_pair(const compare::SurfacePair& pair, compare::Stratum stratum
 }
 
 void print_stratum_hashes() {
-  const std::vector<compare::SurfacePair> pairs = stratum_pairs();
+  const std::vector<compare::SurfacePair> pairs = test::varied_pairs();
   Workspace workspace;
   for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
     for (const compare::Stratum stratum : compare::kStrata) {

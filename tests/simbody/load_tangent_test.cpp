@@ -10,6 +10,7 @@
 
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
+#include "tests/simbody/rough_law.h"
 
 namespace pcm::simbody {
 namespace {
@@ -34,7 +35,7 @@ Motion displaced(Motion motion, int coordinate, double change) {
   return motion;
 }
 
-Load load_of(const fast::Pairing& pairing, const Motion& motion) {
+Load load_at(const fast::Pairing& pairing, const Motion& motion) {
   fast::Workspace workspace;
   const fast::Contact& contact = fast::evaluate(pairing, motion.pose, motion.velocity, {}, workspace);
   Load load;
@@ -44,18 +45,8 @@ Load load_of(const fast::Pairing& pairing, const Motion& motion) {
 
 TangentAnswer tangent_of(const fast::Pairing& pairing, const Motion& motion, double increment) {
   fast::Workspace workspace;
-  return load_tangent(pairing, motion.pose, motion.velocity, load_of(pairing, motion),
+  return load_tangent(pairing, motion.pose, motion.velocity, load_at(pairing, motion),
                       {increment, increment, increment, increment}, workspace);
-}
-
-ContactLaw bubbles_law() {
-  ContactLaw law;
-  law.stiffness = 5.9e5;
-  law.damping = 1000;
-  law.transition_depth = 1e-3;
-  law.friction = 0.25;
-  law.slip_velocity = 1e-2;
-  return law;
 }
 
 /// Bubbles that overlap by some 2 cm, turned and moving.
@@ -74,8 +65,8 @@ TEST(LoadTangent, SlopesAreWithinTheSecondDifferenceOfCentralQuotients) {
   const Motion here = bubbles_motion();
   const double h = 1e-6;
   for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
-    const fast::Pairing pairing(bubble, bubble, bubbles_law(), mode, Scheme::clipped);
-    const Load load = load_of(pairing, here);
+    const fast::Pairing pairing(bubble, bubble, rough(), mode, Scheme::clipped);
+    const Load load = load_at(pairing, here);
     ASSERT_GT(load.head<3>().norm(), 10);
     const TangentAnswer answer = tangent_of(pairing, here, h);
     ASSERT_TRUE(answer.exists);
@@ -84,7 +75,7 @@ TEST(LoadTangent, SlopesAreWithinTheSecondDifferenceOfCentralQuotients) {
     EXPECT_EQ(answer.tangent.load, load);
     const double rounding = 1e3 * kEps * load.norm() / h;
     for (int i = 0; i < 12; ++i) {
-      const Load ahead = load_of(pairing, displaced(here, i, h)), behind = load_of(pairing, displaced(here, i, -h));
+      const Load ahead = load_at(pairing, displaced(here, i, h)), behind = load_at(pairing, displaced(here, i, -h));
       const Load central = (ahead - behind) / (2 * h);
       const double bound = (ahead - 2 * load + behind).norm() / (2 * h) + rounding;
       EXPECT_LT((answer.tangent.slope.col(i) - central).norm(), bound) << i;
@@ -96,12 +87,12 @@ TEST(LoadTangent, SlopesAreWithinTheSecondDifferenceOfCentralQuotients) {
 
 TEST(LoadTangent, ReproducesTheLoadsItWasMadeOf) {
   const fast::Surface bubble(generate::bubble());
-  const fast::Pairing pairing(bubble, bubble, bubbles_law(), Mode::both, Scheme::clipped);
+  const fast::Pairing pairing(bubble, bubble, rough(), Mode::both, Scheme::clipped);
   const Motion here = bubbles_motion();
   const TangentAnswer answer = tangent_of(pairing, here, 1e-5);
   for (int i = 0; i < 12; ++i) {
     const Motion there = displaced(here, i, 1e-5);
-    const Load load = load_of(pairing, there);
+    const Load load = load_at(pairing, there);
     // The change itself is rounded: eps, of a rotation matrix, beside 1e-5.
     const double bound = 1e3 * kEps * load.norm() + 10 * kEps * answer.tangent.slope.col(i).norm();
     EXPECT_LT((answer.tangent.at(there.pose, there.velocity) - load).norm(), bound) << i;
@@ -202,7 +193,7 @@ TEST(LoadTangent, IsNotThereWherePosesOnBothSidesAreTooDeep) {
 
 TEST(LoadTangent, IncrementsAreNotLostInRounding) {
   const fast::Surface bubble(generate::bubble());
-  const fast::Pairing pairing(bubble, bubble, bubbles_law(), Mode::E, Scheme::clipped);
+  const fast::Pairing pairing(bubble, bubble, rough(), Mode::E, Scheme::clipped);
   const TangentAnswer tiny = tangent_of(pairing, bubbles_motion(), 1e-300);
   const TangentAnswer small = tangent_of(pairing, bubbles_motion(), 1e-7);
   EXPECT_LT((tiny.tangent.slope - small.tangent.slope).norm(), 1e-3 * small.tangent.slope.norm());

@@ -7,26 +7,14 @@
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "pcm/simbody.h"
+#include "simbody/placed_surfaces.h"
+#include "tests/simbody/rough_law.h"
 
 namespace pcm::simbody {
 
 using SimTK::SpatialVec;
 using SimTK::Transform;
 using SimTK::Vec3;
-
-inline Eigen::Vector3d to_eigen(const Vec3& v) {
-  return {v[0], v[1], v[2]};
-}
-
-inline ContactLaw rough() {
-  ContactLaw law;
-  law.stiffness = 5.9e5;
-  law.damping = 1000;
-  law.transition_depth = 1e-3;
-  law.friction = 0.25;
-  law.slip_velocity = 1e-2;
-  return law;
-}
 
 /// Two bubbles and a plate, each surface off its body's origin and turned, so that no frame is another one. The upper
 /// bubble is on the plate in the clipped scheme.

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "compare/poses/rounded_vertices.h"
 
 namespace pcm::compare {
 
 std::vector<Pose> moved_poses(const Pose& pose, double scale, int most) {
-  const double ulp = std::nextafter(scale, std::numeric_limits<double>::infinity()) - scale;
+  const double ulp = ulp_of(scale);
   std::vector<Pose> moved;
   if (most == 0 || !std::isfinite(ulp)) return moved;
   for (int ulps = 1;; ulps = std::min(2 * ulps, most)) {

@@ -61,10 +61,20 @@ SeenPolygon kept(const SeenPolygon& polygon, Height&& height) {
   return result;
 }
 
-/// What lies over the master face and not above it.
-SeenPolygon over_master(SeenPolygon polygon) {
-  for (std::size_t k = 0; k < 4 && !polygon.empty(); ++k) polygon = kept(polygon, [k](const Seen& x) { return x[k]; });
+SeenPolygon where_not_negative(SeenPolygon polygon, std::size_t coordinates) {
+  for (std::size_t k = 0; k < coordinates && !polygon.empty(); ++k)
+    polygon = kept(polygon, [k](const Seen& x) { return x[k]; });
   return polygon;
+}
+
+/// What lies over the master face, or above it.
+SeenPolygon over_or_above_master(const SeenPolygon& polygon) {
+  return where_not_negative(polygon, 3);
+}
+
+/// What lies over the master face and not above it.
+SeenPolygon over_master(const SeenPolygon& polygon) {
+  return where_not_negative(polygon, 4);
 }
 
 mpq_class cross_of(const Seen& a, const Seen& b, const Seen& c) {
@@ -130,8 +140,7 @@ bool is_corner(const Seen& x) {
 /// corners of a polygon.
 void hold_hanging(const FaceEnclosure& f, const std::array<Seen, 3>& true_seen, Ratios& ratios) {
   if (f.only_hangs) {
-    SeenPolygon beneath{true_seen[0], true_seen[1], true_seen[2]};
-    for (std::size_t k = 0; k < 3; ++k) beneath = kept(beneath, [k](const Seen& x) { return x[k]; });
+    const SeenPolygon beneath = over_or_above_master({true_seen[0], true_seen[1], true_seen[2]});
     for (const Seen& x : beneath) ASSERT_TRUE(x[3] > 0 || (x[3] == 0 && is_corner(x)));
     ++ratios.hangs;
     const auto is_above = [](const Seen& x) { return x[3] < 0; };
@@ -140,9 +149,7 @@ void hold_hanging(const FaceEnclosure& f, const std::array<Seen, 3>& true_seen, 
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     if (f.fixed[k] == f.fixed[next] || !leaves_master_alone(f, k)) continue;
-    SeenPolygon side{true_seen[k], true_seen[next]};
-    for (std::size_t w = 0; w < 3; ++w) side = kept(side, [w](const Seen& x) { return x[w]; });
-    for (const Seen& x : side) ASSERT_TRUE(is_corner(x));
+    for (const Seen& x : over_or_above_master({true_seen[k], true_seen[next]})) ASSERT_TRUE(is_corner(x));
     ++ratios.leaves_alone;
   }
 }
