@@ -17,12 +17,21 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
+constexpr std::string_view kUnfinished = ".part";
+
 /// A name beside `path` that nothing else uses.
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
   std::random_device random;
   std::filesystem::path name = path;
-  name += ".part" + std::to_string(random());
+  name += std::string(kUnfinished) + std::to_string(random());
   return name;
+}
+
+/// Whether `name` is one that temporary_name gives to the file `of`.
+bool is_temporary_name(std::string_view name, const std::string& of) {
+  const std::string begin = of + std::string(kUnfinished);
+  return name.starts_with(begin) && name.size() > begin.size() &&
+         name.find_first_not_of("0123456789", begin.size()) == std::string_view::npos;
 }
 
 }  // namespace
@@ -75,6 +84,16 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
     std::filesystem::remove(temporary, error);
     throw BadInput(name + ": writing the file failed; check the space on the disk and your permissions");
   }
+}
+
+void remove_unfinished(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  std::error_code error;
+  std::vector<std::filesystem::path> unfinished;
+  for (std::filesystem::directory_iterator entry(path.parent_path(), error), end; !error && entry != end;
+       entry.increment(error))
+    if (is_temporary_name(entry->path().filename().string(), name)) unfinished.push_back(entry->path());
+  for (const std::filesystem::path& file : unfinished) std::filesystem::remove(file, error);
 }
 
 TextLines::TextLines(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {

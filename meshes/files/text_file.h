@@ -18,6 +18,9 @@ std::string read_text_file(const std::filesystem::path& path);
 /// is always whole. Throws BadInput naming the file where it can't be written.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
+/// Removes what a program that was killed while it wrote `path` left beside it. For files that nobody else writes.
+void remove_unfinished(const std::filesystem::path& path);
+
 /// Walks through a text line by line, as blank-separated words.
 ///
 /// Understands line feeds, carriage returns and both, a leading UTF-8 byte order mark, `#` comments to the end of the

@@ -146,6 +146,10 @@ std::string pose_line(const PairingObservation& pairing) {
   return line;
 }
 
+std::string surface_file(std::size_t surface) {
+  return fmt::format("surface_{}.obj", surface);
+}
+
 [[noreturn]] void refuse_damaged(const std::filesystem::path& file) {
   throw BadInput(file.string() + ": is damaged; remove the folder to begin anew");
 }
@@ -161,6 +165,13 @@ RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const
   std::error_code error;
   std::filesystem::create_directories(folder_ / "trajectory", error);
   if (error) throw BadInput(folder_.string() + ": can't be created: " + error.message());
+  for (const std::filesystem::path& file : whole_files()) remove_unfinished(folder_ / file);
+}
+
+std::vector<std::filesystem::path> RunFolder::whole_files() const {
+  std::vector<std::filesystem::path> files{"scene.json", "checkpoint.json", "trajectory/trajectory.json"};
+  for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) files.push_back("trajectory/" + surface_file(s));
+  return files;
 }
 
 std::vector<std::filesystem::path> RunFolder::tables() const {
@@ -240,9 +251,8 @@ void RunFolder::write_trajectory_index() const {
   json["pcm_trajectory"] = 1;
   Json& surfaces = json["surfaces"] = Json::array();
   for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
-    const std::string file = fmt::format("{}.obj", s);
-    write_obj(scene_.surfaces[s].surface.mesh(), folder_ / "trajectory" / ("surface_" + file));
-    surfaces.push_back({{"name", scene_.surfaces[s].name}, {"file", "surface_" + file}});
+    write_obj(scene_.surfaces[s].surface.mesh(), folder_ / "trajectory" / surface_file(s));
+    surfaces.push_back({{"name", scene_.surfaces[s].name}, {"file", surface_file(s)}});
   }
   Json& pairings = json["pairings"] = Json::array();
   for (std::size_t p = 0; p < scene_.pairings.size(); ++p) {

@@ -43,7 +43,8 @@ struct KeptRun {
 ///   checkpoint.json         where the run goes on from
 ///
 /// Tables grow line by line. A checkpoint holds their lengths: what was written after it is cut off when a run goes on,
-/// so that a run that was killed ends with the same bytes as one that was not. Numbers in tables are the shortest that
+/// so that a run that was killed ends with the same bytes as one that was not; files it was killed at writing are
+/// removed. Numbers in tables are the shortest that
 /// read back to the same bits.
 class RunFolder {
  public:
@@ -69,6 +70,8 @@ class RunFolder {
  private:
   void open_tables(bool append);
   std::vector<std::filesystem::path> tables() const;
+  /// What is written at once, not line by line.
+  std::vector<std::filesystem::path> whole_files() const;
   /// In the order of `tables`.
   std::vector<std::ofstream*> streams();
   void write_trajectory_index() const;

@@ -67,6 +67,7 @@ void keep_run(const fs::path& folder, const Verification& run) {
 
 Resumption resume_run(const fs::path& folder, Verification& run) {
   const fs::path state_file = folder / kState;
+  remove_unfinished(state_file);
   if (!fs::exists(state_file)) {
     if (!fs::is_directory(folder) || !remove_results(folder)) return {};
     return {"--out " + folder.string() + ": tables and cases of a run whose state is gone are removed", std::nullopt};

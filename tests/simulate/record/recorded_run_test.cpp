@@ -110,6 +110,21 @@ TEST(RecordedRun, KilledTenTimesEndsWithTheSameBytesByMethodsOfOneStep) {
   }
 }
 
+TEST(RecordedRun, KilledWhileItWritesAFileLeavesNothingOfItOnceItGoesOn) {
+  const fs::path whole = empty_folder("whole"), killed = empty_folder("killed");
+  ASSERT_TRUE(run_in(whole));
+  ASSERT_FALSE(run_in(killed, [] { return true; }));
+  for (const char* unfinished : {"checkpoint.json.part7", "scene.json.part4294967295", "trajectory/surface_0.obj.part1",
+                                 "trajectory/trajectory.json.part0"})
+    std::ofstream(killed / unfinished) << "half";
+  const std::vector<fs::path> of_the_user{"notes.part7", "scene.json.part", "scene.json.part7.txt",
+                                          "checkpoint.json.old"};
+  for (const fs::path& file : of_the_user) std::ofstream(killed / file) << "mine";
+  ASSERT_TRUE(run_in(killed));
+  for (const fs::path& file : of_the_user) EXPECT_TRUE(fs::remove(killed / file)) << file;
+  expect_same_tables(whole, killed);
+}
+
 TEST(RecordedRun, StoppedGoesOnAndFinishedStaysFinished) {
   const fs::path whole = empty_folder("whole"), stopped = empty_folder("stopped");
   ASSERT_TRUE(run_in(whole));
