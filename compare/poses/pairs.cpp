@@ -46,27 +46,43 @@ std::string label(std::string name) {
   return name;
 }
 
-struct ClippedCost {
+struct PairCost {
   std::string_view pair;
-  double usual;
-  double nested;
+  PoseCost barycentric;
+  PoseCost clipped;
 };
 
 /// Of the pairs that cost more than a few milliseconds (SurfacePair::clipped_cost).
-constexpr ClippedCost kClippedCosts[] = {
-    {"bubble-bubble", 75, 230},    {"pyramid-bubble", 37, 5},   {"icosphere-plate", 95, 130},
-    {"bumpy-bumpy", 100, 0},       {"torus-plate", 77, 240},    {"gear-gear", 1250, 3800},
-    {"knot-box", 83, 160},         {"box-gridded box", 7, 70},  {"socket-ball", 190, 90},
-    {"wedge-box", 8, 5},           {"cylinder-cone", 18, 50},   {"gridded cubes", 22, 0},
-    {"slab-gridded cube", 12, 0},  {"small icospheres", 28, 0}, {"small tori", 36, 0},
-    {"small gear-slab", 15, 0},    {"elephant-hand", 180, 950}, {"femur-knot", 230, 1270},
-    {"fandisk-pinion", 2300, 690}, {"rotor-pinion", 190, 260},  {"elephant-elephant", 200, 670},
+constexpr PairCost kPairCosts[] = {
+    {"bubble-bubble", {5.5, 42}, {64, 420}},
+    {"pyramid-bubble", {8.7, 1}, {44, 4.7}},
+    {"icosphere-plate", {3.8, 42}, {57, 290}},
+    {"bumpy-bumpy", {89, 0}, {490, 0}},
+    {"torus-plate", {7.8, 70}, {110, 640}},
+    {"gear-gear", {43, 120}, {1800, 6700}},
+    {"knot-box", {7.7, 71}, {140, 710}},
+    {"box-gridded box", {1.9, 4.8}, {18, 180}},
+    {"socket-ball", {24, 44}, {270, 340}},
+    {"wedge-box", {2, 1}, {13, 9.5}},
+    {"cylinder-cone", {5.7, 12}, {31, 180}},
+    {"gridded cubes", {0, 0}, {40, 0}},
+    {"slab-gridded cube", {0, 0}, {18, 0}},
+    {"small icospheres", {0, 0}, {30, 0}},
+    {"small tori", {0, 0}, {110, 0}},
+    {"small gear-slab", {0, 0}, {50, 0}},
+    {"elephant-hand", {30, 230}, {610, 2600}},
+    {"femur-knot", {41, 290}, {840, 3700}},
+    {"fandisk-pinion", {120, 67}, {800, 4300}},
+    {"rotor-pinion", {27, 110}, {270, 1200}},
+    {"elephant-elephant", {30, 250}, {570, 2900}},
 };
 
 /// A pair with variants is a whole family: it counts as so many pairs in the hard strata.
 constexpr std::int64_t kFamilyWeight = 4;
 
-/// Poses of less than this, in milliseconds, are not told apart by what they cost.
+/// Poses of less than this, in milliseconds, are not told apart by what they cost: of the barycentric scheme, where a
+/// third of all poses is to fall to large pairs, and of the clipped one and nested bodies.
+constexpr double kSmallBarycentricCost = 35;
 constexpr double kSmallCost = 5;
 
 /// Of other small pairs in the strata that are not hard, so that large ones have the bulk of these.
@@ -125,10 +141,10 @@ class PairList {
     pair.law = verification_law(turn_++, mesh_E, mesh_F);
     pair.E = std::move(mesh_E);
     pair.F = std::move(mesh_F);
-    for (const ClippedCost& cost : kClippedCosts)
+    for (const PairCost& cost : kPairCosts)
       if (cost.pair == pair.name) {
-        pair.clipped_cost = cost.usual;
-        pair.clipped_nested_cost = cost.nested;
+        pair.barycentric_cost = cost.barycentric;
+        pair.clipped_cost = cost.clipped;
       }
     pairs.push_back(std::move(pair));
   }
@@ -224,12 +240,17 @@ ContactLaw verification_law(std::size_t turn, const TriangleMesh& mesh_E, const 
   return law;
 }
 
+double SurfacePair::cost(Stratum stratum, Scheme scheme) const {
+  const PoseCost& costs = scheme == Scheme::clipped ? clipped_cost : barycentric_cost;
+  return stratum == Stratum::nested ? costs.nested : costs.usual;
+}
+
 std::int64_t SurfacePair::share(Stratum stratum, Scheme scheme) const {
   const bool nested = stratum == Stratum::nested;
-  const double cost = nested ? clipped_nested_cost : clipped_cost;
-  if (scheme == Scheme::clipped && cost > 0) {
+  if (const double cost_here = cost(stratum, scheme); cost_here > 0) {
     const auto whole = static_cast<double>(hard(stratum) ? kWholeShare : greatest_share);
-    return std::max<std::int64_t>(2, std::llround(whole * std::min(1.0, kSmallCost / cost)));
+    const double small = scheme == Scheme::clipped || nested ? kSmallCost : kSmallBarycentricCost;
+    return std::max<std::int64_t>(1, std::llround(whole * std::min(1.0, small / cost_here)));
   }
   const std::int64_t usual = faces() > 20000 ? kWholeShare / 16 : faces() > 8000 ? kWholeShare / 4 : kWholeShare;
   if (hard(stratum)) return variants.empty() ? usual : kFamilyWeight * usual;

@@ -17,6 +17,13 @@ namespace pcm::compare {
 /// The share of a pair that costs little.
 inline constexpr std::int64_t kWholeShare = 256;
 
+/// Processor time of a pose of a pair, ms: engine by all its routes, oracle and comparison, one mode; as measured,
+/// roughly. 0 where it is not known.
+struct PoseCost {
+  double usual = 0;
+  double nested = 0;  ///< of one of the stratum nested
+};
+
 /// Two surfaces to verify on, with the law between them.
 struct SurfacePair {
   std::string name;  ///< names the pair in tables and, with the seed, its random numbers
@@ -38,16 +45,17 @@ struct SurfacePair {
   /// Its part of the poses of a stratum beside that of the other pairs, kWholeShare for most: costly pairs take less,
   /// or a run's time would be theirs alone, pairs with variants more.
   ///
-  /// Barycentric scheme: a quarter above 8,000 faces together, a sixteenth above 20,000; of nested poses, where every
-  /// face of the guest is active, an eighth of that above 2,000. Clipped scheme: in inverse proportion to what a pose
-  /// costs, for that spreads over a factor of a thousand (a deep pose of two gears has 15,000 elements); in 200,000
-  /// poses still at least some eighty for each pair and stratum, some hundreds for most.
+  /// In inverse proportion to what a pose costs, where that is known, for it spreads over a factor of a thousand (a
+  /// deep pose of two gears has 15,000 clipped elements). Of other pairs in both schemes a quarter above 8,000 faces
+  /// together, a sixteenth above 20,000; of nested poses, where every face of the guest is active, an eighth of that
+  /// above 2,000.
   std::int64_t share(Stratum stratum, Scheme scheme) const;
 
-  /// CPU time of the oracle a pose in the clipped scheme, all modes, in milliseconds, of an average pose and of a
-  /// nested one; as measured, roughly. 0 where it is not known: the share is then that of the barycentric scheme.
-  double clipped_cost = 0;
-  double clipped_nested_cost = 0;
+  /// Of one of its poses, ms; 0 where it is not known.
+  double cost(Stratum stratum, Scheme scheme) const;
+
+  PoseCost barycentric_cost;
+  PoseCost clipped_cost;
 
   std::size_t faces() const { return E.faces.size() + F.faces.size(); }
 };

@@ -122,6 +122,12 @@ void Verification::run_batch(int jobs, const std::function<bool()>& stop,
     for (std::int64_t k = n * batches_done_ / batches_; k < n * (batches_done_ + 1) / batches_; ++k)
       tasks.push_back({c, first + k});
   }
+  // The costly ones first, so that no thread is left alone with them at the end.
+  const auto cost = [this](const Task& task) {
+    const Cell& cell = cells_[task.cell];
+    return plan().pairs[cell.pair].cost(cell.stratum, cell.scheme);
+  };
+  std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) { return cost(a) > cost(b); });
 
   const std::int64_t before = poses_done();
   std::vector<Held> held(tasks.size());
