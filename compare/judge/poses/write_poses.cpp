@@ -29,7 +29,14 @@ constexpr std::int64_t kBatch = 1024;
 /// The numbers of both surfaces, by where they are held.
 using Numbers = std::map<const HeldPairing*, std::pair<std::size_t, std::size_t>>;
 
-PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, std::int64_t pose,
+/// Its stiffness says nothing: forces are proportional to it.
+ContactLaw elastic_law() {
+  ContactLaw law;
+  law.stiffness = 1e6;
+  return law;
+}
+
+PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, std::int64_t pose, PosedLaw law,
                           const Numbers& numbers) {
   PosedQuestion question;
   question.id = poses.pose_name(cell, pose);
@@ -44,8 +51,8 @@ PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, st
     }
   }();
   question.pose = state.pose;
-  question.velocity = state.velocity;
-  question.law = state.law;
+  question.velocity = law == PosedLaw::elastic ? Velocity{} : state.velocity;
+  question.law = law == PosedLaw::elastic ? elastic_law() : state.law;
   question.mode = cell.mode;
   question.scheme = state.scheme;
   return question;
@@ -53,7 +60,7 @@ PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, st
 
 }  // namespace
 
-bool write_poses(const fs::path& folder, const PlannedPoses& poses, Notation notation, int jobs,
+bool write_poses(const fs::path& folder, const PlannedPoses& poses, PosedLaw law, Notation notation, int jobs,
                  const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress) {
   PosedSurfaces known;
   Numbers numbers;
@@ -65,7 +72,8 @@ bool write_poses(const fs::path& folder, const PlannedPoses& poses, Notation not
         numbers[&held] = {known.number_of(held.features().E.mesh), known.number_of(held.features().F.mesh)};
   }
   const std::vector<PosedSurface>& surfaces = known.write(folder);
-  const std::string origin = poses.plan().recorded.empty() ? fmt::format("pcm poses --seed {}", poses.plan().seed)
+  const std::string origin = poses.plan().recorded.empty() ? fmt::format("pcm poses --seed {}{}", poses.plan().seed,
+                                                                         law == PosedLaw::elastic ? " --elastic" : "")
                                                            : "recorded by pcm simulate";
   PosesWriter writer(folder, surfaces, all, origin);
   oneapi::tbb::task_arena arena(jobs);
@@ -77,7 +85,7 @@ bool write_poses(const fs::path& folder, const PlannedPoses& poses, Notation not
         oneapi::tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t k) {
           if (stop()) return;
           const std::int64_t pose = cell.first + begin + static_cast<std::int64_t>(k);
-          lines[k] = dump_exactly(pose_json(question_of(poses, cell, pose, numbers), surfaces, notation));
+          lines[k] = dump_exactly(pose_json(question_of(poses, cell, pose, law, numbers), surfaces, notation));
         });
       });
       if (stop()) return false;

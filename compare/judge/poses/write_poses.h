@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 
@@ -10,11 +11,17 @@
 
 namespace pcm::compare {
 
+/// Under which law the poses are asked.
+enum class PosedLaw : std::uint8_t {
+  drawn,    ///< as `pcm verify` asks them
+  elastic,  ///< at rest, with stiffness alone: for engines that have another law of damping and friction, or none
+};
+
 /// Writes what a plan asks: every pose in every mode as a line of poses.jsonl, the surfaces beside it as OBJ files,
 /// those of variants and of the stratum nested included. The same bytes whatever the number of threads. Memory does not
 /// grow with the number of poses. Once `stop` says yes nothing is left behind but surfaces; `progress` gets the number
 /// of lines written. Returns whether all were.
-bool write_poses(const std::filesystem::path& folder, const PlannedPoses& poses, Notation notation, int jobs,
-                 const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
+bool write_poses(const std::filesystem::path& folder, const PlannedPoses& poses, PosedLaw law, Notation notation,
+                 int jobs, const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
 
 }  // namespace pcm::compare

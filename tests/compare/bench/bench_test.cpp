@@ -14,9 +14,9 @@
 
 #include "compare/bench/bodies.h"
 #include "compare/bench/timing.h"
-#include "compare/bench/triangle_overlap.h"
 #include "compare/bench/work_precision.h"
 #include "compare/io/table.h"
+#include "compare/peers/triangle_overlap.h"
 #include "meshes/files/text_file.h"
 #include "pcm/engine.h"
 #include "tests/compare/io/well_formed_xml.h"

@@ -51,6 +51,23 @@ TEST(PosesFolder, HoldsWhatAVerificationAsksBitForBit) {
   }
 }
 
+TEST(PosesFolder, AsksTheSamePosesElasticallyAtRest) {
+  const TemporaryFolder scratch;
+  const PlannedPoses poses = planned(12, {Scheme::barycentric});
+  write_poses(
+      scratch.path("poses"), poses, PosedLaw::elastic, Notation::decimal, 2, [] { return false; }, [](std::int64_t) {});
+  const PosedFolder drawn(12);
+  const PosedQuestions read = read_poses_folder(scratch.path("poses"));
+  ASSERT_EQ(read.questions.size(), drawn.posed.questions.size());
+  for (std::size_t k = 0; k < read.questions.size(); ++k) {
+    const PosedQuestion& question = read.questions[k];
+    EXPECT_EQ(question.id, drawn.posed.questions[k].id);
+    EXPECT_TRUE(fast::same_bits(question.pose, drawn.posed.questions[k].pose));
+    EXPECT_TRUE(fast::same_bits(question.velocity, Velocity{}));
+    EXPECT_EQ(law_json(question.law), law_json(ContactLaw{}));
+  }
+}
+
 class Folder : public testing::Test {
  protected:
   const PosedFolder folder_{12};
