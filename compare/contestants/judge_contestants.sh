@@ -44,7 +44,7 @@ for pair in 'cube cube' 'gridded-cube plate' 'icosphere plate' 'icosphere icosph
   'torus torus' 'bubble bubble'; do
   set -- "$@" --pair "surfaces/${pair% *}.obj" "surfaces/${pair#* }.obj"
 done
-"$pcm" poses --out poses --poses "$poses" --elastic --mode E --scheme barycentric "$@"
+"$pcm" poses --out poses --poses "$poses" --law elastic --mode E --scheme barycentric "$@"
 
 judge fcl fcl
 judge embree embree

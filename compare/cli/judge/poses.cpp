@@ -24,7 +24,7 @@ namespace {
 struct PosesOptions {
   VerifyOptions plan;
   bool catalogue = false;
-  bool elastic = false;
+  std::string law = "drawn";
   bool hexadecimal = false;
 
   Notation notation() const { return hexadecimal ? Notation::hexadecimal : Notation::decimal; }
@@ -51,8 +51,7 @@ Exit poses(const PosesOptions& options) {
   for (const std::string& omission : planned.omissions()) complain(omission);
   std::int64_t written = 0;
   const bool whole = write_poses(
-      folder, planned, options.elastic ? PosedLaw::elastic : PosedLaw::drawn, options.notation(), jobs,
-      [&] { return work->interrupted(); },
+      folder, planned, posed_law_named(options.law), options.notation(), jobs, [&] { return work->interrupted(); },
       [&](std::int64_t lines) {
         written = lines;
         work->show(lines);
@@ -92,8 +91,13 @@ void add_poses_command(CLI::App& program, Run& run) {
                  "intersection (known_volume) where it was worked out by hand")
       ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--trajectory");
   command
-      ->add_flag("--elastic", options->elastic,
-                 "All poses at rest, with stiffness alone: for engines with another law of damping and friction")
+      ->add_option(
+          "--law", options->law,
+          "drawn: a law and a velocity drawn for each pose; pair: the pair's own law, as 'pcm verify --engine' "
+          "asks; elastic: at rest, with stiffness alone, for engines with another law of damping and friction")
+      ->type_name("WHICH")
+      ->check(CLI::IsMember({"drawn", "pair", "elastic"}))
+      ->capture_default_str()
       ->excludes("--catalogue");
   command->add_option("--jobs", options->plan.jobs, "Threads (default: as many as cores)")->type_name("N");
   command->add_flag("--hex", options->hexadecimal, "Doubles as C hexadecimal floating point in quotes");

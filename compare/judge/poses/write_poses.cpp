@@ -7,6 +7,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,11 +30,14 @@ constexpr std::int64_t kBatch = 1024;
 /// The numbers of both surfaces, by where they are held.
 using Numbers = std::map<const HeldPairing*, std::pair<std::size_t, std::size_t>>;
 
-/// Its stiffness says nothing: forces are proportional to it.
-ContactLaw elastic_law() {
-  ContactLaw law;
-  law.stiffness = 1e6;
-  return law;
+/// What is asked at a pose, under that law. Throws DrawFailure where the engine breaks down while a law is drawn.
+HeldPairing::State asked(const PlannedPoses& poses, const PlannedCell& cell, std::int64_t pose, PosedLaw law) {
+  if (law == PosedLaw::drawn) return poses.asked(cell, pose);
+  const DrawnPose drawn = poses.draw(cell, pose);
+  if (law == PosedLaw::of_pair) return {drawn.pose, drawn.velocity, poses.held_pairing(cell, pose).law(), cell.scheme};
+  ContactLaw elastic;
+  elastic.stiffness = 1e6;  // says nothing: forces are proportional to it
+  return {drawn.pose, {}, elastic, cell.scheme};
 }
 
 PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, std::int64_t pose, PosedLaw law,
@@ -45,20 +49,31 @@ PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, st
   std::tie(question.E, question.F) = numbers.at(&poses.held_pairing(cell, pose));
   const HeldPairing::State state = [&] {
     try {
-      return poses.asked(cell, pose);
+      return asked(poses, cell, pose, law);
     } catch (const DrawFailure& failure) {
       throw BadInput(question.id + " can't be drawn: " + failure.what());
     }
   }();
   question.pose = state.pose;
-  question.velocity = law == PosedLaw::elastic ? Velocity{} : state.velocity;
-  question.law = law == PosedLaw::elastic ? elastic_law() : state.law;
+  question.velocity = state.velocity;
+  question.law = state.law;
   question.mode = cell.mode;
   question.scheme = state.scheme;
   return question;
 }
 
 }  // namespace
+
+PosedLaw posed_law_named(const std::string& word) {
+  for (const PosedLaw law : kPosedLaws)
+    if (name(law) == word) return law;
+  throw BadInput("--law: unknown " + in_quotes(word) + "; known are drawn, pair, elastic");
+}
+
+std::string_view name(PosedLaw law) {
+  constexpr std::array<std::string_view, kPosedLaws.size()> kNames = {"drawn", "pair", "elastic"};
+  return kNames[static_cast<std::size_t>(law)];
+}
 
 bool write_poses(const fs::path& folder, const PlannedPoses& poses, PosedLaw law, Notation notation, int jobs,
                  const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress) {
@@ -72,9 +87,10 @@ bool write_poses(const fs::path& folder, const PlannedPoses& poses, PosedLaw law
         numbers[&held] = {known.number_of(held.features().E.mesh), known.number_of(held.features().F.mesh)};
   }
   const std::vector<PosedSurface>& surfaces = known.write(folder);
-  const std::string origin = poses.plan().recorded.empty() ? fmt::format("pcm poses --seed {}{}", poses.plan().seed,
-                                                                         law == PosedLaw::elastic ? " --elastic" : "")
-                                                           : "recorded by pcm simulate";
+  const std::string origin = poses.plan().recorded.empty()
+                                 ? fmt::format("pcm poses --seed {}{}", poses.plan().seed,
+                                               law == PosedLaw::drawn ? "" : fmt::format(" --law {}", name(law)))
+                                 : "recorded by pcm simulate";
   PosesWriter writer(folder, surfaces, all, origin);
   oneapi::tbb::task_arena arena(jobs);
   std::int64_t written = 0;
