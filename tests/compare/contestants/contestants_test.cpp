@@ -98,15 +98,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"simbody", {Stratum::generic, Stratum::separated}, {Fact::touching, Fact::active_faces}}),
     [](const testing::TestParamInfo<Expected>& test) { return test.param.engine; });
 
-/// Where no spring has another point of the slave nearer than the one opposite, Simbody's law is ours: a cube of edge
-/// 0.5 under one of edge 1, turned about the vertical, 0.05 m deep on 0.25 m^2.
-TEST(SimbodyContestant, HasTheForceOfAFlatContact) {
-  if (!is_built("simbody")) GTEST_SKIP() << "Simbody is not installed: its contestant was not built";
+/// A cube of edge 0.5 m, its faces divided into so many cells along each edge, under one of edge 1, turned about the
+/// vertical: 0.05 m deep on 0.25 m^2, 12500 N by the law of both.
+Reply flat_contact(int cells) {
   const TemporaryFolder scratch;
   PosedSurfaces surfaces;
   PosedQuestion question;
   question.id = question.pair = question.stratum = "flat";
-  question.E = surfaces.number_of(generate::box({0.5, 0.5, 0.5}));
+  question.E = surfaces.number_of(generate::gridded_box(0.5, cells));
   question.F = surfaces.number_of(generate::box({1, 1, 1}));
   question.pose.A = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   question.pose.r = {0.1, 0, 0.7};
@@ -115,13 +114,28 @@ TEST(SimbodyContestant, HasTheForceOfAFlatContact) {
   writer.add(dump_exactly(pose_json(question, surfaces.surfaces(), Notation::decimal)));
   writer.finish();
   const PosedQuestions posed = read_poses_folder(scratch.path("."));
-  AskedEngine asked("'" + program("simbody") + "'", posed, scratch.path("."), Conversation::Seconds(60));
-  const Reply reply = asked.ask(0);
+  return AskedEngine("'" + program("simbody") + "'", posed, scratch.path("."), Conversation::Seconds(60)).ask(0);
+}
+
+/// On faces that are as large as the sides of the cube no spring at a side is inside F, and Simbody's law is ours.
+TEST(SimbodyContestant, HasTheForceOfAFlatContact) {
+  if (!is_built("simbody")) GTEST_SKIP() << "Simbody is not installed: its contestant was not built";
+  const Reply reply = flat_contact(1);
   ASSERT_FALSE(reply.breakdown) << reply.failure;
   ASSERT_TRUE(reply.answer.force_Me && reply.answer.torque_Me);
   // The force acts at E's origin, 0.1 m beside F's: (-0.1, 0, z) x (0, 0, -12500).
   EXPECT_LT((*reply.answer.force_Me - Eigen::Vector3d(0, 0, -12500)).norm(), 1e-6);
   EXPECT_LT((*reply.answer.torque_Me - Eigen::Vector3d(0, -1250, 0)).norm(), 1e-6);
+}
+
+/// Springs at the sides push too, for the nearest point of F is above them: with cells of just the depth h = 0.05, the
+/// four uppermost rows add 4 * 0.5 m * h at a mean depth of h / 2, a fifth of 0.25 m^2 * h (docs/peers.md).
+TEST(SimbodyContestant, AddsAFifthWhereSidesAreDivided) {
+  if (!is_built("simbody")) GTEST_SKIP() << "Simbody is not installed: its contestant was not built";
+  const Reply reply = flat_contact(10);
+  ASSERT_FALSE(reply.breakdown) << reply.failure;
+  ASSERT_TRUE(reply.answer.force_Me);
+  EXPECT_LT((*reply.answer.force_Me - Eigen::Vector3d(0, 0, -1.2 * 12500)).norm(), 1e-6);
 }
 
 TEST(Contestant, WhatIsNoPoseEndsIt) {
