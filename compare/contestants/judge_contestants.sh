@@ -17,16 +17,27 @@ surface() {
   "$pcm" mesh make "$@" -o "surfaces/$name.obj"
 }
 
-# judge FOLDER ENGINE OPTION...: wrong answers are no failure here.
+# judge FOLDER COMMAND OPTION...: wrong answers are no failure here.
 judge() {
+  folder=$1
+  command=$2
+  shift 2
+  status=0
+  "$pcm" judge --command "$command" --poses poses --out "$folder" "$@" >"$folder.txt" 2>&1 || status=$?
+  echo "$folder: $(tail -n 1 "$folder.txt")"
+  [ "$status" -le 1 ] || exit "$status"
+}
+
+# contestant FOLDER ENGINE OPTION...: where it was built.
+contestant() {
   folder=$1
   engine=$2
   shift 2
-  [ -x "$programs/contestants/$engine" ] || { echo "$engine: not installed"; return; }
-  status=0
-  "$pcm" judge --command "$programs/contestants/$engine" --poses poses --out "$folder" "$@" >"$folder.txt" 2>&1 || status=$?
-  echo "$folder: $(tail -n 1 "$folder.txt")"
-  [ "$status" -le 1 ] || exit "$status"
+  if [ -x "$programs/contestants/$engine" ]; then
+    judge "$folder" "'$programs/contestants/$engine'" "$@"
+  else
+    echo "$engine: not installed"
+  fi
 }
 
 # Closed, orientable and free of self-intersections, as every contestant asks. Coordinates are dyadic where the shape
@@ -46,14 +57,21 @@ for pair in 'cube cube' 'gridded-cube plate' 'icosphere plate' 'icosphere icosph
 done
 "$pcm" poses --out poses --poses "$poses" --law elastic --mode E --scheme barycentric "$@"
 
-judge fcl fcl
-judge embree embree
+contestant fcl fcl
+contestant embree embree
 # Single precision: 8 ulps of it are 2^32 of double precision.
-judge ode ode --ulps 4294967296
-judge bullet bullet --ulps 4294967296
+contestant ode ode --ulps 4294967296
+contestant bullet bullet --ulps 4294967296
 # Volumes are summed up about the origin, 1e-12 of a body's own away from it; intersection points are rounded.
-judge cgal cgal --absolute volume=1e-12,area=1e-12 --tolerance volume=1e-9,area=1e-9
-judge simbody simbody --tolerance force=0.01,torque=0.01
-for part in 0.1 1; do
-  judge "simbody-$part" simbody --tolerance "force=$part,torque=$part"
+contestant cgal cgal --absolute volume=1e-12,area=1e-12 --tolerance volume=1e-9,area=1e-9
+# Its law is another one: how far off forces are is read from how many are wrong at each tolerance. A neighbouring answer
+# is looked for once.
+contestant simbody simbody --tolerance force=0.01,torque=0.01
+for part in 0.001 0.1; do
+  contestant "simbody-$part" simbody --tolerance "force=$part,torque=$part" --ulps 0
+done
+# Our own, and the published algorithms, by the same measure.
+judge pcm "'$pcm' answer"
+for algorithm in published-2003 published-2023; do
+  judge "$algorithm" "'$pcm' answer --engine $algorithm" --tolerance force=1e-9,torque=1e-9
 done

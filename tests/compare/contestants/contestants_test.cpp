@@ -5,7 +5,9 @@
 // left out.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "compare/judge/poses/poses_folder.h"
 #include "compare/judge/poses/poses_writer.h"
 #include "compare/judge/poses/write_poses.h"
+#include "meshes/files/text_file.h"
 #include "meshes/generate/boxes.h"
 #include "tests/compare/small_pair.h"
 #include "tests/meshes/temporary_folder.h"
@@ -144,6 +147,21 @@ TEST(Contestant, WhatIsNoPoseEndsIt) {
   const Conversation::Said said = conversation.ask("{}");
   EXPECT_EQ(said.breakdown, Breakdown::crash);
   EXPECT_NE(said.failure.find("status 2"), std::string::npos) << said.failure;
+}
+
+/// The script of `./run peers`, whole, with a pose of each pair in each stratum: every engine that is there is judged,
+/// our own is right.
+TEST(JudgeContestants, JudgesAllThatAreThere) {
+  const TemporaryFolder scratch;
+  const std::string script = std::string(PCM_SOURCE_DIR) + "/compare/contestants/judge_contestants.sh";
+  const std::string out = scratch.path("peers");
+  ASSERT_EQ(std::system(("sh '" + script + "' '" PCM_PROGRAMS_DIR "' '" + out + "' 48 > /dev/null").c_str()), 0);
+  for (const std::string engine : {"bullet", "cgal", "embree", "fcl", "ode", "simbody"})
+    EXPECT_EQ(std::filesystem::exists(out + "/" + engine + "/judgement.md"), is_built(engine)) << engine;
+  const auto judged = nlohmann::json::parse(read_text_file(out + "/pcm/judgement.json"));
+  EXPECT_EQ(judged.at("complete"), true);
+  EXPECT_TRUE(judged.at("wrong_answers").empty());
+  EXPECT_EQ(judged.at("strata").size(), 7U);  // and all
 }
 
 }  // namespace
