@@ -3,8 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <iosfwd>
 #include <memory>
+#include <vector>
 
 #include "compare/judge/lines/given_answer.h"
 #include "compare/judge/lines/posed_question.h"

@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh.h>
 
+#include <cstdint>
 #include <vector>
 
 #include "compare/poses/rounded_vertices.h"

@@ -5,6 +5,7 @@
 // left out.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>

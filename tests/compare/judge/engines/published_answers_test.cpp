@@ -4,6 +4,7 @@
 // often, and in the same, as `pcm verify --engine` finds them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
