@@ -3,12 +3,12 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
 #include <boost/config/helper_macros.hpp>
 
 #include "compare/bench/peer.h"
+#include "compare/peers/cgal_pair.h"
 
 namespace pcm::compare {
 namespace {
@@ -17,34 +17,18 @@ namespace processing = CGAL::Polygon_mesh_processing;
 using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
-/// Takes surfaces in place: F's vertices are moved, with rounding, before each query.
+/// A peer whose `prepare` places F.
 template <class Kernel>
 class Cgal : public Peer {
  public:
-  using Point = typename Kernel::Point_3;
-  using Mesh = CGAL::Surface_mesh<Point>;
+  using Mesh = typename CgalPair<Kernel>::Mesh;
 
-  Cgal(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
-      : vertices_F_(mesh_F.vertices), E_(mesh_of(mesh_E)), F_(mesh_of(mesh_F)) {}
+  Cgal(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) : pair_(mesh_E, mesh_F) {}
 
-  void prepare(const Pose& pose) override {
-    std::size_t v = 0;
-    for (const auto vertex : F_.vertices()) F_.point(vertex) = point(pose.A * vertices_F_[v++] + pose.r);
-  }
+  void prepare(const Pose& pose) override { pair_.place(pose); }
 
  protected:
-  static Point point(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
-
-  static Mesh mesh_of(const TriangleMesh& mesh) {
-    Mesh made;
-    for (const Eigen::Vector3d& x : mesh.vertices) made.add_vertex(point(x));
-    const auto vertex = [](Index v) { return typename Mesh::Vertex_index(static_cast<std::uint32_t>(v)); };
-    for (const Triangle& f : mesh.faces) made.add_face(vertex(f[0]), vertex(f[1]), vertex(f[2]));
-    return made;
-  }
-
-  std::vector<Eigen::Vector3d> vertices_F_;
-  Mesh E_, F_;
+  CgalPair<Kernel> pair_;
 };
 
 template <class Kernel>
@@ -54,7 +38,7 @@ class SurfaceIntersection final : public Cgal<Kernel> {
 
   std::int64_t query(const Pose& /*pose*/) override {
     std::vector<std::vector<typename Kernel::Point_3>> polylines;
-    processing::surface_intersection(this->E_, this->F_, std::back_inserter(polylines));
+    processing::surface_intersection(this->pair_.E, this->pair_.F, std::back_inserter(polylines));
     std::int64_t segments = 0;
     for (const auto& polyline : polylines) segments += static_cast<std::int64_t>(polyline.size()) - 1;
     return segments;
@@ -70,8 +54,8 @@ class Corefinement final : public Cgal<Kernel> {
 
   void prepare(const Pose& pose) override {
     Cgal<Kernel>::prepare(pose);
-    copy_E_ = this->E_;
-    copy_F_ = this->F_;
+    copy_E_ = this->pair_.E;
+    copy_F_ = this->pair_.F;
     solid_ = Mesh();
   }
 

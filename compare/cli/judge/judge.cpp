@@ -39,7 +39,8 @@ struct JudgeOptions {
   VerifyOptions shared;  ///< --jobs and --out, as for `pcm verify`
 };
 
-constexpr std::uint64_t kMostUlps = 1 << 20;
+/// 8 ulps of single precision.
+constexpr std::uint64_t kMostUlps = std::uint64_t{8} << 29;
 
 /// Few at first, so that another convention is noticed before every pose has been looked at twice.
 constexpr std::size_t kFirstBatch = 64;
@@ -149,7 +150,7 @@ Exit judge(const JudgeOptions& options) {
   Tolerances tolerances;
   tolerances.add("--tolerance", options.tolerances, &Tolerance::relative);
   tolerances.add("--absolute", options.absolutes, &Tolerance::absolute);
-  const int ulps = static_cast<int>(whole_number("--ulps", options.ulps, 0, kMostUlps));
+  const auto ulps = static_cast<std::int64_t>(whole_number("--ulps", options.ulps, 0, kMostUlps));
   const PosedQuestions posed = read_poses_folder(*options.poses);
   const Source source = options.answers ? source_of_file(*options.answers, posed) : source_of_command(options, posed);
   const std::optional<fs::path> folder = prepared_folder(options.shared);

@@ -24,6 +24,7 @@ namespace {
 struct PosesOptions {
   VerifyOptions plan;
   bool catalogue = false;
+  std::string law = "drawn";
   bool hexadecimal = false;
 
   Notation notation() const { return hexadecimal ? Notation::hexadecimal : Notation::decimal; }
@@ -50,7 +51,7 @@ Exit poses(const PosesOptions& options) {
   for (const std::string& omission : planned.omissions()) complain(omission);
   std::int64_t written = 0;
   const bool whole = write_poses(
-      folder, planned, options.notation(), jobs, [&] { return work->interrupted(); },
+      folder, planned, posed_law_named(options.law), options.notation(), jobs, [&] { return work->interrupted(); },
       [&](std::int64_t lines) {
         written = lines;
         work->show(lines);
@@ -89,6 +90,15 @@ void add_poses_command(CLI::App& program, Run& run) {
                  "The named degenerate cases instead, each in mode both and in either scheme, with the volume of the "
                  "intersection (known_volume) where it was worked out by hand")
       ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--trajectory");
+  command
+      ->add_option(
+          "--law", options->law,
+          "drawn: a law and a velocity drawn for each pose; pair: the pair's own law, as 'pcm verify --engine' "
+          "asks; elastic: at rest, with stiffness alone, for engines with another law of damping and friction")
+      ->type_name("WHICH")
+      ->check(CLI::IsMember({"drawn", "pair", "elastic"}))
+      ->capture_default_str()
+      ->excludes("--catalogue");
   command->add_option("--jobs", options->plan.jobs, "Threads (default: as many as cores)")->type_name("N");
   command->add_flag("--hex", options->hexadecimal, "Doubles as C hexadecimal floating point in quotes");
   command->callback([options, &run] { run = [options] { return poses(*options); }; });

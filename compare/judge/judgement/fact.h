@@ -40,6 +40,11 @@ inline std::string_view name(Fact fact) {
   return kFactNames[static_cast<std::size_t>(fact)];
 }
 
+/// Whether it is a set, of which members may be lost or spurious.
+inline bool is_set(Fact fact) {
+  return (fact >= Fact::crossing_pairs && fact <= Fact::active_faces) || fact == Fact::elements;
+}
+
 /// Whether it is a value, and not a discrete fact.
 inline bool is_value(Fact fact) {
   return fact >= Fact::area;

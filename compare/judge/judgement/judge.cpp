@@ -27,7 +27,7 @@ bool PoseVerdict::has(Verdict verdict) const {
 Judge::Pairing::Pairing(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
     : E(mesh_E), F(mesh_F), oracle(mesh_E, mesh_F) {}
 
-Judge::Judge(const PosedQuestions& posed, const Tolerances& tolerances, int near_ulps)
+Judge::Judge(const PosedQuestions& posed, const Tolerances& tolerances, std::int64_t near_ulps)
     : posed_(posed), tolerances_(tolerances), near_ulps_(near_ulps) {
   for (const PosedQuestion& question : posed.questions) pairings_.try_emplace({question.E, question.F});
   oneapi::tbb::parallel_for_each(pairings_.begin(), pairings_.end(), [&](auto& entry) {
@@ -57,7 +57,8 @@ PoseVerdict Judge::judge(const PosedQuestion& question, const GivenAnswer& answe
   const std::vector<FactJudged> judged = judge_facts(asked, answer, truth, tolerances_);
   PoseVerdict verdict;
   for (const FactJudged& fact : judged)
-    verdict.facts.push_back({fact.fact, fact.right ? Verdict::right : Verdict::wrong, fact.text});
+    verdict.facts.push_back(
+        {fact.fact, fact.right ? Verdict::right : Verdict::wrong, fact.text, fact.lost, fact.spurious});
   if (!verdict.has(Verdict::wrong)) return verdict;
   look_around(question, answer, truth, verdict.facts);
   verdict.conventions = told_by(asked, answer, truth, tolerances_, judged);

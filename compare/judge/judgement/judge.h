@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>
@@ -23,7 +24,8 @@ enum class Verdict : std::uint8_t { right, near, wrong };
 struct FactVerdict {
   Fact fact = Fact::touching;
   Verdict verdict = Verdict::right;
-  std::string text;  ///< what each side says, where not right
+  std::string text;                     ///< what each side says, where not right
+  std::int64_t lost = 0, spurious = 0;  ///< as FactJudged has them
 };
 
 struct PoseVerdict {
@@ -39,7 +41,7 @@ class Judge {
  public:
   /// Prepares every pair of surfaces that is asked about, on all cores. `near_ulps`: how far away another answer may
   /// be. Question and tolerances must outlive this. Throws BadInput where a surface is unfit for contact.
-  Judge(const PosedQuestions& posed, const Tolerances& tolerances, int near_ulps);
+  Judge(const PosedQuestions& posed, const Tolerances& tolerances, std::int64_t near_ulps);
 
   const PosedQuestions& posed() const { return posed_; }
   PoseVerdict judge(const PosedQuestion& question, const GivenAnswer& answer) const;
@@ -63,7 +65,7 @@ class Judge {
 
   const PosedQuestions& posed_;
   const Tolerances& tolerances_;
-  int near_ulps_;
+  std::int64_t near_ulps_;
   std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<const Pairing>> pairings_;
 };
 

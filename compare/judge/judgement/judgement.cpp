@@ -34,12 +34,17 @@ class Facts {
   explicit Facts(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
   void note(Fact fact, bool right, const std::string& text) {
-    const auto known =
-        std::find_if(list_.begin(), list_.end(), [fact](const FactJudged& judged) { return judged.fact == fact; });
-    FactJudged& judged = known == list_.end() ? list_.emplace_back(FactJudged{fact, true, ""}) : *known;
+    FactJudged& judged = of(fact);
     if (right || !judged.right) return;
     judged.right = false;
     judged.text = text;
+  }
+
+  /// A set of which each side may have what the other has not.
+  void note_set(Fact fact, const std::string& text, std::int64_t lost, std::int64_t spurious) {
+    note(fact, lost == 0 && spurious == 0, text);
+    of(fact).lost += lost;
+    of(fact).spurious += spurious;
   }
 
   template <class T>
@@ -59,7 +64,7 @@ class Facts {
     if (!lost.empty()) text += fmt::format("; {} lost, the first {}", lost.size(), text_of(lost.front()));
     if (!spurious.empty())
       text += fmt::format("; {} spurious, the first {}", spurious.size(), text_of(spurious.front()));
-    note(fact, lost.empty() && spurious.empty(), text);
+    note_set(fact, text, std::ssize(lost), std::ssize(spurious));
   }
 
   /// `scale`: what an error is relative to. The truth itself is rounded once, which its bound counts.
@@ -85,6 +90,12 @@ class Facts {
   }
 
  private:
+  FactJudged& of(Fact fact) {
+    const auto known =
+        std::find_if(list_.begin(), list_.end(), [fact](const FactJudged& judged) { return judged.fact == fact; });
+    return known == list_.end() ? list_.emplace_back(FactJudged{fact, true, ""}) : *known;
+  }
+
   const Tolerances& tolerances_;
   std::vector<FactJudged> list_;
 };
@@ -130,7 +141,7 @@ void judge_element_list(const std::vector<GivenElement>& given, const ElementsHe
     text += fmt::format("; {} lost, the first {}", held.missing.size(), text_of_element(*held.missing.front()));
   if (!held.spurious.empty())
     text += fmt::format("; {} spurious, the first {}", held.spurious.size(), text_of_element(*held.spurious.front()));
-  facts.note(Fact::elements, held.missing.empty() && held.spurious.empty(), text);
+  facts.note_set(Fact::elements, text, std::ssize(held.missing), std::ssize(held.spurious));
   for (const ElementsHeld::Common& e : held.common) {
     const std::string whose = text_of_element(*e.truth) + ": ";
     if (e.given->area)

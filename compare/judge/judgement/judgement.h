@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct FactJudged {
   Fact fact = Fact::touching;
   bool right = false;
   std::string text;  ///< where wrong: what each side says
+  /// Of a set: what the oracle alone has, and what the engine alone has.
+  std::int64_t lost = 0, spurious = 0;
 };
 
 /// The facts that an answer gives and that can be judged, in the order of Fact. `truth` must have been asked for as

@@ -24,6 +24,9 @@ void JudgedTally::add(const PoseVerdict& verdict) {
   for (const FactVerdict& fact : verdict.facts) {
     FactTally& tally = facts[static_cast<std::size_t>(fact.fact)];
     ++(fact.verdict == Verdict::right ? tally.right : fact.verdict == Verdict::near ? tally.near : tally.wrong);
+    if (fact.verdict != Verdict::wrong) continue;
+    tally.lost += fact.lost;
+    tally.spurious += fact.spurious;
   }
 }
 
@@ -42,6 +45,8 @@ void JudgedTally::merge(const JudgedTally& other) {
     facts[k].right += other.facts[k].right;
     facts[k].near += other.facts[k].near;
     facts[k].wrong += other.facts[k].wrong;
+    facts[k].lost += other.facts[k].lost;
+    facts[k].spurious += other.facts[k].spurious;
   }
 }
 

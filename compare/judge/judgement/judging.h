@@ -19,6 +19,8 @@ struct FactTally {
   std::int64_t right = 0;
   std::int64_t near = 0;
   std::int64_t wrong = 0;
+  /// In all wrong answers together: members of sets that they lack, and that they alone have.
+  std::int64_t lost = 0, spurious = 0;
 
   std::int64_t judged() const { return right + near + wrong; }
 };

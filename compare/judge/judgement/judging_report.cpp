@@ -26,6 +26,8 @@ std::vector<TableCell> fact_row(const std::string& stratum, Fact fact, const Jud
           count_cell(of_fact.near),
           count_cell(of_fact.wrong),
           rate_cell(rate_upper_bound(of_fact.wrong, of_fact.judged())),
+          is_set(fact) ? count_cell(of_fact.lost) : empty_cell(),
+          is_set(fact) ? count_cell(of_fact.spurious) : empty_cell(),
           count_cell(tally.poses - of_fact.judged())};
 }
 
@@ -57,6 +59,8 @@ Table facts_table(const Judging& run) {
                {"near", "near"},
                {"wrong", "wrong"},
                {"rate below", "wrong_rate_upper_bound"},
+               {"lost", "lost"},
+               {"spurious", "spurious"},
                {"not judged", "not_judged"}},
               {}};
   for (const auto& [stratum, tally] : run.strata()) add_fact_rows(stratum, tally, table);
@@ -82,6 +86,7 @@ std::string judging_legend(const JudgingSetup& setup) {
   std::string text = fmt::format(
       "Answers of {} to the poses of {}, held against the oracle's answers to the rounded problem.\n"
       "wrong: at least one fact is; rate below: upper end of the 95 % confidence interval of the rate of wrong ones;\n"
+      "lost, spurious: members that the sets of all wrong answers together lack, and that they alone have;\n"
       "crash, hang, garbage: no answer came, and the pose counts as wrong; not judged: not given, or without a "
       "truth.\n",
       setup.who, setup.poses);

@@ -20,7 +20,7 @@ struct JudgingSetup {
   std::string who;  ///< the file of answers or the command
   std::string poses;
   std::string tolerances;  ///< Tolerances::text
-  int near_ulps = 0;
+  std::int64_t near_ulps = 0;
 };
 
 /// What the tables' columns are, in words for people.

@@ -7,6 +7,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,7 +30,17 @@ constexpr std::int64_t kBatch = 1024;
 /// The numbers of both surfaces, by where they are held.
 using Numbers = std::map<const HeldPairing*, std::pair<std::size_t, std::size_t>>;
 
-PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, std::int64_t pose,
+/// What is asked at a pose, under that law. Throws DrawFailure where the engine breaks down while a law is drawn.
+HeldPairing::State asked(const PlannedPoses& poses, const PlannedCell& cell, std::int64_t pose, PosedLaw law) {
+  if (law == PosedLaw::drawn) return poses.asked(cell, pose);
+  const DrawnPose drawn = poses.draw(cell, pose);
+  if (law == PosedLaw::of_pair) return {drawn.pose, drawn.velocity, poses.held_pairing(cell, pose).law(), cell.scheme};
+  ContactLaw elastic;
+  elastic.stiffness = 1e6;  // says nothing: forces are proportional to it
+  return {drawn.pose, {}, elastic, cell.scheme};
+}
+
+PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, std::int64_t pose, PosedLaw law,
                           const Numbers& numbers) {
   PosedQuestion question;
   question.id = poses.pose_name(cell, pose);
@@ -38,7 +49,7 @@ PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, st
   std::tie(question.E, question.F) = numbers.at(&poses.held_pairing(cell, pose));
   const HeldPairing::State state = [&] {
     try {
-      return poses.asked(cell, pose);
+      return asked(poses, cell, pose, law);
     } catch (const DrawFailure& failure) {
       throw BadInput(question.id + " can't be drawn: " + failure.what());
     }
@@ -53,7 +64,18 @@ PosedQuestion question_of(const PlannedPoses& poses, const PlannedCell& cell, st
 
 }  // namespace
 
-bool write_poses(const fs::path& folder, const PlannedPoses& poses, Notation notation, int jobs,
+PosedLaw posed_law_named(const std::string& word) {
+  for (const PosedLaw law : kPosedLaws)
+    if (name(law) == word) return law;
+  throw BadInput("--law: unknown " + in_quotes(word) + "; known are drawn, pair, elastic");
+}
+
+std::string_view name(PosedLaw law) {
+  constexpr std::array<std::string_view, kPosedLaws.size()> kNames = {"drawn", "pair", "elastic"};
+  return kNames[static_cast<std::size_t>(law)];
+}
+
+bool write_poses(const fs::path& folder, const PlannedPoses& poses, PosedLaw law, Notation notation, int jobs,
                  const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress) {
   PosedSurfaces known;
   Numbers numbers;
@@ -65,8 +87,10 @@ bool write_poses(const fs::path& folder, const PlannedPoses& poses, Notation not
         numbers[&held] = {known.number_of(held.features().E.mesh), known.number_of(held.features().F.mesh)};
   }
   const std::vector<PosedSurface>& surfaces = known.write(folder);
-  const std::string origin = poses.plan().recorded.empty() ? fmt::format("pcm poses --seed {}", poses.plan().seed)
-                                                           : "recorded by pcm simulate";
+  const std::string origin = poses.plan().recorded.empty()
+                                 ? fmt::format("pcm poses --seed {}{}", poses.plan().seed,
+                                               law == PosedLaw::drawn ? "" : fmt::format(" --law {}", name(law)))
+                                 : "recorded by pcm simulate";
   PosesWriter writer(folder, surfaces, all, origin);
   oneapi::tbb::task_arena arena(jobs);
   std::int64_t written = 0;
@@ -77,7 +101,7 @@ bool write_poses(const fs::path& folder, const PlannedPoses& poses, Notation not
         oneapi::tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t k) {
           if (stop()) return;
           const std::int64_t pose = cell.first + begin + static_cast<std::int64_t>(k);
-          lines[k] = dump_exactly(pose_json(question_of(poses, cell, pose, numbers), surfaces, notation));
+          lines[k] = dump_exactly(pose_json(question_of(poses, cell, pose, law, numbers), surfaces, notation));
         });
       });
       if (stop()) return false;

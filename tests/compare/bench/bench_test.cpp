@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,7 +13,6 @@
 
 #include "compare/bench/bodies.h"
 #include "compare/bench/timing.h"
-#include "compare/bench/triangle_overlap.h"
 #include "compare/bench/work_precision.h"
 #include "compare/io/table.h"
 #include "meshes/files/text_file.h"
@@ -27,7 +25,6 @@ namespace pcm::compare {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Corners = std::array<Eigen::Vector3d, 3>;
 
 /// A quick run of `pcm bench` and the tables that it wrote.
 class QuickBench {
@@ -69,15 +66,6 @@ TEST(BenchTiming, EveryQueryIsPreparedAndOneAtLeastIsMeasured) {
   EXPECT_EQ(prepared, asked);
   EXPECT_GE(asked, 2);
   EXPECT_LE(asked, 6);
-}
-
-TEST(BenchTriangleOverlap, TellsCrossedFromParted) {
-  const Corners flat{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
-  EXPECT_TRUE(triangles_overlap(flat, Corners{{{1, 1, -1}, {1, 1, 1}, {1, 2, 1}}}));
-  EXPECT_TRUE(triangles_overlap(Corners{{{1, 1, -1}, {1, 1, 1}, {1, 2, 1}}}, flat));
-  EXPECT_TRUE(triangles_overlap(flat, Corners{{{-1, 1, 1}, {1, 1, 0}, {-1, 1, -1}}})) << "a corner in the plane";
-  EXPECT_FALSE(triangles_overlap(flat, Corners{{{1, 1, 1}, {2, 1, 1}, {1, 2, 2}}})) << "above";
-  EXPECT_FALSE(triangles_overlap(flat, Corners{{{5, 5, -1}, {5, 5, 1}, {6, 5, 1}}})) << "beside";
 }
 
 TEST(Table, IsTheSameInAllFormats) {

@@ -230,7 +230,7 @@ TEST(Near, IsWhatIsRightAnUlpAway) {
   posed.surfaces[1].mesh = posed.surfaces[0].mesh;
   PosedQuestion& question = posed.questions[0];
   const Tolerances none;
-  const auto verdicts = [&](const Eigen::Vector3d& r, int ulps) {
+  const auto verdicts = [&](const Eigen::Vector3d& r, std::int64_t ulps) {
     question.pose.r = r;
     const Judge judge(posed, none, ulps);
     std::set<Verdict> both;
@@ -245,6 +245,10 @@ TEST(Near, IsWhatIsRightAnUlpAway) {
   EXPECT_EQ(verdicts({0, 0, 1}, 0), (std::set{Verdict::right, Verdict::wrong}));
   EXPECT_EQ(verdicts({0, 0, 1 + 6 * 0x1p-52}, 8), (std::set{Verdict::right, Verdict::near}));
   EXPECT_EQ(verdicts({0, 0, 1 + 0x1p-40}, 8), (std::set{Verdict::right, Verdict::wrong}));
+  // Within 8 ulps of single precision.
+  constexpr std::int64_t kSingle = std::int64_t{8} << 29;
+  EXPECT_EQ(verdicts({0, 0, 1 + 6 * 0x1p-23}, kSingle), (std::set{Verdict::right, Verdict::near}));
+  EXPECT_EQ(verdicts({0, 0, 1 + 0x1p-19}, kSingle), (std::set{Verdict::right, Verdict::wrong}));
 }
 
 std::vector<Reply> replies(const PosedFolder& folder,
@@ -308,6 +312,31 @@ TEST_F(Answers, AreCountedByStratumWithACaseForEachWrongOne) {
   EXPECT_EQ(replayed.origin, question.id);
   EXPECT_EQ(replayed.pose.r, question.pose.r);
   EXPECT_EQ(replayed.pose.A, question.pose.A);
+}
+
+/// A pair lost, faces of both surfaces lost and a spurious one: of each of E and F, and of wrong answers alone.
+TEST_F(Answers, LostAndSpuriousMembersAreCounted) {
+  std::int64_t altered = 0;
+  Judging run(judge_);
+  run.add(
+      replies(folder(),
+              [&](const PosedQuestion& question, GivenAnswer& a) {
+                const auto faces_E = std::ssize(folder().posed.surfaces[question.E].mesh.faces);
+                if (a.crossing_pairs->empty() || a.E.active->back() + 1 == faces_E) return;
+                ++altered;
+                a.crossing_pairs->pop_back();
+                a.E.active->push_back(a.E.active->back() + 1);
+                a.E.active->erase(a.E.active->begin());
+                a.F.active->pop_back();
+              }),
+      2, [] { return false; }, [](std::int64_t) {});
+  ASSERT_GT(altered, 20);
+  const JudgedTally total = run.total();
+  EXPECT_EQ(total.of(Fact::crossing_pairs).lost, altered);
+  EXPECT_EQ(total.of(Fact::crossing_pairs).spurious, 0);
+  EXPECT_EQ(total.of(Fact::active_faces).lost, 2 * altered);
+  EXPECT_EQ(total.of(Fact::active_faces).spurious, altered);
+  EXPECT_EQ(total.of(Fact::inner_faces).lost, 0);
 }
 
 }  // namespace

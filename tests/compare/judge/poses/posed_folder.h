@@ -23,7 +23,7 @@ struct PosedFolder {
     plan.schemes = std::move(schemes);
     plan.pairs = {small_pair()};
     write_poses(
-        path(), PlannedPoses(std::move(plan)), notation, 2, [] { return false; }, [](std::int64_t) {});
+        path(), PlannedPoses(std::move(plan)), PosedLaw::drawn, notation, 2, [] { return false; }, [](std::int64_t) {});
     posed = read_poses_folder(path());
     OwnAnswers own(Engine::fast, posed.surfaces);
     for (const PosedQuestion& question : posed.questions) answers.push_back(own.answer(question));

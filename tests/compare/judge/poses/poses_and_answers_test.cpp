@@ -51,6 +51,28 @@ TEST(PosesFolder, HoldsWhatAVerificationAsksBitForBit) {
   }
 }
 
+TEST(PosesFolder, AsksTheSamePosesUnderOtherLaws) {
+  const PlannedPoses poses = planned(12, {Scheme::barycentric});
+  const PosedFolder drawn(12);
+  for (const PosedLaw law : {PosedLaw::of_pair, PosedLaw::elastic}) {
+    const TemporaryFolder scratch;
+    write_poses(
+        scratch.path("poses"), poses, law, Notation::decimal, 2, [] { return false; }, [](std::int64_t) {});
+    const PosedQuestions read = read_poses_folder(scratch.path("poses"));
+    ASSERT_EQ(read.questions.size(), drawn.posed.questions.size());
+    std::size_t k = 0;
+    for (const PlannedCell& cell : poses.cells())
+      for (std::int64_t pose = cell.first; pose < cell.first + cell.poses; ++pose, ++k) {
+        const PosedQuestion& question = read.questions[k];
+        EXPECT_EQ(question.id, drawn.posed.questions[k].id);
+        EXPECT_TRUE(fast::same_bits(question.pose, drawn.posed.questions[k].pose));
+        const bool elastic = law == PosedLaw::elastic;
+        EXPECT_TRUE(fast::same_bits(question.velocity, elastic ? Velocity{} : poses.draw(cell, pose).velocity));
+        EXPECT_EQ(law_json(question.law), law_json(elastic ? ContactLaw{} : small_pair().law));
+      }
+  }
+}
+
 class Folder : public testing::Test {
  protected:
   const PosedFolder folder_{12};

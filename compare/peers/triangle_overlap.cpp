@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/bench/triangle_overlap.h"
+#include "compare/peers/triangle_overlap.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
