@@ -59,6 +59,7 @@ inline const std::vector<Part>& parts() {
         "judge/judgement",
         "judge/engines",
         "explain",
+        "contact",
         "known_answers",
         "error_budget",
         "motion",

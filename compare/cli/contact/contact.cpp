@@ -10,18 +10,17 @@
 #include <string>
 #include <utility>
 
+#include "compare/cli/contact/contact_answers.h"
+#include "compare/cli/contact/contact_outputs.h"
 #include "compare/cli/contact/law_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/frame/surface_warnings.h"
-#include "compare/io/contact_json.h"
 #include "compare/io/names.h"
 #include "compare/io/poses_file.h"
 #include "compare/motion/master_advice.h"
-#include "compare/wrong_answers/tested_engine.h"
 #include "pcm/bad_input.h"
 #include "pcm/engine.h"
 #include "pcm/read_mesh.h"
-#include "reference/oracle.h"
 
 namespace pcm::compare {
 namespace {
@@ -35,34 +34,10 @@ struct ContactOptions {
   std::optional<std::string> problem;
   bool bound = false;
   bool advise = false;
+  bool no_polygons = false;
+  ContactOutputOptions outputs;
   LawOptions law;
 };
-
-/// The pairing as either of the two sees it: the answer to one state.
-using Evaluate = std::function<Json(const State&)>;
-
-Evaluate evaluate_by_engine(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
-                            Scheme scheme, bool with_bound) {
-  const std::shared_ptr<const TestedEngine> tested =
-      make_tested_engine(engine, std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
-  auto workspace = std::make_shared<TestedEngineWorkspace>();
-  Wanted wanted;
-  wanted.bound = with_bound;
-  return [=](const State& state) {
-    Json json = contact_json(tested->evaluate(state.pose, state.velocity, wanted, *workspace));
-    if (engine != Engine::fast)
-      for (const char* side : {"E", "F"}) json[side]["area"] = json[side]["vector_area"] = nullptr;
-    return json;
-  };
-}
-
-Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme,
-                            reference::Problem problem) {
-  auto oracle = std::make_shared<const reference::Oracle>(std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
-  return [oracle, problem](const State& state) {
-    return contact_json(oracle->answer(problem, state.pose, state.velocity));
-  };
-}
 
 /// Each line leaves as soon as it is there, so that what was printed before an error or an interruption is whole.
 void print_line(const std::string& answer) {
@@ -76,7 +51,7 @@ template <class Look, class Use>
 void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use& use) {
   if (!poses) {
     look(State{});
-    use();
+    use(State{});
     return;
   }
   while (const std::optional<State> state = poses->next()) {
@@ -85,8 +60,31 @@ void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use
     } catch (const BadInput& error) {
       throw BadInput(poses->place() + ": " + error.what());
     }
-    use();
+    use(*state);
   }
+}
+
+ContactQuestion question_of(const ContactOptions& options, const ContactLaw& law) {
+  ContactQuestion question;
+  question.engine = options.engine;
+  if (options.problem == "exact") question.problem = reference::Problem::exact;
+  question.law = law;
+  question.mode = mode_named(options.mode);
+  question.scheme = scheme_named(options.scheme);
+  question.wanted.bound = options.bound;
+  question.wanted.polygons = !options.no_polygons;
+  return question;
+}
+
+Provenance provenance_of(const ContactOptions& options, const ContactQuestion& question, const TriangleMesh& mesh_E,
+                         const TriangleMesh& mesh_F) {
+  return {question.engine,
+          question.problem == reference::Problem::exact ? "exact" : "rounded",
+          question.scheme,
+          question.mode,
+          question.law,
+          surface_origin(options.file_E, mesh_E),
+          surface_origin(options.file_F, mesh_F)};
 }
 
 Exit contact(const ContactOptions& options) {
@@ -97,6 +95,8 @@ Exit contact(const ContactOptions& options) {
     throw BadInput("--bound: the oracle's force and torque are correctly rounded; leave out '--engine reference'");
   if (options.bound && options.engine != "fast")
     throw BadInput("--bound: the published algorithms know none; leave out '--engine " + options.engine + "'");
+  if (options.advise && (options.outputs.any() || options.no_polygons))
+    throw BadInput("--advise gives advice instead of answers; leave out what asks for more of these");
   const ContactLaw law = law_from(options.law);
   std::optional<PosesFile> poses;
   if (options.poses) poses.emplace(*options.poses);
@@ -109,20 +109,29 @@ Exit contact(const ContactOptions& options) {
   if (options.advise) {
     MasterAdviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
     for_each_state(
-        poses, [&](const State& state) { adviser.add(state.pose); }, [] {});
+        poses, [&](const State& state) { adviser.add(state.pose); }, [](const State&) {});
     std::cout << master_advice_text(adviser.advice());
     return Exit::success;
   }
-  const Mode mode = mode_named(options.mode);
-  const Scheme scheme = scheme_named(options.scheme);
-  const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
-  const Evaluate evaluate = by_oracle
-                                ? evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, problem)
-                                : evaluate_by_engine(engine_named(options.engine), std::move(mesh_E), std::move(mesh_F),
-                                                     law, mode, scheme, options.bound);
-  std::string answer;
+  const ContactQuestion question = question_of(options, law);
+  std::optional<ContactOutputs> outputs;
+  if (options.outputs.any())
+    outputs.emplace(options.outputs, mesh_E, mesh_F, [&] { return provenance_of(options, question, mesh_E, mesh_F); });
+  const AnswerContact answer_contact =
+      contact_answers(question, std::move(mesh_E), std::move(mesh_F), options.outputs.any());
+  ContactAnswer answer;
+  std::string line;
   for_each_state(
-      poses, [&](const State& state) { answer = dump_exactly(evaluate(state)); }, [&] { print_line(answer); });
+      poses,
+      [&](const State& state) {
+        answer = answer_contact(state);
+        if (outputs) outputs->complete(answer, state);
+        line = dump_exactly(answer.json);
+      },
+      [&](const State& state) {
+        print_line(line);
+        if (outputs) outputs->write(answer, state);
+      });
   return Exit::success;
 }
 
@@ -150,11 +159,16 @@ void add_contact_command(CLI::App& program, Run& run) {
       "and greatest), greatest share of one face (what the force jumps by when that is lost), faces too deep, poses "
       "whose\n"
       "force is lost or clamped, and times, for E, F and both as masters.\n"
+      "--full: faces, vertices and edges are numbered from 0 in the order of their files, an edge is named by its "
+      "ends; "
+      "what\n"
+      "each key holds: docs/commands.md.\n"
       "Example:\n"
       "  pcm mesh make box -o E.obj\n"
       "  pcm mesh make icosphere --radius=0.5 -o F.obj\n"
       "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.9' > poses.txt\n"
-      "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3");
+      "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3\n"
+      "  pcm contact E.obj F.obj --poses poses.txt --no-polygons --csv contacts.csv --elements elements.csv");
   command->add_option("E", options->file_E, std::string("Surface of body E, ") + kMeshExtensions)
       ->required()
       ->type_name("FILE");
@@ -193,6 +207,11 @@ void add_contact_command(CLI::App& program, Run& run) {
       ->add_flag("--advise", options->advise,
                  "Instead: which surface should be master at these poses and why, a table and a sentence")
       ->excludes(engine, mode, scheme, problem, bound);
+  command
+      ->add_flag("--no-polygons", options->no_polygons,
+                 "Polygons and patches are not worked out: null in each object, empty in a CSV file")
+      ->group("Output");
+  add_contact_output_options(*command, options->outputs);
   add_law_options(*command, options->law);
   command->callback([options, &run] { run = [options] { return contact(*options); }; });
 }

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `pcm contact` with everything about a contact: --full, --csv, --elements, --no-polygons.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compare/io/exact_json.h"
+#include "compare/io/sha256.h"
+#include "tests/compare/run_pcm.h"
+#include "tests/meshes/content_of.h"
+#include "tests/meshes/temporary_folder.h"
+
+namespace pcm::compare {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr const char* kOverlap = "1 0 0  0 1 0  0 0 1  0.125 0.25 0.875\n";
+constexpr const char* kTilted = "0.6 -0.8 0  0.8 0.6 0  0 0 1  0.1 0.2 0.9  0.5 -0.25 -1  0.1 0.2 0.3\n";
+constexpr const char* kApart = "1 0 0  0 1 0  0 0 1  3 0 0\n";
+
+/// The keys that --full adds to an answer, to a side and to a polygon.
+const std::set<std::string> kAdded{"crossing_pairs", "patch_list", "element_list", "pose", "provenance"};
+const std::set<std::string> kAddedToSides{"intersected_faces", "inner_faces"};
+const std::set<std::string> kAddedToPolygons{"crossings", "patch"};
+
+void expect_and_erase(Json& json, const std::set<std::string>& keys) {
+  for (const std::string& key : keys) EXPECT_EQ(json.erase(key), 1U) << key;
+}
+
+/// Fields of a CSV line; none here is in quotes.
+Words fields_of(const std::string& line) {
+  Words fields(1);
+  for (const char c : line) {
+    if (c == ',')
+      fields.emplace_back();
+    else
+      fields.back() += c;
+  }
+  return fields;
+}
+
+/// A CSV file by the names of its columns.
+struct Csv {
+  explicit Csv(const std::string& path) {
+    const Words lines = lines_of(content_of(path));
+    if (lines.empty()) return;
+    names = fields_of(lines.front());
+    for (std::size_t i = 1; i < lines.size(); ++i) rows.push_back(fields_of(lines[i]));
+  }
+  std::string at(std::size_t row, const std::string& name) const {
+    for (std::size_t c = 0; c < names.size(); ++c)
+      if (names[c] == name) return rows.at(row).at(c);
+    ADD_FAILURE() << "no column " << name;
+    return "";
+  }
+  double number(std::size_t row, const std::string& name) const { return std::stod(at(row, name)); }
+
+  Words names;
+  std::vector<Words> rows;
+};
+
+class ContactCommand : public testing::Test {
+ protected:
+  const TemporaryFolder scratch_;
+  const std::string box_ = scratch_.path("box.obj");
+
+  void SetUp() override { ASSERT_EQ(run_pcm({"mesh", "make", "box", "-o", box_}).status, 0); }
+
+  std::vector<Json> contact(const std::string& poses, const Words& options = {}) {
+    Words arguments{"contact", box_, box_, "--poses", scratch_.write("poses.txt", poses)};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    std::vector<Json> answers;
+    for (const std::string& line : lines_of(outcome.out)) answers.push_back(Json::parse(line));
+    return answers;
+  }
+};
+
+TEST_F(ContactCommand, FullAddsToWhatIsThereAndChangesNothingOfIt) {
+  for (const std::string engine : {"fast", "reference"}) {
+    const std::vector<Json> plain = contact(std::string(kOverlap) + kTilted + kApart, {"--engine", engine});
+    std::vector<Json> full = contact(std::string(kOverlap) + kTilted + kApart, {"--engine", engine, "--full"});
+    ASSERT_EQ(full.size(), plain.size());
+    for (std::size_t i = 0; i < full.size(); ++i) {
+      expect_and_erase(full[i], kAdded);
+      for (const char* side : {"E", "F"}) expect_and_erase(full[i][side], kAddedToSides);
+      for (Json& polygon : full[i]["polygons"]) expect_and_erase(polygon, kAddedToPolygons);
+      if (engine == "reference") expect_and_erase(full[i], {"statistics"});
+      EXPECT_EQ(dump_exactly(full[i]), dump_exactly(plain[i])) << engine;
+    }
+  }
+}
+
+TEST_F(ContactCommand, ElementsOfStackedBoxesAreThoseWorkedOutByHand) {
+  // E's top, z = 1/2, is two triangles of area 1/2; F's bottom is at z = 3/8 below both of their barycentres. Stiffness
+  // 1e6 N/m^3 times 1/8 m is 1.25e5 Pa.
+  for (const std::string engine : {"fast", "reference"}) {
+    const Json full = contact(kOverlap, {"--engine", engine, "--full"}).front();
+    ASSERT_EQ(full["element_list"].size(), 2U);
+    for (const Json& element : full["element_list"]) {
+      EXPECT_EQ(element["master"], "E");
+      EXPECT_EQ(element["area"], 0.5);
+      EXPECT_EQ(element["penetration"], 0.125);
+      EXPECT_EQ(element["pressure"], 1.25e5);
+      EXPECT_EQ(element["normal_force"], 62500.0);
+      EXPECT_EQ(element["tangential_force"], 0.0);
+      EXPECT_EQ(element["normal"][2], -1.0);
+      EXPECT_EQ(element["force"][2], -62500.0);
+      EXPECT_EQ(element["face_centroid"][2], 0.5);
+      EXPECT_NEAR(std::abs(element["face_centroid"][0].get<double>()), 1.0 / 6, 1e-16);
+      EXPECT_EQ(element["position"][2], 0.5 - 0.125 / 2) << "in the middle of two equal layers";
+    }
+    EXPECT_EQ(full["statistics"]["patch_area"], 1.0);
+    EXPECT_EQ(full["statistics"]["max_pressure"], 1.25e5);
+    EXPECT_EQ(full["statistics"]["mean_penetration"], 0.125);
+  }
+}
+
+TEST_F(ContactCommand, FacesPairsAndPolygonsOfFullFitTogether) {
+  for (const std::string engine : {"fast", "reference"}) {
+    const Json full = contact(kTilted, {"--engine", engine, "--mode", "both", "--full"}).front();
+    std::set<int> faces_E, faces_F;
+    for (const Json& pair : full["crossing_pairs"]) {
+      faces_E.insert(pair[0].get<int>());
+      faces_F.insert(pair[1].get<int>());
+    }
+    EXPECT_EQ(full["E"]["intersected_faces"], Json(faces_E));
+    EXPECT_EQ(full["F"]["intersected_faces"], Json(faces_F));
+    for (const char* side : {"E", "F"})
+      for (const std::string kind : {"intersected", "inner"})
+        EXPECT_EQ(full[side][kind], full[side][kind + "_faces"].size());
+    ASSERT_EQ(full["polygons"].size(), 1U);
+    const Json& polygon = full["polygons"][0];
+    EXPECT_EQ(polygon["crossings"].size(), polygon["points"].size());
+    for (const Json& crossing : polygon["crossings"]) {
+      const std::string other = crossing["edge_of"] == "E" ? "F" : "E";
+      const Json& crossed = full[other]["intersected_faces"];
+      EXPECT_NE(std::find(crossed.begin(), crossed.end(), crossing["face"]), crossed.end());
+      EXPECT_LT(crossing["edge"][0], crossing["edge"][1]);
+    }
+    EXPECT_EQ(full["patch_list"], Json::parse(R"([{"polygons":[0]}])"));
+    EXPECT_EQ(full["elements"], full["element_list"].size());
+  }
+}
+
+TEST_F(ContactCommand, EngineAndOracleTellTheSameInFull) {
+  const Words law{"--mode", "both", "--damping", "1e3", "--friction", "0.3", "--slip-velocity", "0.01", "--full"};
+  Words exact = law;
+  exact.insert(exact.end(), {"--engine", "reference"});
+  const Json fast = contact(kTilted, law).front(), truth = contact(kTilted, exact).front();
+  EXPECT_EQ(fast["crossing_pairs"], truth["crossing_pairs"]);
+  EXPECT_EQ(fast["pose"], truth["pose"]);
+  EXPECT_EQ(fast["polygons"][0]["crossings"], truth["polygons"][0]["crossings"]);
+  ASSERT_EQ(fast["element_list"].size(), truth["element_list"].size());
+  ASSERT_GT(fast["element_list"].size(), 0U);
+  for (std::size_t i = 0; i < fast["element_list"].size(); ++i) {
+    const Json &a = fast["element_list"][i], &b = truth["element_list"][i];
+    for (const char* key : {"master", "master_face", "slave_face", "face_centroid"}) EXPECT_EQ(a[key], b[key]);
+    for (const char* key : {"area", "penetration", "pressure", "normal_velocity", "tangential_velocity", "normal_force",
+                            "tangential_force"})
+      EXPECT_NEAR(a[key].get<double>(), b[key].get<double>(), 1e-12 * std::abs(b[key].get<double>())) << key;
+  }
+}
+
+TEST_F(ContactCommand, ProvenanceNamesProgramQuestionAndSurfaces) {
+  const Json from = contact(kOverlap, {"--engine", "reference", "--problem", "exact", "--scheme", "clipped", "--mode",
+                                       "F", "--stiffness", "5e5", "--full"})
+                        .front()["provenance"];
+  EXPECT_EQ("pcm " + from["version"].get<std::string>() + "\n", run_pcm({"--version"}).out);
+  EXPECT_EQ(from["engine"], "reference");
+  EXPECT_EQ(from["problem"], "exact");
+  EXPECT_EQ(from["scheme"], "clipped");
+  EXPECT_EQ(from["mode"], "F");
+  EXPECT_EQ(from["law"]["stiffness"], 5e5);
+  EXPECT_EQ(from["law"]["max_penetration"], "inf");
+  EXPECT_EQ(from["E"]["file"], box_);
+  EXPECT_EQ(from["E"]["sha256"], sha256(content_of(box_)));
+  EXPECT_EQ(from["F"]["faces"], 12);
+  const std::string commit = from["commit"];
+  EXPECT_TRUE(commit == "unknown" || commit.find_first_not_of("0123456789abcdef") == 12) << commit;
+}
+
+TEST_F(ContactCommand, PublishedAlgorithmsAnswerInFullAsWell) {
+  for (const std::string engine : {"published-2003", "published-2023"}) {
+    const Json full = contact(kTilted, {"--engine", engine, "--full"}).front();
+    EXPECT_EQ(full["element_list"].size(), full["elements"]);
+    EXPECT_TRUE(full["E"]["area"].is_null());
+    const std::string csv = scratch_.path(engine + ".csv");
+    contact(kTilted, {"--engine", engine, "--csv", csv});
+    EXPECT_EQ(Csv(csv).at(0, "E_area [m^2]"), "");
+  }
+}
+
+TEST_F(ContactCommand, CsvFilesHoldARowAPoseAndARowAnElement) {
+  const std::string poses = scratch_.path("contacts.csv"), elements = scratch_.path("elements.csv");
+  for (const std::string engine : {"fast", "reference"}) {
+    const std::vector<Json> full = contact(std::string(kOverlap) + kTilted + kApart,
+                                           {"--engine", engine, "--full", "--csv", poses, "--elements", elements});
+    const Csv table(poses);
+    ASSERT_EQ(table.rows.size(), 3U);
+    std::size_t row = 0;
+    const Csv listed(elements);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Json& answer = full[i];
+      EXPECT_EQ(table.rows[i].size(), table.names.size());
+      EXPECT_EQ(table.at(i, "pose"), std::to_string(i + 1));
+      EXPECT_EQ(table.number(i, "r_x [m]"), answer["pose"]["r"][0]);
+      EXPECT_EQ(table.number(i, "A_12"), answer["pose"]["A"][0][1]);
+      EXPECT_EQ(table.number(i, "w_z [rad/s]"), answer["pose"]["w"][2]);
+      EXPECT_EQ(table.at(i, "touching"), answer["touching"].get<bool>() ? "1" : "0");
+      EXPECT_EQ(table.number(i, "polygons"), answer["polygons"].size());
+      EXPECT_EQ(table.number(i, "E_area [m^2]"), answer["E"]["area"]);
+      EXPECT_EQ(table.number(i, "F_vector_area_z [m^2]"), answer["F"]["vector_area"][2]);
+      EXPECT_EQ(table.number(i, "volume [m^3]"), answer["volume"]);
+      EXPECT_EQ(table.number(i, "force_z [N]"), answer["force"][2]);
+      EXPECT_EQ(table.number(i, "torque_y [N m]"), answer["torque"][1]);
+      EXPECT_EQ(table.number(i, "max_pressure [Pa]"), answer["statistics"]["max_pressure"]);
+      for (const Json& element : answer["element_list"]) {
+        ASSERT_LT(row, listed.rows.size());
+        EXPECT_EQ(listed.at(row, "pose"), std::to_string(i + 1));
+        EXPECT_EQ(listed.at(row, "master"), element["master"]);
+        EXPECT_EQ(listed.number(row, "slave_face"), element["slave_face"]);
+        EXPECT_EQ(listed.number(row, "face_centroid_y [m]"), element["face_centroid"][1]);
+        EXPECT_EQ(listed.number(row, "position_x [m]"), element["position"][0]);
+        EXPECT_EQ(listed.number(row, "normal_z"), element["normal"][2]);
+        EXPECT_EQ(listed.number(row, "pressure [Pa]"), element["pressure"]);
+        EXPECT_EQ(listed.number(row, "tangential_velocity [m/s]"), element["tangential_velocity"]);
+        EXPECT_EQ(listed.number(row, "force_z [N]"), element["force"][2]);
+        ++row;
+      }
+    }
+    EXPECT_EQ(row, listed.rows.size());
+    EXPECT_GT(row, 0U);
+  }
+}
+
+TEST_F(ContactCommand, PolygonsLeftOutAreNullAndNothingElseChanges) {
+  for (const std::string engine : {"fast", "reference"}) {
+    Json plain = contact(kTilted, {"--engine", engine}).front();
+    const std::string csv = scratch_.path("contacts.csv");
+    Json without = contact(kTilted, {"--engine", engine, "--no-polygons", "--csv", csv}).front();
+    for (const char* key : {"polygons", "patches"}) {
+      EXPECT_TRUE(without[key].is_null()) << key;
+      EXPECT_EQ(Csv(csv).at(0, key), "");
+      plain[key] = nullptr;
+    }
+    for (Json* answer : {&plain, &without}) answer->erase("work");  // less of it
+    EXPECT_EQ(dump_exactly(without), dump_exactly(plain));
+    const Json full = contact(kTilted, {"--engine", engine, "--no-polygons", "--full"}).front();
+    EXPECT_FALSE(full.contains("crossing_pairs"));
+    EXPECT_TRUE(full.contains("element_list"));
+  }
+}
+
+TEST_F(ContactCommand, FilesThatCannotBeWrittenAndAdviceWithMoreAreRefused) {
+  for (const Words& options : {Words{"--csv", "/nowhere/a.csv"}, Words{"--elements", "/nowhere/a.csv"},
+                               Words{"--advise", "--full"}, Words{"--csv", "/dev/full"}}) {
+    Words arguments{"contact", box_, box_};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(options[0] == "--advise" ? options[0] : options[1]), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace pcm::compare
