@@ -12,8 +12,8 @@ namespace pcm::compare {
 
 void add_contact_output_options(CLI::App& command, ContactOutputOptions& options) {
   const auto add_file = [&command](const std::string& name, std::optional<std::string>& path,
-                                   const std::string& description) {
-    command.add_option(name, path, description)->type_name("FILE")->group("Output");
+                                   const std::string& description, const std::string& type = "FILE") {
+    command.add_option(name, path, description)->type_name(type)->group("Output");
   };
   command
       .add_flag("--full", options.full,
@@ -22,6 +22,10 @@ void add_contact_output_options(CLI::App& command, ContactOutputOptions& options
       ->group("Output");
   add_file("--csv", options.poses, "Also a CSV file with a row a pose, units in its first line");
   add_file("--elements", options.elements, "Also a CSV file with a row a contact element, units in its first line");
+  add_file(
+      "--vtk", options.vtk,
+      "Also files for ParaView: DIR/contacts.pvd shows surfaces in place, polygons and contact elements, pose by pose",
+      "DIR");
 }
 
 ContactOutputs::ContactOutputs(const ContactOutputOptions& options, TriangleMesh mesh_E, TriangleMesh mesh_F,
@@ -30,6 +34,7 @@ ContactOutputs::ContactOutputs(const ContactOutputOptions& options, TriangleMesh
   if (options.full) full_.emplace(E_, F_, provenance_json(provenance()));
   if (options.poses) poses_.emplace(*options.poses, pose_row(0, {}, {}, true));
   if (options.elements) elements_.emplace(*options.elements, element_row(0, {}, {}));
+  if (options.vtk) vtk_.emplace(*options.vtk);
 }
 
 void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {
@@ -39,10 +44,12 @@ void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {
 void ContactOutputs::write(const ContactAnswer& answer, const State& state) {
   ++pose_;
   if (poses_) poses_->write(pose_row(pose_, state, *answer.record, !answer.json["polygons"].is_null()));
-  if (!elements_) return;
+  if (!elements_ && !vtk_) return;
   const PlacedSurfaces placed(E_, F_, state.pose);
-  for (const fast::Element& e : answer.record->elements)
-    elements_->write(element_row(pose_, e, placed.centroid_Me(e.master, e.master_face)));
+  if (elements_)
+    for (const fast::Element& e : answer.record->elements)
+      elements_->write(element_row(pose_, e, placed.centroid_Me(e.master, e.master_face)));
+  if (vtk_) vtk_->write(*answer.record, placed);
 }
 
 }  // namespace pcm::compare

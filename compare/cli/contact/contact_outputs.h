@@ -8,6 +8,7 @@
 
 #include "compare/cli/contact/contact_answers.h"
 #include "compare/cli/frame/command_line.h"
+#include "compare/contact/contact_vtp.h"
 #include "compare/contact/csv_file.h"
 #include "compare/contact/full_json.h"
 #include "compare/contact/provenance.h"
@@ -19,8 +20,9 @@ struct ContactOutputOptions {
   bool full = false;                    ///< everything, in the line itself
   std::optional<std::string> poses;     ///< a CSV file with a row a pose
   std::optional<std::string> elements;  ///< the same, a row an element
+  std::optional<std::string> vtk;       ///< a folder of files for ParaView
 
-  bool any() const { return full || poses || elements; }
+  bool any() const { return full || poses || elements || vtk; }
 };
 
 void add_contact_output_options(CLI::App& command, ContactOutputOptions& options);
@@ -43,6 +45,7 @@ class ContactOutputs {
   TriangleMesh E_, F_;
   std::optional<FullJson> full_;
   std::optional<CsvFile> poses_, elements_;
+  std::optional<ContactVtpFolder> vtk_;
   std::int64_t pose_ = 0;  ///< number of the last one written, from 1
 };
 
