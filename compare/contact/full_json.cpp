@@ -67,7 +67,8 @@ Json state_json(const State& state) {
   return {{"A", std::move(rows)},
           {"r", json_vector(state.pose.r)},
           {"v", json_vector(state.velocity.v)},
-          {"w", json_vector(state.velocity.w)}};
+          {"w", json_vector(state.velocity.w)},
+          {"replaced_error", state.replaced_error}};
 }
 
 }  // namespace

@@ -13,10 +13,10 @@
 #include "compare/cli/contact/contact_answers.h"
 #include "compare/cli/contact/contact_outputs.h"
 #include "compare/cli/contact/law_options.h"
+#include "compare/cli/contact/pose_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/frame/surface_warnings.h"
 #include "compare/io/names.h"
-#include "compare/io/poses_file.h"
 #include "compare/motion/master_advice.h"
 #include "pcm/bad_input.h"
 #include "pcm/engine.h"
@@ -27,7 +27,7 @@ namespace {
 
 struct ContactOptions {
   std::string file_E, file_F;
-  std::optional<std::string> poses;
+  PoseOptions poses;
   std::string engine = "fast";
   std::string mode = "E";
   std::string scheme = "barycentric";
@@ -54,7 +54,9 @@ void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use
     use(State{});
     return;
   }
+  ReplacementNotice notice;
   while (const std::optional<State> state = poses->next()) {
+    notice.look_at(*state, *poses);
     try {
       look(*state);
     } catch (const BadInput& error) {
@@ -98,8 +100,7 @@ Exit contact(const ContactOptions& options) {
   if (options.advise && (options.outputs.any() || options.no_polygons))
     throw BadInput("--advise gives advice instead of answers; leave out what asks for more of these");
   const ContactLaw law = law_from(options.law);
-  std::optional<PosesFile> poses;
-  if (options.poses) poses.emplace(*options.poses);
+  std::optional<PosesFile> poses = poses_from(options.poses);
 
   // Unfit surfaces are refused here, alike for engine and oracle.
   TriangleMesh mesh_E = read_mesh(options.file_E);
@@ -151,6 +152,8 @@ void add_contact_command(CLI::App& program, Run& run) {
       "A poses file holds one pose a line: 12 numbers, the rotation A by rows, then r (x_E = A x_F + r); or 18, with\n"
       "v and w of F relative to E; decimal or C hexadecimal floats; comments from # on. Without it: A = 1, r = 0, at "
       "rest.\n"
+      "--orthonormalise says on standard error, once, that it replaced an orientation; a reflection is always "
+      "refused.\n"
       "--bound: the key bound of each object holds bounds on force and torque, component by component, and the two\n"
       "numbers between which max_penetration is (null: infinite, numbers come near the end of the range of doubles);\n"
       "flipped: an element or a flush face hangs on an ulp.\n"
@@ -173,8 +176,7 @@ void add_contact_command(CLI::App& program, Run& run) {
       ->required()
       ->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
-  command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity, at rest)")
-      ->type_name("FILE");
+  add_pose_options(*command, options->poses);
   CLI::Option* engine =
       command
           ->add_option("--engine", options->engine,

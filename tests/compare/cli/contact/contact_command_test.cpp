@@ -261,6 +261,56 @@ TEST_F(ContactCommand, PolygonsLeftOutAreNullAndNothingElseChanges) {
   }
 }
 
+TEST_F(ContactCommand, PosesComeFromStandardInput) {
+  const std::string poses = scratch_.write("poses.txt", std::string(kOverlap) + kTilted);
+  const Outcome from_file = run_pcm({"contact", box_, box_, "--poses", poses});
+  const Outcome from_input = run_pcm({"contact", box_, box_, "--poses", "-"}, {}, poses);
+  EXPECT_EQ(from_input.status, 0) << from_input.err;
+  EXPECT_EQ(from_input.out, from_file.out);
+  EXPECT_EQ(lines_of(from_input.out).size(), 2U);
+  const std::string bad = scratch_.write("bad.txt", std::string(kOverlap) + "1 2 3\n");
+  const Outcome refused = run_pcm({"contact", box_, box_, "--poses", "-"}, {}, bad);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("standard input:2"), std::string::npos) << refused.err;
+  EXPECT_NE(run_pcm({"contact", box_, box_, "--poses", "-"}).err.find("holds no pose"), std::string::npos);
+}
+
+TEST_F(ContactCommand, QuaternionsGiveTheAnswersOfTheirMatrices) {
+  // A quarter turn about z, w = z = sqrt(1/2), is off the matrix of zeros and ones by roundings only.
+  const std::string half = "0x1.6a09e667f3bcdp-1";
+  const Json matrix = contact("0 -1 0  1 0 0  0 0 1  0.125 0.25 0.875\n").front();
+  for (const auto& [order, q] :
+       {std::pair("wxyz", half + " 0 0 " + half), std::pair("xyzw", "0 0 " + half + " " + half)}) {
+    const Json turned = contact(q + "  0.125 0.25 0.875\n", {"--quaternions", order, "--full"}).front();
+    EXPECT_NEAR(turned["volume"].get<double>(), matrix["volume"].get<double>(), 1e-14) << order;
+    EXPECT_NEAR(turned["pose"]["A"][1][0].get<double>(), 1, 1e-15) << order;
+  }
+}
+
+TEST_F(ContactCommand, OrientationsAreReplacedOnRequestAndThatIsSaidOnce) {
+  const std::string digits = "0.764842 -0.644218 0  0.644218 0.764842 0  0 0 1  0.1 0.2 0.9\n";
+  const std::string poses = scratch_.write("poses.txt", kOverlap + digits + digits);
+  const Outcome refused = run_pcm({"contact", box_, box_, "--poses", poses});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("poses.txt:2: the first nine numbers are not a rotation"), std::string::npos);
+  const Outcome outcome = run_pcm({"contact", box_, box_, "--poses", poses, "--orthonormalise", "--full"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("poses.txt:2: the orientation is off by"), std::string::npos) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(Json::parse(lines[0])["pose"]["replaced_error"], 0.0);
+  EXPECT_GT(Json::parse(lines[1])["pose"]["replaced_error"], 1e-9);
+  EXPECT_NE(run_pcm({"contact", box_, box_, "--orthonormalise"}).err.find("--poses"), std::string::npos);
+  const std::string mirrored = scratch_.write("mirrored.txt", "1 0 0  0 1 0  0 0 -1  0 0 0.5\n");
+  for (const Words& request : {Words{}, Words{"--orthonormalise"}}) {
+    Words arguments{"contact", box_, box_, "--poses", mirrored};
+    arguments.insert(arguments.end(), request.begin(), request.end());
+    EXPECT_NE(run_pcm(arguments).err.find("mirrored.txt:1: the first nine numbers are a reflection"),
+              std::string::npos);
+  }
+}
+
 TEST_F(ContactCommand, FilesThatCannotBeWrittenAndAdviceWithMoreAreRefused) {
   for (const Words& options : {Words{"--csv", "/nowhere/a.csv"}, Words{"--elements", "/nowhere/a.csv"},
                                Words{"--advise", "--full"}, Words{"--csv", "/dev/full"}}) {
