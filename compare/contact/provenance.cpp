@@ -38,6 +38,7 @@ Json provenance_json(const Provenance& provenance) {
           {"scheme", name(provenance.scheme)},
           {"mode", name(provenance.mode)},
           {"law", law_json(provenance.law, Notation::decimal)},
+          {"scale", provenance.scale},
           {"E", surface_json(provenance.E)},
           {"F", surface_json(provenance.F)}};
 }

@@ -30,6 +30,7 @@ struct Provenance {
   Scheme scheme = Scheme::barycentric;
   Mode mode = Mode::E;
   ContactLaw law;
+  double scale = 1;  ///< m for each unit of length in the files
   SurfaceOrigin E, F;
 };
 

@@ -16,6 +16,7 @@
 #include "compare/cli/contact/pose_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/frame/surface_warnings.h"
+#include "compare/contact/units.h"
 #include "compare/io/names.h"
 #include "compare/motion/master_advice.h"
 #include "pcm/bad_input.h"
@@ -35,6 +36,7 @@ struct ContactOptions {
   bool bound = false;
   bool advise = false;
   bool no_polygons = false;
+  std::optional<std::string> scale;
   ContactOutputOptions outputs;
   LawOptions law;
 };
@@ -45,17 +47,19 @@ void print_line(const std::string& answer) {
   flush_output();
 }
 
-/// Calls `look` and then `use` for each state of the file, or for the identity at rest; what `look` throws gets the
-/// file's line.
+/// Calls `look` and then `use` for each state of the file, its lengths in metres, or for the identity at rest; what
+/// `look` throws gets the file's line.
 template <class Look, class Use>
-void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use& use) {
+void for_each_state(std::optional<PosesFile>& poses, double metres_per_unit, const Look& look, const Use& use) {
   if (!poses) {
     look(State{});
     use(State{});
     return;
   }
   ReplacementNotice notice;
-  while (const std::optional<State> state = poses->next()) {
+  while (std::optional<State> state = poses->next()) {
+    state->pose.r *= metres_per_unit;
+    state->velocity.v *= metres_per_unit;
     notice.look_at(*state, *poses);
     try {
       look(*state);
@@ -64,6 +68,24 @@ void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use
     }
     use(*state);
   }
+}
+
+double metres_per_unit(const ContactOptions& options) {
+  return options.scale ? positive_number("--scale", *options.scale) : 1;
+}
+
+TriangleMesh read_scaled_mesh(const std::string& file, double metres_per_unit) {
+  TriangleMesh mesh = read_mesh(file);
+  if (metres_per_unit != 1) scale(mesh, metres_per_unit);
+  return mesh;
+}
+
+/// Lengths that are likely no metres, unless the user has said what they are.
+void remark_on_units(const ContactOptions& options, const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
+  if (options.scale) return;
+  const LayerThickness thickness{layer_thickness(options.law, Side::E), layer_thickness(options.law, Side::F)};
+  if (const std::string remark = millimetre_remark(mesh_E, mesh_F, thickness); !remark.empty())
+    complain("remark: " + remark);
 }
 
 ContactQuestion question_of(const ContactOptions& options, const ContactLaw& law) {
@@ -85,6 +107,7 @@ Provenance provenance_of(const ContactOptions& options, const ContactQuestion& q
           question.scheme,
           question.mode,
           question.law,
+          metres_per_unit(options),
           surface_origin(options.file_E, mesh_E),
           surface_origin(options.file_F, mesh_F)};
 }
@@ -103,14 +126,16 @@ Exit contact(const ContactOptions& options) {
   std::optional<PosesFile> poses = poses_from(options.poses);
 
   // Unfit surfaces are refused here, alike for engine and oracle.
-  TriangleMesh mesh_E = read_mesh(options.file_E);
+  const double unit = metres_per_unit(options);
+  TriangleMesh mesh_E = read_scaled_mesh(options.file_E, unit);
   const std::string warning_E = require_fit_or_warn(mesh_E);
-  TriangleMesh mesh_F = read_mesh(options.file_F);
+  TriangleMesh mesh_F = read_scaled_mesh(options.file_F, unit);
   print_warnings(warning_E, require_fit_or_warn(mesh_F));
+  remark_on_units(options, mesh_E, mesh_F);
   if (options.advise) {
     MasterAdviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
     for_each_state(
-        poses, [&](const State& state) { adviser.add(state.pose); }, [](const State&) {});
+        poses, unit, [&](const State& state) { adviser.add(state.pose); }, [](const State&) {});
     std::cout << master_advice_text(adviser.advice());
     return Exit::success;
   }
@@ -123,7 +148,7 @@ Exit contact(const ContactOptions& options) {
   ContactAnswer answer;
   std::string line;
   for_each_state(
-      poses,
+      poses, unit,
       [&](const State& state) {
         answer = answer_contact(state);
         if (outputs) outputs->complete(answer, state);
@@ -154,6 +179,9 @@ void add_contact_command(CLI::App& program, Run& run) {
       "rest.\n"
       "--orthonormalise says on standard error, once, that it replaced an orientation; a reflection is always "
       "refused.\n"
+      "Without --scale a remark on standard error says where millimetres are likely: both surfaces are 10 m large or "
+      "more,\n"
+      "or one is a thousand times as large as its layer (--layer-E, --layer-F) is thick.\n"
       "--bound: the key bound of each object holds bounds on force and torque, component by component, and the two\n"
       "numbers between which max_penetration is (null: infinite, numbers come near the end of the range of doubles);\n"
       "flipped: an element or a flush face hangs on an ulp.\n"
@@ -177,6 +205,11 @@ void add_contact_command(CLI::App& program, Run& run) {
       ->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
   add_pose_options(*command, options->poses);
+  command
+      ->add_option("--scale", options->scale,
+                   "Metres for each unit of length in the files: vertices, and r and v of poses, are multiplied by it "
+                   "(default 1); the law and the answers are in SI units")
+      ->type_name("S");
   CLI::Option* engine =
       command
           ->add_option("--engine", options->engine,

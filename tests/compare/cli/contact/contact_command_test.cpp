@@ -311,6 +311,43 @@ TEST_F(ContactCommand, OrientationsAreReplacedOnRequestAndThatIsSaidOnce) {
   }
 }
 
+TEST_F(ContactCommand, ScaleMakesMetresOfSurfacesPositionsAndVelocities) {
+  // By a power of two every bit of the answer is that of the same contact in metres.
+  const std::string large = scratch_.path("large.obj");
+  ASSERT_EQ(
+      run_pcm({"mesh", "make", "box", "--extent_x=1024", "--extent_y=1024", "--extent_z=1024", "-o", large}).status, 0);
+  const std::string turned = "0.6 -0.8 0  0.8 0.6 0  0 0 1  ";
+  const std::string poses = scratch_.write("large.txt", turned + "102.4 204.8 921.6  512 -256 -1024  0.1 0.2 0.3\n");
+  const Words law{"--damping", "1e3"};
+  Words arguments{"contact", large, large, "--poses", poses, "--scale", "0x1p-10", "--damping", "1e3"};
+  const Outcome scaled = run_pcm(arguments);
+  EXPECT_EQ(scaled.err, "");
+  EXPECT_EQ(Json::parse(scaled.out), contact(turned + "0.1 0.2 0.9  0.5 -0.25 -1  0.1 0.2 0.3\n", law).front());
+  arguments.emplace_back("--full");
+  EXPECT_EQ(Json::parse(run_pcm(arguments).out)["provenance"]["scale"], 0x1p-10);
+  for (const std::string bad : {"0", "-1", "nan", "x"}) {
+    const Outcome refused = run_pcm({"contact", box_, box_, "--scale", bad});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("--scale"), std::string::npos) << refused.err;
+  }
+}
+
+TEST_F(ContactCommand, LikelyMillimetresAreRemarkedOnUnlessTheScaleIsGiven) {
+  const std::string large = scratch_.path("large.obj");
+  ASSERT_EQ(run_pcm({"mesh", "make", "box", "--extent_x=16", "-o", large}).status, 0);
+  const Outcome remarked = run_pcm({"contact", large, large});
+  EXPECT_EQ(remarked.status, 0);
+  EXPECT_EQ(remarked.err,
+            "pcm: remark: the surfaces are 16 m and 16 m large; if the files are in millimetres, add --scale 0.001\n");
+  EXPECT_EQ(run_pcm({"contact", large, large, "--scale", "1"}).err, "");
+  EXPECT_EQ(run_pcm({"contact", large, box_}).err, "") << "one large surface may be the ground";
+  const auto layers = [&](const std::string& E, const std::string& F) {
+    return run_pcm({"contact", box_, box_, "--layer-E", "1e9,0.3," + E, "--layer-F", "1e9,0.3," + F}).err;
+  };
+  EXPECT_EQ(layers("0.01", "0.01"), "");
+  EXPECT_NE(layers("0.01", "0.0005").find("surface F is 1 m large and its layer 0.0005 m thick"), std::string::npos);
+}
+
 TEST_F(ContactCommand, FilesThatCannotBeWrittenAndAdviceWithMoreAreRefused) {
   for (const Words& options : {Words{"--csv", "/nowhere/a.csv"}, Words{"--elements", "/nowhere/a.csv"},
                                Words{"--advise", "--full"}, Words{"--csv", "/dev/full"}}) {
