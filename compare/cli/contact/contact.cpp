@@ -142,7 +142,8 @@ Exit contact(const ContactOptions& options) {
   const ContactQuestion question = question_of(options, law);
   std::optional<ContactOutputs> outputs;
   if (options.outputs.any())
-    outputs.emplace(options.outputs, mesh_E, mesh_F, [&] { return provenance_of(options, question, mesh_E, mesh_F); });
+    outputs.emplace(options.outputs, question, mesh_E, mesh_F,
+                    [&] { return provenance_of(options, question, mesh_E, mesh_F); });
   const AnswerContact answer_contact =
       contact_answers(question, std::move(mesh_E), std::move(mesh_F), options.outputs.any());
   ContactAnswer answer;

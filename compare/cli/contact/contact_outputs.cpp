@@ -17,7 +17,8 @@ void add_contact_output_options(CLI::App& command, ContactOutputOptions& options
   };
   command
       .add_flag("--full", options.full,
-                "Everything in each object: numbers of the active faces, crossing pairs, features and patch of the "
+                "Everything in each object: whether features coincide and the areas without and with faces in one "
+                "plane, numbers of the active faces, crossing pairs, features and patch of the "
                 "polygons, every contact element, statistics, the pose, and where the answer comes from")
       ->group("Output");
   add_file("--csv", options.poses, "Also a CSV file with a row a pose, units in its first line");
@@ -28,17 +29,22 @@ void add_contact_output_options(CLI::App& command, ContactOutputOptions& options
       "DIR");
 }
 
-ContactOutputs::ContactOutputs(const ContactOutputOptions& options, TriangleMesh mesh_E, TriangleMesh mesh_F,
-                               const std::function<Provenance()>& provenance)
+ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const ContactQuestion& question,
+                               TriangleMesh mesh_E, TriangleMesh mesh_F, const std::function<Provenance()>& provenance)
     : E_(std::move(mesh_E)), F_(std::move(mesh_F)) {
-  if (options.full) full_.emplace(E_, F_, provenance_json(provenance()));
+  if (options.full) {
+    full_.emplace(E_, F_, provenance_json(provenance()));
+    coincident_.emplace(E_, F_, question.mode, question.scheme, question.problem);
+  }
   if (options.poses) poses_.emplace(*options.poses, pose_row(0, {}, {}, true));
   if (options.elements) elements_.emplace(*options.elements, element_row(0, {}, {}));
   if (options.vtk) vtk_.emplace(*options.vtk);
 }
 
 void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {
-  if (full_) full_->add_to(answer.json, *answer.record, state);
+  if (!full_) return;
+  coincident_->add_to(answer.json, state.pose);
+  full_->add_to(answer.json, *answer.record, state);
 }
 
 void ContactOutputs::write(const ContactAnswer& answer, const State& state) {

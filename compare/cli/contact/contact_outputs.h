@@ -8,6 +8,7 @@
 
 #include "compare/cli/contact/contact_answers.h"
 #include "compare/cli/frame/command_line.h"
+#include "compare/contact/coincident_json.h"
 #include "compare/contact/contact_vtp.h"
 #include "compare/contact/csv_file.h"
 #include "compare/contact/full_json.h"
@@ -31,8 +32,8 @@ void add_contact_output_options(CLI::App& command, ContactOutputOptions& options
 class ContactOutputs {
  public:
   /// Begins the files. Throws BadInput where one can't be written, or a surface's file can't be read again.
-  ContactOutputs(const ContactOutputOptions& options, TriangleMesh mesh_E, TriangleMesh mesh_F,
-                 const std::function<Provenance()>& provenance);
+  ContactOutputs(const ContactOutputOptions& options, const ContactQuestion& question, TriangleMesh mesh_E,
+                 TriangleMesh mesh_F, const std::function<Provenance()>& provenance);
   ContactOutputs(const ContactOutputs&) = delete;
   ContactOutputs& operator=(const ContactOutputs&) = delete;
 
@@ -44,6 +45,7 @@ class ContactOutputs {
  private:
   TriangleMesh E_, F_;
   std::optional<FullJson> full_;
+  std::optional<CoincidentJson> coincident_;
   std::optional<CsvFile> poses_, elements_;
   std::optional<ContactVtpFolder> vtk_;
   std::int64_t pose_ = 0;  ///< number of the last one written, from 1

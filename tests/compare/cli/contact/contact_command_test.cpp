@@ -26,8 +26,8 @@ constexpr const char* kTilted = "0.6 -0.8 0  0.8 0.6 0  0 0 1  0.1 0.2 0.9  0.5 
 constexpr const char* kApart = "1 0 0  0 1 0  0 0 1  3 0 0\n";
 
 /// The keys that --full adds to an answer, to a side and to a polygon.
-const std::set<std::string> kAdded{"crossing_pairs", "patch_list", "element_list", "pose", "provenance"};
-const std::set<std::string> kAddedToSides{"intersected_faces", "inner_faces"};
+const std::set<std::string> kAdded{"coincident", "crossing_pairs", "patch_list", "element_list", "pose", "provenance"};
+const std::set<std::string> kAddedToSides{"area_open", "area_closed", "intersected_faces", "inner_faces"};
 const std::set<std::string> kAddedToPolygons{"crossings", "patch"};
 
 void expect_and_erase(Json& json, const std::set<std::string>& keys) {
@@ -346,6 +346,31 @@ TEST_F(ContactCommand, LikelyMillimetresAreRemarkedOnUnlessTheScaleIsGiven) {
   };
   EXPECT_EQ(layers("0.01", "0.01"), "");
   EXPECT_NE(layers("0.01", "0.0005").find("surface F is 1 m large and its layer 0.0005 m thick"), std::string::npos);
+}
+
+TEST_F(ContactCommand, FullSaysWhatCoincidesAndTheAreasWithoutAndWithIt) {
+  // Stacked boxes: E's top and F's bottom are one square of 3/4 by 7/8 in one plane, with opposite normals. Left out,
+  // the area is 0; counted in, it is that square, wherever the tie rule moves it.
+  const std::string stacked = "1 0 0  0 1 0  0 0 1  0.125 0.25 ", below = stacked + "-1\n";
+  for (const std::string engine : {"fast", "reference"}) {
+    for (const std::string& pose : {stacked + "1\n", below}) {
+      const Json full = contact(pose, {"--engine", engine, "--full"}).front();
+      EXPECT_EQ(full["coincident"], true);
+      for (const char* side : {"E", "F"}) {
+        EXPECT_EQ(full[side]["area_open"], 0.0) << engine << ' ' << pose;
+        EXPECT_EQ(full[side]["area_closed"], 0.75 * 0.875) << engine << ' ' << pose;
+      }
+    }
+    const Json apart = contact(kApart, {"--engine", engine, "--full"}).front();
+    EXPECT_EQ(apart["coincident"], false);
+    const Json tilted = contact(kTilted, {"--engine", engine, "--full"}).front();
+    EXPECT_EQ(tilted["coincident"], false);
+    for (const char* side : {"E", "F"})
+      for (const char* bound : {"area_open", "area_closed"}) EXPECT_EQ(tilted[side][bound], tilted[side]["area"]);
+  }
+  const Json published = contact(below, {"--engine", "published-2003", "--full"}).front();
+  EXPECT_EQ(published["coincident"], true);
+  EXPECT_TRUE(published["E"]["area_open"].is_null());
 }
 
 TEST_F(ContactCommand, FilesThatCannotBeWrittenAndAdviceWithMoreAreRefused) {
