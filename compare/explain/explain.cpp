@@ -182,4 +182,13 @@ Explanation Explainer::explain(const Pose& pose, const ExplainOptions& options) 
   return explanation;
 }
 
+bool Explainer::coincident(reference::Problem problem, const Pose& pose) const {
+  const ExactPose exact(problem, data_->E, data_->F, pose);
+  if (!near_features(exact, 0).empty()) return true;  // all that is joined is made of these
+  if (scheme() != Scheme::barycentric) return false;
+  std::vector<Coincidence> lines;
+  add_lines(exact, find_combinatorics(exact), mode(), 0, lines);
+  return !lines.empty();
+}
+
 }  // namespace pcm::compare

@@ -14,6 +14,7 @@
 #include "pcm/inputs.h"
 #include "pcm/triangle_mesh.h"
 #include "pcm/work_counters.h"
+#include "reference/vocabulary/answer.h"
 
 /// Why an answer is what it is: what coincides in a pose, or nearly does, who decides the signs that hang on it, and
 /// how near the next pose with another answer is. All of the rounded problem, which both engine and oracle decide.
@@ -70,6 +71,10 @@ class Explainer {
   /// boxes are near to each other, but for the search for another answer, which evaluates the engine some 100 times for
   /// each of 6 to 12 directions.
   Explanation explain(const Pose& pose, const ExplainOptions& options = {}) const;
+
+  /// Whether anything coincides exactly, in either problem; of the rounded one, what `Explanation::total().exact > 0`
+  /// says. Throws as `explain`. As cheap as the search for near features.
+  bool coincident(reference::Problem problem, const Pose& pose) const;
 
   const TriangleMesh& mesh(Side side) const;
   Mode mode() const;

@@ -50,16 +50,6 @@ Json work_json(const fast::WorkCounters& work) {
           {"velocities", work.velocities},         {"law_only", work.law_only}};
 }
 
-Json statistics_json(const fast::Statistics& statistics) {
-  return {{"patch_area", statistics.patch_area},
-          {"mean_penetration", statistics.mean_penetration},
-          {"max_pressure", statistics.max_pressure},
-          {"mean_pressure", statistics.mean_pressure},
-          {"max_normal_velocity", statistics.max_normal_velocity},
-          {"max_tangential_velocity", statistics.max_tangential_velocity},
-          {"centre_of_pressure", json_vector(statistics.centre_of_pressure_Me)}};
-}
-
 /// JSON has no infinity: where nothing can be promised stands null.
 Json finite_or_null(double x) {
   return std::isfinite(x) ? Json(x) : Json();
@@ -95,6 +85,16 @@ Json common_json(const Result& result, Json volume, std::size_t elements, Json w
 }
 
 }  // namespace
+
+Json statistics_json(const fast::Statistics& statistics) {
+  return {{"patch_area", statistics.patch_area},
+          {"mean_penetration", statistics.mean_penetration},
+          {"max_pressure", statistics.max_pressure},
+          {"mean_pressure", statistics.mean_pressure},
+          {"max_normal_velocity", statistics.max_normal_velocity},
+          {"max_tangential_velocity", statistics.max_tangential_velocity},
+          {"centre_of_pressure", json_vector(statistics.centre_of_pressure_Me)}};
+}
 
 Json contact_json(const fast::Contact& contact) {
   Json volume = contact.has_volume ? Json(contact.volume) : Json();

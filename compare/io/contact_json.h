@@ -15,4 +15,7 @@ namespace pcm::compare {
 Json contact_json(const fast::Contact& contact);
 Json contact_json(const reference::Answer& answer);
 
+/// Its value for the key `statistics`.
+Json statistics_json(const fast::Statistics& statistics);
+
 }  // namespace pcm::compare

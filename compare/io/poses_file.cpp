@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/io/poses_file.h"
 
-#include <Eigen/LU>
 #include <array>
 
-#include "fast/base/geometry.h"
 #include "meshes/files/parse_number.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -13,9 +11,8 @@
 namespace pcm::compare {
 namespace {
 
-constexpr std::size_t kPoseNumbers = 12;   // A by rows, r
-constexpr std::size_t kStateNumbers = 18;  // the same, then v and w
-constexpr double kRotationTolerance = 1e-9;
+constexpr std::size_t kMatrix = 9, kQuaternion = 4;  // numbers of an orientation
+constexpr std::size_t kMostNumbers = kMatrix + 9;    // then r, v and w
 constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestLine = 1 << 20;  // Eighteen doubles with all their digits take 20,000 characters.
@@ -29,51 +26,67 @@ std::optional<std::string_view> take_word(std::string_view& rest) {
   return word;
 }
 
-}  // namespace
-
-bool is_rotation(const Eigen::Matrix3d& A) {
-  return fast::orthogonality_error(A) <= kRotationTolerance && A.determinant() > 0;
+std::string counts_of(OrientationNotation notation) {
+  return notation == OrientationNotation::matrix ? "a pose has 12 (the rotation A by rows, then r) or 18 (then v, w)"
+                                                 : "a pose has 7 (a unit quaternion, then r) or 13 (then v, w)";
 }
 
-std::optional<State> parse_state(std::string_view line) {
+Rotation orientation_from(const std::array<double, kMostNumbers>& numbers, const PoseReading& reading) {
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  if (reading.notation == OrientationNotation::matrix)
+    return rotation_from(Eigen::Matrix3d(Eigen::Map<const RowMajor>(numbers.data())), reading.orthonormalise);
+  const bool w_first = reading.notation == OrientationNotation::wxyz;
+  return rotation_from_quaternion(numbers[w_first ? 0 : 3],
+                                  Eigen::Map<const Eigen::Vector3d>(&numbers[w_first ? 1 : 0]), reading.orthonormalise);
+}
+
+}  // namespace
+
+std::optional<State> parse_state(std::string_view line, const PoseReading& reading) {
   std::string_view rest = line.substr(0, line.find('#'));
-  std::array<double, kStateNumbers> numbers{};
+  std::array<double, kMostNumbers> numbers{};
   std::size_t count = 0;
   while (const std::optional<std::string_view> word = take_word(rest)) {
     const std::optional<double> number = parse_number(*word);
     if (!number) throw BadInput(in_quotes(*word) + " is not a finite number; write it as 0.1 or 0x1.8p-3");
-    if (count < kStateNumbers) numbers[count] = *number;
+    if (count < kMostNumbers) numbers[count] = *number;
     ++count;
   }
   if (count == 0) return std::nullopt;
-  if (count != kPoseNumbers && count != kStateNumbers)
-    throw BadInput(std::to_string(count) +
-                   " numbers; a pose has 12 (the rotation A by rows, then r) or 18 (then v, w)");
+  const std::size_t orientation = reading.notation == OrientationNotation::matrix ? kMatrix : kQuaternion;
+  if (count != orientation + 3 && count != orientation + 9)
+    throw BadInput(std::to_string(count) + " numbers; " + counts_of(reading.notation));
 
-  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const Rotation rotation = orientation_from(numbers, reading);
+  const double* vectors = numbers.data() + orientation;
   State state;
-  state.pose.A = Eigen::Map<const RowMajor>(numbers.data());
-  state.pose.r = Eigen::Map<const Eigen::Vector3d>(numbers.data() + 9);
-  state.velocity.v = Eigen::Map<const Eigen::Vector3d>(numbers.data() + 12);
-  state.velocity.w = Eigen::Map<const Eigen::Vector3d>(numbers.data() + 15);
-  if (!is_rotation(state.pose.A))
-    throw BadInput("the first nine numbers are not a rotation to 1e-9; give its rows with all their digits");
+  state.pose.A = rotation.A;
+  state.replaced_error = rotation.replaced_error;
+  state.pose.r = Eigen::Map<const Eigen::Vector3d>(vectors);
+  state.velocity.v = Eigen::Map<const Eigen::Vector3d>(vectors + 3);
+  state.velocity.w = Eigen::Map<const Eigen::Vector3d>(vectors + 6);
   return state;
 }
 
-PosesFile::PosesFile(const std::filesystem::path& path) : name_(path.string()) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw BadInput(name_ + ": no such file; check the path");
-  if (std::filesystem::is_directory(status)) throw BadInput(name_ + ": this is a folder; name a poses file in it");
-  file_.open(path);
+PosesFile::PosesFile(const std::filesystem::path& path, const PoseReading& reading)
+    : name_(path.string()), reading_(reading) {
+  if (path == "-") {
+    name_ = "standard input";
+    file_.open("/dev/stdin");
+  } else {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) throw BadInput(name_ + ": no such file; check the path");
+    if (std::filesystem::is_directory(status)) throw BadInput(name_ + ": this is a folder; name a poses file in it");
+    file_.open(path);
+  }
   if (!file_) throw BadInput(name_ + ": the file can't be opened; check its permissions");
 }
 
 std::optional<State> PosesFile::next() {
   while (next_line()) {
     try {
-      if (const std::optional<State> state = parse_state(text_)) {
+      if (const std::optional<State> state = parse_state(text_, reading_)) {
         empty_ = false;
         return state;
       }

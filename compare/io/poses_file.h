@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "compare/io/rotation.h"
 #include "pcm/inputs.h"
 
 namespace pcm::compare {
@@ -17,24 +18,31 @@ namespace pcm::compare {
 struct State {
   Pose pose;
   Velocity velocity;
+  double replaced_error = 0;  ///< of the orientation that was read, where another one was taken (rotation.h)
 };
 
-/// Whether max |A^T A - I| <= 1e-9 and det A > 0; false where anything is not finite.
-bool is_rotation(const Eigen::Matrix3d& A);
+/// How a line begins: with the nine entries of A by rows, or with a unit quaternion, whose real part w comes first or
+/// last.
+enum class OrientationNotation : std::uint8_t { matrix, wxyz, xyzw };
+
+struct PoseReading {
+  OrientationNotation notation = OrientationNotation::matrix;
+  bool orthonormalise = false;  ///< orientations with few digits are replaced by the nearest rotation (rotation.h)
+};
 
 /// The state that one line of a poses file holds; none where it is blank or only a comment (from `#` on).
 ///
-/// 12 numbers: A by rows, then r. 18: then v and w as well; they are zero otherwise. Numbers are separated by blanks
-/// and written in decimal or as C hexadecimal floats. Throws BadInput, without file and line, for anything else, for
-/// an A that is no rotation and for numbers that are not finite.
-std::optional<State> parse_state(std::string_view line);
+/// The orientation, nine numbers or four, then r; or then v and w as well, which are zero otherwise. Numbers are
+/// separated by blanks and written in decimal or as C hexadecimal floats. Throws BadInput, without file and line, for
+/// anything else, for an orientation that is no rotation and for numbers that are not finite.
+std::optional<State> parse_state(std::string_view line, const PoseReading& reading = {});
 
 /// Reads a poses file state by state, in constant memory, so it may be endless or a pipe. Lines end with a line feed, a
 /// carriage return or both; a leading UTF-8 byte order mark is skipped.
 class PosesFile {
  public:
-  /// Throws BadInput where `path` is no readable file.
-  explicit PosesFile(const std::filesystem::path& path);
+  /// `path` "-" is standard input. Throws BadInput where `path` is no readable file.
+  explicit PosesFile(const std::filesystem::path& path, const PoseReading& reading = {});
 
   /// The next state; none at the end. Throws BadInput with file and line for a malformed line, and for a file that ends
   /// without having held a pose.
@@ -50,6 +58,7 @@ class PosesFile {
   bool next_line();
 
   std::string name_;
+  PoseReading reading_;
   std::ifstream file_;
   std::string text_;
   std::int64_t line_ = 0;

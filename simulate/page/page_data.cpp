@@ -11,7 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "simulate/page/base64.h"
+#include "compare/io/base64.h"
 
 namespace pcm::simulate {
 namespace {
@@ -31,7 +31,7 @@ template <typename Number>
 json packed(const char* type, const std::vector<Number>& numbers) {
   std::string bytes(numbers.size() * sizeof(Number), '\0');
   if (!numbers.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  return {{"type", type}, {"base64", base64(bytes)}};
+  return {{"type", type}, {"base64", compare::base64(bytes)}};
 }
 
 json packed_floats(const std::vector<float>& numbers) {

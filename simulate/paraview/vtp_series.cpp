@@ -5,46 +5,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "compare/io/vtp.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
-#include "simulate/page/base64.h"
 
 namespace pcm::simulate {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "said so in the files");
-
-/// An array as VTK writes it inline: its length in bytes, then the bytes, base64 together.
-template <class T>
-std::string data_array(std::string_view type, std::string_view name, int components, const std::vector<T>& values) {
-  const auto length = static_cast<std::uint32_t>(values.size() * sizeof(T));
-  std::string bytes(reinterpret_cast<const char*>(&length), sizeof length);
-  bytes.append(reinterpret_cast<const char*>(values.data()), length);
-  return fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="binary">{}</DataArray>)"
-                     "\n",
-                     type, name, components, base64(bytes));
-}
-
-/// All surfaces as one set of points and triangles; the same for every frame but for the places of the points.
-struct Polygons {
-  std::vector<std::int32_t> corners, ends, surfaces;
+/// All surfaces as one set of triangles; the same for every frame but for the places of the points.
+struct Triangles {
+  compare::VtpCells cells;
+  std::vector<std::int32_t> surfaces;   ///< by face
   std::vector<std::size_t> first_face;  ///< by surface
 
-  explicit Polygons(const Recording& recording) {
+  explicit Triangles(const Recording& recording) {
     std::int32_t points = 0;
     for (std::size_t s = 0; s < recording.surfaces.size(); ++s) {
       const TriangleMesh& mesh = recording.surfaces[s].mesh;
-      first_face.push_back(ends.size());
+      first_face.push_back(cells.ends.size());
       for (const auto& face : mesh.faces) {
-        for (const Index vertex : face) corners.push_back(points + static_cast<std::int32_t>(vertex));
-        ends.push_back(static_cast<std::int32_t>(corners.size()));
+        for (const Index vertex : face) cells.corners.push_back(points + static_cast<std::int32_t>(vertex));
+        cells.end_cell();
         surfaces.push_back(static_cast<std::int32_t>(s));
       }
       points += static_cast<std::int32_t>(mesh.vertices.size());
@@ -64,33 +50,25 @@ std::vector<float> points_of(const Recording& recording, const Frame& frame) {
   return points;
 }
 
-std::vector<float> pressures_of(const Recording& recording, const Frame& frame, const Polygons& polygons) {
-  std::vector<float> pressures(polygons.ends.size(), 0);
+std::vector<float> pressures_of(const Recording& recording, const Frame& frame, const Triangles& triangles) {
+  std::vector<float> pressures(triangles.surfaces.size(), 0);
   for (const RecordedElement& e : frame.elements) {
     const RecordedPairing& pairing = recording.pairings[static_cast<std::size_t>(e.pairing)];
     const Index surface = e.master == Side::E ? pairing.surface_E : pairing.surface_F;
     float& pressure =
-        pressures[polygons.first_face[static_cast<std::size_t>(surface)] + static_cast<std::size_t>(e.face)];
+        pressures[triangles.first_face[static_cast<std::size_t>(surface)] + static_cast<std::size_t>(e.face)];
     pressure = std::max(pressure, static_cast<float>(e.pressure));
   }
   return pressures;
 }
 
-std::string polydata(const Recording& recording, const Frame& frame, const Polygons& polygons) {
-  const std::vector<float> points = points_of(recording, frame);
-  std::string text = R"(<?xml version="1.0"?>
-<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32">
-)";
-  text += fmt::format(R"(<PolyData><Piece NumberOfPoints="{}" NumberOfPolys="{}">)"
-                      "\n",
-                      points.size() / 3, polygons.ends.size());
-  text += "<Points>\n" + data_array("Float32", "points", 3, points) + "</Points>\n";
-  text += "<Polys>\n" + data_array("Int32", "connectivity", 1, polygons.corners) +
-          data_array("Int32", "offsets", 1, polygons.ends) + "</Polys>\n";
-  text += "<CellData Scalars=\"pressure\">\n" +
-          data_array("Float32", "pressure", 1, pressures_of(recording, frame, polygons)) +
-          data_array("Int32", "surface", 1, polygons.surfaces) + "</CellData>\n";
-  return text + "</Piece></PolyData></VTKFile>\n";
+std::string text_of(const Recording& recording, const Frame& frame, const Triangles& triangles) {
+  compare::VtpPolyData data;
+  data.points.values = points_of(recording, frame);
+  data.polygons = triangles.cells;
+  data.cell_data = {{"pressure", 1, pressures_of(recording, frame, triangles)}, {"surface", 1, triangles.surfaces}};
+  data.scalars = "pressure";
+  return compare::vtp(data);
 }
 
 }  // namespace
@@ -99,13 +77,14 @@ void write_vtp_series(const std::filesystem::path& folder, const Recording& reco
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
-  const Polygons polygons(recording);
-  std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+  const Triangles triangles(recording);
+  std::vector<compare::PvdEntry> files;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
-    write_text_file(folder / fmt::format("{}.vtp", i), polydata(recording, recording.frames[i], polygons));
-    list += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}.vtp\"/>\n", recording.frames[i].t, i);
+    const Frame& frame = recording.frames[i];
+    const compare::PvdEntry& file = files.emplace_back(compare::PvdEntry{frame.t, 0, fmt::format("{}.vtp", i)});
+    write_text_file(folder / file.file, text_of(recording, frame, triangles));
   }
-  write_text_file(folder / "frames.pvd", list + "</Collection>\n</VTKFile>\n");
+  write_text_file(folder / "frames.pvd", compare::pvd(files));
 }
 
 }  // namespace pcm::simulate

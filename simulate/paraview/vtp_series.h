@@ -10,8 +10,7 @@ namespace pcm::simulate {
 
 /// A recording for ParaView: frames.pvd, which names a file N.vtp for each frame with all surfaces in place. Points in
 /// m, as floats; by cell: `pressure`, Pa, the greatest where a face carries several elements, and `surface`, its
-/// number. Written by hand, for VTK's library is two hundred times what this takes; the format is VTK's XML PolyData
-/// 0.1 with arrays in base64. Throws BadInput where the folder can't be written to.
+/// number (compare/io/vtp.h). Throws BadInput where the folder can't be written to.
 void write_vtp_series(const std::filesystem::path& folder, const Recording& recording);
 
 }  // namespace pcm::simulate

@@ -61,6 +61,7 @@ inline const std::vector<Part>& parts() {
         "judge/engines",
         "contestants",
         "explain",
+        "contact",
         "known_answers",
         "error_budget",
         "motion",

@@ -14,7 +14,8 @@
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
-Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output) {
+Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output,
+                const std::filesystem::path& input) {
   const TemporaryFolder scratch;
   const std::string out = output.empty() ? scratch.path("out") : output.string();
   const std::string err = scratch.path("err");
@@ -27,7 +28,7 @@ Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, input.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
   pid_t process = 0;

@@ -16,8 +16,10 @@ struct Outcome {
 };
 
 /// Runs the built program with these arguments (no shell in between) and waits for its end.
-/// `output` is where standard output goes instead of into the outcome, e.g. "/dev/full".
-Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output = {});
+/// `output` is where standard output goes instead of into the outcome, e.g. "/dev/full"; `input` is where standard
+/// input comes from.
+Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output = {},
+                const std::filesystem::path& input = "/dev/null");
 
 /// The lines of a text, without their line feeds.
 std::vector<std::string> lines_of(const std::string& text);

@@ -10,59 +10,36 @@
 #include <string>
 #include <utility>
 
+#include "compare/cli/contact/contact_answers.h"
+#include "compare/cli/contact/contact_outputs.h"
 #include "compare/cli/contact/law_options.h"
+#include "compare/cli/contact/pose_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/frame/surface_warnings.h"
-#include "compare/io/contact_json.h"
+#include "compare/contact/units.h"
 #include "compare/io/names.h"
-#include "compare/io/poses_file.h"
 #include "compare/motion/master_advice.h"
-#include "compare/wrong_answers/tested_engine.h"
 #include "pcm/bad_input.h"
 #include "pcm/engine.h"
 #include "pcm/read_mesh.h"
-#include "reference/oracle.h"
 
 namespace pcm::compare {
 namespace {
 
 struct ContactOptions {
   std::string file_E, file_F;
-  std::optional<std::string> poses;
+  PoseOptions poses;
   std::string engine = "fast";
   std::string mode = "E";
   std::string scheme = "barycentric";
   std::optional<std::string> problem;
   bool bound = false;
   bool advise = false;
+  bool no_polygons = false;
+  std::optional<std::string> scale;
+  ContactOutputOptions outputs;
   LawOptions law;
 };
-
-/// The pairing as either of the two sees it: the answer to one state.
-using Evaluate = std::function<Json(const State&)>;
-
-Evaluate evaluate_by_engine(Engine engine, TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode,
-                            Scheme scheme, bool with_bound) {
-  const std::shared_ptr<const TestedEngine> tested =
-      make_tested_engine(engine, std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
-  auto workspace = std::make_shared<TestedEngineWorkspace>();
-  Wanted wanted;
-  wanted.bound = with_bound;
-  return [=](const State& state) {
-    Json json = contact_json(tested->evaluate(state.pose, state.velocity, wanted, *workspace));
-    if (engine != Engine::fast)
-      for (const char* side : {"E", "F"}) json[side]["area"] = json[side]["vector_area"] = nullptr;
-    return json;
-  };
-}
-
-Evaluate evaluate_by_oracle(TriangleMesh mesh_E, TriangleMesh mesh_F, const ContactLaw& law, Mode mode, Scheme scheme,
-                            reference::Problem problem) {
-  auto oracle = std::make_shared<const reference::Oracle>(std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
-  return [oracle, problem](const State& state) {
-    return contact_json(oracle->answer(problem, state.pose, state.velocity));
-  };
-}
 
 /// Each line leaves as soon as it is there, so that what was printed before an error or an interruption is whole.
 void print_line(const std::string& answer) {
@@ -70,23 +47,69 @@ void print_line(const std::string& answer) {
   flush_output();
 }
 
-/// Calls `look` and then `use` for each state of the file, or for the identity at rest; what `look` throws gets the
-/// file's line.
+/// Calls `look` and then `use` for each state of the file, its lengths in metres, or for the identity at rest; what
+/// `look` throws gets the file's line.
 template <class Look, class Use>
-void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use& use) {
+void for_each_state(std::optional<PosesFile>& poses, double metres_per_unit, const Look& look, const Use& use) {
   if (!poses) {
     look(State{});
-    use();
+    use(State{});
     return;
   }
-  while (const std::optional<State> state = poses->next()) {
+  ReplacementNotice notice;
+  while (std::optional<State> state = poses->next()) {
+    state->pose.r *= metres_per_unit;
+    state->velocity.v *= metres_per_unit;
+    notice.look_at(*state, *poses);
     try {
       look(*state);
     } catch (const BadInput& error) {
       throw BadInput(poses->place() + ": " + error.what());
     }
-    use();
+    use(*state);
   }
+}
+
+double metres_per_unit(const ContactOptions& options) {
+  return options.scale ? positive_number("--scale", *options.scale) : 1;
+}
+
+TriangleMesh read_scaled_mesh(const std::string& file, double metres_per_unit) {
+  TriangleMesh mesh = read_mesh(file);
+  if (metres_per_unit != 1) scale(mesh, metres_per_unit);
+  return mesh;
+}
+
+/// Lengths that are likely no metres, unless the user has said what they are.
+void remark_on_units(const ContactOptions& options, const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
+  if (options.scale) return;
+  const LayerThickness thickness{layer_thickness(options.law, Side::E), layer_thickness(options.law, Side::F)};
+  if (const std::string remark = millimetre_remark(mesh_E, mesh_F, thickness); !remark.empty())
+    complain("remark: " + remark);
+}
+
+ContactQuestion question_of(const ContactOptions& options, const ContactLaw& law) {
+  ContactQuestion question;
+  question.engine = options.engine;
+  if (options.problem == "exact") question.problem = reference::Problem::exact;
+  question.law = law;
+  question.mode = mode_named(options.mode);
+  question.scheme = scheme_named(options.scheme);
+  question.wanted.bound = options.bound;
+  question.wanted.polygons = !options.no_polygons;
+  return question;
+}
+
+Provenance provenance_of(const ContactOptions& options, const ContactQuestion& question, const TriangleMesh& mesh_E,
+                         const TriangleMesh& mesh_F) {
+  return {question.engine,
+          question.problem == reference::Problem::exact ? "exact" : "rounded",
+          question.scheme,
+          question.mode,
+          question.law,
+          metres_per_unit(options),
+          surface_origin(options.file_E, mesh_E),
+          surface_origin(options.file_F, mesh_F)};
 }
 
 Exit contact(const ContactOptions& options) {
@@ -97,32 +120,45 @@ Exit contact(const ContactOptions& options) {
     throw BadInput("--bound: the oracle's force and torque are correctly rounded; leave out '--engine reference'");
   if (options.bound && options.engine != "fast")
     throw BadInput("--bound: the published algorithms know none; leave out '--engine " + options.engine + "'");
+  if (options.advise && (options.outputs.any() || options.no_polygons))
+    throw BadInput("--advise gives advice instead of answers; leave out what asks for more of these");
   const ContactLaw law = law_from(options.law);
-  std::optional<PosesFile> poses;
-  if (options.poses) poses.emplace(*options.poses);
+  std::optional<PosesFile> poses = poses_from(options.poses);
 
   // Unfit surfaces are refused here, alike for engine and oracle.
-  TriangleMesh mesh_E = read_mesh(options.file_E);
+  const double unit = metres_per_unit(options);
+  TriangleMesh mesh_E = read_scaled_mesh(options.file_E, unit);
   const std::string warning_E = require_fit_or_warn(mesh_E);
-  TriangleMesh mesh_F = read_mesh(options.file_F);
+  TriangleMesh mesh_F = read_scaled_mesh(options.file_F, unit);
   print_warnings(warning_E, require_fit_or_warn(mesh_F));
+  remark_on_units(options, mesh_E, mesh_F);
   if (options.advise) {
     MasterAdviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
     for_each_state(
-        poses, [&](const State& state) { adviser.add(state.pose); }, [] {});
+        poses, unit, [&](const State& state) { adviser.add(state.pose); }, [](const State&) {});
     std::cout << master_advice_text(adviser.advice());
     return Exit::success;
   }
-  const Mode mode = mode_named(options.mode);
-  const Scheme scheme = scheme_named(options.scheme);
-  const auto problem = options.problem == "exact" ? reference::Problem::exact : reference::Problem::rounded;
-  const Evaluate evaluate = by_oracle
-                                ? evaluate_by_oracle(std::move(mesh_E), std::move(mesh_F), law, mode, scheme, problem)
-                                : evaluate_by_engine(engine_named(options.engine), std::move(mesh_E), std::move(mesh_F),
-                                                     law, mode, scheme, options.bound);
-  std::string answer;
+  const ContactQuestion question = question_of(options, law);
+  std::optional<ContactOutputs> outputs;
+  if (options.outputs.any())
+    outputs.emplace(options.outputs, question, mesh_E, mesh_F,
+                    [&] { return provenance_of(options, question, mesh_E, mesh_F); });
+  const AnswerContact answer_contact =
+      contact_answers(question, std::move(mesh_E), std::move(mesh_F), options.outputs.any());
+  ContactAnswer answer;
+  std::string line;
   for_each_state(
-      poses, [&](const State& state) { answer = dump_exactly(evaluate(state)); }, [&] { print_line(answer); });
+      poses, unit,
+      [&](const State& state) {
+        answer = answer_contact(state);
+        if (outputs) outputs->complete(answer, state);
+        line = dump_exactly(answer.json);
+      },
+      [&](const State& state) {
+        print_line(line);
+        if (outputs) outputs->write(answer, state);
+      });
   return Exit::success;
 }
 
@@ -142,6 +178,11 @@ void add_contact_command(CLI::App& program, Run& run) {
       "A poses file holds one pose a line: 12 numbers, the rotation A by rows, then r (x_E = A x_F + r); or 18, with\n"
       "v and w of F relative to E; decimal or C hexadecimal floats; comments from # on. Without it: A = 1, r = 0, at "
       "rest.\n"
+      "--orthonormalise says on standard error, once, that it replaced an orientation; a reflection is always "
+      "refused.\n"
+      "Without --scale a remark on standard error says where millimetres are likely: both surfaces are 10 m large or "
+      "more,\n"
+      "or one is a thousand times as large as its layer (--layer-E, --layer-F) is thick.\n"
       "--bound: the key bound of each object holds bounds on force and torque, component by component, and the two\n"
       "numbers between which max_penetration is (null: infinite, numbers come near the end of the range of doubles);\n"
       "flipped: an element or a flush face hangs on an ulp.\n"
@@ -150,17 +191,26 @@ void add_contact_command(CLI::App& program, Run& run) {
       "and greatest), greatest share of one face (what the force jumps by when that is lost), faces too deep, poses "
       "whose\n"
       "force is lost or clamped, and times, for E, F and both as masters.\n"
+      "--full: faces, vertices and edges are numbered from 0 in the order of their files, an edge is named by its "
+      "ends; "
+      "what\n"
+      "each key holds: docs/commands.md.\n"
       "Example:\n"
       "  pcm mesh make box -o E.obj\n"
       "  pcm mesh make icosphere --radius=0.5 -o F.obj\n"
       "  echo '1 0 0  0 1 0  0 0 1   0.1 0 0.9' > poses.txt\n"
-      "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3");
+      "  pcm contact E.obj F.obj --poses poses.txt --stiffness 1e6 --friction 0.3\n"
+      "  pcm contact E.obj F.obj --poses poses.txt --no-polygons --csv contacts.csv --elements elements.csv");
   command->add_option("E", options->file_E, std::string("Surface of body E, ") + kMeshExtensions)
       ->required()
       ->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
-  command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity, at rest)")
-      ->type_name("FILE");
+  add_pose_options(*command, options->poses);
+  command
+      ->add_option("--scale", options->scale,
+                   "Metres for each unit of length in the files: vertices, and r and v of poses, are multiplied by it "
+                   "(default 1); the law and the answers are in SI units")
+      ->type_name("S");
   CLI::Option* engine =
       command
           ->add_option("--engine", options->engine,
@@ -193,6 +243,11 @@ void add_contact_command(CLI::App& program, Run& run) {
       ->add_flag("--advise", options->advise,
                  "Instead: which surface should be master at these poses and why, a table and a sentence")
       ->excludes(engine, mode, scheme, problem, bound);
+  command
+      ->add_flag("--no-polygons", options->no_polygons,
+                 "Polygons and patches are not worked out: null in each object, empty in a CSV file")
+      ->group("Output");
+  add_contact_output_options(*command, options->outputs);
   add_law_options(*command, options->law);
   command->callback([options, &run] { run = [options] { return contact(*options); }; });
 }

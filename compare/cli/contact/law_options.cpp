@@ -33,11 +33,17 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return parts;
 }
 
-/// Stiffness of a layer given as YOUNG,NU,THICKNESS.
-double stiffness_of_layer(const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = split_at_commas(text);
+/// The parts of YOUNG,NU,THICKNESS.
+std::vector<std::string> parts_of_layer(const std::string& option, const std::string& text) {
+  std::vector<std::string> parts = split_at_commas(text);
   if (parts.size() != 3)
     throw BadInput(option + ": '" + text + "' is not YOUNG,NU,THICKNESS, three numbers with commas");
+  return parts;
+}
+
+/// Stiffness of a layer given as YOUNG,NU,THICKNESS.
+double stiffness_of_layer(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = parts_of_layer(option, text);
   const bool rigid = parts[0] == "inf";
   const double young = rigid ? 1 : positive_number(option, parts[0]);
   const double poisson = finite_number(option, parts[1]);
@@ -118,6 +124,13 @@ ContactLaw law_from(const LawOptions& options) {
   if (options.slip_velocity) law.slip_velocity = nonnegative_number("--slip-velocity", *options.slip_velocity);
   if (options.max_penetration) law.max_penetration = positive_number("--max-penetration", *options.max_penetration);
   return law;
+}
+
+std::optional<double> layer_thickness(const LawOptions& options, Side side) {
+  const std::string option = side == Side::E ? "--layer-E" : "--layer-F";
+  const LawOptions::Text& text = side == Side::E ? options.layer_E : options.layer_F;
+  if (!text) return std::nullopt;
+  return positive_number(option, parts_of_layer(option, *text)[2]);
 }
 
 }  // namespace pcm::compare

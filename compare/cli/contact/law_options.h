@@ -28,4 +28,7 @@ void add_law_options(CLI::App& command, LawOptions& options);
 /// The law that the options describe. Throws BadInput naming the option that is out of its range.
 ContactLaw law_from(const LawOptions& options);
 
+/// THICKNESS of --layer-E and --layer-F, m, where they are given. Throws BadInput as law_from does.
+std::optional<double> layer_thickness(const LawOptions& options, Side side);
+
 }  // namespace pcm::compare

@@ -8,15 +8,13 @@
 #include <optional>
 #include <vector>
 
+#include "compare/poses/crossing_pairs.h"
 #include "pcm/inputs.h"
 #include "pcm/triangle_mesh.h"
 
 /// What somebody's engine says about a pose: any subset of these facts, conventions as in docs/judge.md. What it does
 /// not know is empty.
 namespace pcm::compare {
-
-/// A face of E and a face of F, numbered from 0 in the order of their files.
-using FacePair = std::array<Index, 2>;
 
 struct GivenElement {
   Side master = Side::E;

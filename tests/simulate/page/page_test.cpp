@@ -15,11 +15,10 @@
 
 #include "meshes/generate/boxes.h"
 #include "pcm/bad_input.h"
-#include "simulate/page/base64.h"
 #include "simulate/page/page_files.h"
+#include "tests/compare/io/base64_decoded.h"
 #include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
-#include "tests/simulate/base64_decoded.h"
 #include "tests/simulate/page/falling_box.h"
 
 namespace {
@@ -47,7 +46,7 @@ std::string data_text(const std::string& page) {
 
 template <typename Number>
 std::vector<double> decoded_as(const std::string& text) {
-  const std::string bytes = base64_decoded(text);
+  const std::string bytes = compare::base64_decoded(text);
   std::vector<Number> numbers(bytes.size() / sizeof(Number));
   std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
   return {numbers.begin(), numbers.end()};
@@ -92,17 +91,6 @@ Recording sentinels() {
 std::vector<double> as_floats(std::vector<double> values) {
   for (double& value : values) value = double{static_cast<float>(value)};
   return values;
-}
-
-TEST(Base64, IsThatOfTheStandard) {  // RFC 4648, section 10
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe\xfb\xff"), "//77/w==");
 }
 
 TEST(Page, HoldsTheSurfaces) {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "meshes/generate/boxes.h"
+#include "tests/compare/io/base64_decoded.h"
 #include "tests/meshes/expect_bad_input.h"
 #include "tests/meshes/temporary_folder.h"
-#include "tests/simulate/base64_decoded.h"
 
 namespace pcm::simulate {
 namespace {
@@ -30,7 +30,7 @@ template <class T>
 std::vector<T> array_in(const std::string& file, const std::string& name) {
   const std::size_t tag = file.find("Name=\"" + name + "\"");
   const std::size_t begin = file.find('>', tag) + 1;
-  const std::string bytes = base64_decoded(file.substr(begin, file.find('<', begin) - begin));
+  const std::string bytes = compare::base64_decoded(file.substr(begin, file.find('<', begin) - begin));
   std::uint32_t length = 0;
   std::memcpy(&length, bytes.data(), sizeof length);
   EXPECT_EQ(length + sizeof length, bytes.size()) << name;

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace pcm::simulate {
+namespace pcm::compare {
 
 /// RFC 4648, section 4: the common alphabet, padded.
 std::string base64(std::string_view bytes);
 
-}  // namespace pcm::simulate
+}  // namespace pcm::compare

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace pcm::simulate {
+namespace pcm::compare {
 
 /// By another way than the encoder: digit by digit into a number of bits.
 inline std::string base64_decoded(const std::string& text) {
@@ -21,4 +21,4 @@ inline std::string base64_decoded(const std::string& text) {
   return bytes;
 }
 
-}  // namespace pcm::simulate
+}  // namespace pcm::compare

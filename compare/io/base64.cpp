@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulate/page/base64.h"
+#include "compare/io/base64.h"
 
 #include <algorithm>
 #include <cstdint>
 
-namespace pcm::simulate {
+namespace pcm::compare {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -21,4 +21,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace pcm::simulate
+}  // namespace pcm::compare

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "compare/cli/contact/contact_answers.h"
+#include "compare/cli/frame/command_line.h"
+#include "compare/contact/coincident_json.h"
+#include "compare/contact/contact_vtp.h"
+#include "compare/contact/csv_file.h"
+#include "compare/contact/full_json.h"
+#include "compare/contact/provenance.h"
+
+namespace pcm::compare {
+
+/// What `pcm contact` gives out beyond its line for each pose.
+struct ContactOutputOptions {
+  bool full = false;                    ///< everything, in the line itself
+  std::optional<std::string> poses;     ///< a CSV file with a row a pose
+  std::optional<std::string> elements;  ///< the same, a row an element
+  std::optional<std::string> vtk;       ///< a folder of files for ParaView
+
+  bool any() const { return full || poses || elements || vtk; }
+};
+
+void add_contact_output_options(CLI::App& command, ContactOutputOptions& options);
+
+/// Takes answers one by one, in two steps: what can be wrong with a pose is known before anything of it is written.
+class ContactOutputs {
+ public:
+  /// Begins the files. Throws BadInput where one can't be written, or a surface's file can't be read again.
+  ContactOutputs(const ContactOutputOptions& options, const ContactQuestion& question, TriangleMesh mesh_E,
+                 TriangleMesh mesh_F, const std::function<Provenance()>& provenance);
+  ContactOutputs(const ContactOutputs&) = delete;
+  ContactOutputs& operator=(const ContactOutputs&) = delete;
+
+  /// Adds to the answer's line what was asked for.
+  void complete(ContactAnswer& answer, const State& state) const;
+  /// Writes to the files.
+  void write(const ContactAnswer& answer, const State& state);
+
+ private:
+  TriangleMesh E_, F_;
+  std::optional<FullJson> full_;
+  std::optional<CoincidentJson> coincident_;
+  std::optional<CsvFile> poses_, elements_;
+  std::optional<ContactVtpFolder> vtk_;
+  std::int64_t pose_ = 0;  ///< number of the last one written, from 1
+};
+
+}  // namespace pcm::compare

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "compare/cli/frame/command_line.h"
+#include "compare/io/poses_file.h"
+
+namespace pcm::compare {
+
+/// Where the poses of a command come from and how they are written.
+struct PoseOptions {
+  std::optional<std::string> poses;  ///< "-": standard input
+  std::optional<std::string> quaternions;
+  bool orthonormalise = false;
+};
+
+/// Adds --poses, --quaternions and --orthonormalise to a subcommand.
+void add_pose_options(CLI::App& command, PoseOptions& options);
+
+/// The poses, where there are any.
+std::optional<PosesFile> poses_from(const PoseOptions& options);
+
+/// Says on standard error, the first time, that an orientation of the file was replaced.
+class ReplacementNotice {
+ public:
+  void look_at(const State& state, const PosesFile& poses);
+
+ private:
+  bool given_ = false;
+};
+
+}  // namespace pcm::compare

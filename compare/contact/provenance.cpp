@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/contact/provenance.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "compare/contact/commit.h"
+#include "compare/io/names.h"
+#include "compare/io/question_json.h"
+#include "compare/io/sha256.h"
+#include "meshes/files/text_file.h"
+#include "pcm/version.h"
+
+namespace pcm::compare {
+namespace {
+
+Json surface_json(const SurfaceOrigin& origin) {
+  return {{"file", origin.file},
+          {"sha256", origin.sha256 ? Json(*origin.sha256) : Json()},
+          {"vertices", origin.vertices},
+          {"faces", origin.faces}};
+}
+
+}  // namespace
+
+SurfaceOrigin surface_origin(const std::string& file, const TriangleMesh& mesh) {
+  SurfaceOrigin origin{file, {}, mesh.vertices.size(), mesh.faces.size()};
+  if (std::filesystem::is_regular_file(file)) origin.sha256 = sha256(read_text_file(file));
+  return origin;
+}
+
+Json provenance_json(const Provenance& provenance) {
+  return {{"version", PCM_VERSION},
+          {"commit", commit()},
+          {"engine", provenance.engine},
+          {"problem", provenance.problem},
+          {"scheme", name(provenance.scheme)},
+          {"mode", name(provenance.mode)},
+          {"law", law_json(provenance.law, Notation::decimal)},
+          {"scale", provenance.scale},
+          {"E", surface_json(provenance.E)},
+          {"F", surface_json(provenance.F)}};
+}
+
+}  // namespace pcm::compare
