@@ -39,6 +39,13 @@ VtpArray numbers_of(const std::vector<fast::Element>& elements, const std::strin
   return {name, 1, std::move(numbers)};
 }
 
+const std::filesystem::path& created(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
+  return folder;
+}
+
 std::int32_t number_of(Side side) {
   return side == Side::E ? 0 : 1;
 }
@@ -60,11 +67,13 @@ VtpPolyData surface_vtp(const ContactRecord& record, const PlacedSurfaces& place
   for (const Index f : area.intersected) active[static_cast<std::size_t>(f)] = 1;
   for (const Index f : area.inner) active[static_cast<std::size_t>(f)] = 2;
   std::vector<double> pressures(faces.size(), 0), penetrations(faces.size(), 0);
+  std::vector<bool> carries(faces.size(), false);
   for (const fast::Element& e : record.elements) {
     if (e.master != side) continue;
     const auto f = static_cast<std::size_t>(e.master_face);
-    pressures[f] = std::max(pressures[f], pressure(e));
+    pressures[f] = carries[f] ? std::max(pressures[f], pressure(e)) : pressure(e);
     penetrations[f] = std::max(penetrations[f], e.penetration);
+    carries[f] = true;
   }
   data.cell_data = {{"pressure", 1, std::move(pressures)},
                     {"penetration", 1, std::move(penetrations)},
@@ -126,25 +135,22 @@ VtpPolyData elements_vtp(const ContactRecord& record) {
   return data;
 }
 
-ContactVtpFolder::ContactVtpFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw BadInput(folder_.string() + ": can't be created: " + error.message());
-}
+ContactVtpFolder::ContactVtpFolder(std::filesystem::path folder)
+    : folder_(std::move(folder)), contacts_(created(folder_) / "contacts.pvd") {}
 
-void ContactVtpFolder::write(const ContactRecord& record, const PlacedSurfaces& placed) {
+void ContactVtpFolder::write(const ContactRecord& record, const PlacedSurfaces& placed, bool with_polygons) {
   ++contact_;
-  write_part("E", surface_vtp(record, placed, Side::E));
-  write_part("F", surface_vtp(record, placed, Side::F));
-  write_part("polygons", polygons_vtp(record));
-  write_part("elements", elements_vtp(record));
-  write_text_file(folder_ / "contacts.pvd", pvd(files_));
+  std::vector<PvdEntry> parts{write_part(0, "E", surface_vtp(record, placed, Side::E)),
+                              write_part(1, "F", surface_vtp(record, placed, Side::F))};
+  if (with_polygons) parts.push_back(write_part(2, "polygons", polygons_vtp(record)));
+  parts.push_back(write_part(3, "elements", elements_vtp(record)));
+  contacts_.add(parts);
 }
 
-void ContactVtpFolder::write_part(const std::string& name, const VtpPolyData& data) {
+PvdEntry ContactVtpFolder::write_part(int part, const std::string& name, const VtpPolyData& data) const {
   const std::string file = fmt::format("{}_{}.vtp", name, contact_);
   write_text_file(folder_ / file, vtp(data));
-  files_.push_back({static_cast<double>(contact_), static_cast<int>(files_.size() % 4), file});
+  return {static_cast<double>(contact_), part, file};
 }
 
 }  // namespace pcm::compare

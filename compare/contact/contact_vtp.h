@@ -15,7 +15,7 @@
 namespace pcm::compare {
 
 /// A surface in place, by face: `active` (0; 1 intersected; 2 inner), and of the contact elements that it carries as a
-/// master `pressure`, Pa, and `penetration`, m, the greatest of each; 0 where it carries none.
+/// master `pressure`, Pa (negative in tension), and `penetration`, m, the greatest of each; 0 where it carries none.
 VtpPolyData surface_vtp(const ContactRecord& record, const PlacedSurfaces& placed, Side side);
 
 /// The intersection polygons as lines, by polygon `closed` and `patch`; by point the features that cross there:
@@ -30,17 +30,17 @@ VtpPolyData elements_vtp(const ContactRecord& record);
 /// contacts.pvd, which shows them all, the N-th at time N.
 class ContactVtpFolder {
  public:
-  /// Throws BadInput where the folder can't be created.
+  /// Begins contacts.pvd. Throws BadInput where the folder can't be created, or not be written to.
   explicit ContactVtpFolder(std::filesystem::path folder);
 
-  /// Throws BadInput where a file can't be written.
-  void write(const ContactRecord& record, const PlacedSurfaces& placed);
+  /// Without polygons where these were not wanted. Throws BadInput where a file can't be written.
+  void write(const ContactRecord& record, const PlacedSurfaces& placed, bool with_polygons = true);
 
  private:
-  void write_part(const std::string& name, const VtpPolyData& data);
+  PvdEntry write_part(int part, const std::string& name, const VtpPolyData& data) const;
 
   std::filesystem::path folder_;
-  std::vector<PvdEntry> files_;
+  PvdFile contacts_;
   std::int64_t contact_ = 0;  ///< number of the last one
 };
 

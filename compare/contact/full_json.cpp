@@ -82,6 +82,8 @@ void FullJson::add_to(Json& json, const ContactRecord& record, const State& stat
   if (json["polygons"].is_array()) {
     add_polygons(json, record.polygons, record.patches);
     json["crossing_pairs"] = crossing_pairs(E_, F_, all_crossings(record.polygons));
+  } else {
+    json["patch_list"] = json["crossing_pairs"] = nullptr;
   }
   const PlacedSurfaces placed(E_.mesh, F_.mesh, state.pose);
   json["element_list"] = Json::array();

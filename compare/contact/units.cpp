@@ -25,7 +25,7 @@ double extent(const TriangleMesh& mesh) {
 
 std::string millimetre_remark(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const LayerThickness& thickness) {
   const double extent_E = extent(mesh_E), extent_F = extent(mesh_F);
-  constexpr const char* kMend = "if the files are in millimetres, add --scale 0.001";
+  constexpr const char* kMend = "if the files are in millimetres, add --scale 0.001, if in metres, --scale 1";
   if (std::min(extent_E, extent_F) >= kLargestPart)
     return fmt::format("the surfaces are {:.3g} m and {:.3g} m large; {}", extent_E, extent_F, kMend);
   for (const auto& [name, size, layer] :

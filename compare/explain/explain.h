@@ -73,7 +73,7 @@ class Explainer {
   Explanation explain(const Pose& pose, const ExplainOptions& options = {}) const;
 
   /// Whether anything coincides exactly, in either problem; of the rounded one, what `Explanation::total().exact > 0`
-  /// says. Throws as `explain`. As cheap as the search for near features.
+  /// says. Throws as `explain`. Where nothing does, penetration lines of all active faces are looked through.
   bool coincident(reference::Problem problem, const Pose& pose) const;
 
   const TriangleMesh& mesh(Side side) const;

@@ -3,6 +3,7 @@
 #include "compare/io/poses_file.h"
 
 #include <array>
+#include <iostream>
 
 #include "meshes/files/parse_number.h"
 #include "meshes/files/text_file.h"
@@ -69,18 +70,19 @@ std::optional<State> parse_state(std::string_view line, const PoseReading& readi
 }
 
 PosesFile::PosesFile(const std::filesystem::path& path, const PoseReading& reading)
-    : name_(path.string()), reading_(reading) {
-  if (path == "-") {
-    name_ = "standard input";
-    file_.open("/dev/stdin");
-  } else {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) throw BadInput(name_ + ": no such file; check the path");
-    if (std::filesystem::is_directory(status)) throw BadInput(name_ + ": this is a folder; name a poses file in it");
-    file_.open(path);
-  }
+    : name_(path == "-" ? "standard input" : path.string()), reading_(reading), standard_input_(path == "-") {
+  if (standard_input_) return;
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw BadInput(name_ + ": no such file; check the path");
+  if (std::filesystem::is_directory(status)) throw BadInput(name_ + ": this is a folder; name a poses file in it");
+  file_.open(path);
   if (!file_) throw BadInput(name_ + ": the file can't be opened; check its permissions");
+}
+
+std::istream& PosesFile::in() {
+  if (standard_input_) return std::cin;
+  return file_;
 }
 
 std::optional<State> PosesFile::next() {
@@ -94,7 +96,7 @@ std::optional<State> PosesFile::next() {
       throw BadInput(place() + ": " + error.what());
     }
   }
-  if (file_.bad()) throw BadInput(name_ + ": reading the file failed; check the disk");
+  if (in().bad()) throw BadInput(name_ + ": reading failed; is it a folder, or the disk out of order?");
   if (empty_) throw BadInput(name_ + ": the file holds no pose; give one a line");
   return std::nullopt;
 }
@@ -102,17 +104,18 @@ std::optional<State> PosesFile::next() {
 bool PosesFile::next_line() {
   text_.clear();
   char c = 0;
-  if (!file_.get(c)) return false;
+  std::istream& in = this->in();
+  if (!in.get(c)) return false;
   ++line_;
   bool in_comment = false;
-  for (; file_ && c != '\n' && c != '\r'; file_.get(c)) {
+  for (; in && c != '\n' && c != '\r'; in.get(c)) {
     in_comment = in_comment || c == '#';
     if (in_comment) continue;
     if (text_.size() == kLongestLine)
       throw BadInput(place() + ": the line is longer than any pose; give one pose a line, as text");
     text_ += c;
   }
-  if (file_ && c == '\r' && file_.peek() == '\n') file_.get(c);
+  if (in && c == '\r' && in.peek() == '\n') in.get(c);
   if (line_ == 1 && text_.starts_with(kByteOrderMark)) text_.erase(0, kByteOrderMark.size());
   return true;
 }

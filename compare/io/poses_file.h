@@ -57,8 +57,11 @@ class PosesFile {
   /// Puts the next line into text_, without its ending and its comment; false at the end.
   bool next_line();
 
+  std::istream& in();
+
   std::string name_;
   PoseReading reading_;
+  bool standard_input_;
   std::ifstream file_;
   std::string text_;
   std::int64_t line_ = 0;

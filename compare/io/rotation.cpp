@@ -28,7 +28,7 @@ constexpr double kMatrixError = 2 * 1.7321 * kThreeDigits + 3 * kThreeDigits * k
 constexpr double kQuaternionError = 2 * 2 * kThreeDigits + 4 * kThreeDigits * kThreeDigits;
 
 [[noreturn]] void refuse_far(const std::string& what, double error, double most) {
-  throw BadInput(fmt::format("{}: off by {:.3g}, where rounding to three digits behind the point does {:.3g} at most",
+  throw BadInput(fmt::format("{}: off by {:.4g}, where rounding to three digits behind the point does {:.4g} at most",
                              what, error, most));
 }
 

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <bit>
 #include <string_view>
+#include <utility>
 
 #include "compare/io/base64.h"
+#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
@@ -64,6 +66,17 @@ std::string data_of(std::string_view kind, const std::vector<VtpArray>& arrays, 
   return text + fmt::format("</{}>\n", kind);
 }
 
+constexpr std::string_view kPvdBegin =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+constexpr std::string_view kPvdEnd = "</Collection>\n</VTKFile>\n";
+
+std::string pvd_lines(const std::vector<PvdEntry>& entries) {
+  std::string text;
+  for (const PvdEntry& entry : entries)
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", entry.time, entry.part, entry.file);
+  return text;
+}
+
 }  // namespace
 
 std::string vtp(const VtpPolyData& data) {
@@ -80,10 +93,21 @@ std::string vtp(const VtpPolyData& data) {
 }
 
 std::string pvd(const std::vector<PvdEntry>& entries) {
-  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
-  for (const PvdEntry& entry : entries)
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", entry.time, entry.part, entry.file);
-  return text + "</Collection>\n</VTKFile>\n";
+  return std::string(kPvdBegin) + pvd_lines(entries) + std::string(kPvdEnd);
+}
+
+PvdFile::PvdFile(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) {
+  file_ << kPvdBegin;
+  end_ = static_cast<std::streamoff>(kPvdBegin.size());
+  add({});
+}
+
+void PvdFile::add(const std::vector<PvdEntry>& entries) {
+  const std::string lines = pvd_lines(entries);
+  file_.seekp(end_);
+  file_ << lines << kPvdEnd << std::flush;
+  end_ += static_cast<std::streamoff>(lines.size());
+  if (!file_) throw BadInput(path_.string() + ": the file can't be written; check the path, the disk and permissions");
 }
 
 }  // namespace pcm::compare

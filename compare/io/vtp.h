@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -46,5 +48,20 @@ struct PvdEntry {
 
 /// The text of a .pvd file, which ParaView opens as one object that changes over time.
 std::string pvd(const std::vector<PvdEntry>& entries);
+
+/// A .pvd file that grows: whole whenever it is looked at, and what has been written is not written again.
+class PvdFile {
+ public:
+  /// Begins the file, without entries. Throws BadInput where it can't be written.
+  explicit PvdFile(std::filesystem::path path);
+
+  /// Throws BadInput where it can't be written.
+  void add(const std::vector<PvdEntry>& entries);
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream file_;
+  std::streamoff end_ = 0;  ///< of the entries
+};
 
 }  // namespace pcm::compare

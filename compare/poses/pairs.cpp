@@ -52,7 +52,7 @@ struct PairCost {
   PoseCost clipped;
 };
 
-/// Of the pairs that cost more than a few milliseconds (SurfacePair::clipped_cost).
+/// Of the pairs that cost more than a few milliseconds.
 constexpr PairCost kPairCosts[] = {
     {"bubble-bubble", {5.5, 42}, {64, 420}},
     {"pyramid-bubble", {8.7, 1}, {44, 4.7}},
@@ -80,8 +80,8 @@ constexpr PairCost kPairCosts[] = {
 /// A pair with variants is a whole family: it counts as so many pairs in the hard strata.
 constexpr std::int64_t kFamilyWeight = 4;
 
-/// Poses of less than this, in milliseconds, are not told apart by what they cost: of the barycentric scheme, where a
-/// third of all poses is to fall to large pairs, and of the clipped one and nested bodies.
+/// Poses that cost less, in milliseconds, are asked as if they cost this. The barycentric one is as great as it must be
+/// for a third of all poses to fall to pairs of 2,000 faces or more.
 constexpr double kSmallBarycentricCost = 35;
 constexpr double kSmallCost = 5;
 

@@ -90,8 +90,8 @@ void remove_unfinished(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   std::error_code error;
   std::vector<std::filesystem::path> unfinished;
-  for (std::filesystem::directory_iterator entry(path.parent_path(), error), end; !error && entry != end;
-       entry.increment(error))
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     if (is_temporary_name(entry->path().filename().string(), name)) unfinished.push_back(entry->path());
   for (const std::filesystem::path& file : unfinished) std::filesystem::remove(file, error);
 }

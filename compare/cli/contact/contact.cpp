@@ -124,6 +124,7 @@ Exit contact(const ContactOptions& options) {
     throw BadInput("--advise gives advice instead of answers; leave out what asks for more of these");
   const ContactLaw law = law_from(options.law);
   std::optional<PosesFile> poses = poses_from(options.poses);
+  require_files_of_their_own(options.outputs, {options.file_E, options.file_F, options.poses.poses.value_or("-")});
 
   // Unfit surfaces are refused here, alike for engine and oracle.
   const double unit = metres_per_unit(options);
@@ -156,6 +157,7 @@ Exit contact(const ContactOptions& options) {
         line = dump_exactly(answer.json);
       },
       [&](const State& state) {
+        if (outputs) outputs->begin();
         print_line(line);
         if (outputs) outputs->write(answer, state);
       });

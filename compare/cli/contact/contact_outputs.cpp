@@ -3,12 +3,25 @@
 #include "compare/cli/contact/contact_outputs.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "compare/contact/contact_rows.h"
+#include "pcm/bad_input.h"
 
 namespace pcm::compare {
+namespace {
+
+/// Links and all ways to write a path seen through, whether the files are there or not.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
+}  // namespace
 
 void add_contact_output_options(CLI::App& command, ContactOutputOptions& options) {
   const auto add_file = [&command](const std::string& name, std::optional<std::string>& path,
@@ -21,27 +34,48 @@ void add_contact_output_options(CLI::App& command, ContactOutputOptions& options
                 "plane, numbers of the active faces, crossing pairs, features and patch of the "
                 "polygons, every contact element, statistics, the pose, and where the answer comes from")
       ->group("Output");
-  add_file("--csv", options.poses, "Also a CSV file with a row a pose, units in its first line");
-  add_file("--elements", options.elements, "Also a CSV file with a row a contact element, units in its first line");
+  add_file("--csv", options.csv, "Also a CSV file with a row a pose, units in its first line");
+  add_file("--elements", options.csv_elements, "Also a CSV file with a row a contact element, units in its first line");
   add_file(
       "--vtk", options.vtk,
       "Also files for ParaView: DIR/contacts.pvd shows surfaces in place, polygons and contact elements, pose by pose",
       "DIR");
 }
 
+void require_files_of_their_own(const ContactOutputOptions& options, const std::vector<std::string>& inputs) {
+  std::vector<std::string> taken = inputs;
+  for (const auto& [option, file] : {std::pair("--csv", options.csv), std::pair("--elements", options.csv_elements)}) {
+    if (!file) continue;
+    if (file->empty() || *file == "-") throw BadInput(std::string(option) + ": name a file");
+    if (std::filesystem::is_directory(*file)) throw BadInput(*file + ": this is a folder; name a file");
+    for (const std::string& other : taken)
+      if (is_same_file(*file, other))
+        throw BadInput(*file + ": is read or written already; name another file for " + option);
+    taken.push_back(*file);
+  }
+  if (options.vtk && options.vtk->empty()) throw BadInput("--vtk: name a folder");
+}
+
 ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const ContactQuestion& question,
                                TriangleMesh mesh_E, TriangleMesh mesh_F, const std::function<Provenance()>& provenance)
-    : E_(std::move(mesh_E)), F_(std::move(mesh_F)) {
+    : options_(options), E_(std::move(mesh_E)), F_(std::move(mesh_F)) {
   if (options.full) {
     full_.emplace(E_, F_, provenance_json(provenance()));
     coincident_.emplace(E_, F_, question.mode, question.scheme, question.problem);
   }
-  if (options.poses) poses_.emplace(*options.poses, pose_row(0, {}, {}, true));
-  if (options.elements) elements_.emplace(*options.elements, element_row(0, {}, {}));
-  if (options.vtk) vtk_.emplace(*options.vtk);
+}
+
+void ContactOutputs::begin() {
+  if (begun_) return;
+  begun_ = true;
+  if (options_.csv) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
+  if (options_.csv_elements) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
+  if (options_.vtk) vtk_.emplace(*options_.vtk);
 }
 
 void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {
+  for (const fast::Element& e : answer.record->elements)
+    if (!std::isfinite(pressure(e))) throw BadInput("the pressure of a contact element is too large for a double");
   if (!full_) return;
   coincident_->add_to(answer.json, state.pose);
   full_->add_to(answer.json, *answer.record, state);
@@ -49,13 +83,14 @@ void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {
 
 void ContactOutputs::write(const ContactAnswer& answer, const State& state) {
   ++pose_;
-  if (poses_) poses_->write(pose_row(pose_, state, *answer.record, !answer.json["polygons"].is_null()));
-  if (!elements_ && !vtk_) return;
+  const bool with_polygons = !answer.json["polygons"].is_null();
+  if (csv_) csv_->write(pose_row(pose_, state, *answer.record, with_polygons));
+  if (!csv_elements_ && !vtk_) return;
   const PlacedSurfaces placed(E_, F_, state.pose);
-  if (elements_)
+  if (csv_elements_)
     for (const fast::Element& e : answer.record->elements)
-      elements_->write(element_row(pose_, e, placed.centroid_Me(e.master, e.master_face)));
-  if (vtk_) vtk_->write(*answer.record, placed);
+      csv_elements_->write(element_row(pose_, e, placed.centroid_Me(e.master, e.master_face)));
+  if (vtk_) vtk_->write(*answer.record, placed, with_polygons);
 }
 
 }  // namespace pcm::compare

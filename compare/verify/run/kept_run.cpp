@@ -41,6 +41,12 @@ bool is_case_file(const fs::path& file) {
   return name.starts_with("case_") && name.ends_with(".json");
 }
 
+/// What a run that was killed while it wrote left.
+void remove_unfinished_files(const fs::path& folder) {
+  remove_unfinished(folder / kState);
+  for (const std::string_view table : kTables) remove_unfinished(folder / table);
+}
+
 /// Says whether there were any.
 bool remove_results(const fs::path& folder) {
   std::vector<fs::path> files = {folder / kState};
@@ -67,7 +73,7 @@ void keep_run(const fs::path& folder, const Verification& run) {
 
 Resumption resume_run(const fs::path& folder, Verification& run) {
   const fs::path state_file = folder / kState;
-  remove_unfinished(state_file);
+  if (fs::is_directory(folder)) remove_unfinished_files(folder);
   if (!fs::exists(state_file)) {
     if (!fs::is_directory(folder) || !remove_results(folder)) return {};
     return {"--out " + folder.string() + ": tables and cases of a run whose state is gone are removed", std::nullopt};

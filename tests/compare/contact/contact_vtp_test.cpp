@@ -7,9 +7,11 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
+#include <variant>
 
 #include "meshes/generate/boxes.h"
 #include "pcm/engine.h"
@@ -146,6 +148,27 @@ TEST_F(ContactVtp, TheCollectionShowsFourPartsAtEachPose) {
        {R"(timestep="1" part="0" file="E_1.vtp")", R"(timestep="1" part="3" file="elements_1.vtp")",
         R"(timestep="2" part="1" file="F_2.vtp")", R"(timestep="2" part="2" file="polygons_2.vtp")"})
     EXPECT_NE(list.find(entry), std::string::npos) << entry << " in " << list;
+  EXPECT_TRUE(list.ends_with("</Collection>\n</VTKFile>\n"));
+  EXPECT_EQ(list.find("</Collection>"), list.rfind("</Collection>"));
+}
+
+TEST_F(ContactVtp, WithoutPolygonsThatWereNotWantedThreePartsAreShown) {
+  ContactVtpFolder(folder_).write(contact(pose_.r), placed_, false);
+  EXPECT_EQ(content_of(folder_ + "/contacts.pvd").find("polygons"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/polygons_1.vtp"));
+}
+
+TEST_F(ContactVtp, TensionIsANegativePressureOfItsFace) {
+  ContactRecord record;
+  fast::Element pulled;
+  pulled.master_face = 3;
+  pulled.area = 0.5;
+  pulled.normal_force = -2;
+  record.elements = {pulled};
+  const VtpPolyData data = surface_vtp(record, placed_, Side::E);
+  const auto& pressures = std::get<std::vector<double>>(data.cell_data.front().values);
+  EXPECT_EQ(pressures[3], -4);
+  EXPECT_EQ(pressures[2], 0);
 }
 
 TEST_F(ContactVtp, AFolderThatCannotBeMadeIsRefused) {

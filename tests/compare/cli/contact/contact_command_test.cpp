@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -84,6 +85,36 @@ class ContactCommand : public testing::Test {
     return answers;
   }
 };
+
+TEST_F(ContactCommand, AFileIsWrittenThatIsNeitherReadNorWrittenOtherwise) {
+  const std::string poses = scratch_.write("poses.txt", kOverlap), csv = scratch_.path("rows.csv");
+  const std::string around = scratch_.path("./") + "rows.csv", box = content_of(box_);
+  for (const Words& options : {Words{"--elements", box_}, Words{"--csv", poses}, Words{"--csv", csv, "--elements", csv},
+                               Words{"--csv", csv, "--elements", around}, Words{"--csv", scratch_.path().string()},
+                               Words{"--csv", ""}, Words{"--elements", "-"}, Words{"--vtk", ""}}) {
+    Words arguments{"contact", box_, box_, "--poses", poses};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 2) << options.back();
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(" name a"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(content_of(box_), box);
+  EXPECT_EQ(content_of(poses), kOverlap);
+  EXPECT_FALSE(std::filesystem::exists(csv));
+}
+
+TEST_F(ContactCommand, BadInputEmptiesNoFileOfAnEarlierRun) {
+  const std::string csv = scratch_.write("rows.csv", "precious\n");
+  for (const std::string poses : {"", "1 0 0  0 1 0  0 0 1  0.1 0 zero\n"}) {
+    const Outcome outcome = run_pcm({"contact", box_, box_, "--poses", scratch_.write("poses.txt", poses), "--csv", csv,
+                                     "--elements", scratch_.path("elements.csv"), "--vtk", scratch_.path("vtk")});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(content_of(csv), "precious\n");
+    EXPECT_FALSE(std::filesystem::exists(scratch_.path("elements.csv")));
+    EXPECT_FALSE(std::filesystem::exists(scratch_.path("vtk")));
+  }
+}
 
 TEST_F(ContactCommand, FullAddsToWhatIsThereAndChangesNothingOfIt) {
   for (const std::string engine : {"fast", "reference"}) {
@@ -258,7 +289,7 @@ TEST_F(ContactCommand, PolygonsLeftOutAreNullAndNothingElseChanges) {
     for (Json* answer : {&plain, &without}) answer->erase("work");  // less of it
     EXPECT_EQ(dump_exactly(without), dump_exactly(plain));
     const Json full = contact(kTilted, {"--engine", engine, "--no-polygons", "--full"}).front();
-    EXPECT_FALSE(full.contains("crossing_pairs"));
+    for (const char* key : {"crossing_pairs", "patch_list"}) EXPECT_TRUE(full.at(key).is_null()) << key;
     EXPECT_TRUE(full.contains("element_list"));
   }
 }
@@ -340,7 +371,8 @@ TEST_F(ContactCommand, LikelyMillimetresAreRemarkedOnUnlessTheScaleIsGiven) {
   const Outcome remarked = run_pcm({"contact", large, large});
   EXPECT_EQ(remarked.status, 0);
   EXPECT_EQ(remarked.err,
-            "pcm: remark: the surfaces are 16 m and 16 m large; if the files are in millimetres, add --scale 0.001\n");
+            "pcm: remark: the surfaces are 16 m and 16 m large; if the files are in millimetres, add --scale 0.001, if "
+            "in metres, --scale 1\n");
   EXPECT_EQ(run_pcm({"contact", large, large, "--scale", "1"}).err, "");
   EXPECT_EQ(run_pcm({"contact", large, box_}).err, "") << "one large surface may be the ground";
   const auto layers = [&](const std::string& E, const std::string& F) {
