@@ -33,7 +33,9 @@ TriangleMesh fit(TriangleMesh mesh) {
 
 std::vector<fast::Pairing> pairings(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const ContactLaw& law,
                                     const HeldPairing::Modes& modes, Scheme scheme) {
-  const fast::Surface surface_E(mesh_E), surface_F(mesh_F);
+  const fast::Surface surface_E(mesh_E);
+  const bool same = mesh_E.vertices == mesh_F.vertices && mesh_E.faces == mesh_F.faces;
+  const fast::Surface surface_F = same ? surface_E : fast::Surface(mesh_F);
   std::vector<fast::Pairing> engines;
   for (const Mode mode : modes) engines.emplace_back(surface_E, surface_F, law, mode, scheme);
   return engines;
