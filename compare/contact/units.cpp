@@ -7,24 +7,16 @@
 #include <algorithm>
 #include <tuple>
 
+#include "compare/poses/greatest_extent.h"
+
 namespace pcm::compare {
 
 void scale(TriangleMesh& mesh, double metres_per_unit) {
   for (Eigen::Vector3d& x : mesh.vertices) x *= metres_per_unit;
 }
 
-double extent(const TriangleMesh& mesh) {
-  if (mesh.vertices.empty()) return 0;
-  Eigen::Vector3d least = mesh.vertices.front(), greatest = least;
-  for (const Eigen::Vector3d& x : mesh.vertices) {
-    least = least.cwiseMin(x);
-    greatest = greatest.cwiseMax(x);
-  }
-  return (greatest - least).maxCoeff();
-}
-
 std::string millimetre_remark(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const LayerThickness& thickness) {
-  const double extent_E = extent(mesh_E), extent_F = extent(mesh_F);
+  const double extent_E = greatest_extent(mesh_E), extent_F = greatest_extent(mesh_F);
   constexpr const char* kMend = "if the files are in millimetres, add --scale 0.001, if in metres, --scale 1";
   if (std::min(extent_E, extent_F) >= kLargestPart)
     return fmt::format("the surfaces are {:.3g} m and {:.3g} m large; {}", extent_E, extent_F, kMend);

@@ -13,9 +13,6 @@ namespace pcm::compare {
 /// All vertices times `metres_per_unit`, each rounded once. By 1, nothing changes.
 void scale(TriangleMesh& mesh, double metres_per_unit);
 
-/// Greatest extent of the box around the vertices, m.
-double extent(const TriangleMesh& mesh);
-
 /// Thickness b of the elastic layers (3), m, where it is known.
 struct LayerThickness {
   std::optional<double> E, F;

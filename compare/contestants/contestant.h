@@ -39,6 +39,22 @@ int converse_as() {
       [](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) { return std::make_unique<Engine>(mesh_E, mesh_F); });
 }
 
+/// An engine that promises no pair of faces a contact point: only whether there are any is held.
+template <class Pair>
+class TouchContestant final : public Contestant {
+ public:
+  TouchContestant(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) : pair_(mesh_E, mesh_F) {}
+
+  GivenAnswer answer(const PosedQuestion& question) override {
+    GivenAnswer answer;
+    answer.touching = pair_.collide(question.pose) > 0;
+    return answer;
+  }
+
+ private:
+  Pair pair_;
+};
+
 /// Facts that follow from the pairs of faces that cross: these, sorted, and whether there is any.
 GivenAnswer answer_of_pairs(std::vector<FacePair> pairs);
 

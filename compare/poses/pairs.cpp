@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "compare/poses/greatest_extent.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/degenerate/hard_bodies.h"
@@ -18,15 +19,6 @@
 
 namespace pcm::compare {
 namespace {
-
-double greatest_extent(const TriangleMesh& mesh) {
-  Eigen::Vector3d low = mesh.vertices.front(), high = low;
-  for (const Eigen::Vector3d& x : mesh.vertices) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  return (high - low).maxCoeff();
-}
 
 /// Coordinates rounded to multiples of 2^-12: sums, differences and quarters of them are exact.
 TriangleMesh on_dyadic_grid(TriangleMesh mesh) {

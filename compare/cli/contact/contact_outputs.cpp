@@ -66,8 +66,7 @@ ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const Contac
 }
 
 void ContactOutputs::begin() {
-  if (begun_) return;
-  begun_ = true;
+  if (pose_ > 0) return;
   if (options_.csv) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
   if (options_.csv_elements) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
   if (options_.vtk) vtk_.emplace(*options_.vtk);

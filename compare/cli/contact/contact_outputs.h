@@ -45,7 +45,7 @@ class ContactOutputs {
 
   /// Adds to the answer's line what was asked for. Throws BadInput where a pressure is too large for a double.
   void complete(ContactAnswer& answer, const State& state) const;
-  /// Begins the files, once. Throws BadInput where one can't be written.
+  /// Begins the files, unless something has been written. Throws BadInput where one can't be written.
   void begin();
   /// Writes to the files.
   void write(const ContactAnswer& answer, const State& state);
@@ -57,7 +57,6 @@ class ContactOutputs {
   std::optional<CoincidentJson> coincident_;
   std::optional<CsvFile> csv_, csv_elements_;
   std::optional<ContactVtpFolder> vtk_;
-  bool begun_ = false;
   std::int64_t pose_ = 0;  ///< number of the last one written, from 1
 };
 

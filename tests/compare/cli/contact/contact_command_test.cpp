@@ -13,6 +13,7 @@
 
 #include "compare/io/exact_json.h"
 #include "compare/io/sha256.h"
+#include "tests/compare/cli/two_boxes.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
@@ -67,24 +68,7 @@ struct Csv {
   std::vector<Words> rows;
 };
 
-class ContactCommand : public testing::Test {
- protected:
-  const TemporaryFolder scratch_;
-  const std::string box_ = scratch_.path("box.obj");
-
-  void SetUp() override { ASSERT_EQ(run_pcm({"mesh", "make", "box", "-o", box_}).status, 0); }
-
-  std::vector<Json> contact(const std::string& poses, const Words& options = {}) {
-    Words arguments{"contact", box_, box_, "--poses", scratch_.write("poses.txt", poses)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = run_pcm(arguments);
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-    std::vector<Json> answers;
-    for (const std::string& line : lines_of(outcome.out)) answers.push_back(Json::parse(line));
-    return answers;
-  }
-};
+class ContactCommand : public TwoBoxes {};
 
 TEST_F(ContactCommand, AFileIsWrittenThatIsNeitherReadNorWrittenOtherwise) {
   const std::string poses = scratch_.write("poses.txt", kOverlap), csv = scratch_.path("rows.csv");

@@ -15,6 +15,7 @@
 #include "compare/verify/run/verify.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
+#include "tests/compare/cli/two_boxes.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
@@ -29,25 +30,7 @@ std::vector<std::string> keys_of(const Json& object) {
   return keys;
 }
 
-class Program : public testing::Test {
- protected:
-  const TemporaryFolder scratch_;
-  const std::string box_ = scratch_.path("box.obj");
-
-  void SetUp() override { ASSERT_EQ(run_pcm({"mesh", "make", "box", "-o", box_}).status, 0); }
-
-  /// The answers that `pcm contact` prints for this poses file and these options.
-  std::vector<Json> contact(const std::string& poses, const Words& options = {}) {
-    Words arguments{"contact", box_, box_, "--poses", scratch_.write("poses.txt", poses)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = run_pcm(arguments);
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-    std::vector<Json> answers;
-    for (const std::string& line : lines_of(outcome.out)) answers.push_back(Json::parse(line));
-    return answers;
-  }
-};
+class Program : public TwoBoxes {};
 
 constexpr const char* kOverlap = "1 0 0  0 1 0  0 0 1  0.125 0.25 0.875\n";
 
