@@ -44,7 +44,7 @@ py::array_t<Index> faces_of(const Surface& surface) {
   return array;
 }
 
-std::string text_of(const Surface& surface) {
+std::string surface_text(const Surface& surface) {
   return std::string("<pcm.Surface: ") + std::to_string(surface.mesh().vertices.size()) + " vertices, " +
          std::to_string(surface.mesh().faces.size()) + " faces, " + (surface.closed() ? "closed>" : "open>");
 }
@@ -63,7 +63,7 @@ void bind_surface(py::module_& module) {
       .def_property_readonly("vertices", &vertices_of, "A copy of the coordinates, shape (n, 3), m.")
       .def_property_readonly("faces", &faces_of, "A copy of the vertex numbers, shape (m, 3).")
       .def_property_readonly("closed", &Surface::closed, "Whether it has no border.")
-      .def("__repr__", &text_of);
+      .def("__repr__", &surface_text);
 }
 
 }  // namespace pcm::python

@@ -9,7 +9,7 @@
 namespace pcm::compare {
 namespace {
 
-constexpr const char* kLegend =
+constexpr const char* kScalingLegend =
     "Median over the poses of the least of up to five times after one unmeasured, mode E, one thread. touch, "
     "polygons,\n"
     "force: nothing else wanted; all: everything, barycentric; clipped: everything, clipped. ns/unit: time for\n"
@@ -108,14 +108,14 @@ Table exponents_table(const ScalingResult& result) {
 }
 
 std::string scaling_screen(const ScalingResult& result, const Machine& machine) {
-  std::string text = describe(machine) + '\n' + kLegend;
+  std::string text = describe(machine) + '\n' + kScalingLegend;
   for (const ScalingSeries& series : result.series)
     text += fmt::format("\n{}: {}\n{}", series.name, series.explanation, on_screen(without_series(table_of(series))));
   return text + '\n' + on_screen(exponents_table(result)) + '\n' + on_screen(setup_table(result));
 }
 
 std::string scaling_markdown(const ScalingResult& result, const Machine& machine) {
-  std::string text = fmt::format("# pcm bench scaling\n\n{}\n\n{}", describe(machine), kLegend);
+  std::string text = fmt::format("# pcm bench scaling\n\n{}\n\n{}", describe(machine), kScalingLegend);
   for (const ScalingSeries& series : result.series)
     text += fmt::format("\n## {}\n\n{}.\n\n{}", series.name, series.explanation,
                         markdown(without_series(table_of(series))));

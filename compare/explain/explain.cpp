@@ -26,7 +26,7 @@ constexpr double kSearchedPart = 0x1p-7;
 constexpr double kSearchGrowth = 1024;
 
 /// Crossings and labels of the oracle in the form of the engine's.
-DiscreteAnswer discrete_answer(const reference::Combinatorics& truth) {
+DiscreteAnswer true_discrete_answer(const reference::Combinatorics& truth) {
   DiscreteAnswer answer;
   answer.touching = !truth.crossings.ids.empty();
   answer.nested = truth.E.nested || truth.F.nested;
@@ -159,7 +159,7 @@ Explanation Explainer::explain(const Pose& pose, const ExplainOptions& options) 
 
   const ExactPose exact(reference::Problem::rounded, data_->E, data_->F, pose);
   const reference::Combinatorics truth = find_combinatorics(exact);
-  explanation.oracle_agrees = discrete_answer(truth) == explanation.answer;
+  explanation.oracle_agrees = true_discrete_answer(truth) == explanation.answer;
 
   const double width = options.near_ulps * explanation.ulp;
   const double farthest = kSearchedPart * std::min(extent_of(data_->E), extent_of(data_->F));

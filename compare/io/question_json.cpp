@@ -62,6 +62,10 @@ Json number_json(double x, Notation notation) {
   return notation == Notation::decimal && std::isfinite(x) ? Json(x) : Json(hexadecimal(x));
 }
 
+Json vector_json(const Eigen::Vector3d& x, Notation notation) {
+  return Json::array({number_json(x.x(), notation), number_json(x.y(), notation), number_json(x.z(), notation)});
+}
+
 double number_in_either_notation(const Json& json) {
   if (!json.is_number()) return number_from(json);
   const auto value = json.get<double>();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -23,6 +24,7 @@ double number_from(const Json& json);
 /// "inf" in both.
 enum class Notation : std::uint8_t { decimal, hexadecimal };
 Json number_json(double x, Notation notation);
+Json vector_json(const Eigen::Vector3d& x, Notation notation);
 /// A number in either notation.
 double number_in_either_notation(const Json& json);
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "compare/io/names.h"
+#include "compare/io/question_json.h"
 #include "compare/judge/lines/json_lines.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -162,10 +163,6 @@ Json area_json(const GivenArea& given, Notation notation) {
   if (given.active) json["active"] = *given.active;
   if (given.area) json["area"] = number_json(*given.area, notation);
   return json;
-}
-
-Json vector_json(const Eigen::Vector3d& x, Notation notation) {
-  return Json::array({number_json(x.x(), notation), number_json(x.y(), notation), number_json(x.z(), notation)});
 }
 
 Json elements_json(const std::vector<GivenElement>& elements, Notation notation) {

@@ -11,6 +11,7 @@
 
 #include "compare/io/names.h"
 #include "compare/io/poses_file.h"
+#include "compare/io/question_json.h"
 #include "compare/io/sha256.h"
 #include "compare/judge/lines/json_lines.h"
 #include "meshes/files/text_file.h"
@@ -19,10 +20,6 @@
 
 namespace pcm::compare {
 namespace {
-
-Json vector_json(const Eigen::Vector3d& x, Notation notation) {
-  return Json::array({number_json(x.x(), notation), number_json(x.y(), notation), number_json(x.z(), notation)});
-}
 
 Eigen::Vector3d vector_from(const Json& json) {
   if (!json.is_array() || json.size() != 3) throw BadInput(in_quotes(json.dump()) + " is no list of three numbers");

@@ -88,9 +88,21 @@ void PlannedPoses::add_drawn_cells() {
   std::map<std::pair<std::size_t, Stratum>, std::int64_t> numbered;
   const auto add_cells_in = [&](Scheme scheme, Stratum stratum, std::int64_t poses,
                                 const std::vector<std::size_t>& pairs) {
-    const auto share_of = [&](std::size_t k) { return plan_.pairs[k].share(stratum, scheme); };
-    std::int64_t all = 0, before = 0;
-    for (const std::size_t k : pairs) all += share_of(k);
+    const auto shares = [&](std::size_t k, bool made_to_hurt) {
+      const SurfacePair& pair = plan_.pairs[k];
+      return pair.made_to_hurt == made_to_hurt ? pair.share(stratum, scheme) : 0;
+    };
+    std::int64_t hurting = 0, others = 0, before = 0;
+    for (const std::size_t k : pairs) {
+      hurting += shares(k, true);
+      others += shares(k, false);
+    }
+    // The measure is demanded of the others' generic poses: they get half of these at least.
+    const bool even = stratum == Stratum::generic && others > 0 && hurting > others;
+    const auto share_of = [&](std::size_t k) {
+      return even ? others * shares(k, true) + hurting * shares(k, false) : shares(k, true) + shares(k, false);
+    };
+    const std::int64_t all = even ? 2 * others * hurting : others + hurting;
     for (const std::size_t k : pairs) {
       const std::int64_t share = share_of(k);
       fit.pairs.insert(k);

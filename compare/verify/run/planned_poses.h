@@ -28,7 +28,8 @@ struct PlannedCell {
 
 /// What a plan asks: its poses, each drawn when it is wanted. They are spread evenly over the strata, and within a
 /// stratum over its pairs by their shares: in degenerate and near-degenerate one pose in fifty falls to the general
-/// pairs, the others to those made for them.
+/// pairs, the others to those made for them; in generic at least half of those in each scheme to pairs that are not
+/// made to hurt, of which the measure is demanded.
 class PlannedPoses {
  public:
   /// Prepares every pair, on all cores. Throws BadInput where a mesh is unfit, naming the pair, and where what the plan

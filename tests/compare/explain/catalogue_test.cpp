@@ -14,7 +14,7 @@
 #include "compare/explain/words.h"
 #include "meshes/generate/degenerate/catalogue.h"
 
-namespace pcm::compare {
+namespace pcm::compare::catalogue_test {
 namespace {
 
 using Kinds = std::set<CoincidenceKind>;
@@ -185,4 +185,4 @@ TEST(ExplainCatalogue, TellsOppositeFromEqualNormals) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::catalogue_test

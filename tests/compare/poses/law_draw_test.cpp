@@ -19,7 +19,7 @@
 #include "meshes/generate/round.h"
 #include "pcm/engine.h"
 
-namespace pcm::compare {
+namespace pcm::compare::law_draw_test {
 namespace {
 
 /// Changes only with the construction of the draws, and then for every later table too.
@@ -267,4 +267,4 @@ TEST(LawDraw, OnPosesOfACubeAndABallThresholdsDecideSomething) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::law_draw_test

@@ -18,7 +18,7 @@
 /// The clipped scheme's bounds where the law clamps point by point, against the exact problem in numbers of 2048 bits:
 /// a thick plate as master, a convex body as slave. The truth is made without the engine's steps: what a line from the
 /// plate sees is told by the one interval in which it is inside the body.
-namespace pcm::fast {
+namespace pcm::fast::clipped_clamp_bound_test {
 namespace {
 
 using namespace test;
@@ -424,4 +424,4 @@ TEST(ClippedClampBound, HoldsWhereFlatDepthsLieWithinUlpsOfTheClamp) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::clipped_clamp_bound_test

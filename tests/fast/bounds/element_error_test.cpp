@@ -18,7 +18,7 @@
 
 /// The error bounds of an element's geometry against rational numbers, in regimes that each make another term of the
 /// analysis the greatest: without it, the error is out of bounds there.
-namespace pcm::fast {
+namespace pcm::fast::element_error_test {
 namespace {
 
 mpf_class real(const mpq_class& x) {
@@ -222,4 +222,4 @@ INSTANTIATE_TEST_SUITE_P(Regimes, DepthErrorOf,
                          [](const testing::TestParamInfo<Regime>& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::element_error_test

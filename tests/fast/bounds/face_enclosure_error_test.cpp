@@ -17,7 +17,7 @@
 
 /// What is said of a face that a master face sees, against the face that the exact problem has there: rational numbers,
 /// vertices off by their rounding, and positions at which a little decides whether anything is seen.
-namespace pcm::fast {
+namespace pcm::fast::face_enclosure_error_test {
 namespace {
 
 /// Three weights and the depth in units of |N|.
@@ -408,4 +408,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Regime>& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::face_enclosure_error_test

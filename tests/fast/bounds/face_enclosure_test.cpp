@@ -11,7 +11,7 @@
 
 /// What is certain of faces whose corners may be shifted, and the areas that their sides may pass over, against faces
 /// that are shifted: by much more than roundings do, so that areas and points can be compared in plain doubles.
-namespace pcm::fast {
+namespace pcm::fast::face_enclosure_test {
 namespace {
 
 class Draw {
@@ -442,4 +442,4 @@ TEST(FaceEnclosure, CertainOrderIsKeptWhereOneFaceIsMuchSmallerOrKnownMuchBetter
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::face_enclosure_test

@@ -15,7 +15,7 @@
 #include "tests/fast/true_force.h"
 
 /// What it costs that elements of one master face pass area and volume to each other, against the law in long double.
-namespace pcm::fast {
+namespace pcm::fast::repartition_error_test {
 namespace {
 
 struct Example {
@@ -152,4 +152,4 @@ INSTANTIATE_TEST_SUITE_P(Laws, PassingErrorOf,
                          [](const testing::TestParamInfo<Example>& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::repartition_error_test

@@ -12,7 +12,7 @@
 #include "tests/fast/same_answer.h"
 
 /// max_penetration in the clipped scheme: elements integrate min(u, u_max) point by point (PCM section 6).
-namespace pcm::fast {
+namespace pcm::fast::clipped_clamp_test {
 namespace {
 
 using namespace test;
@@ -268,4 +268,4 @@ TEST(ClippedClamp, DampingFadesWithTheClampedMean) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::clipped_clamp_test

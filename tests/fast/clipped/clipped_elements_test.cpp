@@ -9,7 +9,7 @@
 #include "tests/fast/engine_support.h"
 
 /// The clipped scheme against closed forms, which it meets to rounding on the given meshes.
-namespace pcm::fast {
+namespace pcm::fast::clipped_elements_test {
 namespace {
 
 using namespace test;
@@ -242,4 +242,4 @@ TEST(ClippedElements, AreOrderedByMasterThenMasterFaceThenSlaveFace) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::clipped_elements_test

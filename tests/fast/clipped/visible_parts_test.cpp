@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcm::fast {
+namespace pcm::fast::visible_parts_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -110,4 +110,4 @@ TEST(SubtractHidden, NarrowStripOfASmallFaceIsSeenThoughTheBodiesAreLarge) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::visible_parts_test

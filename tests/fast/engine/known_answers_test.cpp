@@ -9,7 +9,7 @@
 
 /// Closed forms of the model that the barycentric scheme meets: exactly where whole faces are in contact, as the
 /// penetration is linear over each, and within the meshes' resolution elsewhere.
-namespace pcm::fast {
+namespace pcm::fast::known_answers_test {
 namespace {
 
 using namespace test;
@@ -139,4 +139,4 @@ TEST(KnownAnswers, StoppingDistanceOfASlidingBodyIsTheIntegralOfItsFriction) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::known_answers_test

@@ -18,7 +18,7 @@
 
 /// Tests of many boxes, planes or faces at once against exact decisions taken one by one: what they rule out must be
 /// ruled out, what they call sure must be so.
-namespace pcm::fast {
+namespace pcm::fast::overlap_test {
 namespace {
 
 using namespace generate;
@@ -284,4 +284,4 @@ TEST(WideTree, FaceThatItsCoordinatesCollapseHasNoPlane) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::overlap_test

@@ -21,7 +21,7 @@
 #include "tests/fast/exact_numbers.h"
 
 /// How deep beneath each face the prism under it is free of other faces, exactly, against rational numbers.
-namespace pcm::fast {
+namespace pcm::fast::thickness_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -336,4 +336,4 @@ TEST(SideOfPrism, IsTheSignOfTheExactWeight) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::thickness_test

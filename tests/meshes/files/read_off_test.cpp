@@ -11,7 +11,7 @@
 #include "tests/meshes/expect_bad_input.h"
 #include "tests/meshes/temporary_folder.h"
 
-namespace pcm {
+namespace pcm::read_off_test {
 namespace {
 
 const std::string kVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
@@ -74,4 +74,4 @@ TEST(ReadMesh, FormatFollowsTheExtension) {
 }
 
 }  // namespace
-}  // namespace pcm
+}  // namespace pcm::read_off_test

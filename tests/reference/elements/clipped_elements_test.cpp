@@ -18,7 +18,7 @@
 #include "tests/reference/poses.h"
 #include "tests/reference/problems.h"
 
-namespace pcm::reference {
+namespace pcm::reference::clipped_elements_test {
 namespace {
 
 ContactLaw stiffness(double c_l) {
@@ -528,4 +528,4 @@ TEST(ClippedElements, ModeBothIsTheMean) {
 }
 
 }  // namespace
-}  // namespace pcm::reference
+}  // namespace pcm::reference::clipped_elements_test

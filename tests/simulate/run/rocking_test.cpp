@@ -13,7 +13,7 @@
 
 #include "tests/simulate/run/run_scene.h"
 
-namespace pcm::simulate {
+namespace pcm::simulate::rocking_test {
 namespace {
 
 class Rocking : public KnownMotion {};
@@ -232,4 +232,4 @@ TEST_P(Rocking, OfABoxThatStandsFollowsTheTolerance) {
 }
 
 }  // namespace
-}  // namespace pcm::simulate
+}  // namespace pcm::simulate::rocking_test

@@ -11,7 +11,7 @@
 
 #include "tests/simulate/run/run_scene.h"
 
-namespace pcm::simulate {
+namespace pcm::simulate::rolling_test {
 namespace {
 
 class Rolling : public KnownMotion {};
@@ -101,4 +101,4 @@ TEST_P(Rolling, OfABallDownASlopeIsSlowedByItsInertia) {
 }
 
 }  // namespace
-}  // namespace pcm::simulate
+}  // namespace pcm::simulate::rolling_test

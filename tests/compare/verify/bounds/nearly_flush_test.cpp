@@ -21,7 +21,7 @@
 #include "reference/oracle.h"
 #include "tests/compare/tetrahedron.h"
 
-namespace pcm::compare {
+namespace pcm::compare::nearly_flush_test {
 namespace {
 
 struct Held {
@@ -270,4 +270,4 @@ TEST(NearlyFlush, BoxWhoseFlankPassesThatOfALargerBoxAtAnAngleOfUlpsIsMetOnlyBey
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::nearly_flush_test

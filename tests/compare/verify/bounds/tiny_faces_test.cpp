@@ -6,7 +6,7 @@
 #include "compare/verify/routes/held_pairing.h"
 #include "tests/spike.h"
 
-namespace pcm::compare {
+namespace pcm::compare::tiny_faces_test {
 namespace {
 
 /// A body of a cube's connections.
@@ -64,4 +64,4 @@ TEST(TinyFaces, ANeedleNearlyAlongTheLineIsMetBeforeTheSlaveIsLeft) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::tiny_faces_test

@@ -15,7 +15,7 @@
 #include "meshes/files/text_file.h"
 #include "tests/compare/tiny_trajectory.h"
 
-namespace pcm::compare {
+namespace pcm::compare::trajectory_test {
 namespace {
 
 void run_all(Verification& run, int jobs) {
@@ -175,4 +175,4 @@ TEST(Trajectory, StateOfAnotherRecordingIsToldApart) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::trajectory_test

@@ -225,6 +225,38 @@ TEST(Verification, NoPoseOfAPairAndStratumIsAskedTwice) {
   EXPECT_EQ(run.cells().front().first, 0);
 }
 
+/// Poses of a stratum in a scheme that fall to pairs made to hurt, and to others.
+std::pair<std::int64_t, std::int64_t> hurting_and_others(const PlannedPoses& planned, Stratum stratum, Scheme scheme) {
+  std::pair<std::int64_t, std::int64_t> sum{0, 0};
+  for (const PlannedCell& cell : planned.cells()) {
+    if (cell.stratum != stratum || cell.scheme != scheme) continue;
+    (planned.plan().pairs[cell.pair].made_to_hurt ? sum.first : sum.second) += cell.poses;
+  }
+  return sum;
+}
+
+TEST(PlannedPoses, HalfOfGenericPosesAtLeastFallToPairsThatAreNotMadeToHurt) {
+  VerificationPlan plan = plan_of_both_schemes(1800);
+  plan.strata = {Stratum::generic, Stratum::grazing};
+  plan.pairs = {small_pair(), small_pair(), small_pair(), small_pair(), small_pair()};
+  for (std::size_t k = 0; k < plan.pairs.size(); ++k) {
+    plan.pairs[k].name = "pair " + std::to_string(k);
+    plan.pairs[k].greatest_share = 100;
+    plan.pairs[k].made_to_hurt = k > 0;
+  }
+  using Counts = std::pair<std::int64_t, std::int64_t>;
+  const PlannedPoses mostly_hurting(plan);
+  EXPECT_EQ(hurting_and_others(mostly_hurting, Stratum::generic, Scheme::clipped), Counts(150, 150));
+  EXPECT_EQ(hurting_and_others(mostly_hurting, Stratum::generic, Scheme::barycentric), Counts(300, 300));
+  EXPECT_EQ(hurting_and_others(mostly_hurting, Stratum::grazing, Scheme::clipped), Counts(240, 60));
+
+  for (std::size_t k = 1; k < 4; ++k) plan.pairs[k].made_to_hurt = false;
+  EXPECT_EQ(hurting_and_others(PlannedPoses(plan), Stratum::generic, Scheme::clipped), Counts(60, 240));
+
+  for (SurfacePair& pair : plan.pairs) pair.made_to_hurt = true;
+  EXPECT_EQ(hurting_and_others(PlannedPoses(plan), Stratum::generic, Scheme::clipped), Counts(300, 0));
+}
+
 TEST(Verification, PosesOfOneSchemeAloneAreNumberedFromZero) {
   VerificationPlan plan = plan_of_both_schemes(60);
   plan.schemes = {Scheme::clipped};

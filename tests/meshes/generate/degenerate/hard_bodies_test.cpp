@@ -14,7 +14,7 @@
 #include "pcm/check.h"
 #include "tests/meshes/generate/generator_expectations.h"
 
-namespace pcm {
+namespace pcm::hard_bodies_test {
 namespace {
 
 /// Sum of the solid angles of the faces seen from the point over 4 pi, to the nearest whole number.
@@ -170,4 +170,4 @@ TEST(LatticeTetrahedra, AreFitSmallIntegersAndExchangedEverySecondTime) {
 }
 
 }  // namespace
-}  // namespace pcm
+}  // namespace pcm::hard_bodies_test
