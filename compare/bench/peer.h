@@ -12,6 +12,10 @@
 #include "pcm/triangle_mesh.h"
 
 /// Who takes part in `pcm bench peers`: the engine, the oracle, and other programs that answer part of the question.
+/// A peer of `pcm bench peers` takes a file peer_NAME.cpp; its function below; its lines in peer_list.cpp, without
+/// which it is built and not asked; pcm_add_peer in CMakeLists.txt; its package in `run` and its row in
+/// docs/performance.md. How its surfaces are set up stands in compare/peers, where it is a contestant of `pcm judge`
+/// too (compare/contestants).
 namespace pcm::compare {
 
 /// One that is timed in the table, ours included, set up for two surfaces. Setting it up is not measured.
@@ -28,7 +32,7 @@ class Peer {
   virtual std::int64_t query(const Pose& pose) = 0;
 };
 
-/// Fewer words for the two kinds of poses a peer may be asked about.
+/// The two kinds of poses that a peer may be asked about.
 enum class Distance : std::uint8_t { touching, separated };
 
 /// A peer by name.

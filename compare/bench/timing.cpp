@@ -12,7 +12,9 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
-#include <fstream>
+#include <utility>
+
+#include "compare/io/program_provenance.h"
 
 namespace pcm::compare {
 namespace {
@@ -28,14 +30,6 @@ double processor_us() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
-}
-
-/// The processor as the kernel names it.
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
-  return "unknown processor";
 }
 
 }  // namespace
@@ -100,12 +94,8 @@ double fitted_exponent(const std::vector<double>& x, const std::vector<double>& 
 }
 
 Machine this_machine(std::string core) {
-#ifdef __clang__
-  const std::string compiler = "clang " __clang_version__;
-#else
-  const std::string compiler = "gcc " __VERSION__;
-#endif
-  return {processor_name(), compiler, PCM_BENCH_FLAGS, std::move(core)};
+  const ProgramProvenance program = this_program();
+  return {program.processor, program.compiler, program.flags, std::move(core)};
 }
 
 std::string describe(const Machine& machine) {

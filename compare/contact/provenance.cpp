@@ -5,12 +5,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "compare/contact/commit.h"
 #include "compare/io/names.h"
+#include "compare/io/program_provenance.h"
 #include "compare/io/question_json.h"
 #include "compare/io/sha256.h"
 #include "meshes/files/text_file.h"
-#include "pcm/version.h"
 
 namespace pcm::compare {
 namespace {
@@ -31,16 +30,16 @@ SurfaceOrigin surface_origin(const std::string& file, const TriangleMesh& mesh) 
 }
 
 Json provenance_json(const Provenance& provenance) {
-  return {{"version", PCM_VERSION},
-          {"commit", commit()},
-          {"engine", provenance.engine},
-          {"problem", provenance.problem},
-          {"scheme", name(provenance.scheme)},
-          {"mode", name(provenance.mode)},
-          {"law", law_json(provenance.law, Notation::decimal)},
-          {"scale", provenance.scale},
-          {"E", surface_json(provenance.E)},
-          {"F", surface_json(provenance.F)}};
+  Json json = provenance_json(this_program());
+  json["engine"] = provenance.engine;
+  json["problem"] = provenance.problem;
+  json["scheme"] = name(provenance.scheme);
+  json["mode"] = name(provenance.mode);
+  json["law"] = law_json(provenance.law, Notation::decimal);
+  json["scale"] = provenance.scale;
+  json["E"] = surface_json(provenance.E);
+  json["F"] = surface_json(provenance.F);
+  return json;
 }
 
 }  // namespace pcm::compare

@@ -34,7 +34,7 @@ struct Provenance {
   SurfaceOrigin E, F;
 };
 
-/// With version and commit of this program.
+/// With what this program says of itself.
 Json provenance_json(const Provenance& provenance);
 
 }  // namespace pcm::compare

@@ -63,7 +63,7 @@ Sign orientation_sign(const ExactPose& pose, const std::array<Vertex, 4>& vertic
   fast::WorkCounters work;
   sign.decided = fast::orientation(ranked[0], ranked[1], ranked[2], ranked[3], work);
   sign.stage = stage_of(work);
-  sign.exact = reference::Orientation(pose).unperturbed(vertices[0], vertices[1], vertices[2], vertices[3]);
+  sign.exact = reference::Orientation(pose).exact_orientation(vertices[0], vertices[1], vertices[2], vertices[3]);
   if (sign.stage == Stage::tie_rule) sign.term = deciding_term(pose, vertices);
   return sign;
 }

@@ -220,6 +220,13 @@ std::string rows_csv(const std::vector<KnownAnswerResult>& problems) {
   return table;
 }
 
+ColumnUnits rows_units() {
+  return {{"reference", "that of the quantity, SI"},
+          {"value", "that of the quantity, SI"},
+          {"richardson", "that of the quantity, SI"},
+          {"edge", "m"}};
+}
+
 std::string identities_csv(const std::vector<IdentityResult>& identities) {
   std::string table = "identity,statement,sharpness,checks,violations,worst,held\n";
   for (const IdentityResult& i : identities)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/io/column_units.h"
 #include "compare/known_answers/identities.h"
 #include "compare/known_answers/known_answers.h"
 
@@ -36,6 +37,7 @@ std::string identities_markdown(const std::vector<IdentityResult>& identities);
 
 /// All levels of all rows; all identities.
 std::string rows_csv(const std::vector<KnownAnswerResult>& problems);
+ColumnUnits rows_units();
 std::string identities_csv(const std::vector<IdentityResult>& identities);
 nlohmann::ordered_json cases_json(const std::vector<KnownAnswerResult>& problems);
 nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report);

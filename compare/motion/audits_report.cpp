@@ -116,6 +116,11 @@ std::string audits_csv(const std::vector<AuditResult>& results) {
   return table;
 }
 
+ColumnUnits audits_units() {
+  return {{"way", "m"},        {"turn", "rad"},       {"greatest_force", "N"}, {"work", "J"},
+          {"work_error", "J"}, {"sum_of_jumps", "N"}, {"greatest_jump", "N"}};
+}
+
 nlohmann::ordered_json audits_json(const std::vector<AuditResult>& results) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const AuditResult& result : results) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/io/column_units.h"
 #include "compare/motion/audits.h"
 
 /// Tables of audits. They hold no times, so that they are the same on every run.
@@ -20,6 +21,7 @@ std::string audits_verdict(const std::vector<AuditResult>& results);
 
 std::string audits_markdown(const std::vector<AuditResult>& results);
 std::string audits_csv(const std::vector<AuditResult>& results);
+ColumnUnits audits_units();
 nlohmann::ordered_json audits_json(const std::vector<AuditResult>& results);
 
 }  // namespace pcm::compare

@@ -50,6 +50,7 @@ constexpr std::array kRows = {
           throw std::logic_error("poses of a trajectory are recorded, not drawn");
         }},
 };
+static_assert(kStrata.size() + 1 == kRows.size(), "all but `trajectory` are drawn");
 
 constexpr bool are_in_order() {
   for (std::size_t i = 0; i < kRows.size(); ++i)

@@ -13,7 +13,7 @@
 
 namespace pcm::fast {
 
-/// The part of a master face that sees one slave face first, and is left through it.
+/// The part of a master face whose penetration lines leave the slave through one and the same face of it.
 struct VisiblePart {
   Index slave_face = 0;
   double area = 0;         ///< A_k, m^2; 0 where it is not certain that there is a part

@@ -146,6 +146,7 @@ Index CrossingIndex::find_or_insert(std::uint64_t key, Index fresh) {
   for (; table_.contains(at); at = (at + 1) & (capacity_ - 1)) {
     if (table_[at].key == key) return table_[at].value;
   }
+  assert(fresh == static_cast<Index>(keys_.size()));  // as grow() enters them
   table_[at] = {key, fresh};
   keys_.push_back(key);
   return fresh;

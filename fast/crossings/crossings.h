@@ -66,7 +66,8 @@ struct Crossings {
 class CrossingIndex {
  public:
   void start();
-  /// The place of the crossing with this key in the list; `fresh` is entered and returned where it is new.
+  /// The place of the crossing with this key in the list; where it is new, `fresh` is entered and returned, which must
+  /// be the number of keys so far.
   Index find_or_insert(std::uint64_t key, Index fresh);
 
  private:
@@ -96,6 +97,11 @@ struct CrossingOptions {
 
 /// Finds all crossings (PCM section 4) and the segments between them: each once, with its successor in the circulation
 /// of (5), and both surfaces' intersected faces. Exact on the rounded problem. True where there is a crossing.
+///
+/// Degenerate cases, those of meshes/generate/degenerate: a vertex on a vertex, an edge or a face is moved off it by
+/// the tie rule, and each of its edges decided alone, by signs that agree; two edges that meet cross or don't; an edge
+/// in the plane of a face, faces in one plane and a face without area never cross. Each crossing pair of faces has
+/// exactly two crossings.
 bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingScratch& scratch, Crossings& crossings);
 
 /// Computes the positions of all crossings: edge meets face plane. No edge crosses a face in whose plane it lies, nor a

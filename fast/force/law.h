@@ -4,9 +4,8 @@
 
 #include "pcm/inputs.h"
 
-/// The force law, (12) to (20), in the engine; (14), (15), (18), (20) are in fast/law/element_force.h, for one element
-/// and for four at once; its error in fast/bounds/force_error.h. Who changes it changes the oracle's own too
-/// (reference/force/law.h), and the verdict's (compare/verify/bounds/element_law.h, law_bounds.h).
+/// The force law, (12) to (20), in the engine; (14), (15), (18), (20) are in fast/law/element_force.h, which says what
+/// else changes with them.
 ///
 /// All but `layer_stiffness` are parts of the engine's entry points, which hold a `DefaultFloatingPoint`, and compute
 /// in the caller's floating-point environment.
@@ -36,7 +35,7 @@ struct SeriesStiffness {
   explicit SeriesStiffness(const ContactLaw& law);
 };
 
-/// Normal and tangential force of an element and the velocities it feels, master's point of view.
+/// Normal and tangential force of an element, master's point of view.
 struct ElementForce {
   double normal = 0;      ///< F_n (18), N
   double tangential = 0;  ///< F_t (20), N

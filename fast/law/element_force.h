@@ -3,6 +3,11 @@
 // The formulas of the force law, once for a double and for a vector of them, an element a lane. For files that are
 // compiled for different instructions: everything here is local to the file that includes it, and no function of
 // another header is called, so that no wide instruction leaks out.
+//
+// Who changes them changes their error (fast/bounds/force_error.cpp, repartition_error.cpp); the oracle's own law
+// (reference/force/law.h); the verdict's (compare/verify/bounds/element_law.cpp, law_bounds.cpp, verdict/verdict.cpp;
+// compare/judge/judgement/element_bounds.cpp); the tests' twins (tests/reference/law_twin_test.cpp, force/) and the
+// forces known in closed form (compare/known_answers); and section 7 of docs/PCM.md.
 #pragma once
 
 #include "pcm/inputs.h"

@@ -13,7 +13,8 @@
 namespace pcm::fast {
 
 /// Both surfaces of a pairing as the rounded problem has them at one pose (PCM section 1), and how much work was done
-/// there so far.
+/// there so far. Not const for its readers, as vertices of F are computed when they are first asked for, and work is
+/// counted; but no value that was read ever changes.
 struct PosedPair {
   Placement placement;
   std::array<PosedSurface, 2> surfaces;

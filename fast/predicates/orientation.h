@@ -10,9 +10,10 @@
 #include "meshes/base/floating_point_policy.h"
 #include "pcm/work_counters.h"
 
-/// On which side of the plane of three vertices a fourth one lies: the one predicate that crossings, polygons and
-/// active areas hang on (PCM section 4). Three stages: floating-point filter, exact arithmetic, tie rule. Most signs of
-/// crossings are decided before, eight at a time in single precision (SureSigns, fast/simd/overlap.h).
+/// On which side of the plane of three vertices a fourth one lies, orient3d: the one predicate that crossings, polygons
+/// and active areas hang on (PCM section 4). Three stages: floating-point filter, exact arithmetic, tie rule. Most
+/// signs of crossings are decided before, eight at a time in single precision (SureSigns, fast/simd/overlap.h). The
+/// clipped scheme needs heights, not only signs, and no tie rule: fast/prism/master_prism.h takes the same determinant.
 /// All finite doubles are welcome; results do not change when all lengths are multiplied by 2^k.
 namespace pcm::fast {
 
@@ -56,7 +57,7 @@ inline int filtered_orientation(const double* a, const double* b, const double* 
 }
 
 /// The same bound for all points no two of which are farther apart than `extent` along any axis: each of the six terms
-/// is at most extent^3.
+/// is at most extent^3. A part in 2^40 pays for the roundings of the bound itself.
 inline double sure_determinant(double extent) {
   const double product = extent * extent + kFilterUnderflow;
   return kFilterRelative * (1 + 0x1p-40) * (6 * product * extent + kFilterUnderflow);
@@ -78,6 +79,10 @@ int unfiltered_orientation(const RankedPoint& a, const RankedPoint& b, const Ran
 /// +1 where d is above the plane of (a, b, c), on the side (b - a) x (c - a) points to, -1 where it is below. Never 0:
 /// ties are decided by simulation of simplicity (Edelsbrunner and Muecke 1990), coordinate j = 1, 2, 3 of vertex i
 /// moved by eps^(2^(3 i - j)), i from 1, eps -> 0+: z moves most, and earlier vertices more. Ranks must differ.
+///
+/// Exchanging two points, with their ranks, negates it; only the order of the ranks matters. Points that coincide, lie
+/// on a line or in a plane are welcome. Not promised: the same sign of a tie after moving or turning both bodies,
+/// reordering vertices, or exchanging E and F.
 inline int orientation(const RankedPoint& a, const RankedPoint& b, const RankedPoint& c, const RankedPoint& d,
                        WorkCounters& work) {
   ++work.predicates;
@@ -86,7 +91,7 @@ inline int orientation(const RankedPoint& a, const RankedPoint& b, const RankedP
 }
 
 /// `orientation` of several points against one plane (a, b, c). What only depends on the plane is computed once, and
-/// one bound for all points, `sure_determinant`, decides most signs.
+/// one bound for all points, `sure_determinant`, decides most signs. The points must outlive this.
 class OrientedPlane {
  public:
   OrientedPlane(const RankedPoint& a, const RankedPoint& b, const RankedPoint& c, double sure)

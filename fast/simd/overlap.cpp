@@ -30,14 +30,15 @@ WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placem
   scale = static_cast<float>(exact_scale);
   const double radii = E.radius() + exact_scale * F.radius();
   constexpr double kV = 0x1p-24;
+  constexpr double kBoxRoundings = 64, kPlaneRoundings = 128, kEdgeRoundings = 32;  // WidePose, in units of v G
   constexpr double kUp = 1 + 0x1p-20;  // pays for rounding to single precision
   const double in_double_E = 2 * placement.position_error_E / E.unit(),
                in_double_F = 2 * placement.position_error_F / E.unit();
-  box_error_E = static_cast<float>(kUp * (64 * kV * radii + in_double_E));
-  box_error_F = static_cast<float>(kUp * (64 * kV * radii + in_double_F));
+  box_error_E = static_cast<float>(kUp * (kBoxRoundings * kV * radii + in_double_E));
+  box_error_F = static_cast<float>(kUp * (kBoxRoundings * kV * radii + in_double_F));
   const double tilt = 2 * in_double_E / (WideTree::kLeastHeight * exact_scale) * 2 * radii;
-  plane_error = static_cast<float>(kUp * (128 * kV * radii + 2 * in_double_E + tilt));
-  edge_error = exact_scale < 0x1p30 ? static_cast<float>(kUp * (32 * kV * radii + 2 * in_double_E))
+  plane_error = static_cast<float>(kUp * (kPlaneRoundings * kV * radii + 2 * in_double_E + tilt));
+  edge_error = exact_scale < 0x1p30 ? static_cast<float>(kUp * (kEdgeRoundings * kV * radii + 2 * in_double_E))
                                     : std::numeric_limits<float>::infinity();
 }
 

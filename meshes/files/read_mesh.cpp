@@ -22,7 +22,7 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) read_text_file(path);
   throw BadInput(path.string() + ": the extension " + in_quotes(extension) +
-                 " is not a surface format known here; use Wavefront " + kMeshExtensions);
+                 " is not a surface format known here; use " + kMeshExtensions);
 }
 
 }  // namespace pcm

@@ -40,7 +40,7 @@ bool in_one_plane(const Orientation& orientation, Index e, Index f) {
   const Triangle& p = pose.face(Side::E, e);
   const Triangle& q = pose.face(Side::F, f);
   return std::all_of(q.begin(), q.end(), [&](Index v) {
-    return orientation.unperturbed({Side::E, p[0]}, {Side::E, p[1]}, {Side::E, p[2]}, {Side::F, v}) == 0;
+    return orientation.exact_orientation({Side::E, p[0]}, {Side::E, p[1]}, {Side::E, p[2]}, {Side::F, v}) == 0;
   });
 }
 

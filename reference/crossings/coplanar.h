@@ -29,7 +29,7 @@ struct CoplanarOverlap {
 /// All such pairs among the candidates. Exact.
 ///
 /// Where the tie rule moves them (PCM section 4): E away from F along face_F's normal N by a number with the sign of
-/// the first non-zero of N_z, N_y, N_x, all of the common part to one side (the proof is in crossing_points.h).
+/// the first non-zero of N_z, N_y, N_x, all of the common part to one side (the proof is in crossing_positions.h).
 std::vector<CoplanarOverlap> find_coplanar_overlaps(const ExactPose& pose, const std::vector<IndexPair>& candidates);
 
 }  // namespace pcm::reference

@@ -19,11 +19,11 @@ int robust_crossing(const ExactPose& pose, Vertex a, Vertex b, Side face_side, I
   const Box p = pose.rounding_box({face_side, t[0]}), q = pose.rounding_box({face_side, t[1]}),
             s = pose.rounding_box({face_side, t[2]});
   const Box at_a = pose.rounding_box(a), at_b = pose.rounding_box(b);
-  const int sides = robust_orientation(p, q, s, at_a) * robust_orientation(p, q, s, at_b);
+  const int sides = certain_orientation(p, q, s, at_a) * certain_orientation(p, q, s, at_b);
   if (sides > 0) return -1;
-  const int s0 = robust_orientation(at_a, at_b, p, q), s1 = robust_orientation(at_a, at_b, q, s);
+  const int s0 = certain_orientation(at_a, at_b, p, q), s1 = certain_orientation(at_a, at_b, q, s);
   if (s0 * s1 < 0) return -1;
-  const int s2 = robust_orientation(at_a, at_b, s, p);
+  const int s2 = certain_orientation(at_a, at_b, s, p);
   if (s1 * s2 < 0 || s2 * s0 < 0) return -1;
   return sides * s0 * s1 * s2 != 0 ? 1 : 0;
 }
@@ -121,7 +121,7 @@ int winding_about_barycentre(PenetrationLine line, Side slave, const BoxTree& tr
   return winding;
 }
 
-/// Certifies the faces of a master against a closed slave, one by one (contact_elements.h).
+/// Certifies the faces of a master against a closed slave, one by one (barycentric_elements.h).
 class Certifier {
  public:
   Certifier(const ExactPose& pose, Side master, const Combinatorics& combinatorics)

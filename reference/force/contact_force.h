@@ -15,7 +15,7 @@ namespace pcm::reference {
 ///
 /// Every value is enclosed first, in DoubleDouble and to 240 bits. Where an enclosure does not round to one double, or
 /// does not decide a case of the law, the value is computed exactly, as a sum of square roots of rationals
-/// (exact_loads.h, radical_sum.h). So all values are correctly rounded, ties to even and zero as +0, with two
+/// (exact_sums.h, numbers/radical_sum.h). So all values are correctly rounded, ties to even and zero as +0, with two
 /// exceptions, where a number that kTiePrecision bits do not tell from a tie may go to either neighbour: the scales,
 /// and roots of roots, which v_t is with w != 0 where an element is clamped, if only in part, and which friction brings
 /// into forces there.

@@ -37,9 +37,9 @@ int side_of_plane(VisibilityPoints& points, Face g, Index vertex) {
   const ExactPose& pose = points.enclosed.pose();
   const Triangle& t = pose.face(g.side, g.index);
   const auto box = [&](Index v) { return pose.rounding_box({g.side, v}); };
-  if (const int robust = robust_orientation(box(t[0]), box(t[1]), box(t[2]), box(vertex)); robust != 0) return robust;
+  if (const int robust = certain_orientation(box(t[0]), box(t[1]), box(t[2]), box(vertex)); robust != 0) return robust;
   points.robust = points.robust && g.side == Side::E;
-  return Orientation(pose).unperturbed({g.side, t[0]}, {g.side, t[1]}, {g.side, t[2]}, {g.side, vertex});
+  return Orientation(pose).exact_orientation({g.side, t[0]}, {g.side, t[1]}, {g.side, t[2]}, {g.side, vertex});
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ auto Orientation::rows_of(const std::array<Vertex, D + 1>& vertices) const {
 }
 
 template <int D>
-int Orientation::tie_break(const std::array<Vertex, D + 1>& vertices) const {
+int Orientation::tie_rule(const std::array<Vertex, D + 1>& vertices) const {
   const Rows<D> rows = rows_of<D>(vertices);
   const std::array<int, D + 1> rank = ranks_among<D>(vertices, vertices);
   for (const PerturbationTerm<D>& term : perturbation_terms<D>())
@@ -185,7 +185,7 @@ int Orientation::sign_of_sum(const std::vector<WeightedDeterminant>& sum) const 
   return 0;
 }
 
-int robust_orientation(const Box& a, const Box& b, const Box& c, const Box& d) {
+int certain_orientation(const Box& a, const Box& b, const Box& c, const Box& d) {
   const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
   const Vec3<Interval> a_Me = interval_point(a);
   return certain_sign(determinant(interval_point(b) - a_Me, interval_point(c) - a_Me, interval_point(d) - a_Me));
@@ -193,14 +193,14 @@ int robust_orientation(const Box& a, const Box& b, const Box& c, const Box& d) {
 
 namespace {
 int filtered_orientation(const ExactPose& pose, Vertex a, Vertex b, Vertex c, Vertex d) {
-  return robust_orientation(pose.enclosure(a), pose.enclosure(b), pose.enclosure(c), pose.enclosure(d));
+  return certain_orientation(pose.enclosure(a), pose.enclosure(b), pose.enclosure(c), pose.enclosure(d));
 }
 }  // namespace
 
 int Orientation::orient3d(Vertex a, Vertex b, Vertex c, Vertex d) const {
   // Without a shift the unperturbed determinant is the polynomial's first coefficient.
-  const int decided = shifted_ ? filtered_orientation(pose_, a, b, c, d) : unperturbed(a, b, c, d);
-  return decided != 0 ? decided : tie_break<3>({a, b, c, d});
+  const int decided = shifted_ ? filtered_orientation(pose_, a, b, c, d) : exact_orientation(a, b, c, d);
+  return decided != 0 ? decided : tie_rule<3>({a, b, c, d});
 }
 
 int Orientation::side(Vertex x, Side face_side, Index face) const {
@@ -217,10 +217,10 @@ int Orientation::orient_xy(Vertex a, Vertex b, Vertex c) const {
     const Vec3<Interval> ac = interval_point(pose_.enclosure(c)) - a_Me;
     filtered = certain_sign(ab.x * ac.y - ab.y * ac.x);
   }
-  return filtered != 0 ? filtered : tie_break<2>({a, b, c});
+  return filtered != 0 ? filtered : tie_rule<2>({a, b, c});
 }
 
-int Orientation::unperturbed(Vertex a, Vertex b, Vertex c, Vertex d) const {
+int Orientation::exact_orientation(Vertex a, Vertex b, Vertex c, Vertex d) const {
   if (const int filtered = filtered_orientation(pose_, a, b, c, d); filtered != 0) return filtered;
   const Vec3<Exact> a_Me = pose_.point<Exact>(a);
   return sign_of(determinant(pose_.point<Exact>(b) - a_Me, pose_.point<Exact>(c) - a_Me, pose_.point<Exact>(d) - a_Me));

@@ -24,9 +24,13 @@ struct WeightedDeterminant {
 
 /// The one predicate on which crossings, polygons and active areas hang: on which side of a plane a vertex lies.
 ///
-/// Stages: intervals, then exact numbers, then the tie rule (simulation of simplicity, DESIGN section 2): coordinate
+/// Stages: intervals, then exact numbers, then the tie rule (simulation of simplicity, Edelsbrunner and Muecke 1990,
+/// DESIGN section 2): coordinate
 /// j = 1, 2, 3 of vertex i is moved by eps^(2^(3 i - j)), i counting E's vertices from 1 in file order, then F's. The
-/// perturbed determinant is a polynomial in eps; the sign of its first non-zero coefficient is the answer, never 0.
+/// perturbed determinant is a polynomial in eps; the sign of its first non-zero coefficient is the answer. What holds
+/// of orient3d: (1) it is never 0; (2) exchanging two of the points, with their numbers, negates it; (3) only the order
+/// of the numbers matters. Points that coincide, lie on a line or in a plane are welcome. Not promised: the same sign
+/// of a tie after moving or turning both bodies, reordering vertices, or exchanging E and F.
 class Orientation {
  public:
   /// The pose must outlive this.
@@ -50,11 +54,11 @@ class Orientation {
   int sign_of_sum(const std::vector<WeightedDeterminant>& sum) const;
 
   /// Sign of the same determinant as orient3d, before any perturbation: 0 where the four points are coplanar.
-  int unperturbed(Vertex a, Vertex b, Vertex c, Vertex d) const;
+  int exact_orientation(Vertex a, Vertex b, Vertex c, Vertex d) const;
 
  private:
   template <int D>
-  int tie_break(const std::array<Vertex, D + 1>& vertices) const;
+  int tie_rule(const std::array<Vertex, D + 1>& vertices) const;
   template <int D>
   auto rows_of(const std::array<Vertex, D + 1>& vertices) const;
   bool is_shifted(Vertex v) const;
@@ -64,7 +68,7 @@ class Orientation {
 };
 
 /// Sign of det[b - a, c - a, d - a] for all points within the boxes; 0 where it is not the same for all.
-int robust_orientation(const Box& a, const Box& b, const Box& c, const Box& d);
+int certain_orientation(const Box& a, const Box& b, const Box& c, const Box& d);
 
 /// One term of the perturbed determinant of D + 1 points in D dimensions: which point (by rank, 0 first) is replaced by
 /// which coordinate's unit vector, -1 where by none.

@@ -19,6 +19,7 @@
 #include "compare/bench/skip.h"
 #include "compare/bench/work_precision.h"
 #include "compare/cli/frame/programs.h"
+#include "compare/io/report_folder.h"
 #include "compare/io/svg_plot.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -60,11 +61,19 @@ void show_progress(const std::string& what) {
   if (isatty(STDERR_FILENO) != 0) std::cerr << fmt::format("\r{:<60}\r", what) << std::flush;
 }
 
+const ColumnUnits kTimeUnits = {{"us", "us"}, {"ms", "ms"}, {"ns", "ns"}, {"edge_m", "m"}};
+
 nlohmann::ordered_json machine_json(const Machine& machine) {
   return {{"processor", machine.processor},
           {"compiler", machine.compiler},
           {"flags", machine.flags},
           {"core", machine.core}};
+}
+
+std::vector<std::string> names_of(const std::vector<BenchBody>& bodies) {
+  std::vector<std::string> names;
+  for (const BenchBody& body : bodies) names.push_back(body.name);
+  return names;
 }
 
 Exit bench_peers(const PeersOptions& options) {
@@ -80,11 +89,11 @@ Exit bench_peers(const PeersOptions& options) {
   show_progress("");
   if (folder) {
     const Table table = peers_table(results);
-    write_text_file(*folder / "peers.md", peers_markdown(results, machine));
-    write_text_file(*folder / "peers.csv", csv(table));
-    const nlohmann::ordered_json whole{
-        {"machine", machine_json(machine)}, {"poses", poses}, {"contestants", json(table)}};
-    write_text_file(*folder / "peers.json", whole.dump(1) + "\n");
+    ReportFolder report(*folder, {{"poses", poses}, {"bodies", names_of(bodies)}});
+    report.markdown("peers", peers_markdown(results, machine));
+    report.csv("peers", csv(table), kTimeUnits);
+    report.json("peers", {{"machine", machine_json(machine)}, {"poses", poses}, {"contestants", json(table)}});
+    report.finish();
   }
   std::cout << peers_screen(results, machine);
   return Exit::success;
@@ -97,15 +106,16 @@ Exit bench_scaling(const FixedOptions& options) {
   const ScalingResult result = run_scaling(options.quick ? 4 : 8, poses, show_progress);
   show_progress("");
   if (folder) {
-    write_text_file(*folder / "scaling.md", scaling_markdown(result, machine));
-    write_text_file(*folder / "scaling.csv", csv(scaling_table(result)));
-    write_text_file(*folder / "setup.csv", csv(setup_table(result)));
-    const nlohmann::ordered_json whole{{"machine", machine_json(machine)},
-                                       {"poses", poses},
-                                       {"points", json(scaling_table(result))},
-                                       {"exponents", json(exponents_table(result))},
-                                       {"setup", json(setup_table(result))}};
-    write_text_file(*folder / "scaling.json", whole.dump(1) + "\n");
+    ReportFolder report(*folder, {{"poses", poses}, {"quick", options.quick}});
+    report.markdown("scaling", scaling_markdown(result, machine));
+    report.csv("scaling", csv(scaling_table(result)), kTimeUnits);
+    report.csv("setup", csv(setup_table(result)), kTimeUnits);
+    report.json("scaling", {{"machine", machine_json(machine)},
+                            {"poses", poses},
+                            {"points", json(scaling_table(result))},
+                            {"exponents", json(exponents_table(result))},
+                            {"setup", json(setup_table(result))}});
+    report.finish();
   }
   std::cout << scaling_screen(result, machine);
   return Exit::success;
@@ -120,20 +130,21 @@ Exit bench_skip(const SkipOptions& options) {
       options.quick ? run_skip(8, steps, 2, show_progress) : run_skip(50, steps, 40, show_progress);
   show_progress("");
   if (folder) {
-    write_text_file(*folder / "skip.md", skip_markdown(result, machine));
-    write_text_file(*folder / "skip_scene.csv", csv(scenes_table(result)));
-    write_text_file(*folder / "skip.csv", csv(savings_table(result)));
-    const nlohmann::ordered_json whole{{"machine", machine_json(machine)},
-                                       {"bubbles", result.bubbles},
-                                       {"pairings", result.pairings},
-                                       {"steps", result.steps},
-                                       {"certificate_ns", result.certificate_ns},
-                                       {"boxes_ns", result.boxes_ns},
-                                       {"answers_compared", result.answers_compared},
-                                       {"answers_different", result.answers_different},
-                                       {"scene", json(scenes_table(result))},
-                                       {"savings", json(savings_table(result))}};
-    write_text_file(*folder / "skip.json", whole.dump(1) + "\n");
+    ReportFolder report(*folder, {{"steps", steps}, {"quick", options.quick}});
+    report.markdown("skip", skip_markdown(result, machine));
+    report.csv("skip_scene", csv(scenes_table(result)), kTimeUnits);
+    report.csv("skip", csv(savings_table(result)), kTimeUnits);
+    report.json("skip", {{"machine", machine_json(machine)},
+                         {"bubbles", result.bubbles},
+                         {"pairings", result.pairings},
+                         {"steps", result.steps},
+                         {"certificate_ns", result.certificate_ns},
+                         {"boxes_ns", result.boxes_ns},
+                         {"answers_compared", result.answers_compared},
+                         {"answers_different", result.answers_different},
+                         {"scene", json(scenes_table(result))},
+                         {"savings", json(savings_table(result))}});
+    report.finish();
   }
   std::cout << skip_screen(result, machine);
   return result.answers_different == 0 ? Exit::success : Exit::negative;
@@ -149,13 +160,14 @@ Exit bench_work_precision(const FixedOptions& options) {
   for (const WorkPrecisionProblem& problem : problems) results.push_back(run_work_precision(problem, show_progress));
   show_progress("");
   if (folder) {
-    write_text_file(*folder / "work_precision.md", work_precision_markdown(results, machine));
-    write_text_file(*folder / "work_precision.csv", csv(work_precision_table(results)));
-    const nlohmann::ordered_json whole{{"machine", machine_json(machine)},
-                                       {"orientations", results.front().orientations},
-                                       {"points", json(work_precision_table(results))},
-                                       {"barycentric_over_clipped", json(equal_time_table(results))}};
-    write_text_file(*folder / "work_precision.json", whole.dump(1) + "\n");
+    ReportFolder report(*folder, {{"quick", options.quick}});
+    report.markdown("work_precision", work_precision_markdown(results, machine));
+    report.csv("work_precision", csv(work_precision_table(results)), kTimeUnits);
+    report.json("work_precision", {{"machine", machine_json(machine)},
+                                   {"orientations", results.front().orientations},
+                                   {"points", json(work_precision_table(results))},
+                                   {"barycentric_over_clipped", json(equal_time_table(results))}});
+    report.finish();
     for (const WorkPrecisionResult& result : results)
       write_text_file(*folder / fmt::format("work_precision_{}.svg", result.id),
                       svg(work_precision_figure(result, machine)));

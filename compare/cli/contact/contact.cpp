@@ -12,8 +12,8 @@
 
 #include "compare/cli/contact/contact_answers.h"
 #include "compare/cli/contact/contact_outputs.h"
-#include "compare/cli/contact/law_options.h"
-#include "compare/cli/contact/pose_options.h"
+#include "compare/cli/frame/law_options.h"
+#include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/frame/surface_warnings.h"
 #include "compare/contact/units.h"

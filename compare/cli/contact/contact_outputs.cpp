@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "compare/contact/contact_rows.h"
+#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
@@ -19,6 +20,11 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
   std::error_code error;
   if (std::filesystem::equivalent(a, b, error)) return true;
   return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
+/// Beside a table, which has no place for it.
+std::string provenance_file(const std::string& table) {
+  return table + ".provenance.json";
 }
 
 }  // namespace
@@ -34,8 +40,9 @@ void add_contact_output_options(CLI::App& command, ContactOutputOptions& options
                 "plane, numbers of the active faces, crossing pairs, features and patch of the "
                 "polygons, every contact element, statistics, the pose, and where the answer comes from")
       ->group("Output");
-  add_file("--csv", options.csv, "Also a CSV file with a row a pose, units in its first line");
-  add_file("--elements", options.csv_elements, "Also a CSV file with a row a contact element, units in its first line");
+  add_file("--csv", options.csv,
+           "Also a CSV file with a row a pose, units in its first line; FILE.provenance.json says where it comes from");
+  add_file("--elements", options.csv_elements, "The same with a row a contact element");
   add_file(
       "--vtk", options.vtk,
       "Also files for ParaView: DIR/contacts.pvd shows surfaces in place, polygons and contact elements, pose by pose",
@@ -52,15 +59,22 @@ void require_files_of_their_own(const ContactOutputOptions& options, const std::
       if (is_same_file(*file, other))
         throw BadInput(*file + ": is read or written already; name another file for " + option);
     taken.push_back(*file);
+    for (const std::string& other : taken)
+      if (is_same_file(provenance_file(*file), other))
+        throw BadInput(other + ": would be overwritten with where " + *file + " comes from; name another file for " +
+                       option);
   }
   if (options.vtk && options.vtk->empty()) throw BadInput("--vtk: name a folder");
 }
 
 ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const ContactQuestion& question,
                                TriangleMesh mesh_E, TriangleMesh mesh_F, const std::function<Provenance()>& provenance)
-    : options_(options), E_(std::move(mesh_E)), F_(std::move(mesh_F)) {
+    : options_(options),
+      E_(std::move(mesh_E)),
+      F_(std::move(mesh_F)),
+      provenance_(options.any() ? provenance_json(provenance()) : Json()) {
   if (options.full) {
-    full_.emplace(E_, F_, provenance_json(provenance()));
+    full_.emplace(E_, F_, provenance_);
     coincident_.emplace(E_, F_, question.mode, question.scheme, question.problem);
   }
 }
@@ -70,6 +84,11 @@ void ContactOutputs::begin() {
   if (options_.csv) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
   if (options_.csv_elements) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
   if (options_.vtk) vtk_.emplace(*options_.vtk);
+  // Not beside a pipe or a device. Names of files may be no UTF-8.
+  const std::string text = provenance_.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements})
+    if (table && std::filesystem::is_regular_file(*table)) write_text_file(provenance_file(*table), text);
+  if (options_.vtk) write_text_file(std::filesystem::path(*options_.vtk) / "provenance.json", text);
 }
 
 void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {

@@ -53,6 +53,7 @@ class ContactOutputs {
  private:
   ContactOutputOptions options_;
   TriangleMesh E_, F_;
+  Json provenance_;
   std::optional<FullJson> full_;
   std::optional<CoincidentJson> coincident_;
   std::optional<CsvFile> csv_, csv_elements_;

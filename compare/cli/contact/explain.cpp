@@ -15,12 +15,12 @@
 #include <utility>
 #include <vector>
 
+#include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/frame/surface_warnings.h"
 #include "compare/explain/explanation_json.h"
 #include "compare/explain/explanation_text.h"
 #include "compare/io/names.h"
-#include "compare/io/poses_file.h"
 #include "compare/verify/verdict/case_file.h"
 #include "meshes/generate/degenerate/catalogue.h"
 #include "pcm/bad_input.h"
@@ -31,7 +31,8 @@ namespace {
 
 struct ExplainCommand {
   std::vector<std::string> files;  ///< a case file, or two surfaces
-  std::optional<std::string> named, poses, mode, scheme;
+  std::optional<std::string> named, mode, scheme;
+  PoseOptions poses;
   std::string ulps = "8";
   bool all = false;
   bool json = false;
@@ -81,7 +82,7 @@ Asked asked(const ExplainCommand& command) {
   if (command.named.has_value() == !command.files.empty())
     throw BadInput("give a case file, two surfaces, or --pose with the name of a degenerate pose");
   if (command.files.size() > 2) throw BadInput("give one case file or two surfaces, not more");
-  if (command.poses && command.files.size() != 2) throw BadInput("--poses goes with two surfaces");
+  if (command.poses.poses && command.files.size() != 2) throw BadInput("--poses goes with two surfaces");
   Asked question = command.named               ? from_catalogue(*command.named)
                    : command.files.size() == 1 ? from_case_file(command.files[0])
                                                : from_surfaces(command.files);
@@ -98,8 +99,7 @@ Exit explain(const ExplainCommand& command) {
   ExplainOptions options;
   options.near_ulps = positive_number("--ulps", command.ulps);
   if (command.all) options.listed = std::numeric_limits<std::size_t>::max();
-  std::optional<PosesFile> poses;
-  if (command.poses) poses.emplace(*command.poses);
+  std::optional<PosesFile> poses = poses_from(command.poses);
   Asked question = asked(command);
   const Explainer explainer(std::move(question.E), std::move(question.F), question.mode, question.scheme);
   const auto print = [&](const Pose& pose, const std::string& origin) {
@@ -114,7 +114,9 @@ Exit explain(const ExplainCommand& command) {
     print(question.pose, question.origin);
     return Exit::success;
   }
+  ReplacementNotice notice;
   while (const std::optional<State> state = poses->next()) {
+    notice.look_at(*state, *poses);
     if (!command.json && poses->line() > 1) std::cout << '\n';
     try {
       print(state->pose, fmt::format("{}, {}", question.origin, poses->place()));
@@ -152,7 +154,7 @@ void add_explain_command(CLI::App& program, Run& run) {
       ->add_option("--pose", options->named,
                    "Instead: a pose of the degenerate catalogue, by its name or as 'pcm poses --catalogue' calls it")
       ->type_name("NAME");
-  command->add_option("--poses", options->poses, "Where F is, pose by pose (default: the identity)")->type_name("FILE");
+  add_pose_options(*command, options->poses);
   command
       ->add_option("--mode", options->mode,
                    "Whose faces have penetration lines: E, F or both (default: as the case file says; E for surfaces; "

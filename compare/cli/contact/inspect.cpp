@@ -17,12 +17,12 @@
 #include <utility>
 #include <vector>
 
-#include "compare/cli/contact/law_options.h"
+#include "compare/cli/frame/law_options.h"
+#include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/frame/surface_warnings.h"
 #include "compare/io/contact_picture.h"
 #include "compare/io/names.h"
-#include "compare/io/poses_file.h"
 #include "compare/motion/path_report.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -34,6 +34,7 @@ namespace {
 struct InspectOptions {
   std::string file_E, file_F;
   std::string path;
+  OrientationOptions orientations;
   std::string mode = "E";
   std::string scheme = "barycentric";
   std::string steps = std::to_string(JumpSearch().steps);
@@ -49,10 +50,14 @@ struct InspectOptions {
 
 constexpr std::uint64_t kMostSteps = 1 << 20;
 
-std::vector<Pose> poses_of(const std::string& file) {
-  PosesFile poses(file);
+std::vector<Pose> poses_of(const std::string& file, const PoseReading& reading) {
+  PosesFile poses(file, reading);
+  ReplacementNotice notice;
   std::vector<Pose> path;
-  while (const std::optional<State> state = poses.next()) path.push_back(state->pose);
+  while (const std::optional<State> state = poses.next()) {
+    notice.look_at(*state, poses);
+    path.push_back(state->pose);
+  }
   if (path.size() < 2) throw BadInput(file + ": a path needs at least two poses; add where it leads");
   return path;
 }
@@ -110,7 +115,7 @@ Exit inspect(const InspectOptions& options) {
   if (options.least) search.least = nonnegative_number("--least", *options.least);
   const std::optional<Eigen::Vector3d> normal_Me = normal_from(options.normal);
   const ContactLaw law = law_from(options.law);
-  const PosePath path(poses_of(options.path));
+  const PosePath path(poses_of(options.path, reading_from(options.orientations)));
   TriangleMesh mesh_E = read_mesh(options.file_E);
   const std::string warning_E = require_fit_or_warn(mesh_E);
   TriangleMesh mesh_F = read_mesh(options.file_F);
@@ -165,6 +170,7 @@ void add_inspect_command(CLI::App& program, Run& run) {
       ->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
   command->add_option("--path", options->path, "Where F goes, pose by pose")->type_name("FILE")->required();
+  add_orientation_options(*command, options->orientations);
   command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")
       ->type_name("MODE")
       ->check(CLI::IsMember({"E", "F", "both"}));

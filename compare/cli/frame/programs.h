@@ -5,10 +5,10 @@
 #include <string>
 
 /// `pcm` is several programs in one folder, so that `pcm verify` needn't wait until the others are built: what its own
-/// file lacks, pcm hands over, command line and all, to the program pcm-NAME beside it.
+/// file lacks, pcm hands over, command line and all, to one of the programs beside it (cli/verify/main.cpp).
 namespace pcm::compare {
 
-/// What `pcm --help` says of the subcommands that are programs of their own.
+/// What `pcm --help` says of the subcommands that other programs have.
 inline constexpr const char* kAnswerDescription = "Our own engines as anybody's: answers for 'pcm judge'";
 inline constexpr const char* kBenchDescription =
     "How fast the engine is, beside others, over sizes, and by what it skips";

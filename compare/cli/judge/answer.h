@@ -6,7 +6,7 @@
 
 namespace pcm::compare {
 
-/// `pcm answer`: the engines of this project as foreign ones (judge/own_answers.h).
+/// `pcm answer`: the engines of this project as foreign ones (judge/engines/own_answers.h).
 void add_answer_command(CLI::App& program, Run& run);
 
 }  // namespace pcm::compare

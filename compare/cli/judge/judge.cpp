@@ -17,6 +17,7 @@
 
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/verify/verify_run.h"
+#include "compare/io/report_folder.h"
 #include "compare/judge/engines/asked_engine.h"
 #include "compare/judge/judgement/judging_report.h"
 #include "compare/judge/lines/answers_file.h"
@@ -121,17 +122,30 @@ void print_wrong_answers(const Judging& run) {
   }
 }
 
+/// What was judged: the answers, and the surfaces of their poses.
+Json question_of(const PosedQuestions& posed, const JudgingSetup& setup) {
+  Json question{{"answers", setup.who},
+                {"poses", setup.poses},
+                {"laws", "of each pose its own, with scheme and mode, in poses.jsonl"},
+                {"surfaces", Json::array()}};
+  for (const PosedSurface& surface : posed.surfaces)
+    question["surfaces"].push_back({{"name", surface.name}, {"sha256", surface.sha256}});
+  return question;
+}
+
 void report(const Judging& run, const JudgingSetup& setup, const std::optional<fs::path>& folder,
             const std::string& ended) {
   const Table strata = strata_table(run), facts = facts_table(run);
   const std::string verdict = judging_verdict(run, ended.empty());
   if (folder) {
     write_cases(*folder, run);
-    write_text_file(*folder / "judgement.md", "# Answers before the oracle\n\n" + judging_legend(setup) + "\n" +
-                                                  markdown(strata) + "\n" + markdown(facts) + "\n" + verdict + "\n");
-    write_text_file(*folder / "strata.csv", csv(strata));
-    write_text_file(*folder / "facts.csv", csv(facts));
-    write_text_file(*folder / "judgement.json", judging_json(run, setup, ended).dump(1) + "\n");
+    ReportFolder tables(*folder, question_of(run.judge().posed(), setup));
+    tables.markdown("judgement", "# Answers before the oracle\n\n" + judging_legend(setup) + "\n" + markdown(strata) +
+                                     "\n" + markdown(facts) + "\n" + verdict + "\n");
+    tables.csv("strata", csv(strata), {});
+    tables.csv("facts", csv(facts), {});
+    tables.json("judgement", judging_json(run, setup, ended));
+    tables.finish();
   }
   std::cout << judging_legend(setup) << '\n' << on_screen(strata) << '\n' << on_screen(facts) << '\n';
   print_wrong_answers(run);

@@ -6,7 +6,8 @@
 
 namespace pcm::compare {
 
-/// `pcm judge`: holds answers, from a file or from an engine that is asked, against the oracle (judge/judging.h).
+/// `pcm judge`: holds answers, from a file or from an engine that is asked, against the oracle
+/// (judge/judgement/judging.h).
 void add_judge_command(CLI::App& program, Run& run);
 
 }  // namespace pcm::compare

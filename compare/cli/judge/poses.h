@@ -6,7 +6,7 @@
 
 namespace pcm::compare {
 
-/// `pcm poses`: writes what a verification asks, for engines of any make (judge/write_poses.h).
+/// `pcm poses`: writes what a verification asks, for engines of any make (judge/poses/write_poses.h).
 void add_poses_command(CLI::App& program, Run& run);
 
 }  // namespace pcm::compare

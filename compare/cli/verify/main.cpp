@@ -14,15 +14,17 @@ namespace {
 
 struct Command {
   std::string_view name;
+  const char* program;
   const char* description;
 };
 
-/// The subcommands that are programs of their own.
-constexpr std::array kElsewhere = {Command{"answer", kAnswerDescription},    Command{"bench", kBenchDescription},
-                                   Command{"contact", kContactDescription},  Command{"explain", kExplainDescription},
-                                   Command{"inspect", kInspectDescription},  Command{"judge", kJudgeDescription},
-                                   Command{"mesh", kMeshDescription},        Command{"poses", kPosesDescription},
-                                   Command{"simulate", kSimulateDescription}};
+/// The subcommands that other programs have.
+constexpr std::array kElsewhere = {
+    Command{"answer", "pcm-judge", kAnswerDescription},       Command{"bench", "pcm-bench", kBenchDescription},
+    Command{"contact", "pcm-contact", kContactDescription},   Command{"explain", "pcm-contact", kExplainDescription},
+    Command{"inspect", "pcm-contact", kInspectDescription},   Command{"judge", "pcm-judge", kJudgeDescription},
+    Command{"mesh", "pcm-contact", kMeshDescription},         Command{"poses", "pcm-judge", kPosesDescription},
+    Command{"simulate", "pcm-simulate", kSimulateDescription}};
 
 /// The first word that is no option: pcm's own options have no values.
 std::string_view command_word(int argc, char** argv) {
@@ -34,7 +36,7 @@ std::string_view command_word(int argc, char** argv) {
 Exit run_pcm(int argc, char** argv) {
   const std::string_view word = command_word(argc, argv);
   for (const Command& command : kElsewhere)
-    if (word == command.name) become("pcm-" + std::string(word), argv);
+    if (word == command.name) become(command.program, argv);
   return run_command_line(argc, argv, [argv](CLI::App& program, Run& run) {
     for (const Command& command : kElsewhere) list_command(program, std::string(command.name), command.description);
     add_verify_command(program, run, [argv](const VerifyOptions& options) {

@@ -11,7 +11,9 @@
 #include <optional>
 
 #include "compare/cli/verify/verify_run.h"
+#include "compare/io/report_folder.h"
 #include "compare/verify/run/kept_run.h"
+#include "compare/verify/run/run_identity.h"
 #include "compare/verify/run/run_verdict.h"
 #include "compare/verify/run/verify.h"
 #include "compare/verify/tables/summary.h"
@@ -57,12 +59,14 @@ void write_cases(const fs::path& folder, const Verification& run) {
 
 void write_tables(const fs::path& folder, const Verification& run) {
   write_cases(folder, run);
-  write_text_file(folder / "widths.csv", widths_csv(run));
-  write_text_file(folder / "verification.csv", verification_csv(run));
-  write_text_file(folder / "verification.json", verification_json(run).dump(1) + "\n");
-  write_text_file(folder / "times.md", times_markdown(run));
-  write_text_file(folder / "verification.md",
+  ReportFolder report(folder, question_of(run.plan()));
+  report.csv("widths", widths_csv(run), widths_units());
+  report.csv("verification", verification_csv(run), verification_units());
+  report.json("verification", verification_json(run));
+  report.markdown("times", times_markdown(run));
+  report.markdown("verification",
                   verification_markdown(run) + "\n" + widths_markdown(run) + "\n" + verdict_line(run) + "\n");
+  report.finish();
 }
 
 Exit verify_poses(const VerifyOptions& options) {

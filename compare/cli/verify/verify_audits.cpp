@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/io/report_folder.h"
 #include "compare/motion/audits_report.h"
-#include "meshes/files/text_file.h"
 
 namespace pcm::compare {
 
@@ -21,9 +21,12 @@ Exit verify_audits(Extent extent, int jobs, const std::optional<std::filesystem:
   });
   if (terminal) std::cerr << fmt::format("\r{:<40}\r", "");
   if (folder) {
-    write_text_file(*folder / "audits.md", audits_markdown(results));
-    write_text_file(*folder / "audits.csv", audits_csv(results));
-    write_text_file(*folder / "audits.json", audits_json(results).dump(1) + "\n");
+    ReportFolder report(*folder, {{"steps", extent == Extent::quick ? "quick" : "full"},
+                                  {"laws", "elastic, of each case its own (docs/energy_and_jumps.md)"}});
+    report.markdown("audits", audits_markdown(results));
+    report.csv("audits", audits_csv(results), audits_units());
+    report.json("audits", audits_json(results));
+    report.finish();
   }
   std::cout << audits_summary(results) << audits_verdict(results) << '\n';
   return met(results) ? Exit::success : Exit::negative;

@@ -12,19 +12,21 @@
 #include <vector>
 
 #include "compare/error_budget/error_budget.h"
+#include "compare/io/report_folder.h"
 #include "compare/known_answers/report.h"
-#include "meshes/files/text_file.h"
 
 namespace pcm::compare {
 namespace {
 
-void write_tables(const std::filesystem::path& folder, const std::vector<KnownAnswerResult>& budget, bool met) {
-  for (const KnownAnswerResult& result : budget)
-    write_text_file(folder / (result.problem.id + ".md"), problem_markdown(result));
-  write_text_file(folder / "error_budget.md", error_budget_markdown(budget));
-  write_text_file(folder / "error_budget.csv", rows_csv(budget));
-  const nlohmann::ordered_json whole{{"verdict", {{"met", met}}}, {"cases", cases_json(budget)}};
-  write_text_file(folder / "error_budget.json", whole.dump(1) + "\n");
+void write_tables(const std::filesystem::path& path, const std::vector<KnownAnswerResult>& budget, Extent extent,
+                  bool met) {
+  ReportFolder folder(
+      path, {{"meshes", extent == Extent::quick ? "quick" : "full"}, {"laws", "of each case its own, on its page"}});
+  for (const KnownAnswerResult& result : budget) folder.markdown(result.problem.id, problem_markdown(result));
+  folder.markdown("error_budget", error_budget_markdown(budget));
+  folder.csv("error_budget", rows_csv(budget), rows_units());
+  folder.json("error_budget", {{"verdict", {{"met", met}}}, {"cases", cases_json(budget)}});
+  folder.finish();
 }
 
 }  // namespace
@@ -37,7 +39,7 @@ Exit verify_error_budget(Extent extent, int jobs, const std::optional<std::files
   if (terminal) std::cerr << fmt::format("\r{:<60}\r", "");
   const bool met =
       std::all_of(budget.begin(), budget.end(), [](const KnownAnswerResult& result) { return result.missed() == 0; });
-  if (folder) write_tables(*folder, budget, met);
+  if (folder) write_tables(*folder, budget, extent, met);
   std::cout << error_budget_summary(budget) << error_budget_verdict(budget) << '\n';
   return met ? Exit::success : Exit::negative;
 }

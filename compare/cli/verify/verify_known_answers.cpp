@@ -10,19 +10,23 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/io/report_folder.h"
 #include "compare/known_answers/report.h"
-#include "meshes/files/text_file.h"
 
 namespace pcm::compare {
 namespace {
 
-void write_tables(const std::filesystem::path& folder, const KnownAnswersReport& report) {
-  for (const KnownAnswerResult& result : report.problems)
-    write_text_file(folder / (result.problem.id + ".md"), problem_markdown(result));
-  write_text_file(folder / "identities.md", identities_markdown(report.identities));
-  write_text_file(folder / "known_answers.csv", rows_csv(report.problems));
-  write_text_file(folder / "identities.csv", identities_csv(report.identities));
-  write_text_file(folder / "known_answers.json", known_answers_json(report).dump(1) + "\n");
+void write_tables(const std::filesystem::path& path, const KnownAnswersReport& report, Extent extent,
+                  std::uint64_t seed) {
+  ReportFolder folder(path, {{"meshes", extent == Extent::quick ? "quick" : "full"},
+                             {"seed", seed},
+                             {"laws", "of each case its own, on its page"}});
+  for (const KnownAnswerResult& result : report.problems) folder.markdown(result.problem.id, problem_markdown(result));
+  folder.markdown("identities", identities_markdown(report.identities));
+  folder.csv("known_answers", rows_csv(report.problems), rows_units());
+  folder.csv("identities", identities_csv(report.identities), {});
+  folder.json("known_answers", known_answers_json(report));
+  folder.finish();
 }
 
 }  // namespace
@@ -37,7 +41,7 @@ Exit verify_known_answers(Extent extent, std::uint64_t seed, int jobs,
 #ifndef PCM_WITH_DYNAMICS
   std::cerr << "A12 to A17 are left out: this program was built without SUNDIALS\n";
 #endif
-  if (folder) write_tables(*folder, report);
+  if (folder) write_tables(*folder, report, extent, seed);
   std::cout << known_answers_summary(report) << fmt::format("identities: seed {}\n", seed)
             << known_answers_verdict(report) << '\n';
   return report.met() ? Exit::success : Exit::negative;

@@ -72,6 +72,7 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "made\n"
       "to hurt; an interrupted run is `unfinished`, not verified. A stratum, scheme or pair that is named must get a\n"
       "pose; what else gets none is said.\n"
+      "With any option of the force law all poses are asked under that law, whose other options have their defaults.\n"
       "Every pose is answered on all paths that callers take (everything, with a bound, force only, touch only, drawn\n"
       "choices, in a scene), under a law drawn for it; widths.csv says how wide each kind of check was. Case files "
       "are\n"
@@ -136,8 +137,12 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       ->excludes("--seed", "--strata", "--pair", "--engine", "--case");
   command->add_flag("--quick", options->quick,
                     "Known answers or error budget on coarser meshes only, audits in coarser steps");
+  add_law_options(*command, options->law);
   command->callback([options, &run, act] {
     run = [options, act] {
+      if (options->law.any() && (options->known_answers || options->error_budget || options->audits ||
+                                 options->case_file || options->trajectory))
+        throw BadInput("the options of the force law go with random poses; all else has laws of its own");
       if (options->quick && !options->known_answers && !options->error_budget && !options->audits &&
           !options->case_file)
         throw BadInput("--quick goes with --known-answers, --error-budget or --audits");

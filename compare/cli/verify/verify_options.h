@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/cli/frame/command_line.h"
+#include "compare/cli/frame/law_options.h"
 
 namespace pcm::compare {
 
@@ -25,6 +26,7 @@ struct VerifyOptions {
   std::optional<std::string> out;
   std::optional<std::string> case_file;
   std::optional<std::string> trajectory;
+  LawOptions law;
   bool known_answers = false;
   bool error_budget = false;
   bool audits = false;

@@ -52,6 +52,24 @@ void note_warnings(const std::vector<SurfacePair>& pairs, std::vector<std::strin
     }
 }
 
+/// Those of the command line, or else the built-in ones.
+std::vector<SurfacePair> pairs_of(const VerifyOptions& options, std::vector<std::string>& notices) {
+  std::vector<SurfacePair> pairs;
+  for (const std::vector<std::string>& files : options.pairs)
+    pairs.push_back(pair_from_files(files.at(0), files.at(1)));
+  note_warnings(pairs, notices);
+  if (!pairs.empty()) {
+    tell_apart(pairs);
+    return pairs;
+  }
+  std::vector<std::string> missing;
+  pairs = built_in_pairs(installed_real_surfaces(), missing);
+  if (!missing.empty())
+    notices.push_back(
+        fmt::format("skipped for want of the real surfaces of libcgal-demo: {}", fmt::join(missing, ", ")));
+  return pairs;
+}
+
 }  // namespace
 
 Interruptible::Interruptible(std::int64_t poses) : poses_(poses), terminal_(isatty(STDERR_FILENO) != 0) {
@@ -96,18 +114,10 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
     if (std::find(plan.strata.begin(), plan.strata.end(), *stratum) == plan.strata.end())
       plan.strata.push_back(*stratum);
   }
-  for (const std::vector<std::string>& files : options.pairs)
-    plan.pairs.push_back(pair_from_files(files.at(0), files.at(1)));
-  note_warnings(plan.pairs, notices);
-  if (!plan.pairs.empty()) {
-    tell_apart(plan.pairs);
-    return plan;
-  }
-  std::vector<std::string> missing;
-  plan.pairs = built_in_pairs(installed_real_surfaces(), missing);
-  if (!missing.empty())
-    notices.push_back(
-        fmt::format("skipped for want of the real surfaces of libcgal-demo: {}", fmt::join(missing, ", ")));
+  if (options.law.any()) plan.law = law_from(options.law);
+  plan.pairs = pairs_of(options, notices);
+  for (SurfacePair& pair : plan.pairs)
+    if (plan.law) pair.law = *plan.law;
   return plan;
 }
 

@@ -37,10 +37,17 @@ Figures figures_at(const EngineSeam& seam, const HeldPairing& held, const HeldPa
 
 }  // namespace
 
+HeldPairing::State state_under_law(const HeldPairing& held, Stratum stratum, const DrawnPose& drawn, Scheme scheme,
+                                   const ContactLaw& law, PoseRandom for_velocity) {
+  HeldPairing::State state{drawn.pose, drawn.velocity, law, scheme};
+  if (hard(stratum)) state.velocity = draw_velocity(for_velocity, held.features(), drawn.pose);
+  return state;
+}
+
 HeldPairing::State draw_state(const HeldPairing& held, Stratum stratum, const DrawnPose& drawn, Scheme scheme,
                               PoseRandom for_law, PoseRandom for_velocity, const EngineSeam& seam) {
-  HeldPairing::State state{drawn.pose, drawn.velocity, draw_law_without_thresholds(for_law), scheme};
-  if (hard(stratum)) state.velocity = draw_velocity(for_velocity, held.features(), drawn.pose);
+  HeldPairing::State state =
+      state_under_law(held, stratum, drawn, scheme, draw_law_without_thresholds(for_law), for_velocity);
   const double size = held.features().size();
   draw_depths(for_law, size, figures_at(seam, held, state).penetrations, state.law);
   draw_slip_velocity(for_law, size, figures_at(seam, held, state).speeds, state.law);

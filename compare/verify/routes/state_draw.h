@@ -27,4 +27,8 @@ class DrawFailure : public std::runtime_error {
 HeldPairing::State draw_state(const HeldPairing& held, Stratum stratum, const DrawnPose& drawn, Scheme scheme,
                               PoseRandom for_law, PoseRandom for_velocity, const EngineSeam& seam = EngineSeam::none());
 
+/// The same under a given law: only the velocity of the hard strata is drawn, as there.
+HeldPairing::State state_under_law(const HeldPairing& held, Stratum stratum, const DrawnPose& drawn, Scheme scheme,
+                                   const ContactLaw& law, PoseRandom for_velocity);
+
 }  // namespace pcm::compare

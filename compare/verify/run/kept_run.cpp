@@ -25,8 +25,9 @@ namespace fs = std::filesystem;
 constexpr std::string_view kState = "state.json";
 
 /// What a run leaves in its folder beside the state and the case files.
-constexpr std::array<std::string_view, 5> kTables = {"verification.md", "widths.csv", "verification.csv",
-                                                     "verification.json", "times.md"};
+constexpr std::array<std::string_view, 8> kTables = {"verification.md",  "verification.tex",  "widths.csv",
+                                                     "verification.csv", "verification.json", "times.md",
+                                                     "times.tex",        "provenance.json"};
 
 std::string dump(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

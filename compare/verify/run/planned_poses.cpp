@@ -234,6 +234,9 @@ HeldPairing::State PlannedPoses::asked(const PlannedCell& cell, std::int64_t pos
     return PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum), stream_of(plan_.pairs[cell.pair].name),
                       static_cast<std::uint64_t>(pose), purpose);
   };
+  if (plan_.law)
+    return state_under_law(held_pairing(cell, pose), cell.stratum, draw(cell, pose), cell.scheme, *plan_.law,
+                           random(Purpose::velocity));
   return draw_state(held_pairing(cell, pose), cell.stratum, draw(cell, pose), cell.scheme, random(Purpose::law),
                     random(Purpose::velocity), *seam_);
 }

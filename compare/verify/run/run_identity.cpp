@@ -45,6 +45,7 @@ nlohmann::ordered_json identity_of(const VerificationPlan& plan) {
   for (const Mode mode : plan.modes) json["modes"].push_back(std::string(name(mode)));
   for (const Scheme scheme : plan.schemes) json["schemes"].push_back(std::string(name(scheme)));
   for (const Stratum stratum : plan.strata) json["strata"].push_back(std::string(name(stratum)));
+  if (plan.law) json["law"] = law_json(*plan.law);
   for (const SurfacePair& pair : plan.pairs) {
     nlohmann::ordered_json surfaces{sha256(pair.E), sha256(pair.F)};
     for (const auto& [mesh_E, mesh_F] : pair.variants) {
@@ -62,6 +63,21 @@ nlohmann::ordered_json identity_of(const VerificationPlan& plan) {
     entry["states"] = sha256(bytes_of(recorded.states));
   }
   return json;
+}
+
+nlohmann::ordered_json question_of(const VerificationPlan& plan) {
+  nlohmann::ordered_json question = identity_of(plan);
+  question.erase("format");
+  question.erase("build");
+  if (plan.law) {
+    question["law"] = law_json(*plan.law, Notation::decimal);
+  } else if (plan.recorded.empty()) {
+    question["law"] = "drawn for each pose, as are velocities";
+  } else {
+    question.erase("seed");
+    question.erase("strata");
+  }
+  return question;
 }
 
 bool same_arguments(const VerificationPlan& plan, const nlohmann::ordered_json& identity) {

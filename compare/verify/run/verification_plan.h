@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct VerificationPlan {
   /// With both, one pose in three is answered in the clipped scheme, the others in the barycentric one.
   std::vector<Scheme> schemes{Scheme::barycentric};
   std::vector<SurfacePair> pairs;
+  /// That of all poses, and then of each pair too; otherwise one is drawn for each pose.
+  std::optional<ContactLaw> law;
   /// Of each pair, or empty: then poses are drawn. `poses`, `strata`, `modes` and `schemes` say what is in them
   /// (read_trajectory), and no seed, no drawn law and no share of a pair has a part in the run.
   std::vector<RecordedPoses> recorded;

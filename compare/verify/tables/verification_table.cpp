@@ -164,6 +164,11 @@ std::string verification_csv(const Verification& run) {
   return text;
 }
 
+// Errors are relative, and divided by S/p.
+ColumnUnits verification_units() {
+  return {{"backward_error_ulps", "ulp"}, {"median", "S/p"}, {"p99", "S/p"}, {"p99.9", "S/p"}, {"max", "S/p"}};
+}
+
 nlohmann::ordered_json verification_json(const Verification& run) {
   nlohmann::ordered_json json;
   json["verdict"] = {{"complete", run.finished()},

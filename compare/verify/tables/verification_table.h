@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "compare/io/column_units.h"
 #include "compare/verify/run/verify.h"
 
 /// The tables of a verification. All but the times are the same bit for bit whenever the plan is.
@@ -15,6 +16,7 @@ namespace pcm::compare {
 std::string verification_markdown(const Verification& run);
 /// The same numbers, and each kind of disagreement in a column of its own.
 std::string verification_csv(const Verification& run);
+ColumnUnits verification_units();
 nlohmann::ordered_json verification_json(const Verification& run);
 
 /// Median times of the engine, of the oracle on the rounded and of the oracle on the exact problem.

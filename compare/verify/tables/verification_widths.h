@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "compare/io/column_units.h"
 #include "compare/verify/run/verify.h"
 
 /// How wide the checks behind a verdict were: bounds in units of what they hold. The same bit for bit whenever the plan
@@ -16,6 +17,7 @@ namespace pcm::compare {
 std::string widths_markdown(const Verification& run);
 /// The same numbers.
 std::string widths_csv(const Verification& run);
+ColumnUnits widths_units();
 nlohmann::ordered_json widths_json(const Verification& run);
 
 /// On one screen: a row a kind and scheme, medians by stratum.

@@ -9,7 +9,7 @@
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
-namespace pcm::compare {
+namespace pcm::compare::master_advice_test {
 namespace {
 
 Pose at(double x, double y, double z) {
@@ -153,4 +153,4 @@ TEST(AdviceProgram, OptionsThatItWouldNotHeedAreRefused) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::master_advice_test

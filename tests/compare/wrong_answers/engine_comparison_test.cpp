@@ -11,7 +11,7 @@
 #include "pcm/bad_input.h"
 #include "tests/compare/small_pair.h"
 
-namespace pcm::compare {
+namespace pcm::compare::engine_comparison_test {
 namespace {
 
 VerificationPlan small_plan(std::int64_t poses) {
@@ -112,4 +112,4 @@ TEST(EngineComparison, RefusesTheClippedScheme) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::engine_comparison_test

@@ -189,6 +189,23 @@ TEST(Orientation, StagesDecideWhatTheyShould) {
   }
 }
 
+/// No two of the points are farther apart along any axis.
+double extent_of(const Points& p) {
+  double extent = 0;
+  for (const auto& x : p)
+    for (const auto& y : p) extent = std::max(extent, (1 + 0x1p-50) * (x - y).cwiseAbs().maxCoeff());
+  return extent;
+}
+
+/// A plane asked about its points answers as `orientation` does, with one bound for all of them and without any.
+void expect_plane_right(const Points& p) {
+  WorkCounters work;
+  const RankedPoint a{p[0].data(), 1}, b{p[1].data(), 2}, c{p[2].data(), 3}, d{p[3].data(), 4};
+  const bool above = orientation(a, b, c, d, work) > 0;
+  for (const double sure : {sure_determinant(extent_of(p)), kNeverSure})
+    ASSERT_EQ(OrientedPlane(a, b, c, sure).above(d, work), above) << sure;
+}
+
 /// Where the filter answers it must answer right; where it does not, how often is printed.
 void expect_filter_right(const std::string& what, int count, const std::function<Points()>& draw, double ceiling) {
   int unsure = 0;
@@ -201,6 +218,8 @@ void expect_filter_right(const std::string& what, int count, const std::function
       ++unsure;
     else
       ASSERT_EQ(guess, truth) << what;
+    expect_plane_right(p);
+    if (testing::Test::HasFatalFailure()) return;
   }
   std::printf("  %-40s filter unsure %6d of %d\n", what.c_str(), unsure, count);
   EXPECT_LE(unsure, ceiling * count) << what;

@@ -47,7 +47,7 @@ TEST_F(OrientationOf, CoplanarPointsAreDecidedByTheMostMovedCoordinate) {
   const Surface F = surface({{0.25, 0.25, 0}, {2, 2, 0}, {0, 3, 0}});
   const ExactPose pose(Problem::rounded, E, F, {});
   const Orientation orientation(pose);
-  EXPECT_EQ(orientation.unperturbed({Side::E, 0}, {Side::E, 1}, {Side::E, 2}, {Side::F, 0}), 0);
+  EXPECT_EQ(orientation.exact_orientation({Side::E, 0}, {Side::E, 1}, {Side::E, 2}, {Side::F, 0}), 0);
   // E's first vertex rises most, so the plane rises by eps (1 - x - y): F's vertex at (1/4, 1/4) is left below it,
   // the one at (2, 2) above.
   EXPECT_EQ(orientation.side({Side::F, 0}, Side::E, 0), -1);

@@ -54,6 +54,31 @@ TEST(ExplainCommand, ExplainsPosesOfTwoSurfacesAsJson) {
   EXPECT_FALSE(generic["next_answer"].is_null());
 }
 
+TEST(ExplainCommand, ReadsPosesAsContactDoes) {
+  const TemporaryFolder scratch;
+  const std::string surface = scratch.write("t.obj", kTetrahedron);
+  const std::string rows = scratch.write("rows.txt", std::string(kIdentity) + "1 0 0\n");
+  const std::string quaternions = scratch.write("q.txt", "0 0 0 1  1 0 0\n");
+  const std::string rounded = scratch.write("rounded.txt", "0.960 -0.281 0  0.281 0.960 0  0 0 1  1 0 0\n");
+  const auto explain = [&](const Words& options) {
+    Words arguments{"explain", surface, surface, "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_pcm(arguments);
+  };
+  const Outcome by_rows = explain({"--poses", rows}),
+                by_quaternion = explain({"--poses", quaternions, "--quaternions", "xyzw"});
+  ASSERT_EQ(by_quaternion.status, 0) << by_quaternion.err;
+  json a = json::parse(by_rows.out), b = json::parse(by_quaternion.out);
+  a.erase("origin");
+  b.erase("origin");
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(explain({"--poses", rounded}).status, 2);
+  const Outcome mended = explain({"--poses", rounded, "--orthonormalise"});
+  EXPECT_EQ(mended.status, 0) << mended.err;
+  EXPECT_NE(mended.err.find("replaced by the nearest rotation"), std::string::npos) << mended.err;
+  EXPECT_EQ(explain({"--quaternions", "wxyz"}).status, 2);
+}
+
 TEST(ExplainCommand, ExplainsACaseFile) {
   const TemporaryFolder scratch;
   const std::string pose = R"({"A":["0x1p+0","0x0p+0","0x0p+0","0x0p+0","0x1p+0","0x0p+0","0x0p+0","0x0p+0","0x1p+0"],)"

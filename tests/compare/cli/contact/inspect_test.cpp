@@ -65,6 +65,16 @@ class Inspect : public testing::Test {
   }
 };
 
+TEST_F(Inspect, ReadsQuaternions) {
+  const std::string quaternions = scratch_.write("q.txt", "1 0 0 0  0 0 0.09375\n1 0 0 0  0.125 0 0.09375\n");
+  const std::string rows =
+      scratch_.write("rows.txt", "1 0 0 0 1 0 0 0 1  0 0 0.09375\n1 0 0 0 1 0 0 0 1  0.125 0 0.09375\n");
+  const Outcome by_quaternion = inspect({"--path", quaternions, "--quaternions", "wxyz", "--json", "--steps", "2"});
+  EXPECT_EQ(by_quaternion.status, 0) << by_quaternion.err;
+  EXPECT_EQ(by_quaternion.out, inspect({"--path", rows, "--json", "--steps", "2"}).out);
+  expect_refused({"--path", quaternions}, quaternions);
+}
+
 TEST_F(Inspect, JumpsAreGivenByPosesThatContactAnswersAlike) {
   const Outcome outcome = inspect({"--path", slide_, "--json", "--stiffness", "800", "--steps", "4"});
   EXPECT_EQ(outcome.status, 0);

@@ -33,7 +33,7 @@ void expect_bad_input(const Words& arguments, const std::string& named) {
   EXPECT_EQ(outcome.out, "");
 }
 
-class BadInput : public testing::Test {
+class ProgramBadInput : public testing::Test {
  protected:
   const TemporaryFolder scratch_;
   const std::string surface_ = scratch_.write("tetrahedron.obj", kTetrahedron);
@@ -57,7 +57,7 @@ class BadInput : public testing::Test {
   }
 };
 
-TEST_F(BadInput, CommandsAndOptions) {
+TEST_F(ProgramBadInput, CommandsAndOptions) {
   expect_bad_input({}, "command");
   expect_bad_input({"frobnicate"}, "frobnicate");
   expect_bad_input({"--frobnicate"}, "--frobnicate");
@@ -82,7 +82,7 @@ TEST_F(BadInput, CommandsAndOptions) {
   expect_bad_contact({"--problem", "exact"}, "--problem");
 }
 
-TEST_F(BadInput, NumbersOfTheLaw) {
+TEST_F(ProgramBadInput, NumbersOfTheLaw) {
   for (const std::string option : {"--stiffness", "--max-penetration"}) {
     for (const std::string value : {"0", "-1", "nan", "inf", "1e999", "", "1x", "1,0"})
       expect_bad_contact({option + "=" + value}, option);
@@ -97,7 +97,7 @@ TEST_F(BadInput, NumbersOfTheLaw) {
   expect_bad_contact({"--damping-mode", "half"}, "--damping-mode");
 }
 
-TEST_F(BadInput, Layers) {
+TEST_F(ProgramBadInput, Layers) {
   expect_bad_contact({"--stiffness-E=1e6"}, "--stiffness-F");
   expect_bad_contact({"--stiffness-F=1e6"}, "--stiffness-E");
   expect_bad_contact({"--stiffness-E=inf", "--stiffness-F=inf"}, "rigid");
@@ -112,7 +112,7 @@ TEST_F(BadInput, Layers) {
     expect_bad_contact({"--layer-E=1e6,0.3,0.01", "--layer-F=" + value}, "--layer-F");
 }
 
-TEST_F(BadInput, Surfaces) {
+TEST_F(ProgramBadInput, Surfaces) {
   expect_bad_surface(scratch_.path("missing.obj"), "missing.obj");
   expect_bad_surface(scratch_.path("."), scratch_.path("."));
   std::filesystem::create_directory(scratch_.path("folder.obj"));
@@ -127,7 +127,7 @@ TEST_F(BadInput, Surfaces) {
   expect_bad_surface(scratch_.write("surface.stl", kTetrahedron), "surface.stl");
 }
 
-TEST_F(BadInput, UnfitSurfaces) {
+TEST_F(ProgramBadInput, UnfitSurfaces) {
   expect_bad_surface(scratch_.write("zero_area.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "zero_area.obj");
   expect_bad_surface(scratch_.write("inside_out.obj",
                                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
@@ -135,7 +135,7 @@ TEST_F(BadInput, UnfitSurfaces) {
                      "inside_out.obj");
 }
 
-TEST_F(BadInput, Poses) {
+TEST_F(ProgramBadInput, Poses) {
   expect_bad_contact({"--poses", scratch_.path("missing.txt")}, "missing.txt");
   expect_bad_contact({"--poses", scratch_.path("")}, "folder");
   expect_bad_poses("", "poses.txt");
@@ -154,21 +154,28 @@ TEST_F(BadInput, Poses) {
   expect_bad_poses(std::string(2'000'000, '1'), "poses.txt:1");
 }
 
-TEST_F(BadInput, ABadPoseLeavesTheLinesBeforeIt) {
+TEST_F(ProgramBadInput, ABadPoseLeavesTheLinesBeforeIt) {
   const std::string poses = scratch_.write("poses.txt", "1 0 0 0 1 0 0 0 1 5 5 5\n\n1 2 3\n");
   const Outcome outcome = run_pcm({"contact", surface_, surface_, "--poses", poses});
   expect_one_line_naming(outcome, "poses.txt:3");
   EXPECT_EQ(lines_of(outcome.out).size(), 1U);
 }
 
-TEST_F(BadInput, EndlessDevices) {
+TEST_F(ProgramBadInput, EndlessDevices) {
   if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "this system has no /dev/zero";
   std::filesystem::create_symlink("/dev/zero", scratch_.path("endless.obj"));
   expect_bad_surface(scratch_.path("endless.obj"), "binary");
   expect_bad_contact({"--poses", "/dev/zero"}, "/dev/zero:1");
 }
 
-TEST_F(BadInput, OptionsOfVerify) {
+TEST_F(ProgramBadInput, LawOfVerifyWhereItHasNoPart) {
+  for (const char* other : {"--audits", "--known-answers", "--error-budget"})
+    expect_bad_input({"verify", other, "--quick", "--friction", "0.5"}, "random poses");
+  expect_bad_input({"verify", "--case", "case.json", "--stiffness", "1e5"}, "random poses");
+  expect_bad_input({"verify", "--poses", "6", "--stiffness", "-1"}, "--stiffness");
+}
+
+TEST_F(ProgramBadInput, OptionsOfVerify) {
   for (const std::string value : {"0", "-1", "1e3", "1.5", "", "99999999999999999999", "all"})
     for (const std::string option : {"--poses", "--jobs"}) expect_bad_input({"verify", option, value}, option);
   for (const std::string value : {"-1", "x", "18446744073709551616"})
@@ -195,7 +202,7 @@ TEST_F(BadInput, OptionsOfVerify) {
   expect_bad_input({"verify", "--error-budget", "--quick", "--out", surface_}, surface_);
 }
 
-TEST_F(BadInput, StateOfAVerificationThatIsDamagedOrAnothers) {
+TEST_F(ProgramBadInput, StateOfAVerificationThatIsDamagedOrAnothers) {
   const std::string folder = scratch_.path("run");
   const Words verify{"verify", "--poses", "6", "--pair", surface_, surface_, "--out", folder};
   ASSERT_EQ(run_pcm(verify).status, 0);
@@ -214,7 +221,7 @@ TEST_F(BadInput, StateOfAVerificationThatIsDamagedOrAnothers) {
   }
 }
 
-TEST_F(BadInput, MakingAndConverting) {
+TEST_F(ProgramBadInput, MakingAndConverting) {
   expect_bad_input({"mesh", "make"}, "NAME");
   expect_bad_input({"mesh", "make", "sausage"}, "sausage");
   expect_bad_input({"mesh", "make", "box", "--sausage=1"}, "sausage");
@@ -232,7 +239,7 @@ TEST_F(BadInput, MakingAndConverting) {
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("out.obj")));
 }
 
-TEST_F(BadInput, OutputThatCannotBeWritten) {
+TEST_F(ProgramBadInput, OutputThatCannotBeWritten) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   for (const Words& arguments :
        {Words{"--help"}, Words{"--version"}, Words{"contact", "--help"}, Words{"mesh", "make", "box"},

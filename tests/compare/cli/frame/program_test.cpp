@@ -256,6 +256,38 @@ TEST_F(Program, VerifyLabelsPairsSoThatTablesCanHoldThem) {
   EXPECT_TRUE(lines_of(outcome.out).back().starts_with("verified: 6 poses")) << outcome.out;
 }
 
+TEST_F(Program, VerifyAsksAllPosesUnderTheLawThatIsGiven) {
+  const std::string tables = scratch_.path("tables");
+  const Words verify{"verify", "--poses", "6", "--pair", box_, box_, "--stiffness", "2e5", "--friction", "0.25"};
+  Words with_tables = verify;
+  with_tables.insert(with_tables.end(), {"--out", tables});
+  const Outcome outcome = run_pcm(with_tables);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(lines_of(outcome.out).back().starts_with("verified: 6 poses")) << outcome.out;
+  const Json provenance = Json::parse(read_text_file(tables + "/provenance.json"));
+  EXPECT_EQ(provenance["question"]["law"]["stiffness"], 2e5);
+  EXPECT_EQ(provenance["question"]["law"]["friction"], 0.25);
+  EXPECT_EQ(provenance["question"]["law"]["damping"], 0);
+  const std::string command_line = provenance["command_line"];
+  EXPECT_TRUE(command_line.starts_with("pcm verify --poses 6 --pair ")) << command_line;
+  EXPECT_NE(command_line.find(" --stiffness 2e5 --friction 0.25 --out "), std::string::npos) << command_line;
+}
+
+TEST_F(Program, TablesOfVerifyCarryWhatMadeThem) {
+  const std::string tables = scratch_.path("tables");
+  ASSERT_EQ(run_pcm({"verify", "--poses", "6", "--seed", "9", "--pair", box_, box_, "--out", tables}).status, 0);
+  const Json provenance = Json::parse(read_text_file(tables + "/provenance.json"));
+  EXPECT_EQ(provenance["question"]["seed"], 9);
+  EXPECT_EQ(provenance["question"]["pairs"][0]["surfaces"].size(), 2U);
+  EXPECT_EQ(provenance["files"].size(), 7U);
+  EXPECT_EQ(provenance["files"]["verification.csv"]["units"]["backward_error_ulps"], "ulp");
+  EXPECT_EQ(provenance["files"]["verification.csv"]["units"]["force p99.9"], "S/p");
+  EXPECT_FALSE(provenance["files"]["verification.csv"]["units"].contains("poses"));
+  EXPECT_EQ(Json::parse(read_text_file(tables + "/verification.json"))["provenance"]["commit"], provenance["commit"]);
+  for (const char* file : {"/verification.tex", "/times.tex"})
+    EXPECT_NE(read_text_file(tables + file).find("\\bottomrule"), std::string::npos) << file;
+}
+
 TEST_F(Program, MadeSurfacesArePrintedOrWrittenAlike) {
   const Words make{"mesh", "make", "torus", "--tube_radius=0.1", "--segments", "12"};
   Words to_file = make;

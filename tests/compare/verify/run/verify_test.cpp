@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/verify/run/run_identity.h"
 #include "compare/verify/run/run_verdict.h"
 #include "compare/verify/run/verify.h"
 #include "compare/verify/tables/summary.h"
@@ -255,6 +256,32 @@ TEST(PlannedPoses, HalfOfGenericPosesAtLeastFallToPairsThatAreNotMadeToHurt) {
 
   for (SurfacePair& pair : plan.pairs) pair.made_to_hurt = true;
   EXPECT_EQ(hurting_and_others(PlannedPoses(plan), Stratum::generic, Scheme::clipped), Counts(300, 0));
+}
+
+TEST(PlannedPoses, UnderAGivenLawAskTheSamePosesAndVelocitiesUnderItAlone) {
+  const VerificationPlan drawn = plan_of_both_schemes(120);
+  VerificationPlan given = drawn;
+  given.law = ContactLaw{};
+  given.law->stiffness = 0x1p17;
+  given.law->friction = 0.25;
+  const PlannedPoses by_draw(drawn), by_law(given);
+  int with_another_law = 0;
+  for (const PlannedCell& cell : by_law.cells())
+    for (std::int64_t pose = cell.first; pose < cell.first + cell.poses; ++pose) {
+      const HeldPairing::State asked = by_law.asked(cell, pose), usual = by_draw.asked(cell, pose);
+      EXPECT_EQ(asked.pose.A, usual.pose.A);
+      EXPECT_EQ(asked.pose.r, usual.pose.r);
+      EXPECT_EQ(asked.velocity.v, usual.velocity.v);
+      EXPECT_EQ(asked.velocity.w, usual.velocity.w);
+      EXPECT_EQ(asked.scheme, usual.scheme);
+      EXPECT_EQ(asked.law.stiffness, 0x1p17);
+      EXPECT_EQ(asked.law.friction, 0.25);
+      EXPECT_FALSE(asked.law.layers.has_value());
+      with_another_law += usual.law.stiffness != 0x1p17 ? 1 : 0;
+    }
+  EXPECT_EQ(with_another_law, 120);
+  EXPECT_NE(identity_of(given), identity_of(drawn));
+  EXPECT_FALSE(same_arguments(given, identity_of(drawn)));
 }
 
 TEST(Verification, PosesOfOneSchemeAloneAreNumberedFromZero) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/cli/contact/pose_options.h"
+#include "compare/cli/frame/pose_options.h"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,7 @@
 
 namespace pcm::compare {
 
-void add_pose_options(CLI::App& command, PoseOptions& options) {
-  command
-      .add_option("--poses", options.poses,
-                  "Where F is, pose by pose (default: the identity, at rest); - reads standard input")
-      ->type_name("FILE");
+void add_orientation_options(CLI::App& command, OrientationOptions& options) {
   command
       .add_option(
           "--quaternions", options.quaternions,
@@ -27,17 +23,29 @@ void add_pose_options(CLI::App& command, PoseOptions& options) {
                    "rotation; without it they are refused");
 }
 
-std::optional<PosesFile> poses_from(const PoseOptions& options) {
-  if (!options.poses) {
-    if (options.quaternions || options.orthonormalise)
-      throw BadInput("--quaternions and --orthonormalise say how poses are read; add --poses");
-    return std::nullopt;
-  }
+PoseReading reading_from(const OrientationOptions& options) {
   PoseReading reading;
   if (options.quaternions)
     reading.notation = *options.quaternions == "wxyz" ? OrientationNotation::wxyz : OrientationNotation::xyzw;
   reading.orthonormalise = options.orthonormalise;
-  return std::optional<PosesFile>(std::in_place, *options.poses, reading);
+  return reading;
+}
+
+void add_pose_options(CLI::App& command, PoseOptions& options) {
+  command
+      .add_option("--poses", options.poses,
+                  "Where F is, pose by pose (default: the identity, at rest); - reads standard input")
+      ->type_name("FILE");
+  add_orientation_options(command, options.orientations);
+}
+
+std::optional<PosesFile> poses_from(const PoseOptions& options) {
+  if (!options.poses) {
+    if (options.orientations.quaternions || options.orientations.orthonormalise)
+      throw BadInput("--quaternions and --orthonormalise say how poses are read; add --poses");
+    return std::nullopt;
+  }
+  return std::optional<PosesFile>(std::in_place, *options.poses, reading_from(options.orientations));
 }
 
 void ReplacementNotice::look_at(const State& state, const PosesFile& poses) {

@@ -20,6 +20,9 @@ struct LawOptions {
   Text transition_depth;
   Text friction, slip_velocity;
   Text max_penetration;
+
+  /// Whether any is given.
+  bool any() const;
 };
 
 /// Adds the law options of the program (--stiffness and so on) to a subcommand.

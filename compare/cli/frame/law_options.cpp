@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/cli/contact/law_options.h"
+#include "compare/cli/frame/law_options.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -66,6 +66,11 @@ DampingMode damping_mode_named(const std::string& name) {
 }
 
 }  // namespace
+
+bool LawOptions::any() const {
+  return stiffness || stiffness_E || stiffness_F || layer_E || layer_F || damping || damping_mode || transition_depth ||
+         friction || slip_velocity || max_penetration;
+}
 
 void add_law_options(CLI::App& command, LawOptions& options) {
   const auto add = [&command](const std::string& name, LawOptions::Text& text, const std::string& type,

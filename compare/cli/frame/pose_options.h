@@ -10,14 +10,23 @@
 
 namespace pcm::compare {
 
-/// Where the poses of a command come from and how they are written.
-struct PoseOptions {
-  std::optional<std::string> poses;  ///< "-": standard input
+/// How a file of poses is to be read.
+struct OrientationOptions {
   std::optional<std::string> quaternions;
   bool orthonormalise = false;
 };
 
-/// Adds --poses, --quaternions and --orthonormalise to a subcommand.
+/// Adds --quaternions and --orthonormalise to a subcommand.
+void add_orientation_options(CLI::App& command, OrientationOptions& options);
+PoseReading reading_from(const OrientationOptions& options);
+
+/// Where the poses of a command come from and how they are written.
+struct PoseOptions {
+  std::optional<std::string> poses;  ///< "-": standard input
+  OrientationOptions orientations;
+};
+
+/// Adds --poses and the options above to a subcommand.
 void add_pose_options(CLI::App& command, PoseOptions& options);
 
 /// The poses, where there are any.

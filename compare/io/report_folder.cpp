@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/io/report_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "compare/io/latex.h"
+#include "compare/io/sha256.h"
+#include "meshes/files/text_file.h"
+
+namespace pcm::compare {
+namespace {
+
+constexpr const char* kProvenance = "provenance.json";
+
+/// Indented by four blanks, which Markdown leaves as it stands.
+std::string made_by(const ProgramProvenance& program) {
+  return fmt::format("pcm {}, commit {}; {}, {}; {}:\n\n    {}\n", program.version, program.commit, program.compiler,
+                     program.flags, program.processor, program.command_line);
+}
+
+/// Names of files may be no UTF-8.
+std::string text_of(const nlohmann::ordered_json& json) {
+  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string as_latex_comment(const std::string& text) {
+  std::string comment = "% ";
+  for (const char c : text) {
+    comment += c;
+    if (c == '\n') comment += "% ";
+  }
+  return comment + "\n";
+}
+
+/// The names in a CSV file's first line; ours hold no quotes there.
+std::vector<std::string> names_of_columns(const std::string& csv) {
+  std::vector<std::string> names(1);
+  for (const char c : csv.substr(0, csv.find('\n'))) {
+    if (c == ',')
+      names.emplace_back();
+    else
+      names.back() += c;
+  }
+  return names;
+}
+
+bool is_column(const std::string& name, const std::string& pattern) {
+  if (name == pattern) return true;
+  return name.size() > pattern.size() && name.ends_with(pattern) &&
+         std::string_view(" _").find(name[name.size() - pattern.size() - 1]) != std::string_view::npos;
+}
+
+}  // namespace
+
+ReportFolder::ReportFolder(std::filesystem::path folder, nlohmann::ordered_json question)
+    : folder_(std::move(folder)),
+      program_(this_program()),
+      provenance_(provenance_json(program_)),
+      files_(nlohmann::ordered_json::object()) {
+  provenance_["question"] = std::move(question);
+  std::error_code none_there;
+  std::filesystem::remove(folder_ / kProvenance, none_there);
+}
+
+void ReportFolder::write(const std::string& file, const std::string& text) {
+  write_text_file(folder_ / file, text);
+  files_[file]["sha256"] = sha256(text);
+}
+
+void ReportFolder::markdown(const std::string& name, const std::string& text) {
+  write(name + ".md", text + "\nMade by " + made_by(program_));
+  write(name + ".tex", as_latex_comment("Made by " + made_by(program_)) + latex_tables(text));
+}
+
+void ReportFolder::csv(const std::string& name, const std::string& text, const ColumnUnits& units) {
+  write(name + ".csv", text);
+  nlohmann::ordered_json& named = files_[name + ".csv"]["units"] = nlohmann::ordered_json::object();
+  for (const std::string& column : names_of_columns(text)) {
+    const auto unit =
+        std::find_if(units.begin(), units.end(), [&](const auto& entry) { return is_column(column, entry.first); });
+    if (unit != units.end()) named[column] = unit->second;
+  }
+}
+
+void ReportFolder::json(const std::string& name, const nlohmann::ordered_json& value) {
+  if (!value.is_object()) {
+    write(name + ".json", text_of(value));
+    return;
+  }
+  nlohmann::ordered_json whole{{"provenance", provenance_}};
+  whole.update(value);
+  write(name + ".json", text_of(whole));
+}
+
+void ReportFolder::finish() {
+  nlohmann::ordered_json whole = provenance_;
+  whole["files"] = files_;
+  write_text_file(folder_ / kProvenance, text_of(whole));
+}
+
+}  // namespace pcm::compare

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compare/io/column_units.h"
+#include "compare/io/program_provenance.h"
+
+namespace pcm::compare {
+
+/// A command's tables in one folder, each with what made it.
+///
+/// NAME.md ends with version, commit, compiler, machine and command line, and NAME.tex has the same tables for LaTeX.
+/// An object in NAME.json begins with the key "provenance", which adds what was asked. A CSV file holds nothing but its
+/// columns; so provenance.json, written last, has all of this once more, the SHA-256 of every table, and the units of
+/// the columns of every CSV file.
+///
+/// Every file is written whole or not at all; throws BadInput naming it where it can't be.
+class ReportFolder {
+ public:
+  /// `question`: what was asked, an object: seed, schemes, modes, laws, hashes of the surfaces.
+  ReportFolder(std::filesystem::path folder, nlohmann::ordered_json question);
+
+  void markdown(const std::string& name, const std::string& text);
+  void csv(const std::string& name, const std::string& text, const ColumnUnits& units);
+  void json(const std::string& name, const nlohmann::ordered_json& value);
+  /// provenance.json.
+  void finish();
+
+ private:
+  void write(const std::string& file, const std::string& text);
+
+  std::filesystem::path folder_;
+  ProgramProvenance program_;
+  nlohmann::ordered_json provenance_;
+  nlohmann::ordered_json files_;
+};
+
+}  // namespace pcm::compare
