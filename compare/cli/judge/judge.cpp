@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -23,7 +24,6 @@
 #include "compare/judge/lines/answers_file.h"
 #include "compare/judge/lines/schemas.h"
 #include "compare/judge/poses/poses_folder.h"
-#include "compare/verify/run/verify.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -109,17 +109,27 @@ void write_cases(const fs::path& folder, const Judging& run) {
   }
 }
 
-void print_wrong_answers(const Judging& run) {
-  constexpr std::size_t kShown = 20;
-  for (std::size_t k = 0; k < std::min(kShown, run.wrong_answers().size()); ++k) {
-    const WrongAnswer& wrong = run.wrong_answers()[k];
-    const std::string& id = run.judge().posed().questions[wrong.reply.question].id;
+/// Some of each stratum, and how many there are.
+void print_wrong_answers(const Judging& run, const std::optional<fs::path>& folder) {
+  constexpr int kShown = 4;
+  std::map<std::string, int> shown;
+  std::int64_t all_shown = 0;
+  for (const WrongAnswer& wrong : run.wrong_answers()) {
+    const PosedQuestion& question = run.judge().posed().questions[wrong.reply.question];
+    if (++shown[question.stratum] > kShown) continue;
+    ++all_shown;
     for (const FactVerdict& fact : wrong.facts)
-      if (fact.verdict == Verdict::wrong) std::cout << fmt::format("{}: {}: {}\n", id, name(fact.fact), fact.text);
+      if (fact.verdict == Verdict::wrong)
+        std::cout << fmt::format("{}: {}: {}\n", question.id, name(fact.fact), fact.text);
     if (wrong.reply.breakdown)
-      std::cout << fmt::format("{}: {}: {}\n", id, kBreakdownNames[static_cast<std::size_t>(*wrong.reply.breakdown)],
-                               wrong.reply.failure);
+      std::cout << fmt::format("{}: {}: {}\n", question.id,
+                               kBreakdownNames[static_cast<std::size_t>(*wrong.reply.breakdown)], wrong.reply.failure);
   }
+  if (const std::int64_t more = run.total().wrong - all_shown; more > 0)
+    std::cout << fmt::format("... and {} more wrong answers{}\n", more,
+                             folder
+                                 ? "; " + (*folder / "judgement.json").string() + " has them, the first of each stratum"
+                                 : "; --out DIR keeps the first of each stratum");
 }
 
 /// What was judged: the answers, and the surfaces of their poses.
@@ -135,20 +145,22 @@ Json question_of(const PosedQuestions& posed, const JudgingSetup& setup) {
 
 void report(const Judging& run, const JudgingSetup& setup, const std::optional<fs::path>& folder,
             const std::string& ended) {
-  const Table strata = strata_table(run), facts = facts_table(run);
+  const Table strata = strata_table(run), facts = facts_table(run), pairs = pairs_table(run);
   const std::string verdict = judging_verdict(run, ended.empty());
   if (folder) {
     write_cases(*folder, run);
     ReportFolder tables(*folder, question_of(run.judge().posed(), setup));
     tables.markdown("judgement", "# Answers before the oracle\n\n" + judging_legend(setup) + "\n" + markdown(strata) +
-                                     "\n" + markdown(facts) + "\n" + verdict + "\n");
+                                     "\n" + markdown(facts) + "\n" + markdown(pairs) + "\n" + verdict + "\n");
     tables.csv("strata", csv(strata), {});
     tables.csv("facts", csv(facts), {});
+    tables.csv("pairs", csv(pairs), {});
     tables.json("judgement", judging_json(run, setup, ended));
     tables.finish();
   }
   std::cout << judging_legend(setup) << '\n' << on_screen(strata) << '\n' << on_screen(facts) << '\n';
-  print_wrong_answers(run);
+  if (!pairs.rows.empty()) std::cout << on_screen(pairs) << '\n';
+  print_wrong_answers(run, folder);
   std::cout << verdict << '\n';
 }
 
@@ -192,7 +204,8 @@ void add_judge_command(CLI::App& program, Run& run) {
       "asked pose by pose: first it gets the first line of poses.jsonl, which it does not answer, with absolute paths\n"
       "of the surfaces; then a line a pose, each of which it answers by a line before it gets the next one. After a\n"
       "crash, a hang or a line that is no answer it is started anew.\n"
-      "Case files are written of the first {} wrong answers; 'pcm verify --case' puts the same question to this "
+      "Case files are written of the first {} wrong answers of each stratum; 'pcm verify --case' puts the same "
+      "question to this "
       "engine.\n"
       "The exit status is 1 with a wrong answer or when interrupted, 2 for bad input; what was judged by then is "
       "printed.\n"
@@ -201,7 +214,7 @@ void add_judge_command(CLI::App& program, Run& run) {
       "  my_engine poses > answers.jsonl\n"
       "  pcm judge answers.jsonl --poses poses --tolerance force=1e-6,torque=1e-6 --out judgement\n"
       "  pcm judge --command 'python3 my_engine.py --fast' --poses poses",
-      kMostFindings));
+      kMostCasesOfAStratum));
   command->add_option("ANSWERS", options->answers, "File of answers")->type_name("FILE");
   command->add_option("--poses", options->poses, "Folder that 'pcm poses' has written")->type_name("DIR");
   command->add_option("--command", options->command, "The engine and its arguments, in place of a file")

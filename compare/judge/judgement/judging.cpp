@@ -12,7 +12,6 @@
 #include <optional>
 
 #include "compare/judge/lines/answer_lines.h"
-#include "compare/verify/run/verify.h"
 
 namespace pcm::compare {
 
@@ -50,12 +49,23 @@ void JudgedTally::merge(const JudgedTally& other) {
   }
 }
 
+namespace {
+
+/// The place of the tally of that name, which is entered where there is none.
+std::size_t place_of(const std::string& name, std::vector<std::pair<std::string, JudgedTally>>& tallies) {
+  const auto known =
+      std::find_if(tallies.begin(), tallies.end(), [&](const auto& entry) { return entry.first == name; });
+  const auto place = static_cast<std::size_t>(known - tallies.begin());
+  if (known == tallies.end()) tallies.emplace_back(name, JudgedTally{});
+  return place;
+}
+
+}  // namespace
+
 Judging::Judging(const Judge& judge) : judge_(judge) {
   for (const PosedQuestion& question : judge.posed().questions) {
-    const auto known = std::find_if(strata_.begin(), strata_.end(),
-                                    [&](const auto& entry) { return entry.first == question.stratum; });
-    stratum_of_.push_back(static_cast<std::size_t>(known - strata_.begin()));
-    if (known == strata_.end()) strata_.emplace_back(question.stratum, JudgedTally{});
+    stratum_of_.push_back(place_of(question.stratum, strata_));
+    pair_of_.push_back(place_of(question.pair, pairs_));
   }
 }
 
@@ -86,14 +96,16 @@ void Judging::add(std::vector<Reply> replies, int jobs, const std::function<bool
 }
 
 void Judging::keep(Reply reply, const PoseVerdict& verdict) {
-  JudgedTally& tally = strata_[stratum_of_[reply.question]].second;
-  if (reply.breakdown)
-    tally.add(*reply.breakdown);
-  else
-    tally.add(verdict);
+  JudgedTally& stratum = strata_[stratum_of_[reply.question]].second;
+  for (JudgedTally* const tally : {&stratum, &pairs_[pair_of_[reply.question]].second}) {
+    if (reply.breakdown)
+      tally->add(*reply.breakdown);
+    else
+      tally->add(verdict);
+  }
   conventions_.add(verdict.conventions, reply.line);
   const bool is_wrong = reply.breakdown || verdict.has(Verdict::wrong);
-  if (is_wrong && wrong_answers_.size() < kMostFindings) wrong_answers_.push_back({std::move(reply), verdict.facts});
+  if (is_wrong && stratum.wrong <= kMostCasesOfAStratum) wrong_answers_.push_back({std::move(reply), verdict.facts});
 }
 
 JudgedTally Judging::total() const {

@@ -39,6 +39,9 @@ struct JudgedTally {
   void merge(const JudgedTally& other);
 };
 
+/// Of so many wrong answers of a stratum case files are kept, so that no stratum has them all.
+inline constexpr std::int64_t kMostCasesOfAStratum = 100;
+
 /// A wrong answer, kept for its case file.
 struct WrongAnswer {
   Reply reply;
@@ -60,7 +63,9 @@ class Judging {
   /// In the order in which the poses have them.
   const std::vector<std::pair<std::string, JudgedTally>>& strata() const { return strata_; }
   JudgedTally total() const;
-  /// The first kMostFindings of pcm verify.
+  /// By pair of surfaces, in the order in which the poses have them.
+  const std::vector<std::pair<std::string, JudgedTally>>& pairs() const { return pairs_; }
+  /// Of each stratum the first kMostCasesOfAStratum.
   const std::vector<WrongAnswer>& wrong_answers() const { return wrong_answers_; }
   const Conventions& conventions() const { return conventions_; }
   /// With what each side says.
@@ -71,7 +76,8 @@ class Judging {
 
   const Judge& judge_;
   std::vector<std::pair<std::string, JudgedTally>> strata_;
-  std::vector<std::size_t> stratum_of_;  ///< by question
+  std::vector<std::pair<std::string, JudgedTally>> pairs_;
+  std::vector<std::size_t> stratum_of_, pair_of_;  ///< by question
   std::vector<WrongAnswer> wrong_answers_;
   Conventions conventions_;
   std::int64_t judged_ = 0;

@@ -38,8 +38,21 @@ void add_fact_rows(const std::string& stratum, const JudgedTally& tally, Table& 
   }
 }
 
-std::vector<TableCell> stratum_row(const std::string& stratum, const JudgedTally& tally) {
-  std::vector<TableCell> row{stratum,
+/// Of poses by `what`, each right, near another answer or wrong, and what broke down.
+Table table_of_poses(const std::string& what) {
+  Table table{{{what, what, false},
+               {"poses", "poses"},
+               {"right", "right"},
+               {"near", "near"},
+               {"wrong", "wrong"},
+               {"rate below", "wrong_rate_upper_bound"}},
+              {}};
+  for (const std::string_view word : kBreakdownNames) table.columns.push_back({std::string(word), std::string(word)});
+  return table;
+}
+
+std::vector<TableCell> row_of_poses(const std::string& name, const JudgedTally& tally) {
+  std::vector<TableCell> row{name,
                              count_cell(tally.poses),
                              count_cell(tally.poses - tally.wrong - tally.near),
                              count_cell(tally.near),
@@ -69,16 +82,16 @@ Table facts_table(const Judging& run) {
 }
 
 Table strata_table(const Judging& run) {
-  Table table{{{"stratum", "stratum", false},
-               {"poses", "poses"},
-               {"right", "right"},
-               {"near", "near"},
-               {"wrong", "wrong"},
-               {"rate below", "wrong_rate_upper_bound"}},
-              {}};
-  for (const std::string_view word : kBreakdownNames) table.columns.push_back({std::string(word), std::string(word)});
-  for (const auto& [stratum, tally] : run.strata()) table.rows.push_back(stratum_row(stratum, tally));
-  table.rows.push_back(stratum_row("all", run.total()));
+  Table table = table_of_poses("stratum");
+  for (const auto& [stratum, tally] : run.strata()) table.rows.push_back(row_of_poses(stratum, tally));
+  table.rows.push_back(row_of_poses("all", run.total()));
+  return table;
+}
+
+Table pairs_table(const Judging& run) {
+  Table table = table_of_poses("pair");
+  for (const auto& [pair, tally] : run.pairs())
+    if (tally.wrong + tally.near > 0) table.rows.push_back(row_of_poses(pair, tally));
   return table;
 }
 
@@ -114,6 +127,7 @@ nlohmann::ordered_json judging_json(const Judging& run, const JudgingSetup& setu
   if (!ended.empty()) whole["ended"] = ended;
   whole["strata"] = json(strata_table(run));
   whole["facts"] = json(facts_table(run));
+  whole["pairs"] = json(pairs_table(run));
   whole["wrong_answers"] = nlohmann::ordered_json::array();
   for (const WrongAnswer& wrong : run.wrong_answers()) {
     nlohmann::ordered_json entry{{"id", run.judge().posed().questions[wrong.reply.question].id}};

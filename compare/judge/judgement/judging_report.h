@@ -15,6 +15,9 @@ Table facts_table(const Judging& run);
 /// A row for each stratum and one for all: poses, wrong ones, breakdowns.
 Table strata_table(const Judging& run);
 
+/// A row for each pair of surfaces that has a wrong answer, or one near another: the same counts.
+Table pairs_table(const Judging& run);
+
 /// How the run was made, which tables and JSON carry with them.
 struct JudgingSetup {
   std::string who;  ///< the file of answers or the command

@@ -69,6 +69,31 @@ TEST_F(JudgeCommand, OurOwnEngineAsAForeignOneIsRight) {
   EXPECT_EQ(last_line(spoken.out), "right: 60 answers, 0 wrong, 0 near another answer");
 }
 
+TEST_F(JudgeCommand, WrongAnswersOfEveryStratumAreShownAndCountedByPair) {
+  std::vector<std::string> lines = answers_;
+  for (std::string& line : lines) {
+    if (line.find("\"touching\"") == std::string::npos) continue;  // the header
+    const bool touches = line.find("\"touching\":true") != std::string::npos;
+    line = replaced(line, touches ? "\"touching\":true" : "\"touching\":false",
+                    touches ? "\"touching\":false" : "\"touching\":true");
+  }
+  const std::string out = scratch_.path("judged");
+  const Outcome outcome = judge(lines, {"--ulps", "0", "--out", out});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  for (const char* stratum : {"generic", "grazing", "separated", "nested", "degenerate", "near-degenerate"}) {
+    const std::string place = '/' + std::string(stratum) + '/';
+    std::size_t shown = 0;
+    for (const std::string& line : lines_of(outcome.out))
+      shown += line.find(place) != std::string::npos && line.find(": touching: ") != std::string::npos ? 1 : 0;
+    EXPECT_EQ(shown, 4U) << stratum;
+  }
+  EXPECT_NE(outcome.out.find("... and 36 more wrong answers; "), std::string::npos) << outcome.out;
+  const std::vector<std::string> pairs = lines_of(content_of(out + "/pairs.csv"));
+  EXPECT_EQ(pairs.front().rfind("pair,poses,right,near,wrong,", 0), 0U);
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_NE(pairs[1].find(",60,0,0,60,"), std::string::npos) << pairs[1];
+}
+
 TEST_F(JudgeCommand, AWrongAnswerIsShownAndKeptAsACase) {
   std::vector<std::string> lines = answers_;
   for (std::string& line : lines)
