@@ -86,7 +86,7 @@ Resumption resume_run(const fs::path& folder, Verification& run) {
     if (sha256(dump(state)) != kept.at("sha256").get<std::string>())
       throw BadInput("its state.json is damaged; choose another folder");
     if (!same_arguments(run.plan(), state.at("run")))
-      throw BadInput("it holds another run (other poses, seed, strata, modes or scheme); choose another folder");
+      throw BadInput("it holds another run (other poses, seed, strata, modes, scheme or law); choose another folder");
     if (const std::string difference = difference_from(run.plan(), state.at("run")); !difference.empty()) {
       remove_results(folder);
       return {fmt::format("--out {}: it held a run {}; that run's tables and cases are removed, this one starts anew",
