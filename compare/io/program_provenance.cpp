@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/io/program_provenance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -39,6 +41,18 @@ std::string quoted_for_shell(const std::string& word) {
     return std::isalnum(c) != 0 || std::string_view("_-+./,:=@%").find(static_cast<char>(c)) != std::string_view::npos;
   };
   if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  // Control characters and whatever may be no UTF-8, byte by byte.
+  if (std::any_of(word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; })) {
+    std::string bytes = "$'";
+    for (const char c : word) {
+      const auto byte = static_cast<unsigned char>(c);
+      if (byte < 0x20 || byte >= 0x7f)
+        bytes += fmt::format("\\x{:02x}", byte);
+      else
+        bytes += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+    }
+    return bytes + "'";
+  }
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? R"('\'')" : std::string(1, c);
   return quoted + "'";

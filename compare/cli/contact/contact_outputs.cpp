@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "compare/contact/contact_rows.h"
 #include "meshes/files/text_file.h"
@@ -25,6 +26,22 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 /// Beside a table, which has no place for it.
 std::string provenance_file(const std::string& table) {
   return table + ".provenance.json";
+}
+
+/// Beside all that is to be written.
+std::vector<std::string> provenance_files(const ContactOutputOptions& options) {
+  std::vector<std::string> files;
+  for (const std::optional<std::string>& table : {options.csv, options.csv_elements})
+    if (table) files.push_back(provenance_file(*table));
+  if (options.vtk) files.push_back((std::filesystem::path(*options.vtk) / "provenance.json").string());
+  return files;
+}
+
+/// Not a pipe, a device, or a link, as /dev/stdout is one.
+bool has_a_place_beside(const std::string& table) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::symlink_status(table, error);
+  return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
 }
 
 }  // namespace
@@ -59,12 +76,12 @@ void require_files_of_their_own(const ContactOutputOptions& options, const std::
       if (is_same_file(*file, other))
         throw BadInput(*file + ": is read or written already; name another file for " + option);
     taken.push_back(*file);
-    for (const std::string& other : taken)
-      if (is_same_file(provenance_file(*file), other))
-        throw BadInput(other + ": would be overwritten with where " + *file + " comes from; name another file for " +
-                       option);
   }
   if (options.vtk && options.vtk->empty()) throw BadInput("--vtk: name a folder");
+  for (const std::string& file : provenance_files(options))
+    for (const std::string& other : taken)
+      if (is_same_file(file, other))
+        throw BadInput(other + ": would be overwritten with where the tables come from; name another file");
 }
 
 ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const ContactQuestion& question,
@@ -81,14 +98,16 @@ ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const Contac
 
 void ContactOutputs::begin() {
   if (pose_ > 0) return;
-  if (options_.csv) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
-  if (options_.csv_elements) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
-  if (options_.vtk) vtk_.emplace(*options_.vtk);
-  // Not beside a pipe or a device. Names of files may be no UTF-8.
+  // First what may fail without harm: a table is emptied when it is begun. Names of files may be no UTF-8.
   const std::string text = provenance_.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements})
-    if (table && std::filesystem::is_regular_file(*table)) write_text_file(provenance_file(*table), text);
-  if (options_.vtk) write_text_file(std::filesystem::path(*options_.vtk) / "provenance.json", text);
+    if (table && has_a_place_beside(*table)) write_text_file(provenance_file(*table), text);
+  if (options_.csv) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
+  if (options_.csv_elements) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
+  if (options_.vtk) {
+    vtk_.emplace(*options_.vtk);
+    write_text_file(std::filesystem::path(*options_.vtk) / "provenance.json", text);
+  }
 }
 
 void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {

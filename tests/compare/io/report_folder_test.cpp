@@ -70,6 +70,7 @@ TEST(ProgramProvenance, WordsAreQuotedAsAShellWantsThem) {
   EXPECT_EQ(quoted_for_shell(""), "''");
   EXPECT_EQ(quoted_for_shell("$HOME;rm"), "'$HOME;rm'");
   EXPECT_EQ(quoted_for_shell("~"), "'~'");
+  EXPECT_EQ(quoted_for_shell("a\r'\xff"), "$'a\\x0d\\'\\xff'");
 }
 
 }  // namespace
