@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
+#include "compare/io/json_file.h"
 #include "compare/io/latex.h"
 #include "compare/io/sha256.h"
+#include "compare/io/split_at_commas.h"
 #include "meshes/files/text_file.h"
 
 namespace pcm::compare {
@@ -24,11 +26,6 @@ std::string made_by(const ProgramProvenance& program) {
                      program.flags, program.processor, program.command_line);
 }
 
-/// Names of files may be no UTF-8.
-std::string text_of(const nlohmann::ordered_json& json) {
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 std::string as_latex_comment(const std::string& text) {
   std::string comment = "% ";
   for (const char c : text) {
@@ -36,18 +33,6 @@ std::string as_latex_comment(const std::string& text) {
     if (c == '\n') comment += "% ";
   }
   return comment + "\n";
-}
-
-/// The names in a CSV file's first line; ours hold no quotes there.
-std::vector<std::string> names_of_columns(const std::string& csv) {
-  std::vector<std::string> names(1);
-  for (const char c : csv.substr(0, csv.find('\n'))) {
-    if (c == ',')
-      names.emplace_back();
-    else
-      names.back() += c;
-  }
-  return names;
 }
 
 bool is_column(const std::string& name, const std::string& pattern) {
@@ -81,7 +66,8 @@ void ReportFolder::markdown(const std::string& name, const std::string& text) {
 void ReportFolder::csv(const std::string& name, const std::string& text, const ColumnUnits& units) {
   write(name + ".csv", text);
   nlohmann::ordered_json& named = files_[name + ".csv"]["units"] = nlohmann::ordered_json::object();
-  for (const std::string& column : names_of_columns(text)) {
+  // The names in the first line; ours hold no quotes there.
+  for (const std::string& column : split_at_commas(std::string_view(text).substr(0, text.find('\n')))) {
     const auto unit =
         std::find_if(units.begin(), units.end(), [&](const auto& entry) { return is_column(column, entry.first); });
     if (unit != units.end()) named[column] = unit->second;
@@ -90,18 +76,18 @@ void ReportFolder::csv(const std::string& name, const std::string& text, const C
 
 void ReportFolder::json(const std::string& name, const nlohmann::ordered_json& value) {
   if (!value.is_object()) {
-    write(name + ".json", text_of(value));
+    write(name + ".json", json_file_text(value));
     return;
   }
   nlohmann::ordered_json whole{{"provenance", provenance_}};
   whole.update(value);
-  write(name + ".json", text_of(whole));
+  write(name + ".json", json_file_text(whole));
 }
 
 void ReportFolder::finish() {
   nlohmann::ordered_json whole = provenance_;
   whole["files"] = files_;
-  write_text_file(folder_ / kProvenance, text_of(whole));
+  write_text_file(folder_ / kProvenance, json_file_text(whole));
 }
 
 }  // namespace pcm::compare

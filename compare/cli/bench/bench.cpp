@@ -61,7 +61,7 @@ void show_progress(const std::string& what) {
   if (isatty(STDERR_FILENO) != 0) std::cerr << fmt::format("\r{:<60}\r", what) << std::flush;
 }
 
-const ColumnUnits kTimeUnits = {{"us", "us"}, {"ms", "ms"}, {"ns", "ns"}, {"edge_m", "m"}};
+const ColumnUnits kTimeUnits = {{"us", "us"}, {"ms", "ms"}, {"edge_m", "m"}};
 
 nlohmann::ordered_json machine_json(const Machine& machine) {
   return {{"processor", machine.processor},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compare/contact/contact_rows.h"
+#include "compare/io/json_file.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -98,8 +99,8 @@ ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const Contac
 
 void ContactOutputs::begin() {
   if (pose_ > 0) return;
-  // First what may fail without harm: a table is emptied when it is begun. Names of files may be no UTF-8.
-  const std::string text = provenance_.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  // First what may fail without harm: a table is emptied when it is begun.
+  const std::string text = json_file_text(provenance_);
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements})
     if (table && has_a_place_beside(*table)) write_text_file(provenance_file(*table), text);
   if (options_.csv) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));

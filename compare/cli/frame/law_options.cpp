@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/cli/frame/command_line.h"
+#include "compare/io/split_at_commas.h"
 #include "fast/force/law.h"
 #include "pcm/bad_input.h"
 
@@ -19,18 +20,6 @@ constexpr double kRigid = std::numeric_limits<double>::infinity();
 /// A positive number or "inf".
 double positive_or_rigid(const std::string& option, const std::string& text) {
   return text == "inf" ? kRigid : positive_number(option, text);
-}
-
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ',') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
 }
 
 /// The parts of YOUNG,NU,THICKNESS.

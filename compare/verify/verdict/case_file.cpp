@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "compare/io/json_file.h"
 #include "compare/io/names.h"
 #include "compare/io/poses_file.h"
 #include "compare/io/question_json.h"
@@ -163,7 +164,7 @@ std::string format_foreign_case(const Case& posed, const std::vector<std::array<
   json["oracle"] = oracle;
   json["E"] = to_json(posed.E, posed.file_E);
   json["F"] = to_json(posed.F, posed.file_F);
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_file_text(json);
 }
 
 Case read_case(const std::filesystem::path& path) {
