@@ -37,10 +37,10 @@ ElementForces<Number> element_forces(const ContactLaw& law, double c_l, const Nu
   const Number pressing = normal < zero ? zero : normal;
   if (law.damping_mode != DampingMode::full) normal = pressing;  // (18)
 
-  const Number limit = law.friction * pressing;
-  const Number sliding = v_t > zero ? limit : zero;
+  // Chosen before it is multiplied on: where it overflows, 0 times it would be no number.
+  const Number sliding = v_t > zero ? law.friction * pressing : zero;
   const Number slip = v_t / law.slip_velocity;
-  return {normal, v_t >= law.slip_velocity ? sliding : limit * slip * (2.0 - slip)};  // (20)
+  return {normal, v_t >= law.slip_velocity ? sliding : sliding * slip * (2.0 - slip)};  // (20)
 }
 
 }  // namespace

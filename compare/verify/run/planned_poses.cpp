@@ -25,6 +25,21 @@ constexpr std::int64_t kGeneralShare = 50;
 /// In a plan that has both schemes one pose in this many is answered in the clipped one.
 constexpr std::int64_t kClippedShare = 3;
 
+/// A whole cut into portions in the ratio of their weights: each is the difference of two rounded-down running sums.
+class Portions {
+ public:
+  Portions(std::int64_t whole, std::int64_t weights) : whole_(whole), weights_(weights) {}
+
+  std::int64_t next(std::int64_t weight) {
+    const std::int64_t before = whole_ * weight_ / weights_;
+    weight_ += weight;
+    return whole_ * weight_ / weights_ - before;
+  }
+
+ private:
+  std::int64_t whole_, weights_, weight_ = 0;
+};
+
 /// The stream of random numbers of a pair: 64 bits of the FNV-1a hash of its name. Written out, because another hash
 /// would draw other poses, and that of the standard library is another one from library to library.
 std::uint64_t stream_of(const std::string& pair_name) {
@@ -80,40 +95,30 @@ void PlannedPoses::prepare_pairings() {
 }
 
 void PlannedPoses::add_drawn_cells() {
-  // Part k of a whole cut in the ratio of the weights: the difference of two rounded-down running sums.
-  const auto part = [](std::int64_t whole, std::int64_t before, std::int64_t weight, std::int64_t all) {
-    return whole * (before + weight) / all - whole * before / all;
-  };
   Fit fit;
   std::map<std::pair<std::size_t, Stratum>, std::int64_t> numbered;
   const auto add_cells_in = [&](Scheme scheme, Stratum stratum, std::int64_t poses,
                                 const std::vector<std::size_t>& pairs) {
-    const auto shares = [&](std::size_t k, bool made_to_hurt) {
-      const SurfacePair& pair = plan_.pairs[k];
-      return pair.made_to_hurt == made_to_hurt ? pair.share(stratum, scheme) : 0;
-    };
-    std::int64_t hurting = 0, others = 0, before = 0;
+    std::int64_t hurting = 0, others = 0;
     for (const std::size_t k : pairs) {
-      hurting += shares(k, true);
-      others += shares(k, false);
+      const SurfacePair& pair = plan_.pairs[k];
+      (pair.made_to_hurt ? hurting : others) += pair.share(stratum, scheme);
     }
     // The measure is demanded of the others' generic poses: they get half of these at least.
-    const bool even = stratum == Stratum::generic && others > 0 && hurting > others;
-    const auto share_of = [&](std::size_t k) {
-      return even ? others * shares(k, true) + hurting * shares(k, false) : shares(k, true) + shares(k, false);
-    };
-    const std::int64_t all = even ? 2 * others * hurting : others + hurting;
+    const bool halved = stratum == Stratum::generic && others > 0 && hurting > others;
+    Portions of_others(halved ? poses - poses / 2 : poses, halved ? others : others + hurting);
+    Portions of_hurting(poses / 2, hurting);
     for (const std::size_t k : pairs) {
-      const std::int64_t share = share_of(k);
+      const SurfacePair& pair = plan_.pairs[k];
+      Portions& portions = halved && pair.made_to_hurt ? of_hurting : of_others;
+      const std::int64_t n = portions.next(pair.share(stratum, scheme));
       fit.pairs.insert(k);
       fit.strata.insert(stratum);
       ++fit.cells;
-      if (const std::int64_t n = part(poses, before, share, all); n > 0) {
-        std::int64_t& first = numbered[{k, stratum}];
-        for (const Mode mode : plan_.modes) cells_.push_back({k, stratum, scheme, mode, first, n});
-        first += n;
-      }
-      before += share;
+      if (n == 0) continue;
+      std::int64_t& first = numbered[{k, stratum}];
+      for (const Mode mode : plan_.modes) cells_.push_back({k, stratum, scheme, mode, first, n});
+      first += n;
     }
   };
   const auto add_cells = [&](Stratum stratum, std::int64_t poses, const std::vector<std::size_t>& pairs) {
@@ -122,9 +127,8 @@ void PlannedPoses::add_drawn_cells() {
     for (const Scheme scheme : plan_.schemes)
       add_cells_in(scheme, stratum, !both ? poses : scheme == Scheme::clipped ? clipped : poses - clipped, pairs);
   };
-  const auto strata = static_cast<std::int64_t>(plan_.strata.size());
-  for (std::size_t s = 0; s < plan_.strata.size(); ++s) {
-    const Stratum stratum = plan_.strata[s];
+  Portions of_strata(plan_.poses, std::ssize(plan_.strata));
+  for (const Stratum stratum : plan_.strata) {
     std::vector<std::size_t> general, small;
     for (std::size_t i = 0; i < plan_.pairs.size(); ++i) {
       const SurfacePair& pair = plan_.pairs[i];
@@ -136,7 +140,7 @@ void PlannedPoses::add_drawn_cells() {
         omissions_.push_back("nested: left out for " + pair.name +
                              " (no room inside either surface, or too many faces)");
     }
-    const std::int64_t poses = part(plan_.poses, static_cast<std::int64_t>(s), 1, strata);
+    const std::int64_t poses = of_strata.next(1);
     const std::int64_t for_general = small.empty() ? poses : general.empty() ? 0 : poses / kGeneralShare;
     add_cells(stratum, for_general, general);
     add_cells(stratum, poses - for_general, small);

@@ -103,6 +103,15 @@ TEST(Law, FrictionIsRegularisedBelowTheSlipVelocity) {
   EXPECT_EQ(element_force(law, 1, 1, 8, -1, 3).tangential, 0);
 }
 
+TEST(Law, FrictionOfWhatSticksIsZeroEvenWhereItsLimitOverflows) {
+  ContactLaw law;
+  law.friction = 1e308;
+  EXPECT_EQ(element_force(law, 1, 1, 1e9, 0, 0).tangential, 0);
+  law.slip_velocity = 1;
+  EXPECT_EQ(element_force(law, 1, 1, 1e9, 0, 0).tangential, 0);
+  EXPECT_EQ(element_force(law, 1, 1, 1e9, 0, 0.5).tangential, kInf);
+}
+
 TEST(Law, ElementsMoveWithTheBodyThatSlides) {
   // A box slides in +x on a wider one and approaches: its friction drags E along, E's top is pushed down.
   const TriangleMesh E = generate::plate(4, 4, 1);

@@ -251,6 +251,11 @@ TEST(PlannedPoses, HalfOfGenericPosesAtLeastFallToPairsThatAreNotMadeToHurt) {
   EXPECT_EQ(hurting_and_others(mostly_hurting, Stratum::generic, Scheme::barycentric), Counts(300, 300));
   EXPECT_EQ(hurting_and_others(mostly_hurting, Stratum::grazing, Scheme::clipped), Counts(240, 60));
 
+  plan.poses = 102;  // 51 a stratum: an odd one goes to the others
+  EXPECT_EQ(hurting_and_others(PlannedPoses(plan), Stratum::generic, Scheme::clipped), Counts(8, 9));
+  EXPECT_EQ(hurting_and_others(PlannedPoses(plan), Stratum::generic, Scheme::barycentric), Counts(17, 17));
+  plan.poses = 1800;
+
   for (std::size_t k = 1; k < 4; ++k) plan.pairs[k].made_to_hurt = false;
   EXPECT_EQ(hurting_and_others(PlannedPoses(plan), Stratum::generic, Scheme::clipped), Counts(60, 240));
 
