@@ -63,7 +63,7 @@ std::vector<PeerEntry> fcl_peers();
 std::vector<PeerEntry> ode_peers();
 std::vector<PeerEntry> simbody_peers();
 
-/// Everybody in the order of the tables; those that are not installed too, without `make`.
+/// Everybody in the order of the tables; those that this build lacks too, without `make`.
 std::vector<PeerEntry> all_peers();
 
 }  // namespace pcm::compare

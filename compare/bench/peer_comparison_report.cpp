@@ -31,7 +31,7 @@ std::vector<TableCell> row(const PeerComparison& result, const PeerResult& peer)
   const PeerEntry& entry = peer.entry;
   std::vector<TableCell> cells{result.body, name(result.distance), entry.who};
   if (peer.timings.empty()) {
-    cells.emplace_back("not installed: " + entry.debian_package);
+    cells.emplace_back("not in this build: " + entry.debian_package);
     while (cells.size() < 11) cells.push_back(empty_cell());
     return cells;
   }

@@ -47,7 +47,8 @@ void append(const Json& value, const std::string& key, std::string& text) {
   } else if (value.is_number_float()) {
     append_double(value.get<double>(), key, text);
   } else {
-    text += value.dump();
+    // Names of files may be no UTF-8.
+    text += value.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 }
 

@@ -12,9 +12,10 @@
 namespace pcm::compare {
 namespace {
 
-/// Characters, and blanks between columns, that a line of a page in portrait holds in \\footnotesize; in landscape
-/// twice as many.
-constexpr std::size_t kLine = 90;
+/// Characters that a line of an A4 page in portrait holds in \\footnotesize with the margins of the class article,
+/// blanks between columns counted as three each. In \\scriptsize it holds a few more, in \\tiny with narrow gaps half
+/// as many again.
+constexpr std::size_t kLine = 80, kSmallLine = 92, kTinyLine = 120;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
@@ -93,23 +94,54 @@ std::string inline_latex(std::string_view text) {
 
 using Row = std::vector<std::string>;
 
-std::string row_of(const Row& cells, std::size_t columns) {
+std::string row_of(const Row& cells, const std::vector<std::size_t>& columns) {
   std::string row;
-  for (std::size_t k = 0; k < columns; ++k) {
-    if (k > 0) row += " & ";
+  for (const std::size_t k : columns) {
+    if (k != columns.front()) row += " & ";
     if (k < cells.size()) row += inline_latex(cells[k]);
   }
   return row + " \\\\\n";
 }
 
-/// Of the longest cells of all columns, with two blanks behind each, in characters.
-std::size_t width_of(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths;
-  for (const Row& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size() + 2);
+/// Of the longest cell of each column, with three blanks behind, in characters.
+std::vector<std::size_t> widths_of(const std::vector<Row>& rows, std::size_t columns) {
+  std::vector<std::size_t> widths(columns, 3);
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < std::min(columns, row.size()); ++k) widths[k] = std::max(widths[k], row[k].size() + 3);
+  return widths;
+}
+
+/// Columns of each part that a table is cut into where it is too wide for a page: the leading columns of words, which
+/// say what a row is of, stand in all of them.
+std::vector<std::vector<std::size_t>> parts_of(const std::vector<std::size_t>& widths, const std::string& columns) {
+  const std::size_t leading = std::min(columns.find('r'), columns.size());
+  std::vector<std::size_t> head(leading);
+  std::iota(head.begin(), head.end(), std::size_t{0});
+  const std::size_t head_width = std::accumulate(widths.begin(), widths.begin() + std::ssize(head), std::size_t{0});
+  std::vector<std::vector<std::size_t>> parts{head};
+  std::size_t width = head_width;
+  for (std::size_t k = leading; k < widths.size(); ++k) {
+    if (parts.back().size() > leading && width + widths[k] > kTinyLine) {
+      parts.push_back(head);
+      width = head_width;
+    }
+    parts.back().push_back(k);
+    width += widths[k];
   }
-  return std::accumulate(widths.begin(), widths.end(), std::size_t{0});
+  return parts;
+}
+
+std::string longtable(const std::vector<Row>& rows, const std::string& columns, const std::vector<std::size_t>& part,
+                      std::size_t width) {
+  std::string letters;
+  for (const std::size_t k : part) letters += columns[k];
+  std::string table = width <= kLine        ? "{\\footnotesize\n"
+                      : width <= kSmallLine ? "{\\scriptsize\n"
+                                            : "{\\tiny\\setlength{\\tabcolsep}{2pt}\n";
+  table += fmt::format("\\begin{{longtable}}{{{}}}\n\\toprule\n{}\\midrule\n\\endhead\n", letters,
+                       row_of(rows.front(), part));
+  for (std::size_t i = 1; i < rows.size(); ++i) table += row_of(rows[i], part);
+  return table + "\\bottomrule\n\\end{longtable}}\n";
 }
 
 /// The table whose heading is line `at`, which it leaves behind itself.
@@ -119,14 +151,14 @@ std::string table_at(const std::vector<std::string_view>& lines, std::size_t& at
   for (at += 2; at < lines.size() && is_row(lines[at]); ++at) rows.push_back(cells_of(lines[at]));
   std::string columns;
   for (const std::string& cell : rule) columns += cell.ends_with(':') ? 'r' : 'l';
-  const std::size_t width = width_of(rows);
-  std::string table = width <= kLine       ? "{\\footnotesize\n"
-                      : width <= 2 * kLine ? "{\\scriptsize\n"
-                                           : "{\\tiny\\setlength{\\tabcolsep}{2pt}\n";
-  table += fmt::format("\\begin{{longtable}}{{{}}}\n\\toprule\n{}\\midrule\n\\endhead\n", columns,
-                       row_of(rows.front(), rule.size()));
-  for (std::size_t i = 1; i < rows.size(); ++i) table += row_of(rows[i], rule.size());
-  return table + "\\bottomrule\n\\end{longtable}}\n";
+  const std::vector<std::size_t> widths = widths_of(rows, columns.size());
+  std::string tables;
+  for (const std::vector<std::size_t>& part : parts_of(widths, columns)) {
+    std::size_t width = 0;
+    for (const std::size_t k : part) width += widths[k];
+    tables += longtable(rows, columns, part, width);
+  }
+  return tables;
 }
 
 }  // namespace

@@ -72,4 +72,9 @@ nlohmann::ordered_json provenance_json(const ProgramProvenance& program) {
           {"processor", program.processor}, {"compiler", program.compiler}, {"flags", program.flags}};
 }
 
+ProgramProvenance program_from(const nlohmann::ordered_json& provenance) {
+  return {provenance.at("version"),   provenance.at("commit"),   provenance.at("command_line"),
+          provenance.at("processor"), provenance.at("compiler"), provenance.at("flags")};
+}
+
 }  // namespace pcm::compare

@@ -20,6 +20,8 @@ struct ProgramProvenance {
 ProgramProvenance this_program();
 
 nlohmann::ordered_json provenance_json(const ProgramProvenance& program);
+/// What provenance_json wrote. Throws nlohmann::json::exception where it is none.
+ProgramProvenance program_from(const nlohmann::ordered_json& provenance);
 
 /// Words as a shell takes them, quoted where it would not take them as they are.
 std::string quoted_for_shell(const std::string& word);

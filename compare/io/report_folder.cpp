@@ -18,8 +18,6 @@
 namespace pcm::compare {
 namespace {
 
-constexpr const char* kProvenance = "provenance.json";
-
 /// Indented by four blanks, which Markdown leaves as it stands.
 std::string made_by(const ProgramProvenance& program) {
   return fmt::format("pcm {}, commit {}; {}, {}; {}:\n\n    {}\n", program.version, program.commit, program.compiler,
@@ -43,14 +41,16 @@ bool is_column(const std::string& name, const std::string& pattern) {
 
 }  // namespace
 
-ReportFolder::ReportFolder(std::filesystem::path folder, nlohmann::ordered_json question)
+ReportFolder::ReportFolder(std::filesystem::path folder, const std::string& command, nlohmann::ordered_json question,
+                           ProgramProvenance program)
     : folder_(std::move(folder)),
-      program_(this_program()),
+      provenance_file_(command + ".provenance.json"),
+      program_(std::move(program)),
       provenance_(provenance_json(program_)),
       files_(nlohmann::ordered_json::object()) {
   provenance_["question"] = std::move(question);
   std::error_code none_there;
-  std::filesystem::remove(folder_ / kProvenance, none_there);
+  std::filesystem::remove(folder_ / provenance_file_, none_there);
 }
 
 void ReportFolder::write(const std::string& file, const std::string& text) {
@@ -87,7 +87,7 @@ void ReportFolder::json(const std::string& name, const nlohmann::ordered_json& v
 void ReportFolder::finish() {
   nlohmann::ordered_json whole = provenance_;
   whole["files"] = files_;
-  write_text_file(folder_ / kProvenance, json_file_text(whole));
+  write_text_file(folder_ / provenance_file_, json_file_text(whole));
 }
 
 }  // namespace pcm::compare

@@ -15,25 +15,28 @@ namespace pcm::compare {
 ///
 /// NAME.md ends with version, commit, compiler, machine and command line, and NAME.tex has the same tables for LaTeX.
 /// An object in NAME.json begins with the key "provenance", which adds what was asked. A CSV file holds nothing but its
-/// columns; so provenance.json, written last, has all of this once more, the SHA-256 of every table, and the units of
-/// the columns of every CSV file.
+/// columns; so COMMAND.provenance.json, written last, has all of this once more, the SHA-256 of every table, and the
+/// units of the columns of every CSV file. Several commands may share a folder.
 ///
 /// Every file is written whole or not at all; throws BadInput naming it where it can't be.
 class ReportFolder {
  public:
-  /// `question`: what was asked, an object: seed, schemes, modes, laws, hashes of the surfaces.
-  ReportFolder(std::filesystem::path folder, nlohmann::ordered_json question);
+  /// `question`: what was asked, an object: seed, schemes, modes, laws, hashes of the surfaces. Removes what an earlier
+  /// call of the command said of its tables.
+  ReportFolder(std::filesystem::path folder, const std::string& command, nlohmann::ordered_json question,
+               ProgramProvenance program = this_program());
 
   void markdown(const std::string& name, const std::string& text);
   void csv(const std::string& name, const std::string& text, const ColumnUnits& units);
   void json(const std::string& name, const nlohmann::ordered_json& value);
-  /// provenance.json.
+  /// COMMAND.provenance.json.
   void finish();
 
  private:
   void write(const std::string& file, const std::string& text);
 
   std::filesystem::path folder_;
+  std::string provenance_file_;
   ProgramProvenance program_;
   nlohmann::ordered_json provenance_;
   nlohmann::ordered_json files_;

@@ -43,15 +43,20 @@ std::string on_screen(const Table& table) {
 }
 
 std::string markdown(const Table& table) {
+  const auto escaped = [](const std::string& words) {
+    std::string cell;
+    for (const char c : words) cell += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
+    return cell;
+  };
   std::string text = "|", rule = "|";
   for (const Column& column : table.columns) {
-    text += fmt::format(" {} |", column.title);
+    text += fmt::format(" {} |", escaped(column.title));
     rule += column.is_number ? "--:|" : "---|";
   }
   text += '\n' + rule + '\n';
   for (const std::vector<TableCell>& row : table.rows) {
     text += '|';
-    for (const TableCell& cell : row) text += fmt::format(" {} |", cell.text);
+    for (const TableCell& cell : row) text += fmt::format(" {} |", escaped(cell.text));
     text += '\n';
   }
   return text;

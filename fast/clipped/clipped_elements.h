@@ -14,10 +14,6 @@ struct ClippedScratch {
   ElementLanes lanes;
 };
 
-/// From surfaces to forces: clip_face (clipped_face.h) lets an active face look along its penetration lines
-/// (face_view.h: the faces that its prism meets), parts what it sees (visible_parts.h) and integrates the depth over
-/// each part (Moments, fast/prism/convex_polygon.h); ElementSum (fast/force/element_sum.h) applies the law and adds up.
-///
 /// Forms the contact elements of a master in the clipped scheme (PCM section 6): for each active face e and each slave
 /// face f one element, the part of e whose penetration lines leave the slave through f first, before they meet
 /// another face of the master. Its area A_k, mean penetration u_k and centre of pressure are integrals over that part,
@@ -32,6 +28,10 @@ struct ClippedScratch {
 /// |F_k| a few ulps times S over the mean penetration, or over the width of what is seen where that is less; flush and
 /// nearly flush faces included. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets
 /// overlap.
+///
+/// From surfaces to forces: clip_face (clipped_face.h) lets an active face look along its penetration lines
+/// (face_view.h: the faces that its prism meets), parts what it sees (visible_parts.h) and integrates the depth over
+/// each part (Moments, fast/prism/convex_polygon.h); ElementSum (fast/force/element_sum.h) applies the law and adds up.
 MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
                                  ClippedScratch& scratch, ElementRecord& record);
 

@@ -19,7 +19,9 @@
 #include "compare/bench/skip.h"
 #include "compare/bench/work_precision.h"
 #include "compare/cli/frame/programs.h"
+#include "compare/io/question_json.h"
 #include "compare/io/report_folder.h"
+#include "compare/io/sha256.h"
 #include "compare/io/svg_plot.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -61,7 +63,8 @@ void show_progress(const std::string& what) {
   if (isatty(STDERR_FILENO) != 0) std::cerr << fmt::format("\r{:<60}\r", what) << std::flush;
 }
 
-const ColumnUnits kTimeUnits = {{"us", "us"}, {"ms", "ms"}, {"edge_m", "m"}};
+const ColumnUnits kUnits = {{"us", "us"},        {"ms", "ms"},          {"edge_m", "m"},    {"ns_a_unit", "ns"},
+                            {"us_a_face", "us"}, {"bytes_a_face", "B"}, {"megabytes", "MB"}};
 
 nlohmann::ordered_json machine_json(const Machine& machine) {
   return {{"processor", machine.processor},
@@ -70,10 +73,10 @@ nlohmann::ordered_json machine_json(const Machine& machine) {
           {"core", machine.core}};
 }
 
-std::vector<std::string> names_of(const std::vector<BenchBody>& bodies) {
-  std::vector<std::string> names;
-  for (const BenchBody& body : bodies) names.push_back(body.name);
-  return names;
+nlohmann::ordered_json surfaces_json(const std::vector<BenchBody>& bodies) {
+  nlohmann::ordered_json surfaces = nlohmann::ordered_json::array();
+  for (const BenchBody& body : bodies) surfaces.push_back({{"name", body.name}, {"sha256", sha256(body.mesh)}});
+  return surfaces;
 }
 
 Exit bench_peers(const PeersOptions& options) {
@@ -87,15 +90,17 @@ Exit bench_peers(const PeersOptions& options) {
   const Machine machine = this_machine(stay_on_one_core());
   const std::vector<PeerComparison> results = compare_peers(bodies, poses, show_progress);
   show_progress("");
+  std::cout << peers_screen(results, machine);
   if (folder) {
     const Table table = peers_table(results);
-    ReportFolder report(*folder, {{"poses", poses}, {"bodies", names_of(bodies)}});
+    ReportFolder report(
+        *folder, "peers",
+        {{"poses", poses}, {"law", law_json(bench_law(), Notation::decimal)}, {"surfaces", surfaces_json(bodies)}});
     report.markdown("peers", peers_markdown(results, machine));
-    report.csv("peers", csv(table), kTimeUnits);
+    report.csv("peers", csv(table), kUnits);
     report.json("peers", {{"machine", machine_json(machine)}, {"poses", poses}, {"contestants", json(table)}});
     report.finish();
   }
-  std::cout << peers_screen(results, machine);
   return Exit::success;
 }
 
@@ -105,11 +110,12 @@ Exit bench_scaling(const FixedOptions& options) {
   const Machine machine = this_machine(stay_on_one_core());
   const ScalingResult result = run_scaling(options.quick ? 4 : 8, poses, show_progress);
   show_progress("");
+  std::cout << scaling_screen(result, machine);
   if (folder) {
-    ReportFolder report(*folder, {{"poses", poses}, {"quick", options.quick}});
+    ReportFolder report(*folder, "scaling", {{"poses", poses}, {"quick", options.quick}});
     report.markdown("scaling", scaling_markdown(result, machine));
-    report.csv("scaling", csv(scaling_table(result)), kTimeUnits);
-    report.csv("setup", csv(setup_table(result)), kTimeUnits);
+    report.csv("scaling", csv(scaling_table(result)), kUnits);
+    report.csv("setup", csv(setup_table(result)), kUnits);
     report.json("scaling", {{"machine", machine_json(machine)},
                             {"poses", poses},
                             {"points", json(scaling_table(result))},
@@ -117,7 +123,6 @@ Exit bench_scaling(const FixedOptions& options) {
                             {"setup", json(setup_table(result))}});
     report.finish();
   }
-  std::cout << scaling_screen(result, machine);
   return Exit::success;
 }
 
@@ -129,11 +134,12 @@ Exit bench_skip(const SkipOptions& options) {
   const SkipResult result =
       options.quick ? run_skip(8, steps, 2, show_progress) : run_skip(50, steps, 40, show_progress);
   show_progress("");
+  std::cout << skip_screen(result, machine);
   if (folder) {
-    ReportFolder report(*folder, {{"steps", steps}, {"quick", options.quick}});
+    ReportFolder report(*folder, "skip", {{"steps", steps}, {"quick", options.quick}});
     report.markdown("skip", skip_markdown(result, machine));
-    report.csv("skip_scene", csv(scenes_table(result)), kTimeUnits);
-    report.csv("skip", csv(savings_table(result)), kTimeUnits);
+    report.csv("skip_scene", csv(scenes_table(result)), kUnits);
+    report.csv("skip", csv(savings_table(result)), kUnits);
     report.json("skip", {{"machine", machine_json(machine)},
                          {"bubbles", result.bubbles},
                          {"pairings", result.pairings},
@@ -146,7 +152,6 @@ Exit bench_skip(const SkipOptions& options) {
                          {"savings", json(savings_table(result))}});
     report.finish();
   }
-  std::cout << skip_screen(result, machine);
   return result.answers_different == 0 ? Exit::success : Exit::negative;
 }
 
@@ -159,10 +164,11 @@ Exit bench_work_precision(const FixedOptions& options) {
   std::vector<WorkPrecisionResult> results;
   for (const WorkPrecisionProblem& problem : problems) results.push_back(run_work_precision(problem, show_progress));
   show_progress("");
+  std::cout << work_precision_screen(results, machine);
   if (folder) {
-    ReportFolder report(*folder, {{"quick", options.quick}});
+    ReportFolder report(*folder, "work_precision", {{"quick", options.quick}});
     report.markdown("work_precision", work_precision_markdown(results, machine));
-    report.csv("work_precision", csv(work_precision_table(results)), kTimeUnits);
+    report.csv("work_precision", csv(work_precision_table(results)), kUnits);
     report.json("work_precision", {{"machine", machine_json(machine)},
                                    {"orientations", results.front().orientations},
                                    {"points", json(work_precision_table(results))},
@@ -172,7 +178,6 @@ Exit bench_work_precision(const FixedOptions& options) {
       write_text_file(*folder / fmt::format("work_precision_{}.svg", result.id),
                       svg(work_precision_figure(result, machine)));
   }
-  std::cout << work_precision_screen(results, machine);
   return Exit::success;
 }
 

@@ -19,6 +19,7 @@
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/verify/verify_run.h"
 #include "compare/io/report_folder.h"
+#include "compare/io/sha256.h"
 #include "compare/judge/engines/asked_engine.h"
 #include "compare/judge/judgement/judging_report.h"
 #include "compare/judge/lines/answers_file.h"
@@ -133,11 +134,14 @@ void print_wrong_answers(const Judging& run, const std::optional<fs::path>& fold
 }
 
 /// What was judged: the answers, and the surfaces of their poses.
-Json question_of(const PosedQuestions& posed, const JudgingSetup& setup) {
-  Json question{{"answers", setup.who},
-                {"poses", setup.poses},
-                {"laws", "of each pose its own, with scheme and mode, in poses.jsonl"},
-                {"surfaces", Json::array()}};
+Json question_of(const PosedQuestions& posed, const JudgingSetup& setup, bool complete) {
+  Json question{
+      {"answers", {{"from", setup.who}}},
+      {"poses", {{"folder", setup.poses}, {"sha256", sha256(read_text_file(fs::path(setup.poses) / kPosesFile))}}},
+      {"laws", std::string("of each pose its own, with scheme and mode, in ") + kPosesFile},
+      {"complete", complete},
+      {"surfaces", Json::array()}};
+  if (!setup.answers_sha256.empty()) question["answers"]["sha256"] = setup.answers_sha256;
   for (const PosedSurface& surface : posed.surfaces)
     question["surfaces"].push_back({{"name", surface.name}, {"sha256", surface.sha256}});
   return question;
@@ -147,9 +151,13 @@ void report(const Judging& run, const JudgingSetup& setup, const std::optional<f
             const std::string& ended) {
   const Table strata = strata_table(run), facts = facts_table(run), pairs = pairs_table(run);
   const std::string verdict = judging_verdict(run, ended.empty());
+  std::cout << judging_legend(setup) << '\n' << on_screen(strata) << '\n' << on_screen(facts) << '\n';
+  if (!pairs.rows.empty()) std::cout << on_screen(pairs) << '\n';
+  print_wrong_answers(run, folder);
+  std::cout << verdict << '\n';
   if (folder) {
     write_cases(*folder, run);
-    ReportFolder tables(*folder, question_of(run.judge().posed(), setup));
+    ReportFolder tables(*folder, "judgement", question_of(run.judge().posed(), setup, ended.empty()));
     tables.markdown("judgement", "# Answers before the oracle\n\n" + judging_legend(setup) + "\n" + markdown(strata) +
                                      "\n" + markdown(facts) + "\n" + markdown(pairs) + "\n" + verdict + "\n");
     tables.csv("strata", csv(strata), {});
@@ -158,10 +166,6 @@ void report(const Judging& run, const JudgingSetup& setup, const std::optional<f
     tables.json("judgement", judging_json(run, setup, ended));
     tables.finish();
   }
-  std::cout << judging_legend(setup) << '\n' << on_screen(strata) << '\n' << on_screen(facts) << '\n';
-  if (!pairs.rows.empty()) std::cout << on_screen(pairs) << '\n';
-  print_wrong_answers(run, folder);
-  std::cout << verdict << '\n';
 }
 
 Exit judge(const JudgeOptions& options) {
@@ -186,8 +190,11 @@ Exit judge(const JudgeOptions& options) {
   const std::string complaint = judge_all(run, source, jobs, *work);
   const bool interrupted = work->interrupted();
   work.reset();
-  const JudgingSetup setup{options.answers.value_or(options.command.value_or("")), *options.poses, tolerances.text(),
-                           ulps};
+  JudgingSetup setup{
+      options.answers.value_or(options.command.value_or("")), *options.poses, tolerances.text(), ulps, {}};
+  // A pipe can't be read twice.
+  if (std::error_code error; folder && options.answers && fs::is_regular_file(*options.answers, error))
+    setup.answers_sha256 = sha256(read_text_file(*options.answers));
   report(run, setup, folder, !complaint.empty() ? complaint : interrupted ? "interrupted" : "");
   if (!complaint.empty()) throw BadInput(complaint);
   return interrupted || run.total().wrong > 0 ? Exit::negative : Exit::success;

@@ -57,9 +57,11 @@ void write_cases(const fs::path& folder, const Verification& run) {
   }
 }
 
-void write_tables(const fs::path& folder, const Verification& run) {
+void write_tables(const fs::path& folder, const Verification& run, const ProgramProvenance& program) {
   write_cases(folder, run);
-  ReportFolder report(folder, question_of(run.plan()));
+  nlohmann::ordered_json question = question_of(run.plan());
+  question["complete"] = run.finished();
+  ReportFolder report(folder, "verification", std::move(question), program);
   report.csv("widths", widths_csv(run), widths_units());
   report.csv("verification", verification_csv(run), verification_units());
   report.json("verification", verification_json(run));
@@ -80,15 +82,13 @@ Exit verify_poses(const VerifyOptions& options) {
   Resumption kept;
   if (folder) kept = resume_run(*folder, run);
   if (!kept.notice.empty()) complain(kept.notice);
-
+  const nlohmann::ordered_json program = kept.finished_at ? kept.finished_by : provenance_json(this_program());
   while (!run.finished() && !work->interrupted()) {
     run.run_batch(
         jobs, [&] { return work->interrupted(); }, [&](std::int64_t done) { work->show(done); });
-    if (folder) keep_run(*folder, run);
+    if (folder) keep_run(*folder, run, program);
   }
   work.reset();
-  // Of a run that an earlier call finished, too: who knows what became of its files.
-  if (folder) write_tables(*folder, run);
   std::cout << verification_summary(run) << '\n';
   for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
     const Finding& finding = run.findings()[k];
@@ -105,6 +105,8 @@ Exit verify_poses(const VerifyOptions& options) {
   if (kept.finished_at)
     std::cout << fmt::format(" (an earlier run's, finished {}; nothing evaluated now)", *kept.finished_at);
   std::cout << '\n';
+  // Of a run that an earlier call finished, too: who knows what became of its files.
+  if (folder) write_tables(*folder, run, program_from(program));
   return is_verified(run) ? Exit::success : Exit::negative;
 }
 

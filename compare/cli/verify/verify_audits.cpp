@@ -20,15 +20,16 @@ Exit verify_audits(Extent extent, int jobs, const std::optional<std::filesystem:
     if (terminal) std::cerr << fmt::format("\r{} of {} loops", done, all) << std::flush;
   });
   if (terminal) std::cerr << fmt::format("\r{:<40}\r", "");
+  std::cout << audits_summary(results) << audits_verdict(results) << '\n';
   if (folder) {
-    ReportFolder report(*folder, {{"steps", extent == Extent::quick ? "quick" : "full"},
-                                  {"laws", "elastic, of each case its own (docs/energy_and_jumps.md)"}});
+    ReportFolder report(*folder, "audits",
+                        {{"steps", extent == Extent::quick ? "quick" : "full"},
+                         {"laws", "elastic, of each case its own (docs/energy_and_jumps.md)"}});
     report.markdown("audits", audits_markdown(results));
     report.csv("audits", audits_csv(results), audits_units());
     report.json("audits", audits_json(results));
     report.finish();
   }
-  std::cout << audits_summary(results) << audits_verdict(results) << '\n';
   return met(results) ? Exit::success : Exit::negative;
 }
 

@@ -31,15 +31,16 @@ Exit verify_engines(VerificationPlan plan, const std::vector<Engine>& engines, i
   for (const std::string& omission : result.omissions) omissions += omission + "\n";
   const std::string after = fmt::format("\n{}{}{}\n", engine_comparison_on_shallow_poses(result), omissions,
                                         engine_comparison_verdict(result));
+  std::cout << engine_comparison_legend() << '\n' << on_screen(table) << after;
   if (folder) {
-    ReportFolder report(*folder, std::move(question));
+    question["complete"] = result.finished;
+    ReportFolder report(*folder, "wrong_answers", std::move(question));
     report.markdown("wrong_answers",
                     "# Wrong answers by stratum\n\n" + engine_comparison_legend() + "\n" + markdown(table) + after);
     report.csv("wrong_answers", csv(table), {});
     report.json("wrong_answers", {{"seed", result.seed}, {"complete", result.finished}, {"strata", json(table)}});
     report.finish();
   }
-  std::cout << engine_comparison_legend() << '\n' << on_screen(table) << after;
   return result.finished && !result.anything_wrong() ? Exit::success : Exit::negative;
 }
 

@@ -21,7 +21,8 @@ namespace {
 void write_tables(const std::filesystem::path& path, const std::vector<KnownAnswerResult>& budget, Extent extent,
                   bool met) {
   ReportFolder folder(
-      path, {{"meshes", extent == Extent::quick ? "quick" : "full"}, {"laws", "of each case its own, on its page"}});
+      path, "error_budget",
+      {{"meshes", extent == Extent::quick ? "quick" : "full"}, {"laws", "of each case its own, on its page"}});
   for (const KnownAnswerResult& result : budget) folder.markdown(result.problem.id, problem_markdown(result));
   folder.markdown("error_budget", error_budget_markdown(budget));
   folder.csv("error_budget", rows_csv(budget), rows_units());
@@ -39,8 +40,8 @@ Exit verify_error_budget(Extent extent, int jobs, const std::optional<std::files
   if (terminal) std::cerr << fmt::format("\r{:<60}\r", "");
   const bool met =
       std::all_of(budget.begin(), budget.end(), [](const KnownAnswerResult& result) { return result.missed() == 0; });
-  if (folder) write_tables(*folder, budget, extent, met);
   std::cout << error_budget_summary(budget) << error_budget_verdict(budget) << '\n';
+  if (folder) write_tables(*folder, budget, extent, met);
   return met ? Exit::success : Exit::negative;
 }
 

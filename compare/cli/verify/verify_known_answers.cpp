@@ -18,9 +18,10 @@ namespace {
 
 void write_tables(const std::filesystem::path& path, const KnownAnswersReport& report, Extent extent,
                   std::uint64_t seed) {
-  ReportFolder folder(path, {{"meshes", extent == Extent::quick ? "quick" : "full"},
-                             {"seed", seed},
-                             {"laws", "of each case its own, on its page"}});
+  ReportFolder folder(path, "known_answers",
+                      {{"meshes", extent == Extent::quick ? "quick" : "full"},
+                       {"seed", seed},
+                       {"laws", "of each case its own, on its page"}});
   for (const KnownAnswerResult& result : report.problems) folder.markdown(result.problem.id, problem_markdown(result));
   folder.markdown("identities", identities_markdown(report.identities));
   folder.csv("known_answers", rows_csv(report.problems), rows_units());
@@ -41,9 +42,9 @@ Exit verify_known_answers(Extent extent, std::uint64_t seed, int jobs,
 #ifndef PCM_WITH_DYNAMICS
   std::cerr << "A12 to A17 are left out: this program was built without SUNDIALS\n";
 #endif
-  if (folder) write_tables(*folder, report, extent, seed);
   std::cout << known_answers_summary(report) << fmt::format("identities: seed {}\n", seed)
             << known_answers_verdict(report) << '\n';
+  if (folder) write_tables(*folder, report, extent, seed);
   return report.met() ? Exit::success : Exit::negative;
 }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <iostream>
 #include <limits>
@@ -40,6 +41,33 @@ std::int64_t number_of_poses(const std::string& text) {
 
 HeldPairing::Modes modes_named(const std::string& word) {
   return word == "all" ? HeldPairing::Modes{Mode::E, Mode::F, Mode::both} : HeldPairing::Modes{mode_named(word)};
+}
+
+/// The verdict's bounds are relative ones of products of up to two of the law's numbers with an area and a depth, or
+/// velocities: they hold as long as none of these products leaves the range of normal doubles. Within these limits
+/// there is room for areas times depths from 2^-600 to 2^600.
+constexpr double kLeastOfLaw = 0x1p-200, kGreatestOfLaw = 0x1p200;
+
+/// Throws BadInput naming the option whose number is neither within the limits above nor 0 or infinite.
+void require_within_bounds(const ContactLaw& law) {
+  const auto require = [](const char* option, double x) {
+    if (x == 0 || std::isinf(x) || (x >= kLeastOfLaw && x <= kGreatestOfLaw)) return;
+    throw BadInput(
+        fmt::format("{}: {} is so {} that the verdict's bounds need not hold; from 2^-200 to 2^200 (6e-61 to 2e60) "
+                    "they do",
+                    option, x, x < 1 ? "small" : "large"));
+  };
+  if (law.layers) {
+    require("--stiffness-E or --layer-E", law.layers->c_E);
+    require("--stiffness-F or --layer-F", law.layers->c_F);
+  } else {
+    require("--stiffness", law.stiffness);
+  }
+  require("--damping", law.damping);
+  require("--transition-depth", law.transition_depth);
+  require("--friction", law.friction);
+  require("--slip-velocity", law.slip_velocity);
+  require("--max-penetration", law.max_penetration);
 }
 
 /// Refuses pairs that are unfit for contact, and notes once what is odd about others.
@@ -114,7 +142,10 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
     if (std::find(plan.strata.begin(), plan.strata.end(), *stratum) == plan.strata.end())
       plan.strata.push_back(*stratum);
   }
-  if (options.law.any()) plan.law = law_from(options.law);
+  if (options.law.any()) {
+    plan.law = law_from(options.law);
+    require_within_bounds(*plan.law);
+  }
   plan.pairs = pairs_of(options, notices);
   for (SurfacePair& pair : plan.pairs)
     if (plan.law) pair.law = *plan.law;

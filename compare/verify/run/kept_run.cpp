@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 constexpr std::string_view kState = "state.json";
 
 /// What a run leaves in its folder beside the state and the case files.
-constexpr std::array<std::string_view, 8> kTables = {"verification.md",  "verification.tex",  "widths.csv",
-                                                     "verification.csv", "verification.json", "times.md",
-                                                     "times.tex",        "provenance.json"};
+constexpr std::array<std::string_view, 8> kTables = {
+    "verification.md",   "verification.tex", "widths.csv", "verification.csv",
+    "verification.json", "times.md",         "times.tex",  "verification.provenance.json"};
 
 std::string dump(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -65,9 +65,12 @@ bool remove_results(const fs::path& folder) {
 
 }  // namespace
 
-void keep_run(const fs::path& folder, const Verification& run) {
+void keep_run(const fs::path& folder, const Verification& run, const nlohmann::ordered_json& program) {
   nlohmann::ordered_json state = run.state();
-  if (run.finished()) state["finished_at"] = now();
+  if (run.finished()) {
+    state["finished_at"] = now();
+    state["finished_by"] = program;
+  }
   const std::string text = dump(state);
   write_text_file(folder / kState, R"({"sha256":")" + sha256(text) + R"(","state":)" + text + "}\n");
 }
@@ -77,7 +80,7 @@ Resumption resume_run(const fs::path& folder, Verification& run) {
   if (fs::is_directory(folder)) remove_unfinished_files(folder);
   if (!fs::exists(state_file)) {
     if (!fs::is_directory(folder) || !remove_results(folder)) return {};
-    return {"--out " + folder.string() + ": tables and cases of a run whose state is gone are removed", std::nullopt};
+    return {"--out " + folder.string() + ": tables and cases of a run whose state is gone are removed", {}, {}};
   }
   const std::string text = read_text_file(state_file);
   try {
@@ -91,16 +94,17 @@ Resumption resume_run(const fs::path& folder, Verification& run) {
       remove_results(folder);
       return {fmt::format("--out {}: it held a run {}; that run's tables and cases are removed, this one starts anew",
                           folder.string(), difference),
-              std::nullopt};
+              {},
+              {}};
     }
     run.restore(state);
-    if (run.finished()) return {"", state.at("finished_at").get<std::string>()};
+    if (run.finished()) return {"", state.at("finished_at"), state.at("finished_by")};
   } catch (const nlohmann::json::exception&) {
     throw BadInput(state_file.string() + ": this is no state of a verification; choose another folder");
   } catch (const BadInput& error) {
     throw BadInput("--out " + folder.string() + ": " + error.what());
   }
-  return {fmt::format("--out {}: continued after {} poses", folder.string(), run.poses_done()), std::nullopt};
+  return {fmt::format("--out {}: continued after {} poses", folder.string(), run.poses_done()), {}, {}};
 }
 
 }  // namespace pcm::compare

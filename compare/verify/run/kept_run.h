@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -12,13 +13,14 @@
 namespace pcm::compare {
 
 /// Keeps the run's state with its SHA-256, so that a damaged file is not continued from; where it is finished with the
-/// date.
-void keep_run(const std::filesystem::path& folder, const Verification& run);
+/// date and `program`, the call that finished it (provenance_json).
+void keep_run(const std::filesystem::path& folder, const Verification& run, const nlohmann::ordered_json& program);
 
 /// What became of a run that was kept.
 struct Resumption {
   std::string notice;                      ///< a line on it for standard error; empty where there is nothing to say
   std::optional<std::string> finished_at;  ///< where an earlier call finished the run: when
+  nlohmann::ordered_json finished_by;      ///< and what it said of itself
 };
 
 /// Continues `run` from what is kept in the folder, if anything is.

@@ -38,7 +38,7 @@ std::string bytes_of(const std::vector<RecordedState>& states) {
 
 nlohmann::ordered_json identity_of(const VerificationPlan& plan) {
   nlohmann::ordered_json json;
-  json["format"] = "pcm verification 6";
+  json["format"] = "pcm verification 7";
   json["build"] = plan.build;
   json["poses"] = plan.poses;
   json["seed"] = plan.seed;
@@ -72,10 +72,12 @@ nlohmann::ordered_json question_of(const VerificationPlan& plan) {
   if (plan.law) {
     question["law"] = law_json(*plan.law, Notation::decimal);
   } else if (plan.recorded.empty()) {
-    question["law"] = "drawn for each pose, as are velocities";
+    question["law"] = "drawn for each pose";
   } else {
     question.erase("seed");
     question.erase("strata");
+    for (std::size_t k = 0; k < plan.pairs.size(); ++k)
+      question["pairs"][k]["law"] = law_json(plan.pairs[k].law, Notation::decimal);
   }
   return question;
 }

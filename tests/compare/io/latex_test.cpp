@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "meshes/files/text_file.h"
+#include "tests/compare/io/occurrences.h"
+#include "tests/meshes/temporary_folder.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -22,6 +28,45 @@ TEST(Latex, TakesTheTablesOfMarkdownWithTheHeadingsAboveThem) {
             "\n% Errors of 5 %\n{\\footnotesize\n\\begin{longtable}{lr}\n\\toprule\npair & S/p \\\\\n\\midrule\n"
             "\\endhead\n\\textbf{all} & \\texttt{a\\_b} \\\\\nbolt & 1e-9 \\textbar{} 2 \\\\\nshort &  \\\\\n"
             "\\bottomrule\n\\end{longtable}}\n");
+}
+
+TEST(Latex, CutsATableThatIsWiderThanAPageIntoSeveralWithTheNamesInEach) {
+  std::string heading = "| pair |", rule = "|---|", row = "| a |";
+  for (int k = 0; k < 30; ++k) {
+    heading += " column " + std::to_string(k) + " |";
+    rule += "--:|";
+    row += " " + std::to_string(k) + ".5 |";
+  }
+  const std::string latex = latex_tables(heading + "\n" + rule + "\n" + row + "\n");
+  EXPECT_EQ(count(latex, "\\begin{longtable}{lr"), 4U) << latex;
+  EXPECT_EQ(count(latex, "\npair & column"), 4U);
+  EXPECT_EQ(count(latex, "\na & "), 4U);
+  EXPECT_EQ(count(latex, ".5"), 30U);
+  EXPECT_EQ(count(latex, "column"), 30U);
+}
+
+TEST(Latex, FitsOnPages) {
+  if (std::system("pdflatex --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "pdflatex (Debian: texlive-latex-recommended) is not installed";
+  const TemporaryFolder scratch;
+  std::string text;
+  for (const int columns : {4, 9, 11, 12, 13, 14, 30}) {
+    std::string heading = "| pair |", rule = "|---|", row = "| bumpy-bumpy_2 |";
+    for (int k = 0; k < columns; ++k) {
+      heading += " p99.9 |";
+      rule += "--:|";
+      row += " 1.2e-13 |";
+    }
+    text += "# " + std::to_string(columns) + " columns\n\n" + heading + "\n" + rule + "\n" + row + "\n\n";
+  }
+  scratch.write("tables.tex", latex_tables(text));
+  scratch.write("report.tex",
+                "\\documentclass{article}\\usepackage{booktabs,longtable}\n"
+                "\\begin{document}\\input{tables}\\end{document}\n");
+  const std::string command =
+      "cd '" + scratch.path().string() + "' && pdflatex -interaction=batchmode report > /dev/null";
+  ASSERT_EQ(std::system((command + " && " + command).c_str()), 0);
+  EXPECT_EQ(count(read_text_file(scratch.path("report.log")), "Overfull"), 0U);
 }
 
 TEST(Latex, OfTextWithoutTablesIsItsFirstLineAlone) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "compare/io/program_provenance.h"
@@ -20,7 +21,7 @@ using Json = nlohmann::ordered_json;
 class ReportFolderTest : public testing::Test {
  protected:
   void SetUp() override {
-    ReportFolder report(scratch_.path(), {{"seed", 7}});
+    ReportFolder report(scratch_.path(), "first", {{"seed", 7}});
     report.markdown("table", "# Table\n\n| a |\n|--:|\n| 1 |\n");
     report.csv("table", "pair,median_us,force max,edge,maximum\nx,1,2,3,4\n",
                {{"us", "us"}, {"max", "N"}, {"edge", "m"}, {"imum", "wrong"}});
@@ -34,7 +35,7 @@ class ReportFolderTest : public testing::Test {
 };
 
 TEST_F(ReportFolderTest, EveryTableSaysWhatMadeIt) {
-  const Json provenance = Json::parse(content("provenance.json"));
+  const Json provenance = Json::parse(content("first.provenance.json"));
   EXPECT_EQ(provenance["version"], PCM_VERSION);
   EXPECT_EQ(provenance["question"], Json({{"seed", 7}}));
   for (const char* key : {"commit", "command_line", "processor", "compiler", "flags"}) {
@@ -57,10 +58,30 @@ TEST_F(ReportFolderTest, TablesStandAsTheyWere) {
 }
 
 TEST_F(ReportFolderTest, ProvenanceHasHashesOfAllTablesAndUnitsOfColumns) {
-  const Json files = Json::parse(content("provenance.json"))["files"];
+  const Json files = Json::parse(content("first.provenance.json"))["files"];
   EXPECT_EQ(files.size(), 5U);
   for (const auto& [file, entry] : files.items()) EXPECT_EQ(entry["sha256"], sha256(content(file))) << file;
   EXPECT_EQ(files["table.csv"]["units"], Json({{"median_us", "us"}, {"force max", "N"}, {"edge", "m"}}));
+}
+
+TEST_F(ReportFolderTest, OfTwoCommandsKeepsWhatEachSaysOfItsTables) {
+  ReportFolder second(scratch_.path(), "second", {{"seed", 8}});
+  second.csv("other", "a\n1\n", {});
+  second.finish();
+  EXPECT_EQ(Json::parse(content("first.provenance.json"))["question"]["seed"], 7);
+  EXPECT_EQ(Json::parse(content("second.provenance.json"))["question"]["seed"], 8);
+  EXPECT_EQ(Json::parse(content("second.provenance.json"))["files"].size(), 1U);
+}
+
+TEST_F(ReportFolderTest, BegunAnewSaysNothingOfTheTablesOfBefore) {
+  const ReportFolder again(scratch_.path(), "first", {});
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path("first.provenance.json")));
+}
+
+TEST(ProgramProvenance, IsReadBackAsItWasWritten) {
+  const ProgramProvenance program = this_program();
+  EXPECT_EQ(provenance_json(program_from(provenance_json(program))), provenance_json(program));
+  EXPECT_THROW(program_from({{"version", "1"}}), nlohmann::json::exception);
 }
 
 TEST(ProgramProvenance, WordsAreQuotedAsAShellWantsThem) {

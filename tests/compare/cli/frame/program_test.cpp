@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -52,7 +53,8 @@ TEST(ProgramHelp, EveryCommandShowsAnExample) {
 }
 
 TEST(ProgramHelp, OfVerifySaysWhatTheMeasureLeavesOutAndHowManyCasesAreKept) {
-  const std::string help = run_pcm({"verify", "--help"}).out;
+  std::string help = run_pcm({"verify", "--help"}).out;
+  std::replace(help.begin(), help.end(), '\n', ' ');
   for (const std::string words :
        {"one answer at least", "greatest penetrations at the 99th", "pairs made", "unfinished"})
     EXPECT_NE(help.find(words), std::string::npos) << words;
@@ -264,7 +266,7 @@ TEST_F(Program, VerifyAsksAllPosesUnderTheLawThatIsGiven) {
   const Outcome outcome = run_pcm(with_tables);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(lines_of(outcome.out).back().starts_with("verified: 6 poses")) << outcome.out;
-  const Json provenance = Json::parse(read_text_file(tables + "/provenance.json"));
+  const Json provenance = Json::parse(read_text_file(tables + "/verification.provenance.json"));
   EXPECT_EQ(provenance["question"]["law"]["stiffness"], 2e5);
   EXPECT_EQ(provenance["question"]["law"]["friction"], 0.25);
   EXPECT_EQ(provenance["question"]["law"]["damping"], 0);
@@ -273,11 +275,34 @@ TEST_F(Program, VerifyAsksAllPosesUnderTheLawThatIsGiven) {
   EXPECT_NE(command_line.find(" --stiffness 2e5 --friction 0.25 --out "), std::string::npos) << command_line;
 }
 
+TEST_F(Program, VerifyRefusesLawsUnderWhichTheBoundsOfTheVerdictNeedNotHold) {
+  const auto refused = [this](const Words& law, const std::string& option) {
+    Words verify{"verify", "--poses", "2", "--pair", box_, box_};
+    verify.insert(verify.end(), law.begin(), law.end());
+    const Outcome outcome = run_pcm(verify);
+    EXPECT_EQ(outcome.status, 2) << option;
+    EXPECT_NE(outcome.err.find(option), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("from 2^-200 to 2^200"), std::string::npos) << outcome.err;
+  };
+  for (const char* option :
+       {"--stiffness", "--damping", "--transition-depth", "--friction", "--slip-velocity", "--max-penetration"})
+    for (const char* number : {"1e308", "1e61", "1e-61", "1e-308"}) refused({option, number}, option);
+  refused({"--stiffness-E", "1e-61", "--stiffness-F", "1"}, "--stiffness-E or --layer-E");
+  refused({"--layer-E", "1,0,1", "--layer-F", "1e61,0,1"}, "--stiffness-F or --layer-F");
+  for (const char* number : {"1e60", "1e-60"}) {
+    const Outcome outcome = run_pcm({"verify", "--poses", "600", "--pair", box_, box_, "--stiffness", number,
+                                     "--damping", number, "--friction", number, "--slip-velocity", number,
+                                     "--transition-depth", number, "--max-penetration", number});
+    EXPECT_EQ(outcome.status, 0) << outcome.out;
+  }
+}
+
 TEST_F(Program, TablesOfVerifyCarryWhatMadeThem) {
   const std::string tables = scratch_.path("tables");
   ASSERT_EQ(run_pcm({"verify", "--poses", "6", "--seed", "9", "--pair", box_, box_, "--out", tables}).status, 0);
-  const Json provenance = Json::parse(read_text_file(tables + "/provenance.json"));
+  const Json provenance = Json::parse(read_text_file(tables + "/verification.provenance.json"));
   EXPECT_EQ(provenance["question"]["seed"], 9);
+  EXPECT_EQ(provenance["question"]["complete"], true);
   EXPECT_EQ(provenance["question"]["pairs"][0]["surfaces"].size(), 2U);
   EXPECT_EQ(provenance["files"].size(), 7U);
   EXPECT_EQ(provenance["files"]["verification.csv"]["units"]["backward_error_ulps"], "ulp");

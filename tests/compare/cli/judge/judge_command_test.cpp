@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
+#include "compare/io/sha256.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
@@ -63,6 +65,11 @@ TEST_F(JudgeCommand, OurOwnEngineAsAForeignOneIsRight) {
   EXPECT_EQ(last_line(outcome.out), "right: 60 answers, 0 wrong, 0 near another answer");
   for (const char* file : {"judgement.md", "judgement.json", "strata.csv", "facts.csv"})
     EXPECT_TRUE(std::filesystem::exists(scratch_.path("judged") + "/" + file)) << file;
+  const auto question =
+      nlohmann::json::parse(content_of(scratch_.path("judged") + "/judgement.provenance.json")).at("question");
+  EXPECT_EQ(question["complete"], true);
+  EXPECT_EQ(question["answers"]["sha256"], sha256(content_of(scratch_.path("answers.jsonl"))));
+  EXPECT_EQ(question["poses"]["sha256"], sha256(content_of(poses_ + "/poses.jsonl")));
 
   const Outcome spoken = run_pcm({"judge", "--poses", poses_, "--command", std::string(PCM_PROGRAM) + " answer"});
   EXPECT_EQ(spoken.status, 0) << spoken.err << spoken.out;

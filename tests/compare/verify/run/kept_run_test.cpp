@@ -67,7 +67,7 @@ class KeptRun : public testing::Test {
     ASSERT_EQ(run.batches(), 2);
     run.run_batch(
         2, [] { return false; }, [](std::int64_t) {});
-    keep_run(scratch_.path(), run);
+    keep_run(scratch_.path(), run, {});
     for (const char* file : {"verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
       scratch_.write(file, "old");
     scratch_.write("notes.txt", "not of the run");
@@ -228,6 +228,15 @@ TEST_F(KeptRunOfTheProgram, FinishedByAnEarlierCallIsSaidToBeSoBeforeTheVerdictA
   const std::string before = second.out.substr(0, second.out.rfind("verified:"));
   EXPECT_NE(before.find("those of an earlier run"), std::string::npos) << before;
   EXPECT_NE(before.find("Nothing was evaluated now"), std::string::npos) << before;
+}
+
+TEST_F(KeptRunOfTheProgram, FinishedByAnEarlierCallHasTablesThatSayWhichCallItWas) {
+  ASSERT_EQ(run_pcm(verify_).status, 0);
+  const std::string provenance = bytes_of(folder_ / "verification.provenance.json");
+  std::vector<std::string> later = verify_;
+  later.insert(later.end(), {"--mode", "both"});
+  ASSERT_EQ(run_pcm(later).status, 0);
+  EXPECT_EQ(bytes_of(folder_ / "verification.provenance.json"), provenance);
 }
 
 TEST_F(KeptRunOfTheProgram, FinishedWithoutItsLastTableGetsIt) {
