@@ -10,6 +10,7 @@
 
 #include "compare/bodies/known_answer_bodies.h"
 #include "compare/poses/pairs.h"
+#include "compare/verify/run/run_chunks.h"
 #include "compare/verify/run/verify.h"
 #include "compare/verify/tables/verification_table.h"
 #include "meshes/generate/boxes.h"
@@ -100,9 +101,8 @@ IdentityResult jobs_of_verify(std::uint64_t seed, std::int64_t poses) {
     for (SurfacePair& pair : built_in_pairs({}, missing))
       if (pair.faces() < 1000) plan.pairs.push_back(std::move(pair));
     Verification run(std::move(plan));
-    while (!run.finished())
-      run.run_batch(
-          jobs, [] { return false; }, [](std::int64_t) {});
+    run_all(
+        run, jobs, [] { return false; }, [](std::int64_t) {});
     return std::vector{verification_markdown(run), verification_csv(run), verification_json(run).dump()};
   };
   Findings findings(fmt::format("{} poses, seed {}", poses, seed));

@@ -5,14 +5,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <thread>
 
+#include "compare/cli/frame/launcher.h"
 #include "compare/cli/verify/verify_run.h"
 #include "compare/io/report_folder.h"
 #include "compare/verify/run/kept_run.h"
+#include "compare/verify/run/run_chunks.h"
 #include "compare/verify/run/run_identity.h"
 #include "compare/verify/run/run_verdict.h"
 #include "compare/verify/run/verify.h"
@@ -20,11 +24,19 @@
 #include "compare/verify/tables/verification_table.h"
 #include "compare/verify/tables/verification_widths.h"
 #include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Each once, in however many modes.
+std::int64_t poses_of(const Outcomes& outcomes, const Verification& run) {
+  std::int64_t poses = 0;
+  for (const auto& [cell, outcome] : outcomes.cells) poses += outcome.tally.poses;
+  return poses / run.poses().modes_per_pose();
+}
 
 void write_cases(const fs::path& folder, const Verification& run) {
   fast::Workspace workspace;
@@ -58,6 +70,7 @@ void write_cases(const fs::path& folder, const Verification& run) {
 }
 
 void write_tables(const fs::path& folder, const Verification& run, const ProgramProvenance& program) {
+  remove_unfinished_tables(folder);
   write_cases(folder, run);
   nlohmann::ordered_json question = question_of(run.plan());
   question["complete"] = run.finished();
@@ -71,24 +84,7 @@ void write_tables(const fs::path& folder, const Verification& run, const Program
   report.finish();
 }
 
-Exit verify_poses(const VerifyOptions& options) {
-  const int jobs = number_of_jobs(options);
-  std::vector<std::string> notices;
-  VerificationPlan plan = options.trajectory ? plan_from_trajectory(options, notices) : plan_from(options, notices);
-  const std::optional<fs::path> folder = prepared_folder(options);
-  std::optional<Interruptible> work(std::in_place, plan.poses);
-  Verification run(std::move(plan));
-  for (const std::string& notice : notices) complain(notice);
-  Resumption kept;
-  if (folder) kept = resume_run(*folder, run);
-  if (!kept.notice.empty()) complain(kept.notice);
-  const nlohmann::ordered_json program = kept.finished_at ? kept.finished_by : provenance_json(this_program());
-  while (!run.finished() && !work->interrupted()) {
-    run.run_batch(
-        jobs, [&] { return work->interrupted(); }, [&](std::int64_t done) { work->show(done); });
-    if (folder) keep_run(*folder, run, program);
-  }
-  work.reset();
+void print_run(const Verification& run) {
   std::cout << verification_summary(run) << '\n';
   for (std::size_t k = 0; k < std::min<std::size_t>(run.findings().size(), 20); ++k) {
     const Finding& finding = run.findings()[k];
@@ -96,18 +92,85 @@ Exit verify_poses(const VerifyOptions& options) {
       std::cout << fmt::format("{}: {}: {}\n", run.poses().pose_name(run.cells()[finding.cell], finding.pose),
                                name(d.kind), d.text);
   }
-  if (kept.finished_at)
+}
+
+/// Until all that the folder is for is done, here or by others, or this process is interrupted.
+void run_kept(const Verification& run, KeptRun& kept, int jobs) {
+  const Interruptible work(run.poses_in_all());
+  while (!kept.share_done() && !work.interrupted()) {
+    run_chunks(
+        run, kept, jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
+    // The others are at the rest, and may die.
+    if (!kept.share_done() && !work.interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+}
+
+/// A run of this process alone, kept nowhere.
+Exit verify_here(Verification& run, int jobs) {
+  {
+    const Interruptible work(run.poses_in_all());
+    run_all(
+        run, jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
+  }
+  print_run(run);
+  std::cout << verdict_line(run) << '\n';
+  return is_verified(run) ? Exit::success : Exit::negative;
+}
+
+/// One of several processes speaks for all: the one that has finished the run, or else the first.
+Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path& folder,
+                 const LaunchedProcess& process, int jobs) {
+  const Share share = share_of(options);
+  KeptRun kept(folder, run, share);
+  const auto say = [&process](const std::string& notice) {
+    if (process.rank == 0 && !notice.empty()) complain(notice);
+  };
+  say(kept.notice());
+  if (!kept.all_done()) kept.merge({options.merge.begin(), options.merge.end()});
+  const std::optional<KeptRun::Finished> before = kept.finished();
+  if (const std::int64_t done = poses_of(kept.outcomes(), run); done > 0 && !before && !kept.share_done())
+    say(fmt::format("--out {}: continued after {} poses", folder.string(), done));
+
+  run_kept(run, kept, jobs);
+  run.add(kept.outcomes());
+  nlohmann::ordered_json program = before ? before->by : provenance_json(this_program());
+  const bool finished_here = kept.finish(program);
+  const bool speaks = finished_here || (process.rank == 0 && (before || !kept.all_done()));
+  const bool part_done = share.of > 1 && kept.share_done();
+  const bool good = part_done ? run.total().disagreeing == 0 : is_verified(run);
+  if (!speaks) return good ? Exit::success : Exit::negative;
+
+  print_run(run);
+  if (before)
     std::cout << fmt::format(
         "These tables and this verdict are those of an earlier run of the same build and surfaces, finished {}.\n"
         "Nothing was evaluated now.\n",
-        *kept.finished_at);
-  std::cout << verdict_line(run);
-  if (kept.finished_at)
-    std::cout << fmt::format(" (an earlier run's, finished {}; nothing evaluated now)", *kept.finished_at);
+        before->at);
+  if (part_done)
+    std::cout << fmt::format("part {} of {}: {} poses, {} touching, {} disagreements", share.number, share.of,
+                             run.poses_done(), touching_poses(run), run.total().disagreeing);
+  else
+    std::cout << verdict_line(run);
+  if (before) std::cout << fmt::format(" (an earlier run's, finished {}; nothing evaluated now)", before->at);
   std::cout << '\n';
   // Of a run that an earlier call finished, too: who knows what became of its files.
-  if (folder) write_tables(*folder, run, program_from(program));
-  return is_verified(run) ? Exit::success : Exit::negative;
+  write_tables(folder, run, program_from(program));
+  return good ? Exit::success : Exit::negative;
+}
+
+Exit verify_poses(const VerifyOptions& options) {
+  const LaunchedProcess process = launched_process();
+  const int jobs = number_of_jobs(options);
+  if (process.processes > 1 && !options.out)
+    throw BadInput(fmt::format("one of {} processes started together: they want --out DIR, a folder that they share",
+                               process.processes));
+  std::vector<std::string> notices;
+  VerificationPlan plan = options.trajectory ? plan_from_trajectory(options, notices) : plan_from(options, notices);
+  const std::optional<fs::path> folder = prepared_folder(options);
+  Verification run(std::move(plan));
+  if (process.rank == 0)
+    for (const std::string& notice : notices) complain(notice);
+  return folder ? verify_kept(run, options, *folder, process, jobs) : verify_here(run, jobs);
 }
 
 Exit replay(const std::string& file) {

@@ -76,10 +76,16 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "are counted.\n"
       "Known answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each\n"
       "case are written to --out.\n"
+      "A run with --out may be killed and goes on where it was, half a second excepted. Any number of processes may "
+      "share\n"
+      "in it: start the same command once more, on another machine that has the folder too, or by mpirun.\n"
       "Poses of a trajectory are asked under the law of their pairing; they are not generic, and no measure is "
       "demanded.\n"
       "Examples:\n"
       "  pcm verify --poses 200000 --mode all --out results\n"
+      "  mpirun -n 4 pcm verify --poses 1000000 --out results\n"
+      "  pcm verify --poses 1000000 --part 2/5 --out second\n"
+      "  pcm verify --poses 1000000 --merge first second third fourth fifth --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
       "  pcm verify --engine fast,published-2003,published-2023\n"
       "  pcm verify --known-answers --out answers\n"
@@ -102,8 +108,19 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       ->add_option(
           "--out", options->out,
           "Folder for tables and case files; a run with the same arguments is continued, but one of another build or "
-          "surfaces is removed, its case_*.json too, and so is what a run without state.json has left")
+          "surfaces is removed, its case_*.json too, and so is what a run without campaign.sqlite has left")
       ->type_name("DIR");
+  command
+      ->add_option("--part", options->part,
+                   "Only part K of N of the run, e.g. 2/5, for machines that share no folder; --merge puts the parts "
+                   "together")
+      ->type_name("K/N");
+  command
+      ->add_option("--merge", options->merge,
+                   "With the arguments of the run and --out: put together what these folders hold of it")
+      ->type_name("DIR")
+      ->allow_extra_args()
+      ->excludes("--part");
   command->add_option("--case", options->case_file, "Replay a case file instead")
       ->type_name("FILE")
       ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--out");
@@ -142,6 +159,11 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       if (options->quick && !options->known_answers && !options->error_budget && !options->audits &&
           !options->case_file)
         throw BadInput("--quick goes with --known-answers, --error-budget or --audits");
+      if (options->part || !options->merge.empty()) {
+        if (asks_for_other_tables(*options) || options->case_file)
+          throw BadInput("--part and --merge go with the poses of a run alone");
+        if (!options->out) throw BadInput("--part and --merge want --out DIR");
+      }
       return act(*options);
     };
   });

@@ -26,6 +26,8 @@ struct VerifyOptions {
   std::optional<std::string> out;
   std::optional<std::string> case_file;
   std::optional<std::string> trajectory;
+  std::optional<std::string> part;
+  std::vector<std::string> merge;
   LawOptions law;
   bool known_answers = false;
   bool error_budget = false;

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <thread>
 
+#include "compare/cli/frame/launcher.h"
 #include "compare/cli/frame/surface_warnings.h"
 #include "compare/io/names.h"
 #include "compare/verify/run/trajectory.h"
@@ -26,6 +27,8 @@ namespace fs = std::filesystem;
 
 /// More than any machine gets through; products of pose numbers and shares stay below 2^63.
 constexpr std::uint64_t kMostPoses = 10'000'000'000;
+
+constexpr std::uint64_t kMostShares = 1'000'000;
 
 /// Set by the first interrupt; a signal can't reach anything else. The second one ends the program as usual.
 volatile std::sig_atomic_t interrupted = 0;
@@ -122,7 +125,18 @@ void Interruptible::show(std::int64_t done) const {
 
 int number_of_jobs(const VerifyOptions& options) {
   if (options.jobs) return static_cast<int>(whole_number("--jobs", *options.jobs, 1, 4096));
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / launched_process().on_this_machine);
+}
+
+Share share_of(const VerifyOptions& options) {
+  if (!options.merge.empty()) return kNoShare;
+  if (!options.part) return {};
+  const std::string& text = *options.part;
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) throw BadInput("--part: '" + text + "' is not K/N, e.g. 2/5");
+  const std::uint64_t of = whole_number("--part", text.substr(slash + 1), 1, kMostShares);
+  return {static_cast<std::int64_t>(whole_number("--part", text.substr(0, slash), 1, of)),
+          static_cast<std::int64_t>(of)};
 }
 
 VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/cli/verify/verify_options.h"
+#include "compare/verify/run/kept_run.h"
 #include "compare/verify/run/verify.h"
 
 /// What runs over poses share, whoever is held against the oracle.
@@ -31,6 +32,9 @@ class Interruptible {
 };
 
 int number_of_jobs(const VerifyOptions& options);
+
+/// What --part or --merge say.
+Share share_of(const VerifyOptions& options);
 
 /// What the options ask for. `notices` gets lines on what is left out or odd.
 VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices);

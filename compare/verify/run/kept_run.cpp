@@ -12,7 +12,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "compare/io/sha256.h"
 #include "compare/verify/run/run_identity.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -22,12 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kState = "state.json";
-
-/// What a run leaves in its folder beside the state and the case files.
+/// What a run leaves in its folder beside the campaign and the case files.
 constexpr std::array<std::string_view, 8> kTables = {
     "verification.md",   "verification.tex", "widths.csv", "verification.csv",
     "verification.json", "times.md",         "times.tex",  "verification.provenance.json"};
+
+constexpr const char* kFindings = "findings";
 
 std::string dump(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -42,15 +41,9 @@ bool is_case_file(const fs::path& file) {
   return name.starts_with("case_") && name.ends_with(".json");
 }
 
-/// What a run that was killed while it wrote left.
-void remove_unfinished_files(const fs::path& folder) {
-  remove_unfinished(folder / kState);
-  for (const std::string_view table : kTables) remove_unfinished(folder / table);
-}
-
 /// Says whether there were any.
 bool remove_results(const fs::path& folder) {
-  std::vector<fs::path> files = {folder / kState};
+  std::vector<fs::path> files = {folder / "state.json"};  // of a version before
   for (const std::string_view table : kTables) files.push_back(folder / table);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (is_case_file(entry.path())) files.push_back(entry.path());
@@ -63,48 +56,119 @@ bool remove_results(const fs::path& folder) {
   return removed;
 }
 
-}  // namespace
-
-void keep_run(const fs::path& folder, const Verification& run, const nlohmann::ordered_json& program) {
-  nlohmann::ordered_json state = run.state();
-  if (run.finished()) {
-    state["finished_at"] = now();
-    state["finished_by"] = program;
+std::string findings_text(const std::vector<Finding>& findings) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Finding& finding : findings) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Disagreement& d : finding.disagreements) list.push_back({static_cast<int>(d.kind), d.text});
+    json.push_back({finding.cell, finding.pose, list});
   }
-  const std::string text = dump(state);
-  write_text_file(folder / kState, R"({"sha256":")" + sha256(text) + R"(","state":)" + text + "}\n");
+  return dump(json);
 }
 
-Resumption resume_run(const fs::path& folder, Verification& run) {
-  const fs::path state_file = folder / kState;
-  if (fs::is_directory(folder)) remove_unfinished_files(folder);
-  if (!fs::exists(state_file)) {
-    if (!fs::is_directory(folder) || !remove_results(folder)) return {};
-    return {"--out " + folder.string() + ": tables and cases of a run whose state is gone are removed", {}, {}};
+std::vector<Finding> findings_from(const nlohmann::ordered_json& json) {
+  std::vector<Finding> findings;
+  for (const auto& entry : json) {
+    Finding finding{entry.at(0).get<std::size_t>(), entry.at(1).get<std::int64_t>(), {}};
+    for (const auto& d : entry.at(2))
+      finding.disagreements.push_back({static_cast<Kind>(d.at(0).get<int>()), d.at(1).get<std::string>()});
+    findings.push_back(std::move(finding));
   }
-  const std::string text = read_text_file(state_file);
+  return findings;
+}
+
+}  // namespace
+
+void remove_unfinished_tables(const fs::path& folder) {
+  for (const std::string_view table : kTables) remove_unfinished(folder / table);
+}
+
+KeptRun::KeptRun(fs::path folder, const Verification& run, Share share)
+    : folder_(std::move(folder)), run_(run), campaign_(folder_ / kCampaignFile) {
+  campaign_.begin([&](const std::optional<Campaign::Job>& held) { return decide(held, share); });
+}
+
+std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>& held, Share share) {
+  const std::string out = "--out " + folder_.string() + ": ";
+  const Campaign::Job anew{dump(identity_of(run_.plan())), run_.chunks(), share};
+  if (!held) {
+    if (remove_results(folder_)) notice_ = out + "tables and cases of a run whose campaign is gone are removed";
+    return anew;
+  }
+  const auto identity = nlohmann::ordered_json::parse(held->identity);
+  if (!same_arguments(run_.plan(), identity))
+    throw BadInput(out +
+                   "it holds another run (other poses, seed, strata, modes, scheme or law); choose another folder");
+  if (const std::string difference = difference_from(run_.plan(), identity); !difference.empty()) {
+    remove_results(folder_);
+    notice_ = fmt::format("{}it held a run {}; that run's tables and cases are removed, this one starts anew", out,
+                          difference);
+    return anew;
+  }
+  if (held->share != share)
+    throw BadInput(held->share.of == 1
+                       ? out + "it holds the whole run; choose another folder"
+                       : fmt::format("{}it holds {} of the run; choose another folder", out,
+                                     held->share == kNoShare
+                                         ? "parts taken from other folders"
+                                         : fmt::format("part {} of {}", held->share.number, held->share.of)));
+  return std::nullopt;
+}
+
+std::optional<KeptRun::Finished> KeptRun::finished() {
+  const std::optional<std::string> note = campaign_.finished();
+  if (!note) return std::nullopt;
   try {
-    const auto kept = nlohmann::ordered_json::parse(text);
-    const nlohmann::ordered_json& state = kept.at("state");
-    if (sha256(dump(state)) != kept.at("sha256").get<std::string>())
-      throw BadInput("its state.json is damaged; choose another folder");
-    if (!same_arguments(run.plan(), state.at("run")))
-      throw BadInput("it holds another run (other poses, seed, strata, modes, scheme or law); choose another folder");
-    if (const std::string difference = difference_from(run.plan(), state.at("run")); !difference.empty()) {
-      remove_results(folder);
-      return {fmt::format("--out {}: it held a run {}; that run's tables and cases are removed, this one starts anew",
-                          folder.string(), difference),
-              {},
-              {}};
-    }
-    run.restore(state);
-    if (run.finished()) return {"", state.at("finished_at"), state.at("finished_by")};
+    const auto json = nlohmann::ordered_json::parse(*note);
+    return Finished{json.at("at"), json.at("by")};
   } catch (const nlohmann::json::exception&) {
-    throw BadInput(state_file.string() + ": this is no state of a verification; choose another folder");
-  } catch (const BadInput& error) {
-    throw BadInput("--out " + folder.string() + ": " + error.what());
+    throw BadInput((folder_ / kCampaignFile).string() + ": it is damaged; choose another folder");
   }
-  return {fmt::format("--out {}: continued after {} poses", folder.string(), run.poses_done()), {}, {}};
+}
+
+std::optional<ChunkRange> KeptRun::claim(std::int64_t most) {
+  return campaign_.claim(most);
+}
+
+void KeptRun::commit(ChunkRange chunks, Outcomes outcomes) {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string, std::string> found;
+  for (auto& [cell, outcome] : outcomes.cells) {
+    if (const auto before = mine_.cells.find(cell); before != mine_.cells.end()) outcome.merge(before->second);
+    found[std::to_string(cell)] = dump(outcome.to_json());
+  }
+  Outcomes findings{{}, std::move(outcomes.findings)};
+  if (!findings.findings.empty()) {
+    findings.merge({{}, mine_.findings});
+    found[kFindings] = findings_text(findings.findings);
+  }
+  if (!campaign_.commit(chunks, found)) return;
+  for (auto& [cell, outcome] : outcomes.cells) mine_.cells[cell] = std::move(outcome);
+  if (!findings.findings.empty()) mine_.findings = std::move(findings.findings);
+}
+
+void KeptRun::give_back(ChunkRange chunks) {
+  campaign_.give_back(chunks);
+}
+
+Outcomes KeptRun::outcomes() {
+  Outcomes all;
+  campaign_.for_each_found([&](const std::string& key, const std::string& text) {
+    const auto json = nlohmann::ordered_json::parse(text);
+    if (key == kFindings)
+      all.merge({{}, findings_from(json)});
+    else
+      all.cells[std::stoul(key)].merge(CellOutcome::from_json(json));
+  });
+  return all;
+}
+
+bool KeptRun::finish(const nlohmann::ordered_json& program) {
+  return campaign_.all_done() && campaign_.finish(dump({{"at", now()}, {"by", program}}));
+}
+
+void KeptRun::merge(const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) campaign_.take_in(folder / kCampaignFile);
 }
 
 }  // namespace pcm::compare

@@ -6,30 +6,65 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "compare/campaign/campaign.h"
 #include "compare/verify/run/verify.h"
 
-/// A verification kept in a folder, so that a later call of the program continues it.
 namespace pcm::compare {
 
-/// Keeps the run's state with its SHA-256, so that a damaged file is not continued from; where it is finished with the
-/// date and `program`, the call that finished it (provenance_json).
-void keep_run(const std::filesystem::path& folder, const Verification& run, const nlohmann::ordered_json& program);
+inline constexpr const char* kCampaignFile = "campaign.sqlite";
 
-/// What became of a run that was kept.
-struct Resumption {
-  std::string notice;                      ///< a line on it for standard error; empty where there is nothing to say
-  std::optional<std::string> finished_at;  ///< where an earlier call finished the run: when
-  nlohmann::ordered_json finished_by;      ///< and what it said of itself
+/// The share of a run that is put together from those of others.
+inline constexpr Share kNoShare{0, 0};
+
+/// What a process that was killed while it wrote the tables left.
+void remove_unfinished_tables(const std::filesystem::path& folder);
+
+/// A verification kept in a folder, which later calls of the program continue and others at the same time share in.
+class KeptRun : public Chunks<Outcomes> {
+ public:
+  /// Continues what is kept in the folder, if anything is.
+  ///
+  /// A run of another build of the program or on other surfaces says nothing about this one: it is not continued, and
+  /// its tables and cases are removed, so that nothing of it is left beside the new ones; so are tables and cases
+  /// without a campaign. Throws BadInput, and removes nothing, where what is kept is damaged, or of a run with other
+  /// arguments (poses, seed, strata, modes, schemes, share; also where it lacks one of them or has one more), which the
+  /// caller may want to keep. `run` must outlive this.
+  KeptRun(std::filesystem::path folder, const Verification& run, Share share = {});
+
+  /// What became of what was kept, as a line for standard error; empty where there is nothing to say.
+  const std::string& notice() const { return notice_; }
+  /// Of a run that is finished: when, and what the call that finished it said of itself.
+  struct Finished {
+    std::string at;
+    nlohmann::ordered_json by;
+  };
+  std::optional<Finished> finished();
+
+  std::optional<ChunkRange> claim(std::int64_t most) override;
+  void commit(ChunkRange chunks, Outcomes outcomes) override;
+  void give_back(ChunkRange chunks) override;
+
+  /// Whether all that this folder is for is done, by whomever; and whether that is the whole run.
+  bool share_done() { return campaign_.share_done(); }
+  bool all_done() { return campaign_.all_done(); }
+  /// All that is done.
+  Outcomes outcomes();
+  /// Notes who finished the run, if nobody has and it is. Says whether it was this call.
+  bool finish(const nlohmann::ordered_json& program);
+  /// Takes over the finished shares of the same run that other folders hold.
+  void merge(const std::vector<std::filesystem::path>& folders);
+
+ private:
+  std::optional<Campaign::Job> decide(const std::optional<Campaign::Job>& held, Share share);
+
+  std::filesystem::path folder_;
+  const Verification& run_;
+  std::string notice_;
+  Campaign campaign_;
+  std::mutex mutex_;
+  Outcomes mine_;  ///< what this process has committed
 };
-
-/// Continues `run` from what is kept in the folder, if anything is.
-///
-/// A run of another build of the program or on other surfaces says nothing about this one: it is not continued, and its
-/// state, tables and cases are removed, so that nothing of it is left beside the new ones; so are tables and cases
-/// without a state. Throws BadInput, and removes nothing, where the state is damaged, or of a run with other arguments
-/// (poses, seed, strata, modes, schemes; also where it lacks one of them or has one more), which the caller may want to
-/// keep.
-Resumption resume_run(const std::filesystem::path& folder, Verification& run);
 
 }  // namespace pcm::compare

@@ -2,26 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/run/verify.h"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
-#include <atomic>
+#include <iterator>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "compare/io/names.h"
 #include "compare/io/program_hash.h"
-#include "compare/verify/run/run_identity.h"
-#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
 
-/// Poses a batch: enough to keep the threads busy, few enough to lose little when interrupted.
-constexpr std::int64_t kBatch = 1024;
+/// Poses a chunk, at most: few enough to lose little when interrupted.
+constexpr std::int64_t kChunk = 8;
 
 /// The cells that have the same value of `key`, together.
 template <class KeyOf>
@@ -36,16 +30,51 @@ VerificationPlan with_build(VerificationPlan plan) {
   return plan;
 }
 
+bool is_before(const Finding& a, const Finding& b) {
+  return std::pair(a.cell, a.pose) < std::pair(b.cell, b.pose);
+}
+
+/// The same ones are kept, in the same order, whoever found them when.
+void merge_findings(std::vector<Finding>& findings, std::vector<Finding>&& others) {
+  std::move(others.begin(), others.end(), std::back_inserter(findings));
+  std::sort(findings.begin(), findings.end(), is_before);
+  if (findings.size() > kMostFindings) findings.resize(kMostFindings);
+}
+
 }  // namespace
+
+void CellOutcome::merge(const CellOutcome& other) {
+  without_scene += other.without_scene;
+  tally.merge(other.tally);
+}
+
+nlohmann::ordered_json CellOutcome::to_json() const {
+  nlohmann::ordered_json json = tally.to_json();
+  json["without_scene"] = without_scene;
+  return json;
+}
+
+CellOutcome CellOutcome::from_json(const nlohmann::ordered_json& json) {
+  return {json.at("without_scene").get<std::int64_t>(), Tally::from_json(json)};
+}
+
+void Outcomes::merge(Outcomes&& other) {
+  for (auto& [cell, outcome] : other.cells) cells[cell].merge(outcome);
+  if (!other.findings.empty()) merge_findings(findings, std::move(other.findings));
+}
 
 Verification::Verification(VerificationPlan plan, const EngineSeam& seam)
     : poses_(with_build(std::move(plan)), seam), seam_(&seam) {
   std::int64_t all = 0;
   for (const PlannedCell& planned : poses_.cells()) {
-    cells_.push_back({planned, 0, {}});
-    all += planned.poses;
+    if (std::ssize(cells_) % poses_.modes_per_pose() == 0) {
+      first_of_group_.push_back(all);
+      all += planned.poses;
+    }
+    cells_.push_back({planned, {}});
   }
-  batches_ = (all / poses_.modes_per_pose() + kBatch - 1) / kBatch;
+  first_of_group_.push_back(all);
+  chunks_ = std::max<std::int64_t>(1, (all + kChunk - 1) / kChunk);
 }
 
 std::int64_t Verification::poses_done() const {
@@ -110,100 +139,34 @@ Verification::Held Verification::hold(const Cell& cell, std::int64_t pose, fast:
   }
 }
 
-void Verification::run_batch(int jobs, const std::function<bool()>& stop,
-                             const std::function<void(std::int64_t)>& progress) {
-  struct Task {
-    std::size_t cell = 0;  ///< of the first mode
-    std::int64_t pose = 0;
-  };
-  std::vector<Task> tasks;
-  for (std::size_t c = 0; c < cells_.size(); c += static_cast<std::size_t>(poses_.modes_per_pose())) {
-    const std::int64_t n = cells_[c].poses, first = cells_[c].first;
-    for (std::int64_t k = n * batches_done_ / batches_; k < n * (batches_done_ + 1) / batches_; ++k)
-      tasks.push_back({c, first + k});
-  }
-  // The costly ones first, so that no thread is left alone with them at the end.
-  const auto cost = [this](const Task& task) {
-    const Cell& cell = cells_[task.cell];
-    return plan().pairs[cell.pair].cost(cell.stratum, cell.scheme);
-  };
-  std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) { return cost(a) > cost(b); });
-
-  const std::int64_t before = poses_done();
-  std::vector<Held> held(tasks.size());
-  std::atomic<std::int64_t> done = 0;
-  std::mutex reporting;
-  oneapi::tbb::enumerable_thread_specific<fast::Workspace> workspaces;
-  oneapi::tbb::task_arena arena(jobs);
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(
-        oneapi::tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
-        [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t t = range.begin(); t < range.end(); ++t) {
-            if (done_of_batch_.contains(t)) continue;
-            if (stop()) return;
-            held[t] = hold(cells_[tasks[t].cell], tasks[t].pose, workspaces.local());
-            const std::int64_t now = before + ++done;
-            if (const std::unique_lock lock(reporting, std::try_to_lock); lock) progress(now);
-          }
-        },
-        oneapi::tbb::simple_partitioner());
-  });
-
-  for (std::size_t t = 0; t < tasks.size(); ++t) {
-    std::vector<PoseOutcome>& outcomes = held[t].outcomes;
-    if (!outcomes.empty()) done_of_batch_.insert(t);
-    for (std::size_t m = 0; m < outcomes.size(); ++m) {
-      const std::size_t c = tasks[t].cell + m;
-      PoseOutcome& outcome = outcomes[m];
-      cells_[c].without_scene += !held[t].in_scene;
-      cells_[c].tally.add(outcome, poses_.pose_name(cells_[c], tasks[t].pose));
-      if (!outcome.disagreements.empty()) findings_.push_back({c, tasks[t].pose, std::move(outcome.disagreements)});
+std::optional<Outcomes> Verification::hold_chunk(std::int64_t chunk, fast::Workspace& workspace,
+                                                 const std::function<bool(std::int64_t)>& goes_on) const {
+  Outcomes outcomes;
+  std::int64_t done = 0;
+  // Every chunks_-th pose, so that all chunks are alike.
+  for (std::int64_t number = chunk; number < poses_in_all(); number += chunks_) {
+    if (!goes_on(std::exchange(done, 1))) return std::nullopt;
+    const auto after = std::upper_bound(first_of_group_.begin(), first_of_group_.end(), number);
+    const auto first_cell = static_cast<std::size_t>((after - first_of_group_.begin() - 1) * poses_.modes_per_pose());
+    const std::int64_t pose = cells_[first_cell].first + number - *std::prev(after);
+    Held held = hold(cells_[first_cell], pose, workspace);
+    for (std::size_t m = 0; m < held.outcomes.size(); ++m) {
+      const std::size_t c = first_cell + m;
+      PoseOutcome& outcome = held.outcomes[m];
+      CellOutcome& of_cell = outcomes.cells[c];
+      of_cell.without_scene += !held.in_scene;
+      of_cell.tally.add(outcome, poses_.pose_name(cells_[c], pose));
+      if (!outcome.disagreements.empty()) outcomes.findings.push_back({c, pose, std::move(outcome.disagreements)});
     }
   }
-  // The same ones are kept, in the same order, however often the run was interrupted.
-  std::sort(findings_.begin(), findings_.end(),
-            [](const Finding& a, const Finding& b) { return std::pair(a.cell, a.pose) < std::pair(b.cell, b.pose); });
-  if (findings_.size() > kMostFindings) findings_.resize(kMostFindings);
-  if (done_of_batch_.size() < tasks.size()) return;
-  done_of_batch_.clear();
-  ++batches_done_;
+  goes_on(done);
+  std::sort(outcomes.findings.begin(), outcomes.findings.end(), is_before);
+  return outcomes;
 }
 
-nlohmann::ordered_json Verification::state() const {
-  nlohmann::ordered_json json;
-  json["run"] = identity_of(plan());
-  json["batches_done"] = batches_done_;
-  json["done_of_batch"] = done_of_batch_;
-  json["cells"] = nlohmann::ordered_json::array();
-  for (const Cell& cell : cells_) {
-    json["cells"].push_back(cell.tally.to_json());
-    json["without_scene"].push_back(cell.without_scene);
-  }
-  json["findings"] = nlohmann::ordered_json::array();
-  for (const Finding& finding : findings_) {
-    auto list = nlohmann::ordered_json::array();
-    for (const Disagreement& d : finding.disagreements) list.push_back({static_cast<int>(d.kind), d.text});
-    json["findings"].push_back({finding.cell, finding.pose, list});
-  }
-  return json;
-}
-
-void Verification::restore(const nlohmann::ordered_json& state) {
-  if (state.at("run") != identity_of(plan())) throw BadInput("the state is of another run");
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    cells_[c].tally = Tally::from_json(state.at("cells").at(c));
-    cells_[c].without_scene = state.at("without_scene").at(c).get<std::int64_t>();
-  }
-  batches_done_ = state.at("batches_done").get<std::int64_t>();
-  done_of_batch_ = state.at("done_of_batch").get<std::set<std::size_t>>();
-  findings_.clear();
-  for (const auto& entry : state.at("findings")) {
-    Finding finding{entry.at(0).get<std::size_t>(), entry.at(1).get<std::int64_t>(), {}};
-    for (const auto& d : entry.at(2))
-      finding.disagreements.push_back({static_cast<Kind>(d.at(0).get<int>()), d.at(1).get<std::string>()});
-    findings_.push_back(std::move(finding));
-  }
+void Verification::add(Outcomes outcomes) {
+  for (const auto& [cell, outcome] : outcomes.cells) cells_.at(cell).merge(outcome);
+  if (!outcomes.findings.empty()) merge_findings(findings_, std::move(outcomes.findings));
 }
 
 }  // namespace pcm::compare

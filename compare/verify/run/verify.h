@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
-#include <set>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +15,18 @@
 /// The main job: engine against oracle over randomized poses of pairs and strata, or over recorded ones.
 namespace pcm::compare {
 
-/// The planned poses of a cell, with what came of them.
-struct Cell : PlannedCell {
-  std::int64_t without_scene = 0;  ///< of those done, which no scene was asked about (call_routes.h)
+/// What came of poses of one cell, whatever their order.
+struct CellOutcome {
+  std::int64_t without_scene = 0;  ///< which no scene was asked about (call_routes.h)
   Tally tally;
+
+  void merge(const CellOutcome& other);
+  nlohmann::ordered_json to_json() const;
+  static CellOutcome from_json(const nlohmann::ordered_json& json);
 };
+
+/// The planned poses of a cell, with what came of those that are done.
+struct Cell : PlannedCell, CellOutcome {};
 
 /// What cells of one name have together: where they are of several modes, a pose counts once for each.
 struct NamedTally {
@@ -39,10 +48,18 @@ struct Finding {
   std::vector<Disagreement> disagreements;
 };
 
-/// No more cases than this are kept; the counts go on.
+/// No more cases than this are kept, the first ones in the order of cells and poses; the counts go on.
 inline constexpr std::size_t kMostFindings = 300;
 
-/// A run over a plan, batch by batch.
+/// What came of some poses.
+struct Outcomes {
+  std::map<std::size_t, CellOutcome> cells;  ///< by their number
+  std::vector<Finding> findings;             ///< in order, no more than are kept
+
+  void merge(Outcomes&& other);
+};
+
+/// A run over a plan, in chunks of some poses each, which may be done in any order and on any machine.
 class Verification {
  public:
   /// As PlannedPoses. `seam`, which must outlive the run, hands on the engine's answers.
@@ -54,9 +71,8 @@ class Verification {
   const std::vector<Finding>& findings() const { return findings_; }
   /// Each pose once, in however many modes.
   std::int64_t poses_done() const;
-  std::int64_t batches() const { return batches_; }
-  std::int64_t batches_done() const { return batches_done_; }
-  bool finished() const { return batches_done_ == batches_; }
+  std::int64_t poses_in_all() const { return first_of_group_.back(); }
+  bool finished() const { return poses_done() == poses_in_all(); }
   Tally total() const;
   /// The cells of each pair together, in the plan's order; without pairs that have no cell.
   std::vector<NamedTally> by_pair() const;
@@ -70,16 +86,15 @@ class Verification {
   std::vector<StratumTally> by_stratum_scheme_and_mode() const;
   Case as_case(const Finding& finding) const { return poses_.as_case(cells_[finding.cell], finding.pose); }
 
-  /// Runs what is left of the next batch on `jobs` threads. Whatever is thrown at a pose, while it is drawn too, is a
-  /// disagreement of kind `failure` in each of its modes. `stop` is asked before each pose: once it says yes, the
-  /// poses at hand are finished and added, and the batch is left for the next call. `progress` gets the number of poses
-  /// done so far.
-  void run_batch(int jobs, const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
-
-  /// The whole state, to continue from: no pose done is lost. `restore` throws BadInput where the state is of another
-  /// plan, or of another program's run.
-  nlohmann::ordered_json state() const;
-  void restore(const nlohmann::ordered_json& state);
+  /// Into how many chunks the run is cut.
+  std::int64_t chunks() const { return chunks_; }
+  /// Holds the poses of a chunk, which are spread over all cells. Whatever is thrown at a pose, while it is drawn too,
+  /// is a disagreement of kind `failure` in each of its modes. `goes_on` is asked before each pose, with the number of
+  /// poses done since; once it says no nothing is returned. From any thread, each with a workspace of its own.
+  std::optional<Outcomes> hold_chunk(std::int64_t chunk, fast::Workspace& workspace,
+                                     const std::function<bool(std::int64_t done)>& goes_on) const;
+  /// What came of chunks, each of which must be added once.
+  void add(Outcomes outcomes);
 
  private:
   /// The outcomes of a pose, one a mode.
@@ -94,9 +109,10 @@ class Verification {
   const EngineSeam* seam_;
   std::vector<Cell> cells_;
   std::vector<Finding> findings_;
-  std::int64_t batches_ = 1;
-  std::int64_t batches_done_ = 0;
-  std::set<std::size_t> done_of_batch_;  ///< which poses of the next batch are done already
+  /// Poses are numbered through: those of cells that differ in the mode alone begin with this number; in the end how
+  /// many there are.
+  std::vector<std::int64_t> first_of_group_;
+  std::int64_t chunks_ = 1;
 };
 
 }  // namespace pcm::compare

@@ -6,12 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
@@ -210,13 +209,13 @@ TEST_F(ProgramBadInput, StateOfAVerificationThatIsDamagedOrAnothers) {
   other[2] = "7";
   expect_bad_input(other, folder);
 
-  std::ifstream file(folder + "/state.json");
-  const std::string state((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const std::string done = "\"batches_done\":1";
-  ASSERT_NE(state.find(done), std::string::npos);
-  for (const std::string& damaged : {std::string(), state.substr(0, state.size() / 2), std::string("{}"),
-                                     std::string(state).replace(state.find(done), done.size(), done + "0")}) {
-    scratch_.write("run/state.json", damaged);
+  const std::string kept = content_of(folder + "/campaign.sqlite");
+  std::string altered = kept;
+  const std::string poses = "\"poses\":6";
+  ASSERT_NE(altered.find(poses), std::string::npos);
+  altered.replace(altered.find(poses), poses.size(), "\"poses\":5");
+  for (const std::string& damaged : {kept.substr(0, kept.size() / 2), std::string("{}"), altered}) {
+    scratch_.write("run/campaign.sqlite", damaged);
     expect_one_line_naming(run_pcm(verify), "run");
   }
 }

@@ -13,11 +13,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "compare/io/program_hash.h"
 #include "compare/io/sha256.h"
+#include "compare/verify/run/run_chunks.h"
 #include "compare/verify/tables/verification_table.h"
 #include "meshes/files/text_file.h"
 #include "meshes/generate/boxes.h"
@@ -25,6 +27,7 @@
 #include "pcm/bad_input.h"
 #include "pcm/write_obj.h"
 #include "tests/compare/run_pcm.h"
+#include "tests/compare/verify/routes/altering_seam.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
@@ -37,17 +40,37 @@ std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// Changes what is kept in the folder, in a state that is not damaged.
-void alter_state(const std::filesystem::path& folder, const std::function<void(Json&)>& alter) {
-  Json state = Json::parse(bytes_of(folder / "state.json")).at("state");
-  alter(state);
-  const std::string text = state.dump();
-  write_text_file(folder / "state.json", R"({"sha256":")" + sha256(text) + R"(","state":)" + text + "}\n");
+Json kept_identity(const std::filesystem::path& folder) {
+  Database database(folder / kCampaignFile);
+  Statement job(database, "SELECT identity FROM job");
+  return job.step() ? Json::parse(job.text(0)) : Json();
 }
 
-class KeptRun : public testing::Test {
+/// Changes whose run is kept in the folder, in a campaign that is not damaged.
+void alter_identity(const std::filesystem::path& folder, const std::function<void(Json&)>& alter) {
+  Json identity = kept_identity(folder);
+  alter(identity);
+  Database database(folder / kCampaignFile);
+  Statement job(database, "SELECT chunks, share, shares FROM job");
+  ASSERT_TRUE(job.step());
+  const std::string text = identity.dump();
+  const std::string hash = sha256(text + '\n' + job.text(0) + '\n' + job.text(1) + '/' + job.text(2));
+  Statement(database, "UPDATE job SET identity = ?, sha256 = ?", text, hash).run();
+}
+
+constexpr auto kNever = [] { return false; };
+constexpr auto kSilent = [](std::int64_t) {};
+
+/// Every cell's counts, whatever the times.
+std::string csv_of(const VerificationPlan& plan, Outcomes outcomes) {
+  Verification run(plan);
+  run.add(std::move(outcomes));
+  return verification_csv(run);
+}
+
+class KeptRunTest : public testing::Test {
  protected:
-  KeptRun() {
+  KeptRunTest() {
     SurfacePair pair;
     pair.name = "lattice tetrahedra";
     auto [E, F] = degenerate::lattice_tetrahedra(0);
@@ -61,29 +84,37 @@ class KeptRun : public testing::Test {
     plan_.strata = {Stratum::separated};
   }
 
-  /// Runs the first batch of two and leaves it in the folder, with a table and a case.
+  /// Runs some chunks and leaves them in the folder, with a table and a case.
   void keep_half_a_run() {
-    Verification run(plan_);
-    ASSERT_EQ(run.batches(), 2);
-    run.run_batch(
-        2, [] { return false; }, [](std::int64_t) {});
-    keep_run(scratch_.path(), run, {});
+    const Verification run(plan_);
+    KeptRun kept(scratch_.path(), run);
+    std::int64_t asked = 0;
+    run_chunks(
+        run, kept, 1, [&] { return ++asked > 1000; }, kSilent);
     for (const char* file : {"verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
       scratch_.write(file, "old");
     scratch_.write("notes.txt", "not of the run");
+  }
+
+  std::int64_t poses_kept(const VerificationPlan& plan) const {
+    const Verification run(plan);
+    KeptRun kept(scratch_.path(), run);
+    std::int64_t poses = 0;
+    for (const auto& [cell, outcome] : kept.outcomes().cells) poses += outcome.tally.poses;
+    return poses;
   }
 
   bool exists(const char* file) const { return std::filesystem::exists(scratch_.path() / file); }
 
   void expect_started_anew(const VerificationPlan& plan, const std::string& why) {
     SCOPED_TRACE(why);
-    Verification run(plan);
-    const Resumption kept = resume_run(scratch_.path(), run);
-    EXPECT_EQ(run.poses_done(), 0);
-    EXPECT_NE(kept.notice.find(why), std::string::npos) << kept.notice;
-    EXPECT_FALSE(kept.finished_at);
-    for (const char* file :
-         {"state.json", "verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
+    const Verification run(plan);
+    KeptRun kept(scratch_.path(), run);
+    EXPECT_TRUE(kept.outcomes().cells.empty());
+    EXPECT_FALSE(kept.share_done());
+    EXPECT_NE(kept.notice().find(why), std::string::npos) << kept.notice();
+    EXPECT_FALSE(kept.finished());
+    for (const char* file : {"verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
       EXPECT_FALSE(exists(file)) << file;
     EXPECT_TRUE(exists("notes.txt"));
   }
@@ -92,33 +123,79 @@ class KeptRun : public testing::Test {
   VerificationPlan plan_;
 };
 
-TEST_F(KeptRun, OfTheSameProgramIsContinuedAndSaysSo) {
+TEST_F(KeptRunTest, OfTheSameProgramIsContinuedAndEndsAsAnUninterruptedOne) {
   keep_half_a_run();
-  Verification run(plan_);
-  const Resumption kept = resume_run(scratch_.path(), run);
-  EXPECT_GT(run.poses_done(), 0);
-  EXPECT_NE(kept.notice.find("continued after " + std::to_string(run.poses_done()) + " poses"), std::string::npos);
-  EXPECT_FALSE(kept.finished_at);
+  EXPECT_GT(poses_kept(plan_), 0);
+  EXPECT_LT(poses_kept(plan_), 2000);
+  const Verification run(plan_);
+  KeptRun kept(scratch_.path(), run);
+  EXPECT_EQ(kept.notice(), "");
+  EXPECT_FALSE(kept.finished());
+  EXPECT_FALSE(kept.finish({{"who", "nobody"}})) << "it is not finished";
   EXPECT_TRUE(exists("case_old.json"));
+  run_chunks(run, kept, 2, kNever, kSilent);
+  EXPECT_TRUE(kept.share_done());
+  Verification whole(plan_);
+  run_all(whole, 1, kNever, kSilent);
+  EXPECT_EQ(csv_of(plan_, kept.outcomes()), verification_csv(whole));
+  EXPECT_TRUE(kept.finish({{"who", "first"}}));
+  EXPECT_FALSE(kept.finish({{"who", "second"}}));
+  EXPECT_EQ(kept.finished()->by["who"], "first");
 }
 
-TEST_F(KeptRun, OfAnotherBuildIsRemoved) {
+TEST_F(KeptRunTest, IsDoneByTwoAtATimeAsByOne) {
+  const Verification run(plan_);
+  KeptRun first(scratch_.path(), run), second(scratch_.path(), run);
+  std::jthread other([&] { run_chunks(run, second, 1, kNever, kSilent); });
+  run_chunks(run, first, 1, kNever, kSilent);
+  other.join();
+  EXPECT_TRUE(first.share_done());
+  Verification whole(plan_);
+  run_all(whole, 2, kNever, kSilent);
+  EXPECT_EQ(csv_of(plan_, first.outcomes()), verification_csv(whole));
+}
+
+TEST_F(KeptRunTest, KeepsTheSameFindingsWhoeverHasThem) {
+  const AlteringSeam wrong([](fast::Contact& contact) {
+    contact.touching = !contact.touching;
+    return true;
+  });
+  Verification whole(plan_, wrong);
+  run_all(whole, 1, kNever, kSilent);
+  ASSERT_EQ(whole.findings().size(), kMostFindings);
+  const Verification run(plan_, wrong);
+  KeptRun first(scratch_.path(), run), second(scratch_.path(), run);
+  std::int64_t asked = 0;
+  run_chunks(
+      run, first, 1, [&] { return ++asked > 1200; }, kSilent);
+  run_chunks(run, second, 1, kNever, kSilent);
+  ASSERT_TRUE(second.share_done());
+  const Outcomes all = second.outcomes();
+  ASSERT_EQ(all.findings.size(), kMostFindings);
+  for (std::size_t k = 0; k < kMostFindings; ++k) {
+    EXPECT_EQ(all.findings[k].cell, whole.findings()[k].cell);
+    EXPECT_EQ(all.findings[k].pose, whole.findings()[k].pose);
+    EXPECT_EQ(all.findings[k].disagreements.front().text, whole.findings()[k].disagreements.front().text);
+  }
+}
+
+TEST_F(KeptRunTest, OfAnotherBuildIsRemoved) {
   keep_half_a_run();
   VerificationPlan other = plan_;
   other.build = std::string(64, '0');
   expect_started_anew(other, "another build");
 }
 
-TEST_F(KeptRun, OfABuildThatKeptNoHashIsRemoved) {
+TEST_F(KeptRunTest, OfABuildThatKeptNoHashIsRemoved) {
   keep_half_a_run();
-  alter_state(scratch_.path(), [](Json& state) {
-    state["run"].erase("build");
-    state["run"]["format"] = "pcm verification 4";
+  alter_identity(scratch_.path(), [](Json& run) {
+    run.erase("build");
+    run["format"] = "pcm verification 4";
   });
   expect_started_anew(plan_, "another build");
 }
 
-TEST_F(KeptRun, OnOtherSurfacesIsRemoved) {
+TEST_F(KeptRunTest, OnOtherSurfacesIsRemoved) {
   const auto up = [](double& x) { x = std::nextafter(x, std::numeric_limits<double>::infinity()); };
   const std::vector<std::function<void(SurfacePair&)>> changes = {
       [&](SurfacePair& pair) { up(pair.E.vertices[1].x()); },
@@ -137,28 +214,28 @@ TEST_F(KeptRun, OnOtherSurfacesIsRemoved) {
   }
 }
 
-TEST_F(KeptRun, UnderAnotherLawOfThePairIsContinuedForPosesAreAskedUnderLawsOfTheirOwn) {
+TEST_F(KeptRunTest, UnderAnotherLawOfThePairIsContinuedForPosesAreAskedUnderLawsOfTheirOwn) {
   keep_half_a_run();
   VerificationPlan other = plan_;
   other.pairs.front().law = ContactLaw{};
-  Verification run(other), whole(plan_);
-  EXPECT_NE(resume_run(scratch_.path(), run).notice.find("continued"), std::string::npos);
-  for (Verification* one : {&run, &whole})
-    while (!one->finished())
-      one->run_batch(
-          2, [] { return false; }, [](std::int64_t) {});
-  EXPECT_EQ(verification_csv(run), verification_csv(whole));
+  EXPECT_GT(poses_kept(other), 0);
+  const Verification run(other);
+  KeptRun kept(scratch_.path(), run);
+  run_chunks(run, kept, 2, kNever, kSilent);
+  Verification whole(plan_);
+  run_all(whole, 2, kNever, kSilent);
+  EXPECT_EQ(csv_of(other, kept.outcomes()), verification_csv(whole));
 }
 
-TEST_F(KeptRun, WithoutAStateIsRemovedForItsCasesAreNobodys) {
+TEST_F(KeptRunTest, WithoutACampaignIsRemovedForItsCasesAreNobodys) {
   keep_half_a_run();
-  std::filesystem::remove(scratch_.path() / "state.json");
-  expect_started_anew(plan_, "whose state is gone");
-  Verification run(plan_);
-  EXPECT_EQ(resume_run(scratch_.path(), run).notice, "") << "nothing is left to tell of";
+  std::filesystem::remove(scratch_.path() / kCampaignFile);
+  expect_started_anew(plan_, "whose campaign is gone");
+  const Verification run(plan_);
+  EXPECT_EQ(KeptRun(scratch_.path(), run).notice(), "") << "nothing is left to tell of";
 }
 
-TEST_F(KeptRun, ThatLacksAnArgumentOrHasOneMoreIsOfOtherArguments) {
+TEST_F(KeptRunTest, ThatLacksAnArgumentOrHasOneMoreIsOfOtherArguments) {
   const std::vector<std::function<void(Json&)>> changes = {
       [](Json& run) { run = Json::object(); },
       [](Json& run) {
@@ -179,25 +256,32 @@ TEST_F(KeptRun, ThatLacksAnArgumentOrHasOneMoreIsOfOtherArguments) {
   for (std::size_t k = 0; k < changes.size(); ++k) {
     SCOPED_TRACE(k);
     keep_half_a_run();
-    alter_state(scratch_.path(), [&](Json& state) { changes[k](state["run"]); });
-    Verification run(plan_);
-    EXPECT_THROW(resume_run(scratch_.path(), run), BadInput);
-    for (const char* file : {"state.json", "verification.md", "case_old.json"}) EXPECT_TRUE(exists(file)) << file;
+    alter_identity(scratch_.path(), changes[k]);
+    const Verification run(plan_);
+    EXPECT_THROW(KeptRun(scratch_.path(), run), BadInput);
+    std::filesystem::remove(scratch_.path() / kCampaignFile);
+    for (const char* file : {"verification.md", "case_old.json"}) EXPECT_TRUE(exists(file)) << file;
   }
 }
 
-TEST_F(KeptRun, WithOtherArgumentsOrDamagedIsRefusedAndLeftAlone) {
+TEST_F(KeptRunTest, WithOtherArgumentsOrDamagedIsRefusedAndLeftAlone) {
   keep_half_a_run();
-  const std::string kept = bytes_of(scratch_.path() / "state.json");
+  const std::string kept = bytes_of(scratch_.path() / kCampaignFile);
   VerificationPlan other = plan_;
   other.seed = 2;
   other.build = std::string(64, '0');
-  Verification run(other);
-  EXPECT_THROW(resume_run(scratch_.path(), run), BadInput);
-  EXPECT_EQ(bytes_of(scratch_.path() / "state.json"), kept);
-  scratch_.write("state.json", kept.substr(0, kept.size() / 2));
-  Verification same(plan_);
-  EXPECT_THROW(resume_run(scratch_.path(), same), BadInput);
+  const Verification run(other);
+  EXPECT_THROW(KeptRun(scratch_.path(), run), BadInput);
+  EXPECT_EQ(bytes_of(scratch_.path() / kCampaignFile), kept);
+  const Verification same(plan_);
+  scratch_.write(kCampaignFile, kept.substr(0, kept.size() / 2));
+  EXPECT_THROW(KeptRun(scratch_.path(), same).outcomes(), BadInput);
+  scratch_.write(kCampaignFile, kept);
+  {
+    Database database(scratch_.path() / kCampaignFile);
+    database.run("UPDATE found SET text = replace(text, '1', '2')");
+  }
+  EXPECT_THROW(KeptRun(scratch_.path(), same).outcomes(), BadInput);
   EXPECT_TRUE(exists("case_old.json"));
 }
 
@@ -261,23 +345,23 @@ TEST_F(KeptRunOfTheProgram, FinishedWithATableDamagedOrGoneGetsAllOfThem) {
   for (const auto& [file, text] : tables) EXPECT_EQ(bytes_of(folder_ / file), text) << file;
 }
 
-TEST_F(KeptRunOfTheProgram, WithoutAStateLeavesNoCaseBesideTheNewTables) {
+TEST_F(KeptRunOfTheProgram, WithoutACampaignLeavesNoCaseBesideTheNewTables) {
   std::filesystem::create_directories(folder_);
   write_text_file(folder_ / "case_box-box_generic_0_both.json", "stale");
   const Outcome first = run_pcm(verify_);
   EXPECT_EQ(first.status, 0);
-  EXPECT_NE(first.err.find("whose state is gone"), std::string::npos) << first.err;
+  EXPECT_NE(first.err.find("whose campaign is gone"), std::string::npos) << first.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "case_box-box_generic_0_both.json"));
 }
 
 TEST_F(KeptRunOfTheProgram, HoldsTheHashOfTheProgramAndAnotherOnesIsReplaced) {
   ASSERT_EQ(run_pcm(verify_).status, 0);
   const std::string hash = sha256(bytes_of(PCM_PROGRAM));
-  const auto kept_hash = [&] { return Json::parse(bytes_of(folder_ / "state.json"))["state"]["run"]["build"]; };
+  const auto kept_hash = [&] { return kept_identity(folder_)["build"]; };
   EXPECT_EQ(kept_hash(), hash);
   EXPECT_NE(program_hash(), hash) << "the tests are a program of their own";
 
-  alter_state(folder_, [](Json& state) { state["run"]["build"] = std::string(64, '0'); });
+  alter_identity(folder_, [](Json& run) { run["build"] = std::string(64, '0'); });
   write_text_file(folder_ / "case_box-box_generic_0_both.json", "stale");
   const Outcome anew = run_pcm(verify_);
   EXPECT_EQ(anew.status, 0);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/io/poses_file.h"
+#include "compare/verify/run/run_chunks.h"
 #include "compare/verify/run/run_identity.h"
 #include "compare/verify/run/run_verdict.h"
 #include "compare/verify/tables/verification_table.h"
@@ -19,9 +20,8 @@ namespace pcm::compare::trajectory_test {
 namespace {
 
 void run_all(Verification& run, int jobs) {
-  while (!run.finished())
-    run.run_batch(
-        jobs, [] { return false; }, [](std::int64_t) {});
+  run_all(
+      run, jobs, [] { return false; }, [](std::int64_t) {});
 }
 
 /// A second pairing, the other way round, in the clipped scheme with the second body as master: six poses.
@@ -160,11 +160,11 @@ TEST(Trajectory, AnAlteredAnswerIsADisagreementWhoseCaseIsTheRecordedPose) {
 TEST(Trajectory, StateOfAnotherRecordingIsToldApart) {
   const TinyTrajectory trajectory;
   const Verification run(read_trajectory(trajectory.file()));
-  EXPECT_EQ(difference_from(run.plan(), run.state().at("run")), "");
+  EXPECT_EQ(difference_from(run.plan(), identity_of(run.plan())), "");
   const auto expect_other = [&] {
     const Verification other(read_trajectory(trajectory.file()));
-    EXPECT_TRUE(same_arguments(other.plan(), run.state().at("run")));
-    EXPECT_EQ(difference_from(other.plan(), run.state().at("run")), "of another recording");
+    EXPECT_TRUE(same_arguments(other.plan(), identity_of(run.plan())));
+    EXPECT_EQ(difference_from(other.plan(), identity_of(run.plan())), "of another recording");
   };
   trajectory.write_index([](Json& json) { json["pairings"][0]["law"]["friction"] = "0x1p-1"; });
   expect_other();

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/verify/run/run_chunks.h"
 #include "compare/verify/run/run_identity.h"
 #include "compare/verify/run/run_verdict.h"
 #include "compare/verify/run/verify.h"
@@ -38,7 +39,16 @@ VerificationPlan small_plan(std::int64_t poses) {
 }
 
 void run_all(Verification& run, int jobs) {
-  while (!run.finished()) run.run_batch(jobs, kNever, kSilent);
+  run_all(run, jobs, kNever, kSilent);
+}
+
+/// All that a run has found, as a kept one has it.
+Outcomes outcomes_of(const Verification& run) {
+  Outcomes outcomes;
+  for (std::size_t c = 0; c < run.cells().size(); ++c)
+    outcomes.cells[c] = CellOutcome::from_json(nlohmann::ordered_json::parse(run.cells()[c].to_json().dump()));
+  outcomes.findings = run.findings();
+  return outcomes;
 }
 
 TEST(Verification, SmallPairAgreesInEveryStratum) {
@@ -146,52 +156,33 @@ TEST(Verification, AllModesTogetherAnswerAsThreeRunsBitForBit) {
         EXPECT_EQ(together.cells()[3 * c + m].mode, plan.modes.front());
         EXPECT_EQ(answers(together.cells()[3 * c + m].tally), answers(alone.cells()[c].tally));
       }
-      EXPECT_THROW(alone.restore(together.state()), BadInput);
     }
     Verification continued(together.plan());
-    continued.restore(together.state());
+    continued.add(outcomes_of(together));
     EXPECT_EQ(verification_csv(continued), verification_csv(together));
     EXPECT_EQ(verification_markdown(continued), verification_markdown(together));
     EXPECT_NE(verdict_line(together).find("60 poses in 3 modes"), std::string::npos);
   }
 }
 
-TEST(Verification, ContinuedRunEndsLikeAnUninterruptedOne) {
-  VerificationPlan plan = small_plan(2500);
-  plan.strata = {Stratum::separated};
+TEST(Verification, ChunksInAnyOrderAndPartsMakeTheWholeRun) {
+  VerificationPlan plan = small_plan(900);
+  plan.modes = {Mode::E, Mode::both};
   Verification whole(plan), first(plan), second(plan);
-  ASSERT_GT(whole.batches(), 2);
   run_all(whole, 2);
-  first.run_batch(2, kNever, kSilent);
-  const auto state = nlohmann::ordered_json::parse(first.state().dump());
-  second.restore(state);
-  EXPECT_EQ(second.poses_done(), first.poses_done());
-  run_all(second, 2);
-  EXPECT_EQ(verification_csv(second), verification_csv(whole));
-
-  plan.seed = 2;
-  Verification other(plan);
-  EXPECT_THROW(other.restore(state), BadInput);
-}
-
-TEST(Verification, InterruptedBatchKeepsWhatItHasAndIsNotDone) {
-  Verification run(small_plan(240));
-  int asked = 0;
-  run.run_batch(
-      1, [&] { return ++asked > 10; }, kSilent);
-  EXPECT_EQ(run.poses_done(), 10);
-  EXPECT_EQ(run.batches_done(), 0);
-  EXPECT_TRUE(verdict_line(run).starts_with("unfinished: 10 poses")) << verdict_line(run);
-  EXPECT_NE(verdict_line(run).find("interrupted"), std::string::npos);
-  EXPECT_FALSE(is_verified(run));
-
-  Verification continued(run.plan()), whole(run.plan());
-  continued.restore(nlohmann::ordered_json::parse(run.state().dump()));
-  EXPECT_EQ(continued.poses_done(), 10);
-  run_all(continued, 2);
-  run_all(whole, 1);
-  EXPECT_EQ(continued.poses_done(), 240);
-  EXPECT_EQ(verification_csv(continued), verification_csv(whole));
+  ASSERT_GT(whole.chunks(), 100);
+  fast::Workspace workspace;
+  const auto goes_on = [](std::int64_t) { return true; };
+  for (std::int64_t chunk = whole.chunks() - 1; chunk >= 0; --chunk)
+    (chunk % 3 == 0 ? first : second).add(*whole.hold_chunk(chunk, workspace, goes_on));
+  EXPECT_LT(first.poses_done(), 400);
+  EXPECT_EQ(first.poses_done() + second.poses_done(), 900);
+  EXPECT_FALSE(first.finished());
+  first.add(outcomes_of(second));
+  EXPECT_TRUE(first.finished());
+  EXPECT_EQ(verification_csv(first), verification_csv(whole));
+  EXPECT_EQ(verification_markdown(first), verification_markdown(whole));
+  EXPECT_EQ(without_scene_line(first), without_scene_line(whole));
 }
 
 /// A plan of both schemes, two pairs and all strata.
@@ -202,6 +193,47 @@ VerificationPlan plan_of_both_schemes(std::int64_t poses) {
   second.name = "the other pair";
   std::swap(second.E, second.F);
   return plan;
+}
+
+TEST(Verification, ChunksAreAlikeAndHaveEachPoseOnce) {
+  const Verification run(plan_of_both_schemes(500));
+  fast::Workspace workspace;
+  std::int64_t all = 0;
+  std::map<std::size_t, std::int64_t> of_cell;
+  for (std::int64_t chunk = 0; chunk < run.chunks(); ++chunk) {
+    std::int64_t poses = 0;
+    const std::optional<Outcomes> outcomes = run.hold_chunk(chunk, workspace, [&](std::int64_t more) {
+      poses += more;
+      return true;
+    });
+    ASSERT_TRUE(outcomes.has_value());
+    EXPECT_GE(poses, 7) << chunk;
+    EXPECT_LE(poses, 8) << chunk;
+    all += poses;
+    for (const auto& [cell, outcome] : outcomes->cells) of_cell[cell] += outcome.tally.poses;
+  }
+  EXPECT_EQ(all, 500);
+  for (std::size_t c = 0; c < run.cells().size(); ++c) EXPECT_EQ(of_cell[c], run.cells()[c].poses) << c;
+}
+
+TEST(Verification, InterruptedKeepsTheChunksThatAreDone) {
+  Verification run(small_plan(240));
+  int asked = 0;
+  run_all(
+      run, 1, [&] { return ++asked > 100; }, kSilent);
+  EXPECT_GT(run.poses_done(), 0);
+  EXPECT_LT(run.poses_done(), 100);
+  EXPECT_TRUE(verdict_line(run).starts_with("unfinished: " + std::to_string(run.poses_done()) + " poses"))
+      << verdict_line(run);
+  EXPECT_NE(verdict_line(run).find("interrupted"), std::string::npos);
+  EXPECT_FALSE(is_verified(run));
+}
+
+TEST(Verification, WhatIsThrownInAThreadEndsItAndIsThrown) {
+  Verification run(small_plan(240));
+  EXPECT_THROW(run_all(
+                   run, 2, []() -> bool { throw BadInput("stop"); }, kSilent),
+               BadInput);
 }
 
 TEST(Verification, NoPoseOfAPairAndStratumIsAskedTwice) {
@@ -403,7 +435,7 @@ TEST(Verification, PosesThatNoSceneIsAskedAboutAreCountedAndKept) {
   EXPECT_NE(verification_markdown(run).find(words), std::string::npos);
   EXPECT_EQ(verification_json(run)["without_scene"]["near-degenerate"], skipped);
   Verification continued(plan);
-  continued.restore(nlohmann::ordered_json::parse(run.state().dump()));
+  continued.add(outcomes_of(run));
   EXPECT_EQ(without_scene_line(continued), without_scene_line(run));
 }
 

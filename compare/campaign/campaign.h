@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "compare/campaign/database.h"
+
+namespace pcm::compare {
+
+/// Some neighbouring chunks of a job, from `first` to before `end`.
+struct ChunkRange {
+  std::int64_t first = 0, end = 0;
+};
+
+/// Part `number` of `of` parts of a job, from 1; of none: no part of its own. Products with numbers of chunks stay
+/// below 2^63.
+struct Share {
+  std::int64_t number = 1, of = 1;
+
+  bool operator==(const Share&) const = default;
+};
+
+/// Where chunks come from, and where what came of them goes.
+template <class Result>
+class Chunks {
+ public:
+  Chunks() = default;
+  Chunks(const Chunks&) = delete;
+  Chunks& operator=(const Chunks&) = delete;
+  virtual ~Chunks() = default;
+
+  /// No more than so many neighbouring chunks that nobody else is at; none where there are none now. From any thread.
+  virtual std::optional<ChunkRange> claim(std::int64_t most) = 0;
+  /// What came of chunks that were claimed. From any thread.
+  virtual void commit(ChunkRange chunks, Result result) = 0;
+  /// Chunks that were claimed and not done.
+  virtual void give_back(ChunkRange chunks) = 0;
+};
+
+/// A job of many chunks done together by any number of processes, on one machine or on several that share a folder. All
+/// they know of each other stands in one SQLite file: which chunks are done, who is at which, and what each has found
+/// so far, by key. What a process that dies was at falls to the others. Memory and file grow with workers and keys, not
+/// with chunks.
+///
+/// Every function may be called from any thread, and throws BadInput naming the file where that can't be read or
+/// written or is damaged.
+class Campaign {
+ public:
+  /// Opens the file or makes it. Nothing is done yet where it is new.
+  explicit Campaign(const std::filesystem::path& file);
+  Campaign(const Campaign&) = delete;
+  Campaign& operator=(const Campaign&) = delete;
+  ~Campaign();
+
+  /// What the job is, and which share of it this file is for.
+  struct Job {
+    std::string identity;
+    std::int64_t chunks = 0;
+    Share share;
+  };
+  /// Decides, before any other process goes on, whether the job that the file holds (none where it holds none) is
+  /// continued, and otherwise begins the one returned. Then this process is one of the job's workers.
+  void begin(const std::function<std::optional<Job>(const std::optional<Job>& held)>& decide);
+
+  /// Neighbouring chunks that nobody is at, or whose worker is dead.
+  std::optional<ChunkRange> claim(std::int64_t most);
+  /// Replaces what this worker has found under these keys. False, and nothing is changed, where the chunks are another
+  /// worker's by now: this one was taken for dead.
+  bool commit(ChunkRange chunks, const std::map<std::string, std::string>& found);
+  void give_back(ChunkRange chunks);
+
+  /// Whether all chunks of this file's share are done.
+  bool share_done();
+  /// Whether all chunks of the job are.
+  bool all_done();
+  /// Calls `take` with every key and text that a worker has found.
+  void for_each_found(const std::function<void(const std::string& key, const std::string& text)>& take);
+
+  /// Notes that the job is finished, unless that stands there already. Says whether it was this call.
+  bool finish(const std::string& note);
+  /// What `finish` has noted, if anything.
+  std::optional<std::string> finished();
+
+  /// Takes over what another file holds of the same job. Throws BadInput where that is not done, or holds chunks that
+  /// this one has too.
+  void take_in(const std::filesystem::path& file);
+
+ private:
+  void join();
+  void beat(const std::stop_token& stop);
+  bool is_dead(const Statement& worker) const;
+  std::optional<Job> held();
+
+  std::mutex mutex_;
+  Database database_;
+  std::string host_;
+  std::int64_t worker_ = 0;
+  std::jthread heart_;
+};
+
+}  // namespace pcm::compare

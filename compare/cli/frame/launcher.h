@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace pcm::compare {
+
+/// Which of the processes that mpirun or srun has started together this one is. Nothing else of MPI is needed: they
+/// share a folder.
+struct LaunchedProcess {
+  int rank = 0;
+  int processes = 1;
+  int on_this_machine = 1;
+};
+
+/// As the environment says that Open MPI, MPICH and Slurm give; one of one where it says nothing.
+LaunchedProcess launched_process();
+
+}  // namespace pcm::compare

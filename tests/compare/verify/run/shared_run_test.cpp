@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program's tables do not depend on how many processes share in a run, on machines that hold parts of it, or on who
+// of them is killed.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "meshes/files/text_file.h"
+#include "meshes/generate/boxes.h"
+#include "pcm/write_obj.h"
+#include "tests/compare/run_pcm.h"
+#include "tests/meshes/temporary_folder.h"
+
+namespace pcm::compare::shared_run_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class SharedRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_obj(generate::box({1, 1, 1}), scratch_.path("box.obj"));
+    const Outcome alone = run_pcm(verify("alone"));
+    ASSERT_EQ(alone.status, 0) << alone.out << alone.err;
+    verdict_ = lines_of(alone.out).back();
+  }
+
+  Words verify(const std::string& folder, const Words& more = {}) const {
+    const std::string box = scratch_.path("box.obj");
+    Words words{"verify", "--poses", "300", "--pair", box, box, "--jobs", "1", "--out", scratch_.path(folder)};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  pid_t start(const Words& words) const {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    std::vector<char*> arguments{const_cast<char*>(PCM_PROGRAM)};  // NOLINT: execv wants it so
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT
+    arguments.push_back(nullptr);
+    const std::string null = "/dev/null";
+    if (freopen(null.c_str(), "w", stdout) == nullptr || freopen(null.c_str(), "w", stderr) == nullptr) _exit(126);
+    execv(PCM_PROGRAM, arguments.data());
+    _exit(127);
+  }
+
+  /// But for the campaign, provenance and times.
+  void expect_same_tables(const std::string& folder) const {
+    for (const char* table : {"/verification.csv", "/widths.csv"})
+      EXPECT_EQ(read_text_file(scratch_.path(folder) + table), read_text_file(scratch_.path("alone") + table))
+          << folder << table;
+  }
+
+  TemporaryFolder scratch_;
+  std::string verdict_;
+};
+
+TEST_F(SharedRun, OfFourProcessesOneOfWhichIsKilledHasTheTablesOfOne) {
+  std::vector<pid_t> processes;
+  for (int k = 0; k < 4; ++k) processes.push_back(start(verify("shared")));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  kill(processes[1], SIGKILL);
+  waitpid(processes[1], nullptr, 0);
+  for (const std::size_t k : {0, 2, 3}) {
+    int status = 0;
+    waitpid(processes[k], &status, 0);
+    EXPECT_EQ(status, 0) << k;
+  }
+  expect_same_tables("shared");
+}
+
+TEST_F(SharedRun, KilledAltogetherGoesOnAndEndsWithTheTablesOfAnUninterruptedOne) {
+  for (int k = 0; k < 2; ++k) {
+    const pid_t process = start(verify("killed"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    kill(process, SIGKILL);
+    waitpid(process, nullptr, 0);
+  }
+  const Outcome last = run_pcm(verify("killed"));
+  EXPECT_EQ(last.status, 0) << last.err;
+  EXPECT_TRUE(lines_of(last.out).back().starts_with(verdict_)) << last.out;
+  expect_same_tables("killed");
+}
+
+TEST_F(SharedRun, PartsOfSeveralMachinesArePutTogether) {
+  Words folders{"--merge"};
+  for (const std::string k : {"1", "2", "3"}) {
+    const Outcome part = run_pcm(verify("part " + k, {"--part", k + "/3"}));
+    EXPECT_EQ(part.status, 0) << part.err;
+    EXPECT_TRUE(lines_of(part.out).back().starts_with("part " + k + " of 3: ")) << part.out;
+    folders.push_back(scratch_.path("part " + k));
+  }
+  const Outcome two = run_pcm(verify("whole", {folders[0], folders[1], folders[3]}));
+  EXPECT_EQ(two.status, 1);
+  EXPECT_TRUE(lines_of(two.out).back().starts_with("unfinished: ")) << two.out;
+  const Outcome twice = run_pcm(verify("whole", {folders[0], folders[3]}));
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_NE(twice.err.find("part 3/campaign.sqlite: holds poses that another folder holds too"), std::string::npos)
+      << twice.err;
+  const Outcome whole = run_pcm(verify("whole", {folders[0], folders[2]}));
+  EXPECT_EQ(whole.status, 0) << whole.err;
+  EXPECT_EQ(lines_of(whole.out).back(), verdict_);
+  expect_same_tables("whole");
+}
+
+TEST_F(SharedRun, OfMpirunHasTheTablesOfOneProcessAndOneVerdict) {
+  if (std::system("mpirun --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "mpirun (Debian: openmpi-bin) is not installed";
+  for (const char* ranks : {"2", "4"}) {
+    const std::string folder = std::string("ranks ") + ranks, out = scratch_.path("out");
+    std::string command = std::string("mpirun --allow-run-as-root --oversubscribe -n ") + ranks + " '" PCM_PROGRAM "'";
+    for (const std::string& word : verify(folder)) command += " '" + word + "'";
+    EXPECT_EQ(std::system((command + " > '" + out + "' 2>&1 < /dev/null").c_str()), 0) << read_text_file(out);
+    const std::string printed = read_text_file(out);
+    const std::size_t at = printed.find("\nverified: ");
+    EXPECT_NE(at, std::string::npos) << printed;
+    EXPECT_EQ(printed.find("\nverified: ", at + 1), std::string::npos) << "said twice";
+    EXPECT_NE(printed.find(verdict_), std::string::npos) << printed;
+    expect_same_tables(folder);
+  }
+}
+
+TEST_F(SharedRun, OfMpirunWithoutAFolderIsRefused) {
+  setenv("OMPI_COMM_WORLD_RANK", "0", 1);
+  setenv("OMPI_COMM_WORLD_SIZE", "2", 1);
+  const Outcome outcome = run_pcm({"verify", "--poses", "6", "--jobs", "1"});
+  unsetenv("OMPI_COMM_WORLD_RANK");
+  unsetenv("OMPI_COMM_WORLD_SIZE");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("--out DIR"), std::string::npos) << outcome.err;
+}
+
+TEST_F(SharedRun, PartsThatAreNoneAreRefused) {
+  for (const std::string part : {"0/3", "4/3", "1", "x/3", "1/x", "1/0", "1/3/5", ""}) {
+    const Outcome outcome = run_pcm(verify("odd", {"--part", part}));
+    EXPECT_EQ(outcome.status, 2) << part;
+    EXPECT_NE(outcome.err.find("--part"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(run_pcm({"verify", "--poses", "6", "--part", "1/2"}).status, 2);
+  EXPECT_EQ(run_pcm(verify("alone", {"--part", "1/2"})).status, 2) << "it holds the whole run";
+}
+
+}  // namespace
+}  // namespace pcm::compare::shared_run_test
