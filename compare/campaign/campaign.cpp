@@ -26,7 +26,7 @@ constexpr std::int64_t kSilence_s = 60;
 /// jobs: one row, or none yet. ranges: of the chunks of this file, those before `next` are claimed or done. claims:
 /// what workers are at. found: by worker and key, with the SHA-256 of the text.
 constexpr const char* kTables = R"(
-  CREATE TABLE IF NOT EXISTS job (identity TEXT, chunks INTEGER, share INTEGER, shares INTEGER, sha256 TEXT, finished TEXT);
+  CREATE TABLE IF NOT EXISTS job (identity TEXT, chunks INTEGER, part INTEGER, parts INTEGER, sha256 TEXT, finished TEXT);
   CREATE TABLE IF NOT EXISTS range (first INTEGER PRIMARY KEY, next INTEGER, end INTEGER);
   CREATE TABLE IF NOT EXISTS worker (id INTEGER PRIMARY KEY, host TEXT, process INTEGER, beat INTEGER);
   CREATE TABLE IF NOT EXISTS claim (first INTEGER PRIMARY KEY, end INTEGER, worker INTEGER);
@@ -43,9 +43,9 @@ std::string host_name() {
   return name.data();
 }
 
-std::string hash_of(const std::string& identity, std::int64_t chunks, Share share) {
-  return sha256(identity + '\n' + std::to_string(chunks) + '\n' + std::to_string(share.number) + '/' +
-                std::to_string(share.of));
+std::string hash_of(const std::string& identity, std::int64_t chunks, JobPart part) {
+  return sha256(identity + '\n' + std::to_string(chunks) + '\n' + std::to_string(part.number) + '/' +
+                std::to_string(part.of));
 }
 
 }  // namespace
@@ -61,10 +61,10 @@ Campaign::~Campaign() {
 }
 
 std::optional<Campaign::Job> Campaign::held() {
-  Statement job(database_, "SELECT identity, chunks, share, shares, sha256 FROM job");
+  Statement job(database_, "SELECT identity, chunks, part, parts, sha256 FROM job");
   if (!job.step()) return std::nullopt;
   Job held{job.text(0), job.integer(1), {job.integer(2), job.integer(3)}};
-  if (job.text(4) != hash_of(held.identity, held.chunks, held.share))
+  if (job.text(4) != hash_of(held.identity, held.chunks, held.part))
     throw BadInput(database_.file().string() + ": it is damaged; choose another folder");
   return held;
 }
@@ -74,12 +74,12 @@ void Campaign::begin(const std::function<std::optional<Job>(const std::optional<
   Transaction transaction(database_);
   if (const std::optional<Job> job = decide(held())) {
     database_.run("DELETE FROM job; DELETE FROM range; DELETE FROM worker; DELETE FROM claim; DELETE FROM found");
-    Statement(database_, "INSERT INTO job VALUES (?, ?, ?, ?, ?, NULL)", job->identity, job->chunks, job->share.number,
-              job->share.of, hash_of(job->identity, job->chunks, job->share))
+    Statement(database_, "INSERT INTO job VALUES (?, ?, ?, ?, ?, NULL)", job->identity, job->chunks, job->part.number,
+              job->part.of, hash_of(job->identity, job->chunks, job->part))
         .run();
-    if (job->share.of > 0) {
-      const std::int64_t first = job->chunks * (job->share.number - 1) / job->share.of;
-      const std::int64_t end = job->chunks * job->share.number / job->share.of;
+    if (job->part.of > 0) {
+      const std::int64_t first = job->chunks * (job->part.number - 1) / job->part.of;
+      const std::int64_t end = job->chunks * job->part.number / job->part.of;
       Statement(database_, "INSERT INTO range VALUES (?, ?, ?)", first, first, end).run();
     }
   }
@@ -164,7 +164,7 @@ void Campaign::give_back(ChunkRange chunks) {
       .run();
 }
 
-bool Campaign::share_done() {
+bool Campaign::part_done() {
   const std::lock_guard lock(mutex_);
   Statement left(database_, "SELECT (SELECT count(*) FROM claim) + (SELECT count(*) FROM range WHERE next < end)");
   left.step();
@@ -172,7 +172,7 @@ bool Campaign::share_done() {
 }
 
 bool Campaign::all_done() {
-  if (!share_done()) return false;
+  if (!part_done()) return false;
   const std::lock_guard lock(mutex_);
   Statement missing(database_, "SELECT (SELECT chunks FROM job) - (SELECT coalesce(sum(end - first), 0) FROM range)");
   missing.step();
@@ -211,7 +211,7 @@ void Campaign::take_in(const std::filesystem::path& file) {
   const std::optional<Job> ours = held(), theirs = other.held();
   if (!theirs || theirs->identity != ours->identity || theirs->chunks != ours->chunks)
     throw BadInput(file.string() + ": of another run than the one that the arguments describe, or of another build");
-  if (!other.share_done()) throw BadInput(file.string() + ": its part is not done; finish it first");
+  if (!other.part_done()) throw BadInput(file.string() + ": its part is not done; finish it first");
   Statement ranges(other.database_, "SELECT first, end FROM range");
   while (ranges.step()) {
     const std::int64_t first = ranges.integer(0), end = ranges.integer(1);

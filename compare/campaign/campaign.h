@@ -23,10 +23,10 @@ struct ChunkRange {
 
 /// Part `number` of `of` parts of a job, from 1; of none: no part of its own. Products with numbers of chunks stay
 /// below 2^63.
-struct Share {
+struct JobPart {
   std::int64_t number = 1, of = 1;
 
-  bool operator==(const Share&) const = default;
+  bool operator==(const JobPart&) const = default;
 };
 
 /// Where chunks come from, and where what came of them goes.
@@ -61,11 +61,11 @@ class Campaign {
   Campaign& operator=(const Campaign&) = delete;
   ~Campaign();
 
-  /// What the job is, and which share of it this file is for.
+  /// What the job is, and which part of it this file is for.
   struct Job {
     std::string identity;
     std::int64_t chunks = 0;
-    Share share;
+    JobPart part;
   };
   /// Decides, before any other process goes on, whether the job that the file holds (none where it holds none) is
   /// continued, and otherwise begins the one returned. Then this process is one of the job's workers.
@@ -78,8 +78,8 @@ class Campaign {
   bool commit(ChunkRange chunks, const std::map<std::string, std::string>& found);
   void give_back(ChunkRange chunks);
 
-  /// Whether all chunks of this file's share are done.
-  bool share_done();
+  /// Whether all chunks of this file's part are done.
+  bool part_done();
   /// Whether all chunks of the job are.
   bool all_done();
   /// Calls `take` with every key and text that a worker has found.

@@ -6,22 +6,30 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "compare/campaign/run_chunks.h"
+#include "compare/cli/frame/launcher.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/verify/verify_run.h"
+#include "compare/io/program_hash.h"
 #include "compare/io/report_folder.h"
 #include "compare/io/sha256.h"
 #include "compare/judge/engines/asked_engine.h"
 #include "compare/judge/judgement/judging_report.h"
+#include "compare/judge/judgement/kept_judgement.h"
 #include "compare/judge/lines/answers_file.h"
 #include "compare/judge/lines/schemas.h"
 #include "compare/judge/poses/poses_folder.h"
@@ -38,7 +46,8 @@ struct JudgeOptions {
   std::string time_limit = "10";
   std::string ulps = "8";
   std::vector<std::string> tolerances, absolutes;
-  VerifyOptions shared;  ///< --jobs and --out, as for `pcm verify`
+  bool shared = false;
+  VerifyOptions frame;  ///< --jobs and --out, as for `pcm verify`
 };
 
 /// 8 ulps of single precision.
@@ -95,6 +104,61 @@ std::string judge_all(Judging& run, const Source& source, int jobs, const Interr
     if (!other.text.empty()) return source.place(other.line) + ": " + other.text;
   }
   return complaint.empty() && !work.interrupted() ? source.missing() : complaint;
+}
+
+/// Poses a chunk of a judgement that is shared.
+constexpr std::size_t kChunk = 8;
+
+/// What came back for each pose, if anything did. A file is read whole; an engine is asked when a pose's turn comes, by
+/// one thread at a time.
+using ReplyTo = std::function<std::optional<Reply>(std::size_t question)>;
+
+/// `complaint`: what is wrong with the file, or with it as a whole; what came before it counts.
+ReplyTo replies_of_file(const std::string& path, const PosedQuestions& posed, std::string& complaint) {
+  const auto replies = std::make_shared<std::vector<std::optional<Reply>>>(posed.questions.size());
+  AnswersFile file(path, posed);
+  try {
+    while (std::optional<Reply> reply = file.next()) (*replies)[reply->question] = std::move(reply);
+    complaint = file.missing();
+  } catch (const BadInput& error) {
+    complaint = error.what();
+  }
+  return [replies](std::size_t question) { return (*replies)[question]; };
+}
+
+ReplyTo replies_of_command(const JudgeOptions& options, const PosedQuestions& posed) {
+  const Conversation::Seconds limit(positive_number("--time-limit", options.time_limit));
+  const auto engine = std::make_shared<AskedEngine>(*options.command, posed, *options.poses, limit);
+  const auto asking = std::make_shared<std::mutex>();
+  return [engine, asking](std::size_t question) -> std::optional<Reply> {
+    const std::lock_guard lock(*asking);
+    return engine->ask(question);
+  };
+}
+
+/// Judges what nobody else is at until all is judged, by whomever, or this process is interrupted. Returns whether it
+/// was.
+bool judge_shared(const Judging& run, KeptJudgement& kept, const ReplyTo& reply_to, int jobs) {
+  const std::size_t all = run.judge().posed().questions.size();
+  const Interruptible work(static_cast<std::int64_t>(all));
+  std::atomic<std::int64_t> done = 0;
+  const auto judge_chunk = [&](std::int64_t chunk) -> std::optional<Judged> {
+    Judged judged;
+    const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
+    for (std::size_t k = first; k < std::min(all, first + kChunk); ++k) {
+      if (work.interrupted()) return std::nullopt;
+      if (std::optional<Reply> reply = reply_to(k)) judged.merge(run.judge_one(std::move(*reply)));
+      work.show(++done);
+    }
+    return judged;
+  };
+  while (!kept.done() && !work.interrupted()) {
+    run_chunks<Judged>(
+        kept, jobs, [&] { return work.interrupted(); }, [&]() -> DoChunk<Judged> { return judge_chunk; });
+    // The others are at the rest, and may die.
+    if (!kept.done() && !work.interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return work.interrupted();
 }
 
 /// In place of those of an earlier run.
@@ -168,6 +232,60 @@ void report(const Judging& run, const JudgingSetup& setup, const std::optional<f
   }
 }
 
+/// What a judgement that others share in is of.
+Json identity_of(const JudgeOptions& options, const JudgingSetup& setup) {
+  return {{"format", "pcm judgement 1"},
+          {"build", program_hash()},
+          {"answers", options.answers ? "file" : *options.command},
+          {"answers_sha256", setup.answers_sha256},
+          {"poses_sha256", sha256(read_text_file(fs::path(*options.poses) / kPosesFile))},
+          {"tolerances", setup.tolerances},
+          {"near_ulps", setup.near_ulps}};
+}
+
+/// What stopped it; empty where nothing did.
+std::string ended_by(const std::string& complaint, bool interrupted) {
+  return !complaint.empty() ? complaint : interrupted ? "interrupted" : "";
+}
+
+Exit judge_with_others(Judging& run, const JudgeOptions& options, const JudgingSetup& setup, const fs::path& folder,
+                       int jobs) {
+  const PosedQuestions& posed = run.judge().posed();
+  const LaunchedProcess process = launched_process();
+  std::string complaint;
+  const ReplyTo reply_to =
+      options.answers ? replies_of_file(*options.answers, posed, complaint) : replies_of_command(options, posed);
+  const auto chunks = static_cast<std::int64_t>((posed.questions.size() + kChunk - 1) / kChunk);
+  KeptJudgement kept(folder, identity_of(options, setup), chunks, posed);
+  const bool before = kept.finished();
+  const bool interrupted = judge_shared(run, kept, reply_to, jobs);
+  run.add(kept.judged());
+  if (const Conventions::Found other = run.conventions().found(); complaint.empty() && !other.text.empty())
+    complaint =
+        (options.answers ? fmt::format("{}:{}", *options.answers, other.line) : "--command") + ": " + other.text;
+  const bool finished_here = kept.finish();
+  // One process speaks for all: the one that has finished it, or else the first.
+  const bool speaks = finished_here || (process.rank == 0 && (before || !kept.done()));
+  if (speaks) report(run, setup, folder, ended_by(complaint, interrupted));
+  // mpirun ends all when one of them fails, before the one that speaks is through.
+  if (!speaks && process.processes > 1) return Exit::success;
+  if (!complaint.empty()) throw BadInput(complaint);
+  return interrupted || run.total().wrong > 0 ? Exit::negative : Exit::success;
+}
+
+Exit judge_alone(Judging& run, const JudgeOptions& options, const JudgingSetup& setup,
+                 const std::optional<fs::path>& folder, int jobs) {
+  const PosedQuestions& posed = run.judge().posed();
+  const Source source = options.answers ? source_of_file(*options.answers, posed) : source_of_command(options, posed);
+  std::optional<Interruptible> work(std::in_place, std::ssize(posed.questions));
+  const std::string complaint = judge_all(run, source, jobs, *work);
+  const bool interrupted = work->interrupted();
+  work.reset();
+  report(run, setup, folder, ended_by(complaint, interrupted));
+  if (!complaint.empty()) throw BadInput(complaint);
+  return interrupted || run.total().wrong > 0 ? Exit::negative : Exit::success;
+}
+
 Exit judge(const JudgeOptions& options) {
   if (options.schema) {
     std::cout << (*options.schema == "poses" ? pose_schema() : answer_schema());
@@ -176,28 +294,29 @@ Exit judge(const JudgeOptions& options) {
   if (!options.poses) throw BadInput("--poses is missing; give the folder that 'pcm poses' has written");
   if (options.answers.has_value() == options.command.has_value())
     throw BadInput("give either a file of answers or --command");
-  const int jobs = number_of_jobs(options.shared);
+  if (options.shared && !options.frame.out) throw BadInput("--shared wants --out DIR");
+  if (!options.shared && launched_process().processes > 1)
+    throw BadInput("one of several processes started together: they want --shared and --out DIR");
+  const int jobs = number_of_jobs(options.frame);
   Tolerances tolerances;
   tolerances.add("--tolerance", options.tolerances, &Tolerance::relative);
   tolerances.add("--absolute", options.absolutes, &Tolerance::absolute);
   const auto ulps = static_cast<std::int64_t>(whole_number("--ulps", options.ulps, 0, kMostUlps));
   const PosedQuestions posed = read_poses_folder(*options.poses);
-  const Source source = options.answers ? source_of_file(*options.answers, posed) : source_of_command(options, posed);
-  const std::optional<fs::path> folder = prepared_folder(options.shared);
-  std::optional<Interruptible> work(std::in_place, std::ssize(posed.questions));
-  const Judge judge(posed, tolerances, ulps);
-  Judging run(judge);
-  const std::string complaint = judge_all(run, source, jobs, *work);
-  const bool interrupted = work->interrupted();
-  work.reset();
+  const std::optional<fs::path> folder = prepared_folder(options.frame);
   JudgingSetup setup{
       options.answers.value_or(options.command.value_or("")), *options.poses, tolerances.text(), ulps, {}};
   // A pipe can't be read twice.
-  if (std::error_code error; folder && options.answers && fs::is_regular_file(*options.answers, error))
-    setup.answers_sha256 = sha256(read_text_file(*options.answers));
-  report(run, setup, folder, !complaint.empty() ? complaint : interrupted ? "interrupted" : "");
-  if (!complaint.empty()) throw BadInput(complaint);
-  return interrupted || run.total().wrong > 0 ? Exit::negative : Exit::success;
+  if (std::error_code error; folder && options.answers) {
+    if (fs::is_regular_file(*options.answers, error))
+      setup.answers_sha256 = sha256(read_text_file(*options.answers));
+    else if (options.shared)
+      throw BadInput(*options.answers + ": no file; --shared wants answers in a file, or --command");
+  }
+  const Judge judge(posed, tolerances, ulps);
+  Judging run(judge);
+  return options.shared ? judge_with_others(run, options, setup, *folder, jobs)
+                        : judge_alone(run, options, setup, folder, jobs);
 }
 
 }  // namespace
@@ -220,7 +339,8 @@ void add_judge_command(CLI::App& program, Run& run) {
       "  pcm poses --out poses --poses 2000\n"
       "  my_engine poses > answers.jsonl\n"
       "  pcm judge answers.jsonl --poses poses --tolerance force=1e-6,torque=1e-6 --out judgement\n"
-      "  pcm judge --command 'python3 my_engine.py --fast' --poses poses",
+      "  pcm judge --command 'python3 my_engine.py --fast' --poses poses\n"
+      "  mpirun -n 4 pcm judge answers.jsonl --poses poses --shared --out judgement",
       kMostCasesOfAStratum));
   command->add_option("ANSWERS", options->answers, "File of answers")->type_name("FILE");
   command->add_option("--poses", options->poses, "Folder that 'pcm poses' has written")->type_name("DIR");
@@ -244,11 +364,14 @@ void add_judge_command(CLI::App& program, Run& run) {
                    "coordinate; 0: none does")
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--jobs", options->shared.jobs, "Threads (default: as many as cores)")->type_name("N");
+  command->add_option("--jobs", options->frame.jobs, "Threads (default: as many as cores)")->type_name("N");
   command
-      ->add_option("--out", options->shared.out,
+      ->add_option("--out", options->frame.out,
                    "Folder for tables and case files; case_*.json of an earlier run are removed")
       ->type_name("DIR");
+  command->add_flag("--shared", options->shared,
+                    "With --out: continue the judgement kept there, which any number of processes may share in, by "
+                    "mpirun or without");
   command->add_option("--schema", options->schema, "Print the JSON schema of a line instead: poses or answers")
       ->type_name("WHICH")
       ->check(CLI::IsMember({"poses", "answers"}));

@@ -97,11 +97,11 @@ void print_run(const Verification& run) {
 /// Until all that the folder is for is done, here or by others, or this process is interrupted.
 void run_kept(const Verification& run, KeptRun& kept, int jobs) {
   const Interruptible work(run.poses_in_all());
-  while (!kept.share_done() && !work.interrupted()) {
+  while (!kept.part_done() && !work.interrupted()) {
     run_chunks(
         run, kept, jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
     // The others are at the rest, and may die.
-    if (!kept.share_done() && !work.interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (!kept.part_done() && !work.interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
 }
 
@@ -120,15 +120,15 @@ Exit verify_here(Verification& run, int jobs) {
 /// One of several processes speaks for all: the one that has finished the run, or else the first.
 Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path& folder,
                  const LaunchedProcess& process, int jobs) {
-  const Share share = share_of(options);
-  KeptRun kept(folder, run, share);
+  const JobPart part = part_of(options);
+  KeptRun kept(folder, run, part);
   const auto say = [&process](const std::string& notice) {
     if (process.rank == 0 && !notice.empty()) complain(notice);
   };
   say(kept.notice());
   if (!kept.all_done()) kept.merge({options.merge.begin(), options.merge.end()});
   const std::optional<KeptRun::Finished> before = kept.finished();
-  if (const std::int64_t done = poses_of(kept.outcomes(), run); done > 0 && !before && !kept.share_done())
+  if (const std::int64_t done = poses_of(kept.outcomes(), run); done > 0 && !before && !kept.part_done())
     say(fmt::format("--out {}: continued after {} poses", folder.string(), done));
 
   run_kept(run, kept, jobs);
@@ -136,9 +136,10 @@ Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path
   nlohmann::ordered_json program = before ? before->by : provenance_json(this_program());
   const bool finished_here = kept.finish(program);
   const bool speaks = finished_here || (process.rank == 0 && (before || !kept.all_done()));
-  const bool part_done = share.of > 1 && kept.share_done();
-  const bool good = part_done ? run.total().disagreeing == 0 : is_verified(run);
-  if (!speaks) return good ? Exit::success : Exit::negative;
+  const bool part_is_done = part.of > 1 && kept.part_done();
+  const bool good = part_is_done ? run.total().disagreeing == 0 : is_verified(run);
+  // mpirun ends all when one of them fails, before the one that speaks is through.
+  if (!speaks) return good || process.processes > 1 ? Exit::success : Exit::negative;
 
   print_run(run);
   if (before)
@@ -146,8 +147,8 @@ Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path
         "These tables and this verdict are those of an earlier run of the same build and surfaces, finished {}.\n"
         "Nothing was evaluated now.\n",
         before->at);
-  if (part_done)
-    std::cout << fmt::format("part {} of {}: {} poses, {} touching, {} disagreements", share.number, share.of,
+  if (part_is_done)
+    std::cout << fmt::format("part {} of {}: {} poses, {} touching, {} disagreements", part.number, part.of,
                              run.poses_done(), touching_poses(run), run.total().disagreeing);
   else
     std::cout << verdict_line(run);

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 /// More than any machine gets through; products of pose numbers and shares stay below 2^63.
 constexpr std::uint64_t kMostPoses = 10'000'000'000;
 
-constexpr std::uint64_t kMostShares = 1'000'000;
+constexpr std::uint64_t kMostParts = 1'000'000;
 
 /// Set by the first interrupt; a signal can't reach anything else. The second one ends the program as usual.
 volatile std::sig_atomic_t interrupted = 0;
@@ -128,13 +128,13 @@ int number_of_jobs(const VerifyOptions& options) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / launched_process().on_this_machine);
 }
 
-Share share_of(const VerifyOptions& options) {
-  if (!options.merge.empty()) return kNoShare;
+JobPart part_of(const VerifyOptions& options) {
+  if (!options.merge.empty()) return kNoPart;
   if (!options.part) return {};
   const std::string& text = *options.part;
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) throw BadInput("--part: '" + text + "' is not K/N, e.g. 2/5");
-  const std::uint64_t of = whole_number("--part", text.substr(slash + 1), 1, kMostShares);
+  const std::uint64_t of = whole_number("--part", text.substr(slash + 1), 1, kMostParts);
   return {static_cast<std::int64_t>(whole_number("--part", text.substr(0, slash), 1, of)),
           static_cast<std::int64_t>(of)};
 }

@@ -34,7 +34,7 @@ class Interruptible {
 int number_of_jobs(const VerifyOptions& options);
 
 /// What --part or --merge say.
-Share share_of(const VerifyOptions& options);
+JobPart part_of(const VerifyOptions& options);
 
 /// What the options ask for. `notices` gets lines on what is left out or odd.
 VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices);

@@ -83,8 +83,26 @@ void Conventions::add(const ConventionsTold& of_one, std::int64_t line) {
   for (std::size_t k = 0; k < kOtherConventions; ++k) {
     if (!of_one.told[k]) continue;
     ++counts_[k].told;
-    if (of_one.followed[k] && counts_[k].followed++ == 0) counts_[k].line = line;
+    if (!of_one.followed[k]) continue;
+    counts_[k].line = counts_[k].followed == 0 ? line : std::min(counts_[k].line, line);
+    ++counts_[k].followed;
   }
+}
+
+void Conventions::merge(const Conventions& other) {
+  for (std::size_t k = 0; k < kOtherConventions; ++k) {
+    Count& count = counts_[k];
+    const Count& more = other.counts_[k];
+    if (more.followed > 0) count.line = count.followed == 0 ? more.line : std::min(count.line, more.line);
+    count.told += more.told;
+    count.followed += more.followed;
+  }
+}
+
+Conventions Conventions::of(const std::array<Count, kOtherConventions>& counts) {
+  Conventions conventions;
+  conventions.counts_ = counts;
+  return conventions;
 }
 
 Conventions::Found Conventions::found() const {

@@ -43,7 +43,7 @@ class Conventions {
   /// Fewer wrong answers tell nothing.
   static constexpr std::int64_t kFewest = 10;
 
-  /// `line`: where the answer stands, 0 for none.
+  /// `line`: where the answer stands, 0 for none. In any order.
   void add(const ConventionsTold& of_one, std::int64_t line);
   /// What is surely another convention, and what mends it; empty where none is. Nine in ten of what is wrong must be
   /// right by it.
@@ -53,12 +53,16 @@ class Conventions {
   };
   Found found() const;
 
- private:
+  void merge(const Conventions& other);
   struct Count {
     std::int64_t told = 0;
     std::int64_t followed = 0;
-    std::int64_t line = 0;
+    std::int64_t line = 0;  ///< of the first answer that follows it, 0 for none
   };
+  const std::array<Count, kOtherConventions>& counts() const { return counts_; }
+  static Conventions of(const std::array<Count, kOtherConventions>& counts);
+
+ private:
   std::array<Count, kOtherConventions> counts_{};
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,63 +16,25 @@
 
 namespace pcm::compare {
 
-void JudgedTally::add(const PoseVerdict& verdict) {
-  ++poses;
-  const bool is_wrong = verdict.has(Verdict::wrong);
-  wrong += is_wrong;
-  near += !is_wrong && verdict.has(Verdict::near);
-  for (const FactVerdict& fact : verdict.facts) {
-    FactTally& tally = facts[static_cast<std::size_t>(fact.fact)];
-    ++(fact.verdict == Verdict::right ? tally.right : fact.verdict == Verdict::near ? tally.near : tally.wrong);
-    if (fact.verdict != Verdict::wrong) continue;
-    tally.lost += fact.lost;
-    tally.spurious += fact.spurious;
-  }
-}
-
-void JudgedTally::add(Breakdown breakdown) {
-  ++poses;
-  ++wrong;
-  ++breakdowns[static_cast<std::size_t>(breakdown)];
-}
-
-void JudgedTally::merge(const JudgedTally& other) {
-  poses += other.poses;
-  wrong += other.wrong;
-  near += other.near;
-  for (std::size_t k = 0; k < kBreakdowns; ++k) breakdowns[k] += other.breakdowns[k];
-  for (std::size_t k = 0; k < kFacts; ++k) {
-    facts[k].right += other.facts[k].right;
-    facts[k].near += other.facts[k].near;
-    facts[k].wrong += other.facts[k].wrong;
-    facts[k].lost += other.facts[k].lost;
-    facts[k].spurious += other.facts[k].spurious;
-  }
-}
-
 namespace {
 
-/// The place of the tally of that name, which is entered where there is none.
-std::size_t place_of(const std::string& name, std::vector<std::pair<std::string, JudgedTally>>& tallies) {
-  const auto known =
-      std::find_if(tallies.begin(), tallies.end(), [&](const auto& entry) { return entry.first == name; });
-  const auto place = static_cast<std::size_t>(known - tallies.begin());
-  if (known == tallies.end()) tallies.emplace_back(name, JudgedTally{});
-  return place;
+void enter(const std::string& name, std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
 }  // namespace
 
 Judging::Judging(const Judge& judge) : judge_(judge) {
   for (const PosedQuestion& question : judge.posed().questions) {
-    stratum_of_.push_back(place_of(question.stratum, strata_));
-    pair_of_.push_back(place_of(question.pair, pairs_));
+    enter(question.stratum, strata_);
+    enter(question.pair, pairs_);
   }
 }
 
 void Judging::add(std::vector<Reply> replies, int jobs, const std::function<bool()>& stop,
                   const std::function<void(std::int64_t)>& progress) {
-  std::vector<std::optional<PoseVerdict>> verdicts(replies.size());
+  std::vector<std::optional<Judged>> judged(replies.size());
+  const std::int64_t before = all_.poses();
   std::atomic<std::int64_t> done = 0;
   std::mutex reporting;
   oneapi::tbb::task_arena arena(jobs);
@@ -81,37 +44,57 @@ void Judging::add(std::vector<Reply> replies, int jobs, const std::function<bool
         [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
           for (std::size_t k = range.begin(); k < range.end(); ++k) {
             if (stop()) return;
-            const Reply& reply = replies[k];
-            verdicts[k] =
-                reply.breakdown ? PoseVerdict() : judge_.judge(judge_.posed().questions[reply.question], reply.answer);
-            const std::int64_t now = judged_ + ++done;
+            judged[k] = judge_one(std::move(replies[k]));
+            const std::int64_t now = before + ++done;
             if (const std::unique_lock lock(reporting, std::try_to_lock); lock) progress(now);
           }
         },
         oneapi::tbb::simple_partitioner());
   });
-  judged_ += done;
-  for (std::size_t k = 0; k < replies.size(); ++k)
-    if (verdicts[k]) keep(std::move(replies[k]), *verdicts[k]);
+  for (std::optional<Judged>& one : judged)
+    if (one) all_.merge(std::move(*one));
 }
 
-void Judging::keep(Reply reply, const PoseVerdict& verdict) {
-  JudgedTally& stratum = strata_[stratum_of_[reply.question]].second;
-  for (JudgedTally* const tally : {&stratum, &pairs_[pair_of_[reply.question]].second}) {
-    if (reply.breakdown)
-      tally->add(*reply.breakdown);
-    else
-      tally->add(verdict);
+Judged Judging::judge_one(Reply reply) const {
+  const PosedQuestion& question = judge_.posed().questions[reply.question];
+  const PoseVerdict verdict = reply.breakdown ? PoseVerdict() : judge_.judge(question, reply.answer);
+  JudgedTally tally;
+  if (reply.breakdown)
+    tally.add(*reply.breakdown);
+  else
+    tally.add(verdict);
+  Judged judged;
+  judged.strata[question.stratum] = judged.pairs[question.pair] = tally;
+  judged.conventions.add(verdict.conventions, reply.line);
+  if (tally.wrong > 0) {
+    const std::size_t number = reply.question;
+    judged.wrong_answers[question.stratum].emplace(number, WrongAnswer{std::move(reply), verdict.facts});
   }
-  conventions_.add(verdict.conventions, reply.line);
-  const bool is_wrong = reply.breakdown || verdict.has(Verdict::wrong);
-  if (is_wrong && stratum.wrong <= kMostCasesOfAStratum) wrong_answers_.push_back({std::move(reply), verdict.facts});
+  return judged;
 }
 
 JudgedTally Judging::total() const {
   JudgedTally total;
-  for (const auto& [stratum, tally] : strata_) total.merge(tally);
+  for (const auto& [stratum, tally] : all_.strata) total.merge(tally);
   return total;
+}
+
+std::vector<WrongAnswer> Judging::wrong_answers() const {
+  std::map<std::size_t, WrongAnswer> by_question;
+  for (const auto& [stratum, wrong] : all_.wrong_answers) by_question.insert(wrong.begin(), wrong.end());
+  std::vector<WrongAnswer> all;
+  for (auto& [question, wrong] : by_question) all.push_back(std::move(wrong));
+  return all;
+}
+
+Judging::NamedTallies Judging::in_order(const std::vector<std::string>& names,
+                                        const std::map<std::string, JudgedTally>& tallies) {
+  NamedTallies ordered;
+  for (const std::string& name : names) {
+    const auto known = tallies.find(name);
+    ordered.emplace_back(name, known == tallies.end() ? JudgedTally{} : known->second);
+  }
+  return ordered;
 }
 
 std::string Judging::case_text(const WrongAnswer& wrong) const {

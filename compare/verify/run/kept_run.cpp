@@ -83,14 +83,14 @@ void remove_unfinished_tables(const fs::path& folder) {
   for (const std::string_view table : kTables) remove_unfinished(folder / table);
 }
 
-KeptRun::KeptRun(fs::path folder, const Verification& run, Share share)
+KeptRun::KeptRun(fs::path folder, const Verification& run, JobPart part)
     : folder_(std::move(folder)), run_(run), campaign_(folder_ / kCampaignFile) {
-  campaign_.begin([&](const std::optional<Campaign::Job>& held) { return decide(held, share); });
+  campaign_.begin([&](const std::optional<Campaign::Job>& held) { return decide(held, part); });
 }
 
-std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>& held, Share share) {
+std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>& held, JobPart part) {
   const std::string out = "--out " + folder_.string() + ": ";
-  const Campaign::Job anew{dump(identity_of(run_.plan())), run_.chunks(), share};
+  const Campaign::Job anew{dump(identity_of(run_.plan())), run_.chunks(), part};
   if (!held) {
     if (remove_results(folder_)) notice_ = out + "tables and cases of a run whose campaign is gone are removed";
     return anew;
@@ -105,13 +105,13 @@ std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>&
                           difference);
     return anew;
   }
-  if (held->share != share)
-    throw BadInput(held->share.of == 1
+  if (held->part != part)
+    throw BadInput(held->part.of == 1
                        ? out + "it holds the whole run; choose another folder"
                        : fmt::format("{}it holds {} of the run; choose another folder", out,
-                                     held->share == kNoShare
+                                     held->part == kNoPart
                                          ? "parts taken from other folders"
-                                         : fmt::format("part {} of {}", held->share.number, held->share.of)));
+                                         : fmt::format("part {} of {}", held->part.number, held->part.of)));
   return std::nullopt;
 }
 

@@ -15,8 +15,8 @@ namespace pcm::compare {
 
 inline constexpr const char* kCampaignFile = "campaign.sqlite";
 
-/// The share of a run that is put together from those of others.
-inline constexpr Share kNoShare{0, 0};
+/// The part of a run that is put together from those of others.
+inline constexpr JobPart kNoPart{0, 0};
 
 /// What a process that was killed while it wrote the tables left.
 void remove_unfinished_tables(const std::filesystem::path& folder);
@@ -29,9 +29,9 @@ class KeptRun : public Chunks<Outcomes> {
   /// A run of another build of the program or on other surfaces says nothing about this one: it is not continued, and
   /// its tables and cases are removed, so that nothing of it is left beside the new ones; so are tables and cases
   /// without a campaign. Throws BadInput, and removes nothing, where what is kept is damaged, or of a run with other
-  /// arguments (poses, seed, strata, modes, schemes, share; also where it lacks one of them or has one more), which the
+  /// arguments (poses, seed, strata, modes, schemes, part; also where it lacks one of them or has one more), which the
   /// caller may want to keep. `run` must outlive this.
-  KeptRun(std::filesystem::path folder, const Verification& run, Share share = {});
+  KeptRun(std::filesystem::path folder, const Verification& run, JobPart part = {});
 
   /// What became of what was kept, as a line for standard error; empty where there is nothing to say.
   const std::string& notice() const { return notice_; }
@@ -47,17 +47,17 @@ class KeptRun : public Chunks<Outcomes> {
   void give_back(ChunkRange chunks) override;
 
   /// Whether all that this folder is for is done, by whomever; and whether that is the whole run.
-  bool share_done() { return campaign_.share_done(); }
+  bool part_done() { return campaign_.part_done(); }
   bool all_done() { return campaign_.all_done(); }
   /// All that is done.
   Outcomes outcomes();
   /// Notes who finished the run, if nobody has and it is. Says whether it was this call.
   bool finish(const nlohmann::ordered_json& program);
-  /// Takes over the finished shares of the same run that other folders hold.
+  /// Takes over the finished parts of the same run that other folders hold.
   void merge(const std::vector<std::filesystem::path>& folders);
 
  private:
-  std::optional<Campaign::Job> decide(const std::optional<Campaign::Job>& held, Share share);
+  std::optional<Campaign::Job> decide(const std::optional<Campaign::Job>& held, JobPart part);
 
   std::filesystem::path folder_;
   const Verification& run_;

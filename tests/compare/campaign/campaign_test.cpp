@@ -25,10 +25,10 @@ class CampaignTest : public testing::Test {
   std::filesystem::path file(const char* name = "one") const { return scratch_.path() / name; }
 
   /// Continues what the file holds, if anything.
-  static void begin(Campaign& campaign, std::int64_t chunks = 100, Share share = {}) {
+  static void begin(Campaign& campaign, std::int64_t chunks = 100, JobPart part = {}) {
     campaign.begin([&](const std::optional<Campaign::Job>& held) -> std::optional<Campaign::Job> {
       if (held) return std::nullopt;
-      return Campaign::Job{"job", chunks, share};
+      return Campaign::Job{"job", chunks, part};
     });
   }
 
@@ -75,7 +75,7 @@ TEST_F(CampaignTest, HandsOutEveryChunkOnceToAnyNumberOfThreadsAndWorkers) {
   }
   EXPECT_EQ(done.size(), 1000U);
   EXPECT_EQ(std::set<std::int64_t>(done.begin(), done.end()).size(), 1000U);
-  EXPECT_TRUE(first.share_done());
+  EXPECT_TRUE(first.part_done());
   EXPECT_TRUE(first.all_done());
 }
 
@@ -87,7 +87,7 @@ TEST_F(CampaignTest, WhatADeadWorkerWasAtFallsToTheOthersAndNoLivingOnes) {
   const std::optional<ChunkRange> own = living.claim(1);
   ASSERT_TRUE(own);
   EXPECT_FALSE(living.claim(1)) << "the other worker is alive";
-  EXPECT_FALSE(living.share_done());
+  EXPECT_FALSE(living.part_done());
   const std::string kill = "UPDATE worker SET process = " + std::to_string(dead_process()) + " WHERE id = 1";
   change(kill.c_str());
   const std::optional<ChunkRange> inherited = living.claim(1);
@@ -156,18 +156,18 @@ TEST_F(CampaignTest, WhatWorkersHaveFoundIsReplacedByTheirOwnAlone) {
 
 TEST_F(CampaignTest, SharesAreTakenInOnceEachWhenTheyAreDone) {
   for (std::int64_t k = 1; k <= 3; ++k) {
-    Campaign share(file(std::to_string(k).c_str()));
-    begin(share, 10, {k, 3});
-    EXPECT_FALSE(share.share_done());
+    Campaign part(file(std::to_string(k).c_str()));
+    begin(part, 10, {k, 3});
+    EXPECT_FALSE(part.part_done());
     if (k == 3) break;
-    while (const auto chunks = share.claim(2))
-      ASSERT_TRUE(share.commit(*chunks, {{"of " + std::to_string(k), std::to_string(chunks->end)}}));
-    EXPECT_TRUE(share.share_done());
-    EXPECT_FALSE(share.all_done());
+    while (const auto chunks = part.claim(2))
+      ASSERT_TRUE(part.commit(*chunks, {{"of " + std::to_string(k), std::to_string(chunks->end)}}));
+    EXPECT_TRUE(part.part_done());
+    EXPECT_FALSE(part.all_done());
   }
   Campaign whole(file("whole"));
   begin(whole, 10, {0, 0});
-  EXPECT_TRUE(whole.share_done());
+  EXPECT_TRUE(whole.part_done());
   EXPECT_FALSE(whole.all_done());
   whole.take_in(file("2"));
   whole.take_in(file("1"));
@@ -208,7 +208,7 @@ TEST_F(CampaignTest, DamageIsNoticed) {
   const auto nothing = [](Campaign&) {};
   change("UPDATE found SET key = 'other'");
   expect_damaged([](Campaign& campaign) { found_in(campaign); });
-  for (const char* sql : {"UPDATE job SET chunks = 3", "UPDATE job SET shares = 2", "UPDATE job SET identity = 'x'"}) {
+  for (const char* sql : {"UPDATE job SET chunks = 3", "UPDATE job SET parts = 2", "UPDATE job SET identity = 'x'"}) {
     SCOPED_TRACE(sql);
     std::filesystem::remove(file());
     {

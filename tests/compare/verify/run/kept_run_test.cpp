@@ -51,7 +51,7 @@ void alter_identity(const std::filesystem::path& folder, const std::function<voi
   Json identity = kept_identity(folder);
   alter(identity);
   Database database(folder / kCampaignFile);
-  Statement job(database, "SELECT chunks, share, shares FROM job");
+  Statement job(database, "SELECT chunks, part, parts FROM job");
   ASSERT_TRUE(job.step());
   const std::string text = identity.dump();
   const std::string hash = sha256(text + '\n' + job.text(0) + '\n' + job.text(1) + '/' + job.text(2));
@@ -111,7 +111,7 @@ class KeptRunTest : public testing::Test {
     const Verification run(plan);
     KeptRun kept(scratch_.path(), run);
     EXPECT_TRUE(kept.outcomes().cells.empty());
-    EXPECT_FALSE(kept.share_done());
+    EXPECT_FALSE(kept.part_done());
     EXPECT_NE(kept.notice().find(why), std::string::npos) << kept.notice();
     EXPECT_FALSE(kept.finished());
     for (const char* file : {"verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
@@ -134,7 +134,7 @@ TEST_F(KeptRunTest, OfTheSameProgramIsContinuedAndEndsAsAnUninterruptedOne) {
   EXPECT_FALSE(kept.finish({{"who", "nobody"}})) << "it is not finished";
   EXPECT_TRUE(exists("case_old.json"));
   run_chunks(run, kept, 2, kNever, kSilent);
-  EXPECT_TRUE(kept.share_done());
+  EXPECT_TRUE(kept.part_done());
   Verification whole(plan_);
   run_all(whole, 1, kNever, kSilent);
   EXPECT_EQ(csv_of(plan_, kept.outcomes()), verification_csv(whole));
@@ -149,7 +149,7 @@ TEST_F(KeptRunTest, IsDoneByTwoAtATimeAsByOne) {
   std::jthread other([&] { run_chunks(run, second, 1, kNever, kSilent); });
   run_chunks(run, first, 1, kNever, kSilent);
   other.join();
-  EXPECT_TRUE(first.share_done());
+  EXPECT_TRUE(first.part_done());
   Verification whole(plan_);
   run_all(whole, 2, kNever, kSilent);
   EXPECT_EQ(csv_of(plan_, first.outcomes()), verification_csv(whole));
@@ -169,7 +169,7 @@ TEST_F(KeptRunTest, KeepsTheSameFindingsWhoeverHasThem) {
   run_chunks(
       run, first, 1, [&] { return ++asked > 1200; }, kSilent);
   run_chunks(run, second, 1, kNever, kSilent);
-  ASSERT_TRUE(second.share_done());
+  ASSERT_TRUE(second.part_done());
   const Outcomes all = second.outcomes();
   ASSERT_EQ(all.findings.size(), kMostFindings);
   for (std::size_t k = 0; k < kMostFindings; ++k) {

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "compare/campaign/campaign.h"
+#include "compare/judge/judgement/judged.h"
+
+namespace pcm::compare {
+
+/// A judgement kept in a folder, which later calls of the program continue and others at the same time share in.
+class KeptJudgement : public Chunks<Judged> {
+ public:
+  /// Continues what is kept in the folder, if anything is. `identity`: what is judged and how, an object. Throws
+  /// BadInput where what is kept is another judgement, or damaged. The questions must outlive this.
+  KeptJudgement(const std::filesystem::path& folder, const Json& identity, std::int64_t chunks,
+                const PosedQuestions& posed);
+
+  std::optional<ChunkRange> claim(std::int64_t most) override { return campaign_.claim(most); }
+  void commit(ChunkRange chunks, Judged judged) override;
+  void give_back(ChunkRange chunks) override { campaign_.give_back(chunks); }
+
+  bool done() { return campaign_.all_done(); }
+  /// All that is judged.
+  Judged judged();
+  /// Notes that it is finished, if it is and nobody has. Says whether it was this call.
+  bool finish() { return campaign_.all_done() && campaign_.finish("finished"); }
+  /// Whether somebody has.
+  bool finished() { return campaign_.finished().has_value(); }
+
+ private:
+  const PosedQuestions& posed_;
+  Campaign campaign_;
+  std::mutex mutex_;
+  Judged mine_;  ///< what this process has committed
+};
+
+}  // namespace pcm::compare
