@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -52,11 +54,12 @@ class Chunks {
 /// with chunks.
 ///
 /// Every function may be called from any thread, and throws BadInput naming the file where that can't be read or
-/// written or is damaged.
+/// written or is damaged, and where another call has begun another job in it since.
 class Campaign {
  public:
-  /// Opens the file or makes it. Nothing is done yet where it is new.
-  explicit Campaign(const std::filesystem::path& file);
+  /// Opens the file or makes it. Nothing is done yet where it is new. A worker on another machine, or one of which this
+  /// machine can't tell, counts as dead when it has not said for so long that it lives.
+  explicit Campaign(const std::filesystem::path& file, std::chrono::milliseconds patience = std::chrono::minutes(1));
   Campaign(const Campaign&) = delete;
   Campaign& operator=(const Campaign&) = delete;
   ~Campaign();
@@ -68,16 +71,20 @@ class Campaign {
     JobPart part;
   };
   /// Decides, before any other process goes on, whether the job that the file holds (none where it holds none) is
-  /// continued, and otherwise begins the one returned. Then this process is one of the job's workers.
-  void begin(const std::function<std::optional<Job>(const std::optional<Job>& held)>& decide);
+  /// continued, and otherwise begins the one returned; `at_work`: others may be at the held one. Then this process is
+  /// one of the job's workers.
+  void begin(const std::function<std::optional<Job>(const std::optional<Job>& held, bool at_work)>& decide);
 
-  /// Neighbouring chunks that nobody is at, or whose worker is dead.
+  /// Neighbouring chunks that nobody is at, or whose worker is dead; no more than so many.
   std::optional<ChunkRange> claim(std::int64_t most);
+  /// Whether there may be something to claim. Costs the other workers nothing.
+  bool anything_to_claim();
   /// Replaces what this worker has found under these keys. False, and nothing is changed, where the chunks are another
   /// worker's by now: this one was taken for dead.
   bool commit(ChunkRange chunks, const std::map<std::string, std::string>& found);
   void give_back(ChunkRange chunks);
 
+  std::int64_t chunks_done();
   /// Whether all chunks of this file's part are done.
   bool part_done();
   /// Whether all chunks of the job are.
@@ -85,26 +92,57 @@ class Campaign {
   /// Calls `take` with every key and text that a worker has found.
   void for_each_found(const std::function<void(const std::string& key, const std::string& text)>& take);
 
-  /// Notes that the job is finished, unless that stands there already. Says whether it was this call.
-  bool finish(const std::string& note);
+  /// Makes this worker the only one that may publish results, unless another living one is.
+  bool begin_publishing();
+  void end_publishing();
+  /// Notes that the job is finished.
+  void finish(const std::string& note);
   /// What `finish` has noted, if anything.
   std::optional<std::string> finished();
 
-  /// Takes over what another file holds of the same job. Throws BadInput where that is not done, or holds chunks that
-  /// this one has too.
-  void take_in(const std::filesystem::path& file);
+  /// Takes over what other files hold of the same job: all of them or, where one is refused, none. One that has been
+  /// taken over before is passed over. Throws BadInput where a file's part is not done, or has chunks that another one
+  /// has too.
+  void take_in(const std::vector<std::filesystem::path>& files);
 
  private:
+  using Clock = std::chrono::steady_clock;
+  struct Beat {
+    std::int64_t number = 0;
+    Clock::time_point since;
+  };
+
   void join();
   void beat(const std::stop_token& stop);
-  bool is_dead(const Statement& worker) const;
+  /// `worker`: a row (host, process, beat, id).
+  bool is_dead(const Statement& worker);
   std::optional<Job> held();
+  void take_in(Campaign& other, const Job& ours);
+  /// Within a transaction, or before a statement alone.
+  void require_own_job();
+  [[noreturn]] void damaged() const;
 
   std::mutex mutex_;
   Database database_;
   std::string host_;
-  std::int64_t worker_ = 0;
+  std::chrono::milliseconds patience_;
+  std::string job_;                     ///< a number of the held job that no other has
+  std::int64_t worker_ = 0;             ///< its number; 0 before `begin`
+  std::map<std::int64_t, Beat> heard_;  ///< of other workers, by their numbers: their last beat, and since when
   std::jthread heart_;
+};
+
+/// While it lives no other worker publishes results of the job.
+class Publishing {
+ public:
+  /// Waits for another one that does.
+  explicit Publishing(Campaign& campaign);
+  Publishing(const Publishing&) = delete;
+  Publishing& operator=(const Publishing&) = delete;
+  ~Publishing();
+
+ private:
+  Campaign& campaign_;
 };
 
 }  // namespace pcm::compare

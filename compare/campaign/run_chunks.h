@@ -51,8 +51,9 @@ void run_chunks(Chunks<Result>& chunks, int jobs, const std::function<bool()>& s
       }
       chunks.commit(*claimed, std::move(all));
       const auto took = std::chrono::steady_clock::now() - begun;
-      if (took < kHandIn / 2) most = std::min(2 * most, kMostChunks);
-      if (took > kHandIn) most = std::max<std::int64_t>(1, most / 2);
+      const std::int64_t done = claimed->end - claimed->first;
+      if (took < kHandIn / 2) most = std::min(std::max(most, 2 * done), kMostChunks);
+      if (took > kHandIn) most = std::max<std::int64_t>(1, done / 2);
     }
   };
   std::vector<std::jthread> threads;

@@ -112,9 +112,13 @@ std::vector<std::size_t> widths_of(const std::vector<Row>& rows, std::size_t col
 }
 
 /// Columns of each part that a table is cut into where it is too wide for a page: the leading columns of words, which
-/// say what a row is of, stand in all of them.
+/// say what a row is of, or the first column, stand in all of them.
 std::vector<std::vector<std::size_t>> parts_of(const std::vector<std::size_t>& widths, const std::string& columns) {
-  const std::size_t leading = std::min(columns.find('r'), columns.size());
+  std::size_t leading = std::clamp<std::size_t>(columns.find('r'), 1, columns.size());
+  // Where words alone fill half a line the first column has to do.
+  if (2 * std::accumulate(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(leading), std::size_t{0}) >
+      kTinyLine)
+    leading = 1;
   std::vector<std::size_t> head(leading);
   std::iota(head.begin(), head.end(), std::size_t{0});
   const std::size_t head_width = std::accumulate(widths.begin(), widths.begin() + std::ssize(head), std::size_t{0});

@@ -2,34 +2,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/frame/launcher.h"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
 #include <optional>
-#include <string_view>
+#include <string>
+#include <thread>
 
 namespace pcm::compare {
 namespace {
 
-std::optional<int> number_in(const char* variable) {
+std::string value_of(const char* variable) {
   const char* const value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): before any thread is started
-  if (value == nullptr) return std::nullopt;
-  const std::string_view text(value);
+  return value == nullptr ? "" : value;
+}
+
+/// That the value begins with, as in "4(x2)".
+std::optional<int> number_in(const char* variable) {
+  const std::string text = value_of(variable);
   int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (std::from_chars(text.data(), text.data() + text.size(), number).ec != std::errc()) return std::nullopt;
   return number;
 }
 
 struct Variables {
-  const char *rank, *processes, *on_this_machine;
+  const char *rank, *processes, *on_this_machine, *launch;
 };
 
 constexpr std::array kLaunchers = {
-    Variables{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_LOCAL_SIZE"},
-    Variables{"PMI_RANK", "PMI_SIZE", "MPI_LOCALNRANKS"},
-    Variables{"SLURM_PROCID", "SLURM_STEP_NUM_TASKS", "SLURM_STEP_TASKS_PER_NODE"},
+    Variables{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_LOCAL_SIZE", "OMPI_MCA_ess_base_jobid"},
+    Variables{"PMI_RANK", "PMI_SIZE", "MPI_LOCALNRANKS", "PMI_ID"},
+    Variables{"SLURM_PROCID", "SLURM_STEP_NUM_TASKS", "SLURM_STEP_TASKS_PER_NODE", "SLURM_JOB_ID"},
 };
 
 }  // namespace
@@ -38,9 +44,19 @@ LaunchedProcess launched_process() {
   for (const Variables& launcher : kLaunchers) {
     const std::optional<int> rank = number_in(launcher.rank), processes = number_in(launcher.processes);
     if (!rank || !processes || *rank < 0 || *rank >= *processes) continue;
-    return {*rank, *processes, std::max(1, number_in(launcher.on_this_machine).value_or(*processes))};
+    return {*rank, *processes, std::max(1, number_in(launcher.on_this_machine).value_or(*processes)),
+            std::string(launcher.launch) + '=' + value_of(launcher.launch) + '.' + value_of("SLURM_STEP_ID")};
   }
   return {};
+}
+
+int cores_of(const LaunchedProcess& process) {
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  cpu_set_t own;
+  CPU_ZERO(&own);
+  // mpirun and srun may have given each process cores of its own.
+  if (sched_getaffinity(0, sizeof own, &own) == 0 && CPU_COUNT(&own) < all) return std::max(1, CPU_COUNT(&own));
+  return std::max(1, all / process.on_this_machine);
 }
 
 }  // namespace pcm::compare

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 namespace pcm::compare {
 
 /// Which of the processes that mpirun or srun has started together this one is. Nothing else of MPI is needed: they
@@ -10,7 +12,11 @@ struct LaunchedProcess {
   int rank = 0;
   int processes = 1;
   int on_this_machine = 1;
+  std::string launch;  ///< a name that all of them share, and no others
 };
+
+/// How many threads this process is to have: as many as cores that it may run on, or its part of the machine's.
+int cores_of(const LaunchedProcess& process);
 
 /// As the environment says that Open MPI, MPICH and Slurm give; one of one where it says nothing.
 LaunchedProcess launched_process();

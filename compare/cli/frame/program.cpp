@@ -69,6 +69,8 @@ int exit_status_of(const std::function<Exit()>& work) {
     complain(error.what());
   } catch (const std::bad_alloc&) {
     complain("out of memory");
+  } catch (const std::exception& error) {
+    complain(std::string("a fault of this program: ") + error.what());
   }
   return static_cast<int>(status);
 }

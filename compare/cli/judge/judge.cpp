@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -52,6 +54,11 @@ struct JudgeOptions {
 
 /// 8 ulps of single precision.
 constexpr std::uint64_t kMostUlps = std::uint64_t{8} << 29;
+
+std::string content_of_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
 
 /// Few at first, so that another convention is noticed before every pose has been looked at twice.
 constexpr std::size_t kFirstBatch = 64;
@@ -152,11 +159,16 @@ bool judge_shared(const Judging& run, KeptJudgement& kept, const ReplyTo& reply_
     }
     return judged;
   };
+  std::chrono::milliseconds pause(50);
   while (!kept.done() && !work.interrupted()) {
-    run_chunks<Judged>(
-        kept, jobs, [&] { return work.interrupted(); }, [&]() -> DoChunk<Judged> { return judge_chunk; });
-    // The others are at the rest, and may die.
-    if (!kept.done() && !work.interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (kept.anything_to_claim()) {
+      run_chunks<Judged>(
+          kept, jobs, [&] { return work.interrupted(); }, [&]() -> DoChunk<Judged> { return judge_chunk; });
+    } else {
+      // The others are at the rest, and may die.
+      std::this_thread::sleep_for(pause);
+      pause = std::min(2 * pause, std::chrono::milliseconds(1000));
+    }
   }
   return work.interrupted();
 }
@@ -199,12 +211,11 @@ void print_wrong_answers(const Judging& run, const std::optional<fs::path>& fold
 
 /// What was judged: the answers, and the surfaces of their poses.
 Json question_of(const PosedQuestions& posed, const JudgingSetup& setup, bool complete) {
-  Json question{
-      {"answers", {{"from", setup.who}}},
-      {"poses", {{"folder", setup.poses}, {"sha256", sha256(read_text_file(fs::path(setup.poses) / kPosesFile))}}},
-      {"laws", std::string("of each pose its own, with scheme and mode, in ") + kPosesFile},
-      {"complete", complete},
-      {"surfaces", Json::array()}};
+  Json question{{"answers", {{"from", setup.who}}},
+                {"poses", {{"folder", setup.poses}, {"sha256", setup.poses_sha256}}},
+                {"laws", std::string("of each pose its own, with scheme and mode, in ") + kPosesFile},
+                {"complete", complete},
+                {"surfaces", Json::array()}};
   if (!setup.answers_sha256.empty()) question["answers"]["sha256"] = setup.answers_sha256;
   for (const PosedSurface& surface : posed.surfaces)
     question["surfaces"].push_back({{"name", surface.name}, {"sha256", surface.sha256}});
@@ -238,7 +249,7 @@ Json identity_of(const JudgeOptions& options, const JudgingSetup& setup) {
           {"build", program_hash()},
           {"answers", options.answers ? "file" : *options.command},
           {"answers_sha256", setup.answers_sha256},
-          {"poses_sha256", sha256(read_text_file(fs::path(*options.poses) / kPosesFile))},
+          {"poses_sha256", setup.poses_sha256},
           {"tolerances", setup.tolerances},
           {"near_ulps", setup.near_ulps}};
 }
@@ -257,20 +268,22 @@ Exit judge_with_others(Judging& run, const JudgeOptions& options, const JudgingS
       options.answers ? replies_of_file(*options.answers, posed, complaint) : replies_of_command(options, posed);
   const auto chunks = static_cast<std::int64_t>((posed.questions.size() + kChunk - 1) / kChunk);
   KeptJudgement kept(folder, identity_of(options, setup), chunks, posed);
-  const bool before = kept.finished();
   const bool interrupted = judge_shared(run, kept, reply_to, jobs);
+  const Publishing alone = kept.publish();
+  const bool done = kept.done();
   run.add(kept.judged());
   if (const Conventions::Found other = run.conventions().found(); complaint.empty() && !other.text.empty())
     complaint =
         (options.answers ? fmt::format("{}:{}", *options.answers, other.line) : "--command") + ": " + other.text;
-  const bool finished_here = kept.finish();
-  // One process speaks for all: the one that has finished it, or else the first.
-  const bool speaks = finished_here || (process.rank == 0 && (before || !kept.done()));
-  if (speaks) report(run, setup, folder, ended_by(complaint, interrupted));
+  const std::optional<std::string> finished_by = kept.finished_by();
+  const bool spoken = process.processes > 1 &&
+                      (finished_by ? *finished_by == process.launch || process.rank > 0 : !done && process.rank > 0);
   // mpirun ends all when one of them fails, before the one that speaks is through.
-  if (!speaks && process.processes > 1) return Exit::success;
+  if (spoken) return Exit::success;
+  report(run, setup, folder, ended_by(complaint, interrupted && !done));
+  if (done && !finished_by) kept.finish(process.launch);
   if (!complaint.empty()) throw BadInput(complaint);
-  return interrupted || run.total().wrong > 0 ? Exit::negative : Exit::success;
+  return !done || run.total().wrong > 0 ? Exit::negative : Exit::success;
 }
 
 Exit judge_alone(Judging& run, const JudgeOptions& options, const JudgingSetup& setup,
@@ -305,11 +318,12 @@ Exit judge(const JudgeOptions& options) {
   const PosedQuestions posed = read_poses_folder(*options.poses);
   const std::optional<fs::path> folder = prepared_folder(options.frame);
   JudgingSetup setup{
-      options.answers.value_or(options.command.value_or("")), *options.poses, tolerances.text(), ulps, {}};
+      options.answers.value_or(options.command.value_or("")),        *options.poses, tolerances.text(), ulps, {},
+      sha256(content_of_file(fs::path(*options.poses) / kPosesFile))};
   // A pipe can't be read twice.
   if (std::error_code error; folder && options.answers) {
     if (fs::is_regular_file(*options.answers, error))
-      setup.answers_sha256 = sha256(read_text_file(*options.answers));
+      setup.answers_sha256 = sha256(content_of_file(*options.answers));
     else if (options.shared)
       throw BadInput(*options.answers + ": no file; --shared wants answers in a file, or --command");
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -31,14 +32,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Each once, in however many modes.
-std::int64_t poses_of(const Outcomes& outcomes, const Verification& run) {
-  std::int64_t poses = 0;
-  for (const auto& [cell, outcome] : outcomes.cells) poses += outcome.tally.poses;
-  return poses / run.poses().modes_per_pose();
-}
-
+/// In place of those that an interrupted call has left.
 void write_cases(const fs::path& folder, const Verification& run) {
+  remove_cases(folder);
   fast::Workspace workspace;
   const Wanted everything;
   for (const Finding& finding : run.findings()) {
@@ -69,7 +65,8 @@ void write_cases(const fs::path& folder, const Verification& run) {
   }
 }
 
-void write_tables(const fs::path& folder, const Verification& run, const ProgramProvenance& program) {
+void write_tables(const fs::path& folder, const Verification& run, const ProgramProvenance& program,
+                  const std::string& why_unfinished) {
   remove_unfinished_tables(folder);
   write_cases(folder, run);
   nlohmann::ordered_json question = question_of(run.plan());
@@ -79,8 +76,8 @@ void write_tables(const fs::path& folder, const Verification& run, const Program
   report.csv("verification", verification_csv(run), verification_units());
   report.json("verification", verification_json(run));
   report.markdown("times", times_markdown(run));
-  report.markdown("verification",
-                  verification_markdown(run) + "\n" + widths_markdown(run) + "\n" + verdict_line(run) + "\n");
+  report.markdown("verification", verification_markdown(run) + "\n" + widths_markdown(run) + "\n" +
+                                      verdict_line(run, why_unfinished) + "\n");
   report.finish();
 }
 
@@ -97,11 +94,16 @@ void print_run(const Verification& run) {
 /// Until all that the folder is for is done, here or by others, or this process is interrupted.
 void run_kept(const Verification& run, KeptRun& kept, int jobs) {
   const Interruptible work(run.poses_in_all());
+  std::chrono::milliseconds pause(50);
   while (!kept.part_done() && !work.interrupted()) {
-    run_chunks(
-        run, kept, jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
-    // The others are at the rest, and may die.
-    if (!kept.part_done() && !work.interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (kept.anything_to_claim()) {
+      run_chunks(
+          run, kept, jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
+    } else {
+      // The others are at the rest, and may die.
+      std::this_thread::sleep_for(pause);
+      pause = std::min(2 * pause, std::chrono::milliseconds(1000));
+    }
   }
 }
 
@@ -117,29 +119,37 @@ Exit verify_here(Verification& run, int jobs) {
   return is_verified(run) ? Exit::success : Exit::negative;
 }
 
-/// One of several processes speaks for all: the one that has finished the run, or else the first.
+/// What a run that is not finished lacks.
+std::string why_unfinished(const JobPart& part, bool part_is_done) {
+  if (!part_is_done) return "interrupted";
+  return part == kNoPart ? "parts are missing" : fmt::format("part {} of {}", part.number, part.of);
+}
+
+/// One of several processes that were launched together speaks for all: the one that finishes the run, or else the
+/// first. Whoever was started apart speaks for itself.
 Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path& folder,
                  const LaunchedProcess& process, int jobs) {
   const JobPart part = part_of(options);
   KeptRun kept(folder, run, part);
-  const auto say = [&process](const std::string& notice) {
-    if (process.rank == 0 && !notice.empty()) complain(notice);
-  };
-  say(kept.notice());
-  if (!kept.all_done()) kept.merge({options.merge.begin(), options.merge.end()});
+  if (!kept.notice().empty()) complain(kept.notice());
+  if (!options.merge.empty()) kept.merge({options.merge.begin(), options.merge.end()});
   const std::optional<KeptRun::Finished> before = kept.finished();
-  if (const std::int64_t done = poses_of(kept.outcomes(), run); done > 0 && !before && !kept.part_done())
-    say(fmt::format("--out {}: continued after {} poses", folder.string(), done));
+  if (const double done = kept.done(); process.rank == 0 && done > 0 && !kept.part_done())
+    complain(fmt::format("--out {}: continued, {:.0f} % are done", folder.string(), std::floor(100 * done)));
 
   run_kept(run, kept, jobs);
+  const Publishing alone = kept.publish();
+  const bool all_done = kept.all_done(), part_is_done = kept.part_done();
   run.add(kept.outcomes());
-  nlohmann::ordered_json program = before ? before->by : provenance_json(this_program());
-  const bool finished_here = kept.finish(program);
-  const bool speaks = finished_here || (process.rank == 0 && (before || !kept.all_done()));
-  const bool part_is_done = part.of > 1 && kept.part_done();
-  const bool good = part_is_done ? run.total().disagreeing == 0 : is_verified(run);
+  if (all_done != run.finished())
+    throw BadInput((folder / kCampaignFile).string() + ": it is damaged; choose another folder");
+  const std::optional<KeptRun::Finished> finished = kept.finished();
+  const bool is_a_part = part.of > 1 && part_is_done;
+  const Exit status = (is_a_part ? run.total().disagreeing == 0 : is_verified(run)) ? Exit::success : Exit::negative;
+  const bool spoken = process.processes > 1 && (finished ? finished->launch == process.launch || process.rank > 0
+                                                         : !all_done && process.rank > 0);
   // mpirun ends all when one of them fails, before the one that speaks is through.
-  if (!speaks) return good || process.processes > 1 ? Exit::success : Exit::negative;
+  if (spoken) return Exit::success;
 
   print_run(run);
   if (before)
@@ -147,16 +157,19 @@ Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path
         "These tables and this verdict are those of an earlier run of the same build and surfaces, finished {}.\n"
         "Nothing was evaluated now.\n",
         before->at);
-  if (part_is_done)
-    std::cout << fmt::format("part {} of {}: {} poses, {} touching, {} disagreements", part.number, part.of,
-                             run.poses_done(), touching_poses(run), run.total().disagreeing);
+  const std::string why = why_unfinished(part, part_is_done);
+  if (is_a_part)
+    std::cout << fmt::format("{}: {} poses, {} touching, {} disagreements", why, run.poses_done(), touching_poses(run),
+                             run.total().disagreeing);
   else
-    std::cout << verdict_line(run);
+    std::cout << verdict_line(run, why);
   if (before) std::cout << fmt::format(" (an earlier run's, finished {}; nothing evaluated now)", before->at);
   std::cout << '\n';
   // Of a run that an earlier call finished, too: who knows what became of its files.
-  write_tables(folder, run, program_from(program));
-  return good ? Exit::success : Exit::negative;
+  const nlohmann::ordered_json program = finished ? finished->by : provenance_json(this_program());
+  write_tables(folder, run, program_from(program), why);
+  if (all_done && !finished) kept.finish(program, process.launch);
+  return status;
 }
 
 Exit verify_poses(const VerifyOptions& options) {

@@ -11,7 +11,6 @@
 #include <iostream>
 #include <limits>
 #include <system_error>
-#include <thread>
 
 #include "compare/cli/frame/launcher.h"
 #include "compare/cli/frame/surface_warnings.h"
@@ -125,7 +124,7 @@ void Interruptible::show(std::int64_t done) const {
 
 int number_of_jobs(const VerifyOptions& options) {
   if (options.jobs) return static_cast<int>(whole_number("--jobs", *options.jobs, 1, 4096));
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / launched_process().on_this_machine);
+  return cores_of(launched_process());
 }
 
 JobPart part_of(const VerifyOptions& options) {

@@ -24,7 +24,8 @@ struct JudgingSetup {
   std::string poses;
   std::string tolerances;  ///< Tolerances::text
   std::int64_t near_ulps = 0;
-  std::string answers_sha256;  ///< of the file of answers; empty where they came from a command
+  std::string answers_sha256;  ///< of the file of answers; empty where they came from elsewhere
+  std::string poses_sha256;    ///< of poses.jsonl
 };
 
 /// What the tables' columns are, in words for people.

@@ -51,7 +51,7 @@ KeptJudgement::KeptJudgement(const std::filesystem::path& folder, const Json& id
                              const PosedQuestions& posed)
     : posed_(posed), campaign_(folder / kFile) {
   const Campaign::Job job{dump(identity), chunks, {}};
-  campaign_.begin([&](const std::optional<Campaign::Job>& held) -> std::optional<Campaign::Job> {
+  campaign_.begin([&](const std::optional<Campaign::Job>& held, bool) -> std::optional<Campaign::Job> {
     if (!held) return job;
     if (held->identity != job.identity || held->chunks != job.chunks)
       throw BadInput("--out " + folder.string() +

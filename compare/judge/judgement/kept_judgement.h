@@ -27,10 +27,11 @@ class KeptJudgement : public Chunks<Judged> {
   bool done() { return campaign_.all_done(); }
   /// All that is judged.
   Judged judged();
-  /// Notes that it is finished, if it is and nobody has. Says whether it was this call.
-  bool finish() { return campaign_.all_done() && campaign_.finish("finished"); }
-  /// Whether somebody has.
-  bool finished() { return campaign_.finished().has_value(); }
+  bool anything_to_claim() { return campaign_.anything_to_claim(); }
+  Publishing publish() { return Publishing(campaign_); }
+  /// Notes which launch of processes has finished it, now that its results are published.
+  void finish(const std::string& launch) { campaign_.finish(launch); }
+  std::optional<std::string> finished_by() { return campaign_.finished(); }
 
  private:
   const PosedQuestions& posed_;

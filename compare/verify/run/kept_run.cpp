@@ -42,11 +42,7 @@ bool is_case_file(const fs::path& file) {
 }
 
 /// Says whether there were any.
-bool remove_results(const fs::path& folder) {
-  std::vector<fs::path> files = {folder / "state.json"};  // of a version before
-  for (const std::string_view table : kTables) files.push_back(folder / table);
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (is_case_file(entry.path())) files.push_back(entry.path());
+bool remove_files(const std::vector<fs::path>& files) {
   std::error_code error;
   bool removed = false;
   for (const fs::path& file : files) {
@@ -54,6 +50,20 @@ bool remove_results(const fs::path& folder) {
     if (error) throw BadInput(file.string() + ": of another run, and it can't be removed");
   }
   return removed;
+}
+
+std::vector<fs::path> cases_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (is_case_file(entry.path())) files.push_back(entry.path());
+  return files;
+}
+
+/// Says whether there were any.
+bool remove_results(const fs::path& folder) {
+  std::vector<fs::path> files = cases_in(folder);
+  for (const std::string_view table : kTables) files.push_back(folder / table);
+  return remove_files(files);
 }
 
 std::string findings_text(const std::vector<Finding>& findings) {
@@ -83,15 +93,21 @@ void remove_unfinished_tables(const fs::path& folder) {
   for (const std::string_view table : kTables) remove_unfinished(folder / table);
 }
 
-KeptRun::KeptRun(fs::path folder, const Verification& run, JobPart part)
-    : folder_(std::move(folder)), run_(run), campaign_(folder_ / kCampaignFile) {
-  campaign_.begin([&](const std::optional<Campaign::Job>& held) { return decide(held, part); });
+void remove_cases(const fs::path& folder) {
+  remove_files(cases_in(folder));
 }
 
-std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>& held, JobPart part) {
+KeptRun::KeptRun(fs::path folder, const Verification& run, JobPart part)
+    : folder_(std::move(folder)), run_(run), campaign_(folder_ / kCampaignFile) {
+  campaign_.begin([&](const std::optional<Campaign::Job>& held, bool at_work) { return decide(held, at_work, part); });
+}
+
+std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>& held, bool at_work, JobPart part) {
   const std::string out = "--out " + folder_.string() + ": ";
   const Campaign::Job anew{dump(identity_of(run_.plan())), run_.chunks(), part};
   if (!held) {
+    if (fs::exists(folder_ / "state.json"))
+      throw BadInput(out + "it holds a run of an earlier version of pcm; choose another folder");
     if (remove_results(folder_)) notice_ = out + "tables and cases of a run whose campaign is gone are removed";
     return anew;
   }
@@ -100,6 +116,9 @@ std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>&
     throw BadInput(out +
                    "it holds another run (other poses, seed, strata, modes, scheme or law); choose another folder");
   if (const std::string difference = difference_from(run_.plan(), identity); !difference.empty()) {
+    if (at_work)
+      throw BadInput(fmt::format("{}others may be at work here on a run {}; wait for them or choose another folder",
+                                 out, difference));
     remove_results(folder_);
     notice_ = fmt::format("{}it held a run {}; that run's tables and cases are removed, this one starts anew", out,
                           difference);
@@ -120,7 +139,7 @@ std::optional<KeptRun::Finished> KeptRun::finished() {
   if (!note) return std::nullopt;
   try {
     const auto json = nlohmann::ordered_json::parse(*note);
-    return Finished{json.at("at"), json.at("by")};
+    return Finished{json.at("at"), json.at("by"), json.at("launch")};
   } catch (const nlohmann::json::exception&) {
     throw BadInput((folder_ / kCampaignFile).string() + ": it is damaged; choose another folder");
   }
@@ -163,12 +182,14 @@ Outcomes KeptRun::outcomes() {
   return all;
 }
 
-bool KeptRun::finish(const nlohmann::ordered_json& program) {
-  return campaign_.all_done() && campaign_.finish(dump({{"at", now()}, {"by", program}}));
+void KeptRun::finish(const nlohmann::ordered_json& program, const std::string& launch) {
+  campaign_.finish(dump({{"at", now()}, {"by", program}, {"launch", launch}}));
 }
 
 void KeptRun::merge(const std::vector<fs::path>& folders) {
-  for (const fs::path& folder : folders) campaign_.take_in(folder / kCampaignFile);
+  std::vector<fs::path> files;
+  for (const fs::path& folder : folders) files.push_back(folder / kCampaignFile);
+  campaign_.take_in(files);
 }
 
 }  // namespace pcm::compare

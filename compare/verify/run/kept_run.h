@@ -20,6 +20,8 @@ inline constexpr JobPart kNoPart{0, 0};
 
 /// What a process that was killed while it wrote the tables left.
 void remove_unfinished_tables(const std::filesystem::path& folder);
+/// Removes the case files in the folder. Throws BadInput where it can't.
+void remove_cases(const std::filesystem::path& folder);
 
 /// A verification kept in a folder, which later calls of the program continue and others at the same time share in.
 class KeptRun : public Chunks<Outcomes> {
@@ -30,15 +32,17 @@ class KeptRun : public Chunks<Outcomes> {
   /// its tables and cases are removed, so that nothing of it is left beside the new ones; so are tables and cases
   /// without a campaign. Throws BadInput, and removes nothing, where what is kept is damaged, or of a run with other
   /// arguments (poses, seed, strata, modes, schemes, part; also where it lacks one of them or has one more), which the
-  /// caller may want to keep. `run` must outlive this.
+  /// caller may want to keep, or where others may be at a run that this one is not. `run` must outlive this.
   KeptRun(std::filesystem::path folder, const Verification& run, JobPart part = {});
 
   /// What became of what was kept, as a line for standard error; empty where there is nothing to say.
   const std::string& notice() const { return notice_; }
-  /// Of a run that is finished: when, and what the call that finished it said of itself.
+  /// Of a run that is finished: when, what the call that finished it said of itself, and which launch of several
+  /// processes it was one of.
   struct Finished {
     std::string at;
     nlohmann::ordered_json by;
+    std::string launch;
   };
   std::optional<Finished> finished();
 
@@ -51,13 +55,18 @@ class KeptRun : public Chunks<Outcomes> {
   bool all_done() { return campaign_.all_done(); }
   /// All that is done.
   Outcomes outcomes();
-  /// Notes who finished the run, if nobody has and it is. Says whether it was this call.
-  bool finish(const nlohmann::ordered_json& program);
-  /// Takes over the finished parts of the same run that other folders hold.
+  /// Of the whole run, from 0 to 1.
+  double done() { return static_cast<double>(campaign_.chunks_done()) / static_cast<double>(run_.chunks()); }
+  bool anything_to_claim() { return campaign_.anything_to_claim(); }
+
+  Publishing publish() { return Publishing(campaign_); }
+  /// Notes who finished the run, now that its results are published.
+  void finish(const nlohmann::ordered_json& program, const std::string& launch);
+  /// Takes over the finished parts of the same run that other folders hold, all of them or none.
   void merge(const std::vector<std::filesystem::path>& folders);
 
  private:
-  std::optional<Campaign::Job> decide(const std::optional<Campaign::Job>& held, JobPart part);
+  std::optional<Campaign::Job> decide(const std::optional<Campaign::Job>& held, bool at_work, JobPart part);
 
   std::filesystem::path folder_;
   const Verification& run_;

@@ -67,7 +67,7 @@ bool is_verified(const Verification& run) {
   return run.finished() && run.total().disagreeing == 0 && !missed_measure(run);
 }
 
-std::string verdict_line(const Verification& run) {
+std::string verdict_line(const Verification& run, const std::string& why_unfinished) {
   const std::int64_t disagreeing = run.total().disagreeing;
   const std::int64_t modes = run.poses().modes_per_pose();
   const std::optional<MissedMeasure> missed = missed_measure(run);
@@ -80,7 +80,7 @@ std::string verdict_line(const Verification& run) {
     line += fmt::format(", {} error of {:.1e} S/p at the {} percentile of generic (measure: {:.0e})", missed->what,
                         missed->error, missed->percentile, kMeasure);
   if (!run.poses().without_poses().empty()) line += fmt::format(" (no pose: {})", run.poses().without_poses());
-  if (!run.finished()) line += fmt::format(" (interrupted, {} poses wanted)", run.plan().poses);
+  if (!run.finished()) line += fmt::format(" ({}, {} poses wanted)", why_unfinished, run.plan().poses);
   return line;
 }
 

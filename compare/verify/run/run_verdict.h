@@ -44,7 +44,8 @@ bool is_verified(const Verification& run);
 
 /// The last line printed, e.g. "verified: 20160 poses, 9876 touching, 0 disagreements"; each pose once,
 /// however many modes; disagreements in all modes. "verified" stands there where the run is_verified alone; a run that
-/// was interrupted is "unfinished", or, with disagreements already, "NOT verified". What got no pose is named.
-std::string verdict_line(const Verification& run);
+/// was interrupted, or of which only a part is here, is "unfinished", or, with disagreements already, "NOT verified".
+/// What got no pose is named.
+std::string verdict_line(const Verification& run, const std::string& why_unfinished = "interrupted");
 
 }  // namespace pcm::compare

@@ -51,10 +51,11 @@ void alter_identity(const std::filesystem::path& folder, const std::function<voi
   Json identity = kept_identity(folder);
   alter(identity);
   Database database(folder / kCampaignFile);
-  Statement job(database, "SELECT chunks, part, parts FROM job");
+  Statement job(database, "SELECT chunks, part, parts, number FROM job");
   ASSERT_TRUE(job.step());
   const std::string text = identity.dump();
-  const std::string hash = sha256(text + '\n' + job.text(0) + '\n' + job.text(1) + '/' + job.text(2));
+  const std::string hash =
+      sha256(text + '\n' + job.text(0) + '\n' + job.text(1) + '/' + job.text(2) + '\n' + job.text(3));
   Statement(database, "UPDATE job SET identity = ?, sha256 = ?", text, hash).run();
 }
 
@@ -131,16 +132,15 @@ TEST_F(KeptRunTest, OfTheSameProgramIsContinuedAndEndsAsAnUninterruptedOne) {
   KeptRun kept(scratch_.path(), run);
   EXPECT_EQ(kept.notice(), "");
   EXPECT_FALSE(kept.finished());
-  EXPECT_FALSE(kept.finish({{"who", "nobody"}})) << "it is not finished";
   EXPECT_TRUE(exists("case_old.json"));
   run_chunks(run, kept, 2, kNever, kSilent);
   EXPECT_TRUE(kept.part_done());
   Verification whole(plan_);
   run_all(whole, 1, kNever, kSilent);
   EXPECT_EQ(csv_of(plan_, kept.outcomes()), verification_csv(whole));
-  EXPECT_TRUE(kept.finish({{"who", "first"}}));
-  EXPECT_FALSE(kept.finish({{"who", "second"}}));
+  kept.finish({{"who", "first"}}, "launch");
   EXPECT_EQ(kept.finished()->by["who"], "first");
+  EXPECT_EQ(kept.finished()->launch, "launch");
 }
 
 TEST_F(KeptRunTest, IsDoneByTwoAtATimeAsByOne) {
@@ -233,6 +233,26 @@ TEST_F(KeptRunTest, WithoutACampaignIsRemovedForItsCasesAreNobodys) {
   expect_started_anew(plan_, "whose campaign is gone");
   const Verification run(plan_);
   EXPECT_EQ(KeptRun(scratch_.path(), run).notice(), "") << "nothing is left to tell of";
+}
+
+TEST_F(KeptRunTest, OfAnotherBuildIsLeftAloneWhileOthersAreAtIt) {
+  keep_half_a_run();
+  const Verification run(plan_);
+  KeptRun kept(scratch_.path(), run);
+  VerificationPlan other = plan_;
+  other.build = std::string(64, '0');
+  const Verification another(other);
+  EXPECT_THROW(KeptRun(scratch_.path(), another), BadInput);
+  EXPECT_TRUE(exists("case_old.json"));
+  run_chunks(run, kept, 1, kNever, kSilent);
+  EXPECT_TRUE(kept.all_done());
+}
+
+TEST_F(KeptRunTest, OfAnEarlierVersionIsLeftAlone) {
+  scratch_.write("state.json", "{}");
+  const Verification run(plan_);
+  EXPECT_THROW(KeptRun(scratch_.path(), run), BadInput);
+  EXPECT_TRUE(exists("state.json"));
 }
 
 TEST_F(KeptRunTest, ThatLacksAnArgumentOrHasOneMoreIsOfOtherArguments) {

@@ -8,11 +8,14 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "compare/campaign/database.h"
 #include "meshes/files/text_file.h"
 #include "meshes/generate/boxes.h"
 #include "pcm/write_obj.h"
@@ -63,10 +66,20 @@ class SharedRun : public testing::Test {
   std::string verdict_;
 };
 
+/// How many workers have found something in a folder's run.
+std::int64_t workers_in(const std::string& file) {
+  Database database(file);
+  Statement workers(database, "SELECT count(DISTINCT worker) FROM found");
+  workers.step();
+  return workers.integer(0);
+}
+
 TEST_F(SharedRun, OfFourProcessesOneOfWhichIsKilledHasTheTablesOfOne) {
   std::vector<pid_t> processes;
   for (int k = 0; k < 4; ++k) processes.push_back(start(verify("shared")));
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  const std::string file = scratch_.path("shared/campaign.sqlite");
+  for (int k = 0; k < 100 && (!std::filesystem::exists(file) || workers_in(file) < 2); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   kill(processes[1], SIGKILL);
   waitpid(processes[1], nullptr, 0);
   for (const std::size_t k : {0, 2, 3}) {
@@ -74,20 +87,58 @@ TEST_F(SharedRun, OfFourProcessesOneOfWhichIsKilledHasTheTablesOfOne) {
     waitpid(processes[k], &status, 0);
     EXPECT_EQ(status, 0) << k;
   }
+  EXPECT_GE(workers_in(file), 2) << "they shared";
   expect_same_tables("shared");
 }
 
 TEST_F(SharedRun, KilledAltogetherGoesOnAndEndsWithTheTablesOfAnUninterruptedOne) {
-  for (int k = 0; k < 2; ++k) {
-    const pid_t process = start(verify("killed"));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    kill(process, SIGKILL);
-    waitpid(process, nullptr, 0);
-  }
+  const std::string file = scratch_.path("killed/campaign.sqlite");
+  const pid_t process = start(verify("killed"));
+  for (int k = 0; k < 200 && (!std::filesystem::exists(file) || workers_in(file) < 1); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(process, SIGKILL);
+  waitpid(process, nullptr, 0);
   const Outcome last = run_pcm(verify("killed"));
   EXPECT_EQ(last.status, 0) << last.err;
-  EXPECT_TRUE(lines_of(last.out).back().starts_with(verdict_)) << last.out;
+  EXPECT_NE(last.err.find("continued, "), std::string::npos) << last.err;
+  EXPECT_EQ(lines_of(last.out).back(), verdict_) << last.out;
   expect_same_tables("killed");
+}
+
+TEST_F(SharedRun, InterruptedGoesOnAndIsNotFinishedBeforeItsTablesAreWritten) {
+  const pid_t process = start(verify("interrupted"));
+  const std::string file = scratch_.path("interrupted/campaign.sqlite");
+  for (int k = 0; k < 200 && (!std::filesystem::exists(file) || workers_in(file) < 1); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(process, SIGINT);
+  int status = 0;
+  waitpid(process, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status;
+  EXPECT_NE(read_text_file(scratch_.path("interrupted/verification.md")).find("(interrupted, 300 poses wanted)"),
+            std::string::npos);
+
+  std::filesystem::remove(scratch_.path("interrupted/widths.csv"));
+  std::filesystem::create_directories(scratch_.path("interrupted/widths.csv/in the way"));
+  const Outcome failed = run_pcm(verify("interrupted"));
+  EXPECT_EQ(failed.status, 2);
+  EXPECT_EQ(lines_of(failed.out).back(), verdict_) << "the verdict is not lost";
+  std::filesystem::remove_all(scratch_.path("interrupted/widths.csv"));
+  const Outcome again = run_pcm(verify("interrupted"));
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(lines_of(again.out).back(), verdict_) << "it is no earlier run's";
+  expect_same_tables("interrupted");
+}
+
+TEST_F(SharedRun, FinishedIsSaidByWhoeverWasStartedApart) {
+  for (int k = 0; k < 5; ++k) {
+    const pid_t other = start(verify("alone"));
+    const Outcome outcome = run_pcm(verify("alone"));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(lines_of(outcome.out).back().starts_with(verdict_)) << outcome.out;
+    int status = 0;
+    waitpid(other, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
 }
 
 TEST_F(SharedRun, PartsOfSeveralMachinesArePutTogether) {
@@ -101,11 +152,8 @@ TEST_F(SharedRun, PartsOfSeveralMachinesArePutTogether) {
   const Outcome two = run_pcm(verify("whole", {folders[0], folders[1], folders[3]}));
   EXPECT_EQ(two.status, 1);
   EXPECT_TRUE(lines_of(two.out).back().starts_with("unfinished: ")) << two.out;
-  const Outcome twice = run_pcm(verify("whole", {folders[0], folders[3]}));
-  EXPECT_EQ(twice.status, 2);
-  EXPECT_NE(twice.err.find("part 3/campaign.sqlite: holds poses that another folder holds too"), std::string::npos)
-      << twice.err;
-  const Outcome whole = run_pcm(verify("whole", {folders[0], folders[2]}));
+  EXPECT_NE(two.out.find("(parts are missing, 300 poses wanted)"), std::string::npos) << two.out;
+  const Outcome whole = run_pcm(verify("whole", folders));
   EXPECT_EQ(whole.status, 0) << whole.err;
   EXPECT_EQ(lines_of(whole.out).back(), verdict_);
   expect_same_tables("whole");
