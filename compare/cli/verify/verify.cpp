@@ -141,7 +141,7 @@ Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path
   const Publishing alone = kept.publish();
   const bool all_done = kept.all_done(), part_is_done = kept.part_done();
   run.add(kept.outcomes());
-  if (all_done != run.finished())
+  if (all_done && !run.finished())
     throw BadInput((folder / kCampaignFile).string() + ": it is damaged; choose another folder");
   const std::optional<KeptRun::Finished> finished = kept.finished();
   const bool is_a_part = part.of > 1 && part_is_done;

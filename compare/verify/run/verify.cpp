@@ -83,6 +83,10 @@ std::int64_t Verification::poses_done() const {
   return done / poses_.modes_per_pose();
 }
 
+bool Verification::finished() const {
+  return std::all_of(cells_.begin(), cells_.end(), [](const Cell& cell) { return cell.tally.poses == cell.poses; });
+}
+
 Tally Verification::total() const {
   Tally total;
   for (const Cell& cell : cells_) total.merge(cell.tally);

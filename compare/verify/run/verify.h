@@ -72,7 +72,8 @@ class Verification {
   /// Each pose once, in however many modes.
   std::int64_t poses_done() const;
   std::int64_t poses_in_all() const { return first_of_group_.back(); }
-  bool finished() const { return poses_done() == poses_in_all(); }
+  /// Whether every pose of every cell is done.
+  bool finished() const;
   Tally total() const;
   /// The cells of each pair together, in the plan's order; without pairs that have no cell.
   std::vector<NamedTally> by_pair() const;

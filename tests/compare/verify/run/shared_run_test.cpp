@@ -129,6 +129,16 @@ TEST_F(SharedRun, InterruptedGoesOnAndIsNotFinishedBeforeItsTablesAreWritten) {
   expect_same_tables("interrupted");
 }
 
+TEST_F(SharedRun, WithoutAllThatWasFoundIsDamagedAndNotVerified) {
+  {
+    Database database(scratch_.path("alone/campaign.sqlite"));
+    database.run("DELETE FROM found WHERE key = '0'");
+  }
+  const Outcome outcome = run_pcm(verify("alone"));
+  EXPECT_EQ(outcome.status, 2) << outcome.out;
+  EXPECT_NE(outcome.err.find("it is damaged"), std::string::npos) << outcome.err;
+}
+
 TEST_F(SharedRun, FinishedIsSaidByWhoeverWasStartedApart) {
   for (int k = 0; k < 5; ++k) {
     const pid_t other = start(verify("alone"));

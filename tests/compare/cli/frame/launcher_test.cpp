@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/frame/launcher.h"
+
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <cstdlib>
+#include <map>
+#include <string>
+
+namespace pcm::compare::launcher_test {
+namespace {
+
+LaunchedProcess launched_with(const std::map<std::string, std::string>& environment) {
+  for (const char* variable : {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMI_SIZE", "SLURM_PROCID"})
+    unsetenv(variable);
+  for (const auto& [variable, value] : environment) setenv(variable.c_str(), value.c_str(), 1);
+  LaunchedProcess process = launched_process();
+  for (const auto& [variable, value] : environment) unsetenv(variable.c_str());
+  return process;
+}
+
+TEST(LaunchedProcess, IsOneOfOneWhereNobodySaysOtherwise) {
+  const LaunchedProcess process = launched_with({});
+  EXPECT_EQ(process.rank, 0);
+  EXPECT_EQ(process.processes, 1);
+  EXPECT_EQ(process.launch, "");
+}
+
+TEST(LaunchedProcess, KnowsItsRankFromOpenMpiAndSlurm) {
+  const LaunchedProcess mpirun = launched_with({{"OMPI_COMM_WORLD_RANK", "2"},
+                                                {"OMPI_COMM_WORLD_SIZE", "8"},
+                                                {"OMPI_COMM_WORLD_LOCAL_SIZE", "4"},
+                                                {"OMPI_MCA_ess_base_jobid", "77"}});
+  EXPECT_EQ(mpirun.rank, 2);
+  EXPECT_EQ(mpirun.processes, 8);
+  EXPECT_EQ(mpirun.on_this_machine, 4);
+  EXPECT_NE(mpirun.launch.find("77"), std::string::npos) << mpirun.launch;
+  const LaunchedProcess srun = launched_with({{"SLURM_PROCID", "5"},
+                                              {"SLURM_STEP_NUM_TASKS", "6"},
+                                              {"SLURM_STEP_TASKS_PER_NODE", "3(x2)"},
+                                              {"SLURM_JOB_ID", "12"},
+                                              {"SLURM_STEP_ID", "3"}});
+  EXPECT_EQ(srun.rank, 5);
+  EXPECT_EQ(srun.processes, 6);
+  EXPECT_EQ(srun.on_this_machine, 3);
+  EXPECT_NE(srun.launch.find("12.3"), std::string::npos) << srun.launch;
+}
+
+TEST(LaunchedProcess, IsNoneWhereTheEnvironmentMakesNoSense) {
+  for (const char* rank : {"-1", "8", "x", ""})
+    EXPECT_EQ(launched_with({{"OMPI_COMM_WORLD_RANK", rank}, {"OMPI_COMM_WORLD_SIZE", "8"}}).processes, 1) << rank;
+}
+
+TEST(LaunchedProcess, HasTheCoresThatItMayRunOn) {
+  cpu_set_t before, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  CPU_ZERO(&one);
+  for (int core = 0; core < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++core)
+    if (CPU_ISSET(core, &before)) CPU_SET(core, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(cores_of({}), 1);
+  ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+  EXPECT_EQ(cores_of({0, 4096, 4096, ""}), 1);
+}
+
+}  // namespace
+}  // namespace pcm::compare::launcher_test
