@@ -149,8 +149,9 @@ void add_lines_in_faces(const ExactPose& pose, double width, std::vector<Coincid
     for (const Index f : faces_at(pose.surface(place.features[1].side), place.features[1])) by_face[f].push_back(place);
   for (auto& [f, places] : by_face) {
     sort_by_margin(places);  // exact ones first: any two of them are different
+    const Coincidence& first = places[0];
     const auto second = std::find_if(places.begin() + 1, places.end(), [&](const Coincidence& place) {
-      return are_different_places(place, places[0], width);
+      return are_different_places(place, first, width);
     });
     if (second == places.end()) continue;
     const Feature& master = places[0].features[0];

@@ -233,7 +233,7 @@ void check_answers_header(const Json& json, const PosedQuestions& posed) {
   if (!surfaces->is_object()) throw BadInput("\"surfaces\" is no object of a SHA-256 by each name");
   for (const auto& [word, hash] : surfaces->items()) {
     const auto known = std::find_if(posed.surfaces.begin(), posed.surfaces.end(),
-                                    [&](const PosedSurface& surface) { return surface.name == word; });
+                                    [&, &named = word](const PosedSurface& surface) { return surface.name == named; });
     if (known == posed.surfaces.end()) throw BadInput("no surface is called " + in_quotes(word));
     if (hash != known->sha256)
       throw BadInput(fmt::format("the engine has read another surface '{}': its SHA-256 is {}, that of {} is {}", word,
