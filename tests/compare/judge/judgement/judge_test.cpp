@@ -77,7 +77,7 @@ class Answers : public testing::Test {
     static const PosedFolder folder(120, {Scheme::barycentric, Scheme::clipped});
     return folder;
   }
-  const Tolerances none_;
+  const Tolerances none_{};
   const Judge judge_{folder().posed, none_, 0};
 
   /// How many answers with that fault are judged wrong in the fact, of those in which it can be planted; any other fact
