@@ -21,7 +21,7 @@
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
-namespace pcm::compare {
+namespace pcm::compare::bench_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -261,4 +261,4 @@ TEST(BenchBadInput, IsRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::bench_test

@@ -13,7 +13,7 @@
 #include "pcm/version.h"
 #include "tests/meshes/temporary_folder.h"
 
-namespace pcm::compare {
+namespace pcm::compare::report_folder_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -95,4 +95,4 @@ TEST(ProgramProvenance, WordsAreQuotedAsAShellWantsThem) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::report_folder_test

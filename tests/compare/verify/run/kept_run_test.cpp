@@ -30,7 +30,7 @@
 #include "tests/compare/verify/routes/altering_seam.h"
 #include "tests/meshes/temporary_folder.h"
 
-namespace pcm::compare {
+namespace pcm::compare::kept_run_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -392,4 +392,4 @@ TEST_F(KeptRunOfTheProgram, HoldsTheHashOfTheProgramAndAnotherOnesIsReplaced) {
 }
 
 }  // namespace
-}  // namespace pcm::compare
+}  // namespace pcm::compare::kept_run_test
