@@ -75,7 +75,7 @@ constexpr std::int64_t kFamilyWeight = 4;
 /// Poses that cost less, in milliseconds, are asked as if they cost this. The barycentric one is as great as it must be
 /// for a third of all poses to fall to pairs of 2,000 faces or more.
 constexpr double kSmallBarycentricCost = 35;
-constexpr double kSmallCost = 3;
+constexpr double kSmallCost = 1.5;
 
 /// Of other small pairs in the strata that are not hard, so that large ones have the bulk of these.
 constexpr std::int64_t kHalfShare = kWholeShare / 2;
