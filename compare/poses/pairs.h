@@ -45,10 +45,10 @@ struct SurfacePair {
   /// Its part of the poses of a stratum beside that of the other pairs, kWholeShare for most: costly pairs take less,
   /// or a run's time would be theirs alone, pairs with variants more.
   ///
-  /// In inverse proportion to what a pose costs, where that is known and more than 35 ms (clipped or nested: 1.5 ms), for
-  /// it spreads over a factor of a thousand (a deep pose of two gears has 15,000 clipped elements). Of other pairs in
-  /// both schemes a quarter above 8,000 faces together, a sixteenth above 20,000; of nested poses, where every face of
-  /// the guest is active, an eighth of that above 2,000.
+  /// In inverse proportion to what a pose costs, where that is known and more than 35 ms (clipped or nested: 1.5 ms),
+  /// for it spreads over a factor of a thousand (a deep pose of two gears has 15,000 clipped elements). Of other pairs
+  /// in both schemes a quarter above 8,000 faces together, a sixteenth above 20,000; of nested poses, where every face
+  /// of the guest is active, an eighth of that above 2,000.
   std::int64_t share(Stratum stratum, Scheme scheme) const;
 
   /// Of one of its poses, ms; 0 where it is not known.
