@@ -66,6 +66,10 @@ std::string hash_of(const Campaign::Job& job, const std::string& number) {
   return sha256(fmt::format("{}\n{}\n{}/{}\n{}", job.identity, job.chunks, job.part.number, job.part.of, number));
 }
 
+std::string hash_of(const std::string& key, const std::string& text) {
+  return sha256(key + '\n' + text);
+}
+
 std::int64_t count_of(Database& database, const char* sql) {
   Statement count(database, sql);
   count.step();
@@ -102,14 +106,14 @@ std::optional<Campaign::Job> Campaign::held() {
   if (!row.step()) return std::nullopt;
   Job job{row.text(0), row.integer(1), {row.integer(2), row.integer(3)}};
   job_ = row.text(4);
-  if (row.text(5) != hash_of(job, job_)) damaged();
+  if (row.text(5) != hash_of(job, job_)) throw_damaged(database_.file());
   Statement ranges(
       database_,
       "SELECT (SELECT count(*) FROM range WHERE NOT (0 <= first AND first <= next AND next <= end AND end <= "
       "?1)) + (SELECT count(*) FROM claim WHERE NOT (0 <= first AND first < end AND end <= ?1))",
       job.chunks);
   ranges.step();
-  if (ranges.integer(0) > 0) damaged();
+  if (ranges.integer(0) > 0) throw_damaged(database_.file());
   return job;
 }
 
@@ -167,10 +171,6 @@ void Campaign::require_own_job() {
     throw BadInput(database_.file().string() + ": another call has begun another run here; choose another folder");
 }
 
-void Campaign::damaged() const {
-  throw BadInput(database_.file().string() + ": it is damaged; choose another folder");
-}
-
 bool Campaign::is_dead(const Statement& worker) {
   const std::int64_t beat = worker.integer(2), id = worker.integer(3);
   // None has this number, or it has left.
@@ -225,6 +225,19 @@ bool Campaign::anything_to_claim() {
   return false;
 }
 
+void Campaign::share_in(const std::function<void()>& work, const std::function<bool()>& stop) {
+  std::chrono::milliseconds pause(50);
+  while (!part_done() && !stop()) {
+    if (anything_to_claim()) {
+      work();
+    } else {
+      // The others are at the rest, and may die.
+      std::this_thread::sleep_for(pause);
+      pause = std::min(2 * pause, std::chrono::milliseconds(1000));
+    }
+  }
+}
+
 bool Campaign::commit(ChunkRange chunks, const std::map<std::string, std::string>& found) {
   const std::lock_guard lock(mutex_);
   Transaction transaction(database_);
@@ -234,7 +247,7 @@ bool Campaign::commit(ChunkRange chunks, const std::map<std::string, std::string
       .run();
   if (database_.changes() == 0) return false;
   for (const auto& [key, text] : found)
-    Statement(database_, "REPLACE INTO found VALUES (?, ?, ?, ?)", worker_, key, text, sha256(key + '\n' + text)).run();
+    Statement(database_, "REPLACE INTO found VALUES (?, ?, ?, ?)", worker_, key, text, hash_of(key, text)).run();
   transaction.commit();
   return true;
 }
@@ -287,7 +300,7 @@ void Campaign::for_each_found(const std::function<void(const std::string&, const
       while (rows.step()) found[rows.text(0)] = {rows.text(1), rows.text(2)};
     }
     for (const auto& [key, text] : found) {
-      if (text[1] != sha256(key + '\n' + text[0])) damaged();
+      if (text[1] != hash_of(key, text[0])) throw_damaged(database_.file());
       take(key, text[0]);
     }
   }
@@ -343,7 +356,7 @@ std::optional<std::string> Campaign::finished() {
   require_own_job();
   Statement row(database_, "SELECT finished, finished_sha256 FROM job WHERE finished IS NOT NULL");
   if (!row.step()) return std::nullopt;
-  if (row.text(1) != sha256(job_ + row.text(0))) damaged();
+  if (row.text(1) != sha256(job_ + row.text(0))) throw_damaged(database_.file());
   return row.text(0);
 }
 

@@ -18,6 +18,9 @@
 
 namespace pcm::compare {
 
+/// What the file of a campaign is called in its folder.
+inline constexpr const char* kCampaignFile = "campaign.sqlite";
+
 /// Some neighbouring chunks of a job, from `first` to before `end`.
 struct ChunkRange {
   std::int64_t first = 0, end = 0;
@@ -79,6 +82,9 @@ class Campaign {
   std::optional<ChunkRange> claim(std::int64_t most);
   /// Whether there may be something to claim. Costs the other workers nothing.
   bool anything_to_claim();
+  /// Calls `work`, which does what is to be claimed, until all chunks of this file's part are done, here or by others,
+  /// or `stop` says so.
+  void share_in(const std::function<void()>& work, const std::function<bool()>& stop);
   /// Replaces what this worker has found under these keys. False, and nothing is changed, where the chunks are another
   /// worker's by now: this one was taken for dead.
   bool commit(ChunkRange chunks, const std::map<std::string, std::string>& found);
@@ -120,7 +126,6 @@ class Campaign {
   void take_in(Campaign& other, const Job& ours);
   /// Within a transaction, or before a statement alone.
   void require_own_job();
-  [[noreturn]] void damaged() const;
 
   std::mutex mutex_;
   Database database_;
@@ -143,6 +148,27 @@ class Publishing {
 
  private:
   Campaign& campaign_;
+};
+
+/// The chunks of a campaign in a folder. What came of them, and how it is kept, is the derived class's.
+template <class Result>
+class SharedChunks : public Chunks<Result> {
+ public:
+  std::optional<ChunkRange> claim(std::int64_t most) override { return campaign_.claim(most); }
+  void give_back(ChunkRange chunks) override { campaign_.give_back(chunks); }
+
+  /// As Campaign has them.
+  void share_in(const std::function<void()>& work, const std::function<bool()>& stop) {
+    campaign_.share_in(work, stop);
+  }
+  bool part_done() { return campaign_.part_done(); }
+  bool all_done() { return campaign_.all_done(); }
+  Publishing publish() { return Publishing(campaign_); }
+
+ protected:
+  explicit SharedChunks(const std::filesystem::path& folder) : campaign_(folder / kCampaignFile) {}
+
+  Campaign campaign_;
 };
 
 }  // namespace pcm::compare

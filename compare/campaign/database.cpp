@@ -16,6 +16,10 @@ constexpr int kMostWait_ms = 60'000;
 
 }  // namespace
 
+void throw_damaged(const std::filesystem::path& file) {
+  throw BadInput(file.string() + ": it is damaged; choose another folder");
+}
+
 Database::Database(std::filesystem::path file) : file_(std::move(file)) {
   sqlite3* handle = nullptr;
   const int code = sqlite3_open_v2(file_.c_str(), &handle,
@@ -42,7 +46,7 @@ void Database::fail(int code) const {
   switch (code & 0xff) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      throw BadInput(file + ": it is damaged; choose another folder");
+      throw_damaged(file_);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       throw BadInput(file + ": another process keeps it locked");

@@ -13,6 +13,9 @@ struct sqlite3_stmt;
 
 namespace pcm::compare {
 
+/// Throws BadInput: what the file holds was not written by us.
+[[noreturn]] void throw_damaged(const std::filesystem::path& file);
+
 /// A SQLite database in a file, which is made where there is none. Several processes may have it open; one that finds
 /// it locked waits, a minute at most. All that fails throws BadInput naming the file. Not for two threads at a time.
 class Database {

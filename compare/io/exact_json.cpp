@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "compare/io/json_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
@@ -47,8 +48,7 @@ void append(const Json& value, const std::string& key, std::string& text) {
   } else if (value.is_number_float()) {
     append_double(value.get<double>(), key, text);
   } else {
-    // Names of files may be no UTF-8.
-    text += value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    text += json_line(value);
   }
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/io/program_hash.h"
 
-#include <fstream>
-#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "compare/io/sha256.h"
 #include "pcm/bad_input.h"
@@ -11,10 +11,8 @@
 namespace pcm::compare {
 
 std::string program_hash_of(const std::filesystem::path& program) {
-  std::ifstream file(program, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file || bytes.empty()) throw BadInput(program.string() + " can't be read: which build this is stays unknown");
-  return sha256(bytes);
+  if (std::optional<std::string> hash = sha256_of_file(program)) return *std::move(hash);
+  throw BadInput(program.string() + " can't be read: which build this is stays unknown");
 }
 
 const std::string& program_hash() {

@@ -8,6 +8,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace pcm::compare {
@@ -24,6 +26,13 @@ std::string sha256(std::string_view bytes) {
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1)
     throw std::runtime_error("OpenSSL knows no SHA-256");
   return fmt::format("{:02x}", fmt::join(digest, ""));
+}
+
+std::optional<std::string> sha256_of_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (!stream.is_open() || stream.bad()) return std::nullopt;
+  return sha256(bytes);
 }
 
 std::string sha256(const TriangleMesh& mesh) {

@@ -7,21 +7,23 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
-Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output,
-                const std::filesystem::path& input) {
+namespace {
+
+/// The first word is the program; without a slash it is sought where programs are.
+Outcome run(std::vector<std::string> words, const std::filesystem::path& output, const std::filesystem::path& input) {
   const TemporaryFolder scratch;
   const std::string out = output.empty() ? scratch.path("out") : output.string();
   const std::string err = scratch.path("err");
 
-  std::vector<std::string> words{PCM_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -32,9 +34,9 @@ Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
   pid_t process = 0;
-  const int failed = posix_spawn(&process, PCM_PROGRAM, &actions, nullptr, argv.data(), environ);
+  const int failed = posix_spawnp(&process, argv.front(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error("could not start " PCM_PROGRAM);
+  if (failed != 0) throw std::runtime_error("could not start " + words.front());
 
   int ended = 0;
   waitpid(process, &ended, 0);
@@ -43,6 +45,26 @@ Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem
   if (output.empty()) outcome.out = content_of(out);
   outcome.err = content_of(err);
   return outcome;
+}
+
+}  // namespace
+
+Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output,
+                const std::filesystem::path& input) {
+  std::vector<std::string> words{PCM_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run(std::move(words), output, input);
+}
+
+bool has_mpirun() {
+  return std::system("mpirun --version > /dev/null 2>&1") == 0;
+}
+
+Outcome run_by_mpirun(int processes, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{"mpirun", "--allow-run-as-root",     "--oversubscribe",
+                                 "-n",     std::to_string(processes), PCM_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run(std::move(words), {}, "/dev/null");
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -21,6 +21,11 @@ struct Outcome {
 Outcome run_pcm(const std::vector<std::string>& arguments, const std::filesystem::path& output = {},
                 const std::filesystem::path& input = "/dev/null");
 
+/// Whether run_by_mpirun can be called; tests skip where not.
+bool has_mpirun();
+/// The same by so many processes that mpirun starts together.
+Outcome run_by_mpirun(int processes, const std::vector<std::string>& arguments);
+
 /// The lines of a text, without their line feeds.
 std::vector<std::string> lines_of(const std::string& text);
 

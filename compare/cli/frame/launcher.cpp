@@ -50,6 +50,12 @@ LaunchedProcess launched_process() {
   return {};
 }
 
+bool is_silent(const LaunchedProcess& process, bool done, const std::optional<std::string>& finished_by) {
+  if (process.processes == 1) return false;
+  if (finished_by) return *finished_by == process.launch || process.rank > 0;
+  return !done && process.rank > 0;
+}
+
 int cores_of(const LaunchedProcess& process) {
   const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   cpu_set_t own;

@@ -7,18 +7,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <fstream>
 #include <functional>
 #include <iostream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -35,6 +31,7 @@
 #include "compare/judge/lines/answers_file.h"
 #include "compare/judge/lines/schemas.h"
 #include "compare/judge/poses/poses_folder.h"
+#include "compare/verify/verdict/case_file.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -54,11 +51,6 @@ struct JudgeOptions {
 
 /// 8 ulps of single precision.
 constexpr std::uint64_t kMostUlps = std::uint64_t{8} << 29;
-
-std::string content_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 /// Few at first, so that another convention is noticed before every pose has been looked at twice.
 constexpr std::size_t kFirstBatch = 64;
@@ -159,31 +151,17 @@ bool judge_shared(const Judging& run, KeptJudgement& kept, const ReplyTo& reply_
     }
     return judged;
   };
-  std::chrono::milliseconds pause(50);
-  while (!kept.done() && !work.interrupted()) {
-    if (kept.anything_to_claim()) {
-      run_chunks<Judged>(
-          kept, jobs, [&] { return work.interrupted(); }, [&]() -> DoChunk<Judged> { return judge_chunk; });
-    } else {
-      // The others are at the rest, and may die.
-      std::this_thread::sleep_for(pause);
-      pause = std::min(2 * pause, std::chrono::milliseconds(1000));
-    }
-  }
+  const auto stop = [&] { return work.interrupted(); };
+  kept.share_in([&] { run_chunks<Judged>(kept, jobs, stop, [&]() -> DoChunk<Judged> { return judge_chunk; }); }, stop);
   return work.interrupted();
 }
 
 /// In place of those of an earlier run.
 void write_cases(const fs::path& folder, const Judging& run) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (const std::string name = entry.path().filename().string(); name.starts_with("case_") && name.ends_with(".json"))
-      fs::remove(entry.path());
-  for (const WrongAnswer& wrong : run.wrong_answers()) {
-    std::string file = "case_" + run.judge().posed().questions[wrong.reply.question].id + ".json";
-    std::replace_if(
-        file.begin(), file.end(), [](char c) { return c == '/' || c == ' '; }, '_');
-    write_text_file(folder / file, run.case_text(wrong));
-  }
+  remove_case_files(folder);
+  for (const WrongAnswer& wrong : run.wrong_answers())
+    write_text_file(folder / case_file_name(run.judge().posed().questions[wrong.reply.question].id),
+                    run.case_text(wrong));
 }
 
 /// Some of each stratum, and how many there are.
@@ -270,16 +248,13 @@ Exit judge_with_others(Judging& run, const JudgeOptions& options, const JudgingS
   KeptJudgement kept(folder, identity_of(options, setup), chunks, posed);
   const bool interrupted = judge_shared(run, kept, reply_to, jobs);
   const Publishing alone = kept.publish();
-  const bool done = kept.done();
+  const bool done = kept.all_done();
   run.add(kept.judged());
   if (const Conventions::Found other = run.conventions().found(); complaint.empty() && !other.text.empty())
     complaint =
         (options.answers ? fmt::format("{}:{}", *options.answers, other.line) : "--command") + ": " + other.text;
   const std::optional<std::string> finished_by = kept.finished_by();
-  const bool spoken = process.processes > 1 &&
-                      (finished_by ? *finished_by == process.launch || process.rank > 0 : !done && process.rank > 0);
-  // mpirun ends all when one of them fails, before the one that speaks is through.
-  if (spoken) return Exit::success;
+  if (is_silent(process, done, finished_by)) return Exit::success;
   report(run, setup, folder, ended_by(complaint, interrupted && !done));
   if (done && !finished_by) kept.finish(process.launch);
   if (!complaint.empty()) throw BadInput(complaint);
@@ -317,13 +292,16 @@ Exit judge(const JudgeOptions& options) {
   const auto ulps = static_cast<std::int64_t>(whole_number("--ulps", options.ulps, 0, kMostUlps));
   const PosedQuestions posed = read_poses_folder(*options.poses);
   const std::optional<fs::path> folder = prepared_folder(options.frame);
-  JudgingSetup setup{
-      options.answers.value_or(options.command.value_or("")),        *options.poses, tolerances.text(), ulps, {},
-      sha256(content_of_file(fs::path(*options.poses) / kPosesFile))};
+  JudgingSetup setup{options.answers.value_or(options.command.value_or("")),
+                     *options.poses,
+                     tolerances.text(),
+                     ulps,
+                     {},
+                     sha256_of_file(fs::path(*options.poses) / kPosesFile).value_or("")};
   // A pipe can't be read twice.
   if (std::error_code error; folder && options.answers) {
     if (fs::is_regular_file(*options.answers, error))
-      setup.answers_sha256 = sha256(content_of_file(*options.answers));
+      setup.answers_sha256 = sha256_of_file(*options.answers).value_or("");
     else if (options.shared)
       throw BadInput(*options.answers + ": no file; --shared wants answers in a file, or --command");
   }

@@ -5,13 +5,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
 
 #include "compare/cli/frame/launcher.h"
 #include "compare/cli/verify/verify_run.h"
@@ -24,6 +22,7 @@
 #include "compare/verify/tables/summary.h"
 #include "compare/verify/tables/verification_table.h"
 #include "compare/verify/tables/verification_widths.h"
+#include "compare/verify/verdict/case_file.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -34,7 +33,7 @@ namespace fs = std::filesystem;
 
 /// In place of those that an interrupted call has left.
 void write_cases(const fs::path& folder, const Verification& run) {
-  remove_cases(folder);
+  remove_case_files(folder);
   fast::Workspace workspace;
   const Wanted everything;
   for (const Finding& finding : run.findings()) {
@@ -58,10 +57,8 @@ void write_cases(const fs::path& folder, const Verification& run) {
     } catch (const std::exception&) {
       // The disagreement itself says which side failed, and how.
     }
-    std::string file = "case_" + run.poses().pose_name(cell, finding.pose) + ".json";
-    for (char& c : file)
-      if (c == '/' || c == ' ') c = '_';
-    write_text_file(folder / file, format_case(posed, finding.disagreements, engine, oracle));
+    write_text_file(folder / case_file_name(run.poses().pose_name(cell, finding.pose)),
+                    format_case(posed, finding.disagreements, engine, oracle));
   }
 }
 
@@ -94,17 +91,8 @@ void print_run(const Verification& run) {
 /// Until all that the folder is for is done, here or by others, or this process is interrupted.
 void run_kept(const Verification& run, KeptRun& kept, int jobs) {
   const Interruptible work(run.poses_in_all());
-  std::chrono::milliseconds pause(50);
-  while (!kept.part_done() && !work.interrupted()) {
-    if (kept.anything_to_claim()) {
-      run_chunks(
-          run, kept, jobs, [&] { return work.interrupted(); }, [&](std::int64_t done) { work.show(done); });
-    } else {
-      // The others are at the rest, and may die.
-      std::this_thread::sleep_for(pause);
-      pause = std::min(2 * pause, std::chrono::milliseconds(1000));
-    }
-  }
+  const auto stop = [&] { return work.interrupted(); };
+  kept.share_in([&] { run_chunks(run, kept, jobs, stop, [&](std::int64_t done) { work.show(done); }); }, stop);
 }
 
 /// A run of this process alone, kept nowhere.
@@ -141,15 +129,11 @@ Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path
   const Publishing alone = kept.publish();
   const bool all_done = kept.all_done(), part_is_done = kept.part_done();
   run.add(kept.outcomes());
-  if (all_done && !run.finished())
-    throw BadInput((folder / kCampaignFile).string() + ": it is damaged; choose another folder");
+  if (all_done && !run.finished()) throw_damaged(folder / kCampaignFile);
   const std::optional<KeptRun::Finished> finished = kept.finished();
   const bool is_a_part = part.of > 1 && part_is_done;
   const Exit status = (is_a_part ? run.total().disagreeing == 0 : is_verified(run)) ? Exit::success : Exit::negative;
-  const bool spoken = process.processes > 1 && (finished ? finished->launch == process.launch || process.rank > 0
-                                                         : !all_done && process.rank > 0);
-  // mpirun ends all when one of them fails, before the one that speaks is through.
-  if (spoken) return Exit::success;
+  if (is_silent(process, all_done, finished ? std::optional(finished->launch) : std::nullopt)) return Exit::success;
 
   print_run(run);
   if (before)

@@ -6,17 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "compare/io/json_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
 
-constexpr const char* kFile = "campaign.sqlite";
 constexpr const char* kTallies = "tallies";
-
-std::string dump(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Json tallies_json(const std::map<std::string, JudgedTally>& tallies) {
   Json json = Json::object();
@@ -49,8 +45,8 @@ Conventions conventions_from(const Json& json) {
 
 KeptJudgement::KeptJudgement(const std::filesystem::path& folder, const Json& identity, std::int64_t chunks,
                              const PosedQuestions& posed)
-    : posed_(posed), campaign_(folder / kFile) {
-  const Campaign::Job job{dump(identity), chunks, {}};
+    : SharedChunks(folder), posed_(posed) {
+  const Campaign::Job job{json_line(identity), chunks, {}};
   campaign_.begin([&](const std::optional<Campaign::Job>& held, bool) -> std::optional<Campaign::Job> {
     if (!held) return job;
     if (held->identity != job.identity || held->chunks != job.chunks)
@@ -65,13 +61,13 @@ void KeptJudgement::commit(ChunkRange chunks, Judged judged) {
   const std::lock_guard lock(mutex_);
   std::map<std::size_t, std::string> wrong;
   for (const auto& [stratum, answers] : judged.wrong_answers)
-    for (const auto& [question, answer] : answers) wrong[question] = dump(answer.to_json(posed_));
+    for (const auto& [question, answer] : answers) wrong[question] = json_line(answer.to_json(posed_));
   Judged sum = mine_;
   sum.merge(std::move(judged));
   std::map<std::string, std::string> found;
-  found[kTallies] = dump({{"strata", tallies_json(sum.strata)},
-                          {"pairs", tallies_json(sum.pairs)},
-                          {"conventions", conventions_json(sum.conventions)}});
+  found[kTallies] = json_line({{"strata", tallies_json(sum.strata)},
+                               {"pairs", tallies_json(sum.pairs)},
+                               {"conventions", conventions_json(sum.conventions)}});
   // Those that are among the first of their stratum for this worker.
   for (auto& [question, text] : wrong)
     if (sum.wrong_answers[posed_.questions[question].stratum].contains(question))

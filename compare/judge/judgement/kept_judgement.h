@@ -13,29 +13,22 @@
 namespace pcm::compare {
 
 /// A judgement kept in a folder, which later calls of the program continue and others at the same time share in.
-class KeptJudgement : public Chunks<Judged> {
+class KeptJudgement : public SharedChunks<Judged> {
  public:
   /// Continues what is kept in the folder, if anything is. `identity`: what is judged and how, an object. Throws
   /// BadInput where what is kept is another judgement, or damaged. The questions must outlive this.
   KeptJudgement(const std::filesystem::path& folder, const Json& identity, std::int64_t chunks,
                 const PosedQuestions& posed);
 
-  std::optional<ChunkRange> claim(std::int64_t most) override { return campaign_.claim(most); }
   void commit(ChunkRange chunks, Judged judged) override;
-  void give_back(ChunkRange chunks) override { campaign_.give_back(chunks); }
-
-  bool done() { return campaign_.all_done(); }
   /// All that is judged.
   Judged judged();
-  bool anything_to_claim() { return campaign_.anything_to_claim(); }
-  Publishing publish() { return Publishing(campaign_); }
   /// Notes which launch of processes has finished it, now that its results are published.
   void finish(const std::string& launch) { campaign_.finish(launch); }
   std::optional<std::string> finished_by() { return campaign_.finished(); }
 
  private:
   const PosedQuestions& posed_;
-  Campaign campaign_;
   std::mutex mutex_;
   Judged mine_;  ///< what this process has committed
 };

@@ -12,7 +12,9 @@
 #include <string_view>
 #include <system_error>
 
+#include "compare/io/json_file.h"
 #include "compare/verify/run/run_identity.h"
+#include "compare/verify/verdict/case_file.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -28,42 +30,19 @@ constexpr std::array<std::string_view, 8> kTables = {
 
 constexpr const char* kFindings = "findings";
 
-std::string dump(const nlohmann::ordered_json& json) {
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
 std::string now() {
   return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::chrono::system_clock::now()));
 }
 
-bool is_case_file(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.starts_with("case_") && name.ends_with(".json");
-}
-
-/// Says whether there were any.
-bool remove_files(const std::vector<fs::path>& files) {
-  std::error_code error;
-  bool removed = false;
-  for (const fs::path& file : files) {
-    removed |= fs::remove(file, error);
-    if (error) throw BadInput(file.string() + ": of another run, and it can't be removed");
-  }
-  return removed;
-}
-
-std::vector<fs::path> cases_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (is_case_file(entry.path())) files.push_back(entry.path());
-  return files;
-}
-
 /// Says whether there were any.
 bool remove_results(const fs::path& folder) {
-  std::vector<fs::path> files = cases_in(folder);
-  for (const std::string_view table : kTables) files.push_back(folder / table);
-  return remove_files(files);
+  bool removed = remove_case_files(folder);
+  std::error_code error;
+  for (const std::string_view table : kTables) {
+    removed |= fs::remove(folder / table, error);
+    if (error) throw BadInput((folder / table).string() + ": of another run, and it can't be removed");
+  }
+  return removed;
 }
 
 std::string findings_text(const std::vector<Finding>& findings) {
@@ -73,7 +52,7 @@ std::string findings_text(const std::vector<Finding>& findings) {
     for (const Disagreement& d : finding.disagreements) list.push_back({static_cast<int>(d.kind), d.text});
     json.push_back({finding.cell, finding.pose, list});
   }
-  return dump(json);
+  return json_line(json);
 }
 
 std::vector<Finding> findings_from(const nlohmann::ordered_json& json) {
@@ -93,18 +72,14 @@ void remove_unfinished_tables(const fs::path& folder) {
   for (const std::string_view table : kTables) remove_unfinished(folder / table);
 }
 
-void remove_cases(const fs::path& folder) {
-  remove_files(cases_in(folder));
-}
-
 KeptRun::KeptRun(fs::path folder, const Verification& run, JobPart part)
-    : folder_(std::move(folder)), run_(run), campaign_(folder_ / kCampaignFile) {
+    : SharedChunks(folder), folder_(std::move(folder)), run_(run) {
   campaign_.begin([&](const std::optional<Campaign::Job>& held, bool at_work) { return decide(held, at_work, part); });
 }
 
 std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>& held, bool at_work, JobPart part) {
   const std::string out = "--out " + folder_.string() + ": ";
-  const Campaign::Job anew{dump(identity_of(run_.plan())), run_.chunks(), part};
+  const Campaign::Job anew{json_line(identity_of(run_.plan())), run_.chunks(), part};
   if (!held) {
     if (fs::exists(folder_ / "state.json"))
       throw BadInput(out + "it holds a run of an earlier version of pcm; choose another folder");
@@ -141,12 +116,8 @@ std::optional<KeptRun::Finished> KeptRun::finished() {
     const auto json = nlohmann::ordered_json::parse(*note);
     return Finished{json.at("at"), json.at("by"), json.at("launch")};
   } catch (const nlohmann::json::exception&) {
-    throw BadInput((folder_ / kCampaignFile).string() + ": it is damaged; choose another folder");
+    throw_damaged(folder_ / kCampaignFile);
   }
-}
-
-std::optional<ChunkRange> KeptRun::claim(std::int64_t most) {
-  return campaign_.claim(most);
 }
 
 void KeptRun::commit(ChunkRange chunks, Outcomes outcomes) {
@@ -154,7 +125,7 @@ void KeptRun::commit(ChunkRange chunks, Outcomes outcomes) {
   std::map<std::string, std::string> found;
   for (auto& [cell, outcome] : outcomes.cells) {
     if (const auto before = mine_.cells.find(cell); before != mine_.cells.end()) outcome.merge(before->second);
-    found[std::to_string(cell)] = dump(outcome.to_json());
+    found[std::to_string(cell)] = json_line(outcome.to_json());
   }
   Outcomes findings{{}, std::move(outcomes.findings)};
   if (!findings.findings.empty()) {
@@ -164,10 +135,6 @@ void KeptRun::commit(ChunkRange chunks, Outcomes outcomes) {
   if (!campaign_.commit(chunks, found)) return;
   for (auto& [cell, outcome] : outcomes.cells) mine_.cells[cell] = std::move(outcome);
   if (!findings.findings.empty()) mine_.findings = std::move(findings.findings);
-}
-
-void KeptRun::give_back(ChunkRange chunks) {
-  campaign_.give_back(chunks);
 }
 
 Outcomes KeptRun::outcomes() {
@@ -183,7 +150,7 @@ Outcomes KeptRun::outcomes() {
 }
 
 void KeptRun::finish(const nlohmann::ordered_json& program, const std::string& launch) {
-  campaign_.finish(dump({{"at", now()}, {"by", program}, {"launch", launch}}));
+  campaign_.finish(json_line({{"at", now()}, {"by", program}, {"launch", launch}}));
 }
 
 void KeptRun::merge(const std::vector<fs::path>& folders) {

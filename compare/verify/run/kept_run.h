@@ -13,18 +13,14 @@
 
 namespace pcm::compare {
 
-inline constexpr const char* kCampaignFile = "campaign.sqlite";
-
 /// The part of a run that is put together from those of others.
 inline constexpr JobPart kNoPart{0, 0};
 
 /// What a process that was killed while it wrote the tables left.
 void remove_unfinished_tables(const std::filesystem::path& folder);
-/// Removes the case files in the folder. Throws BadInput where it can't.
-void remove_cases(const std::filesystem::path& folder);
 
 /// A verification kept in a folder, which later calls of the program continue and others at the same time share in.
-class KeptRun : public Chunks<Outcomes> {
+class KeptRun : public SharedChunks<Outcomes> {
  public:
   /// Continues what is kept in the folder, if anything is.
   ///
@@ -46,20 +42,11 @@ class KeptRun : public Chunks<Outcomes> {
   };
   std::optional<Finished> finished();
 
-  std::optional<ChunkRange> claim(std::int64_t most) override;
   void commit(ChunkRange chunks, Outcomes outcomes) override;
-  void give_back(ChunkRange chunks) override;
-
-  /// Whether all that this folder is for is done, by whomever; and whether that is the whole run.
-  bool part_done() { return campaign_.part_done(); }
-  bool all_done() { return campaign_.all_done(); }
   /// All that is done.
   Outcomes outcomes();
   /// Of the whole run, from 0 to 1.
   double done() { return static_cast<double>(campaign_.chunks_done()) / static_cast<double>(run_.chunks()); }
-  bool anything_to_claim() { return campaign_.anything_to_claim(); }
-
-  Publishing publish() { return Publishing(campaign_); }
   /// Notes who finished the run, now that its results are published.
   void finish(const nlohmann::ordered_json& program, const std::string& launch);
   /// Takes over the finished parts of the same run that other folders hold, all of them or none.
@@ -71,7 +58,6 @@ class KeptRun : public Chunks<Outcomes> {
   std::filesystem::path folder_;
   const Verification& run_;
   std::string notice_;
-  Campaign campaign_;
   std::mutex mutex_;
   Outcomes mine_;  ///< what this process has committed
 };

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/verdict/case_file.h"
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+#include <vector>
 
 #include "compare/io/json_file.h"
 #include "compare/io/names.h"
@@ -26,11 +28,9 @@ Eigen::Vector3d vector(const Json& json) {
   return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
 }
 
-std::string read_bytes(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream.is_open() || stream.bad()) throw BadInput("cannot read the mesh " + path.string());
-  return bytes;
+std::string hash_of_mesh(const std::filesystem::path& file) {
+  if (const std::optional<std::string> hash = sha256_of_file(file)) return *hash;
+  throw BadInput("cannot read the mesh " + file.string());
 }
 
 Json to_json(const TriangleMesh& mesh, const std::filesystem::path& file) {
@@ -38,7 +38,7 @@ Json to_json(const TriangleMesh& mesh, const std::filesystem::path& file) {
   json["name"] = mesh.name;
   if (!file.empty()) {
     json["path"] = std::filesystem::absolute(file).string();
-    json["sha256"] = sha256(read_bytes(file));
+    json["sha256"] = hash_of_mesh(file);
     return json;
   }
   json["vertices"] = Json::array();
@@ -50,7 +50,7 @@ Json to_json(const TriangleMesh& mesh, const std::filesystem::path& file) {
 TriangleMesh mesh_from(const Json& json, const std::filesystem::path& folder, std::filesystem::path& file) {
   if (json.contains("path")) {
     file = folder / json.at("path").get<std::string>();
-    if (sha256(read_bytes(file)) != json.at("sha256").get<std::string>())
+    if (hash_of_mesh(file) != json.at("sha256").get<std::string>())
       throw BadInput("the mesh " + file.string() + " has changed since (its SHA-256 is another)");
     return read_mesh(file);
   }
@@ -165,6 +165,25 @@ std::string format_foreign_case(const Case& posed, const std::vector<std::array<
   json["E"] = to_json(posed.E, posed.file_E);
   json["F"] = to_json(posed.F, posed.file_F);
   return json_file_text(json);
+}
+
+std::string case_file_name(std::string pose) {
+  std::replace_if(
+      pose.begin(), pose.end(), [](char c) { return c == '/' || c == ' '; }, '_');
+  return "case_" + pose + ".json";
+}
+
+bool remove_case_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
+    if (const std::string name = entry.path().filename().string(); name.starts_with("case_") && name.ends_with(".json"))
+      files.push_back(entry.path());
+  for (const std::filesystem::path& file : files) {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+    if (error) throw BadInput(file.string() + ": of another run, and it can't be removed");
+  }
+  return !files.empty();
 }
 
 Case read_case(const std::filesystem::path& path) {

@@ -44,6 +44,11 @@ std::string format_case(const Case& posed, const std::vector<Disagreement>& disa
 std::string format_foreign_case(const Case& posed, const std::vector<std::array<std::string, 2>>& disagreements,
                                 const nlohmann::ordered_json& engine, const nlohmann::ordered_json& oracle);
 
+/// What the case file of a pose is called, by the pose's name.
+std::string case_file_name(std::string pose);
+/// Removes all case files in a folder; says whether there were any. Throws BadInput where one can't be removed.
+bool remove_case_files(const std::filesystem::path& folder);
+
 /// Reads a case file. Throws BadInput naming the file and what is wrong with it: not JSON, a key missing or of the
 /// wrong type, a number that is none, a mesh file missing (paths are relative to the case file) or changed since.
 Case read_case(const std::filesystem::path& path);

@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace pcm::compare::launcher_test {
@@ -51,6 +52,20 @@ TEST(LaunchedProcess, KnowsItsRankFromOpenMpiAndSlurm) {
 TEST(LaunchedProcess, IsNoneWhereTheEnvironmentMakesNoSense) {
   for (const char* rank : {"-1", "8", "x", ""})
     EXPECT_EQ(launched_with({{"OMPI_COMM_WORLD_RANK", rank}, {"OMPI_COMM_WORLD_SIZE", "8"}}).processes, 1) << rank;
+}
+
+TEST(LaunchedProcess, OneOfALaunchSpeaksForAll) {
+  const LaunchedProcess alone, first{0, 2, 2, "this"}, second{1, 2, 2, "this"};
+  for (const bool done : {false, true})
+    for (const std::optional<std::string>& by : {std::optional<std::string>(), std::optional<std::string>("other")})
+      EXPECT_FALSE(is_silent(alone, done, by)) << "it was started apart";
+  EXPECT_FALSE(is_silent(first, false, std::nullopt)) << "interrupted";
+  EXPECT_TRUE(is_silent(second, false, std::nullopt));
+  EXPECT_FALSE(is_silent(second, true, std::nullopt)) << "it finishes the work";
+  EXPECT_TRUE(is_silent(first, true, "this"));
+  EXPECT_TRUE(is_silent(second, true, "this"));
+  EXPECT_FALSE(is_silent(first, true, "other")) << "finished before";
+  EXPECT_TRUE(is_silent(second, true, "other"));
 }
 
 TEST(LaunchedProcess, HasTheCoresThatItMayRunOn) {

@@ -3,7 +3,6 @@
 // A judgement that several processes share in has the tables and cases of one.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -79,14 +78,12 @@ TEST_F(SharedJudgement, HasTheTablesAndCasesOfOneThatIsNot) {
 }
 
 TEST_F(SharedJudgement, OfMpirunHasTheTablesAndCasesOfOneProcess) {
-  if (std::system("mpirun --version > /dev/null 2>&1") != 0)
-    GTEST_SKIP() << "mpirun (Debian: openmpi-bin) is not installed";
-  const std::string out = scratch_.path("out");
-  std::string command = "mpirun --allow-run-as-root --oversubscribe -n 3 '" PCM_PROGRAM "'";
-  for (const std::string& word : judge("ranks", {"--shared"})) command += " '" + word + "'";
-  EXPECT_NE(std::system((command + " > '" + out + "' 2>&1 < /dev/null").c_str()), 0);
-  const std::string printed = content_of(out), verdict = "\n" + lines_of(alone_.out).back();
-  EXPECT_NE(printed.find(verdict), std::string::npos) << printed;
+  if (!has_mpirun()) GTEST_SKIP() << "mpirun (Debian: openmpi-bin) is not installed";
+  const Outcome outcome = run_by_mpirun(3, judge("ranks", {"--shared"}));
+  EXPECT_NE(outcome.status, 0);
+  const std::string& printed = outcome.out;
+  const std::string verdict = "\n" + lines_of(alone_.out).back();
+  EXPECT_NE(printed.find(verdict), std::string::npos) << printed << outcome.err;
   EXPECT_EQ(printed.find(verdict), printed.rfind(verdict)) << printed;
   EXPECT_EQ(tables_in("ranks"), tables_in("alone"));
 }

@@ -69,17 +69,25 @@ class SharedRun : public testing::Test {
 /// How many workers have found something in a folder's run.
 std::int64_t workers_in(const std::string& file) {
   Database database(file);
+  Statement begun(database, "SELECT count(*) FROM sqlite_master WHERE name = 'found'");
+  begun.step();
+  if (begun.integer(0) == 0) return 0;  // the file is there, and nothing in it yet
   Statement workers(database, "SELECT count(DISTINCT worker) FROM found");
   workers.step();
   return workers.integer(0);
+}
+
+/// Two seconds at most.
+void wait_for_workers(std::int64_t workers, const std::string& file) {
+  for (int k = 0; k < 200 && (!std::filesystem::exists(file) || workers_in(file) < workers); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
 
 TEST_F(SharedRun, OfFourProcessesOneOfWhichIsKilledHasTheTablesOfOne) {
   std::vector<pid_t> processes;
   for (int k = 0; k < 4; ++k) processes.push_back(start(verify("shared")));
   const std::string file = scratch_.path("shared/campaign.sqlite");
-  for (int k = 0; k < 100 && (!std::filesystem::exists(file) || workers_in(file) < 2); ++k)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  wait_for_workers(2, file);
   kill(processes[1], SIGKILL);
   waitpid(processes[1], nullptr, 0);
   for (const std::size_t k : {0, 2, 3}) {
@@ -94,8 +102,7 @@ TEST_F(SharedRun, OfFourProcessesOneOfWhichIsKilledHasTheTablesOfOne) {
 TEST_F(SharedRun, KilledAltogetherGoesOnAndEndsWithTheTablesOfAnUninterruptedOne) {
   const std::string file = scratch_.path("killed/campaign.sqlite");
   const pid_t process = start(verify("killed"));
-  for (int k = 0; k < 200 && (!std::filesystem::exists(file) || workers_in(file) < 1); ++k)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  wait_for_workers(1, file);
   kill(process, SIGKILL);
   waitpid(process, nullptr, 0);
   const Outcome last = run_pcm(verify("killed"));
@@ -108,8 +115,7 @@ TEST_F(SharedRun, KilledAltogetherGoesOnAndEndsWithTheTablesOfAnUninterruptedOne
 TEST_F(SharedRun, InterruptedGoesOnAndIsNotFinishedBeforeItsTablesAreWritten) {
   const pid_t process = start(verify("interrupted"));
   const std::string file = scratch_.path("interrupted/campaign.sqlite");
-  for (int k = 0; k < 200 && (!std::filesystem::exists(file) || workers_in(file) < 1); ++k)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  wait_for_workers(1, file);
   kill(process, SIGINT);
   int status = 0;
   waitpid(process, &status, 0);
@@ -170,14 +176,12 @@ TEST_F(SharedRun, PartsOfSeveralMachinesArePutTogether) {
 }
 
 TEST_F(SharedRun, OfMpirunHasTheTablesOfOneProcessAndOneVerdict) {
-  if (std::system("mpirun --version > /dev/null 2>&1") != 0)
-    GTEST_SKIP() << "mpirun (Debian: openmpi-bin) is not installed";
-  for (const char* ranks : {"2", "4"}) {
-    const std::string folder = std::string("ranks ") + ranks, out = scratch_.path("out");
-    std::string command = std::string("mpirun --allow-run-as-root --oversubscribe -n ") + ranks + " '" PCM_PROGRAM "'";
-    for (const std::string& word : verify(folder)) command += " '" + word + "'";
-    EXPECT_EQ(std::system((command + " > '" + out + "' 2>&1 < /dev/null").c_str()), 0) << read_text_file(out);
-    const std::string printed = read_text_file(out);
+  if (!has_mpirun()) GTEST_SKIP() << "mpirun (Debian: openmpi-bin) is not installed";
+  for (const int ranks : {2, 4}) {
+    const std::string folder = "ranks " + std::to_string(ranks);
+    const Outcome outcome = run_by_mpirun(ranks, verify(folder));
+    const std::string& printed = outcome.out;
+    EXPECT_EQ(outcome.status, 0) << printed << outcome.err;
     const std::size_t at = printed.find("\nverified: ");
     EXPECT_NE(at, std::string::npos) << printed;
     EXPECT_EQ(printed.find("\nverified: ", at + 1), std::string::npos) << "said twice";
