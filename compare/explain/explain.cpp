@@ -183,11 +183,14 @@ Explanation Explainer::explain(const Pose& pose, const ExplainOptions& options) 
 }
 
 bool Explainer::coincident(reference::Problem problem, const Pose& pose) const {
-  const ExactPose exact(problem, data_->E, data_->F, pose);
-  if (!near_features(exact, 0).empty()) return true;  // all that is joined is made of these
-  if (scheme() != Scheme::barycentric) return false;
+  return compare::coincident(ExactPose(problem, data_->E, data_->F, pose), mode(), scheme());
+}
+
+bool coincident(const ExactPose& pose, Mode mode, Scheme scheme) {
+  if (!near_features(pose, 0).empty()) return true;  // all that is joined is made of these
+  if (scheme != Scheme::barycentric) return false;
   std::vector<Coincidence> lines;
-  add_lines(exact, find_combinatorics(exact), mode(), 0, lines);
+  add_lines(pose, find_combinatorics(pose), mode, 0, lines);
   return !lines.empty();
 }
 

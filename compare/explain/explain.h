@@ -16,6 +16,10 @@
 #include "pcm/work_counters.h"
 #include "reference/vocabulary/answer.h"
 
+namespace pcm::reference {
+class ExactPose;
+}
+
 /// Why an answer is what it is: what coincides in a pose, or nearly does, who decides the signs that hang on it, and
 /// how near the next pose with another answer is. All of the rounded problem, which both engine and oracle decide.
 namespace pcm::compare {
@@ -58,6 +62,10 @@ struct Explanation {
   CoincidenceCount total() const;
 };
 
+/// Whether anything coincides exactly, in either problem; of the rounded one, what `Explanation::total().exact > 0`
+/// says. Where nothing does, penetration lines of all active faces are looked through, in the barycentric scheme.
+bool coincident(const reference::ExactPose& pose, Mode mode, Scheme scheme);
+
 /// Explains poses of two surfaces. Lines of penetration are those of the mode's masters, in the barycentric scheme.
 class Explainer {
  public:
@@ -72,8 +80,7 @@ class Explainer {
   /// each of 6 to 12 directions.
   Explanation explain(const Pose& pose, const ExplainOptions& options = {}) const;
 
-  /// Whether anything coincides exactly, in either problem; of the rounded one, what `Explanation::total().exact > 0`
-  /// says. Throws as `explain`. Where nothing does, penetration lines of all active faces are looked through.
+  /// The same of one of its poses. Throws as `explain`.
   bool coincident(reference::Problem problem, const Pose& pose) const;
 
   const TriangleMesh& mesh(Side side) const;

@@ -8,8 +8,8 @@
 
 namespace pcm::compare {
 
-/// Units of a CSV file's columns: of each whose name this is, or ends with it behind a blank or a low line. Other
-/// columns hold words, counts or ratios.
+/// Units of a CSV file's columns: of each whose name this is, or ends with it behind a blank or a low line; a number
+/// behind a low line at the end of a name does not count. Other columns hold words, counts or ratios.
 using ColumnUnits = std::vector<std::pair<std::string, std::string>>;
 
 }  // namespace pcm::compare

@@ -63,9 +63,11 @@ std::optional<State> parse_state(std::string_view line, const PoseReading& readi
   State state;
   state.pose.A = rotation.A;
   state.replaced_error = rotation.replaced_error;
-  state.pose.r = Eigen::Map<const Eigen::Vector3d>(vectors);
-  state.velocity.v = Eigen::Map<const Eigen::Vector3d>(vectors + 3);
+  state.pose.r = reading.metres_per_unit * Eigen::Map<const Eigen::Vector3d>(vectors);
+  state.velocity.v = reading.metres_per_unit * Eigen::Map<const Eigen::Vector3d>(vectors + 3);
   state.velocity.w = Eigen::Map<const Eigen::Vector3d>(vectors + 6);
+  if (!state.pose.r.allFinite() || !state.velocity.v.allFinite())
+    throw BadInput("r or v is beyond what a double holds once it is in metres; check the scale");
   return state;
 }
 

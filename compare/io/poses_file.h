@@ -28,13 +28,14 @@ enum class OrientationNotation : std::uint8_t { matrix, wxyz, xyzw };
 struct PoseReading {
   OrientationNotation notation = OrientationNotation::matrix;
   bool orthonormalise = false;  ///< orientations with few digits are replaced by the nearest rotation (rotation.h)
+  double metres_per_unit = 1;   ///< of r and v
 };
 
 /// The state that one line of a poses file holds; none where it is blank or only a comment (from `#` on).
 ///
 /// The orientation, nine numbers or four, then r; or then v and w as well, which are zero otherwise. Numbers are
 /// separated by blanks and written in decimal or as C hexadecimal floats. Throws BadInput, without file and line, for
-/// anything else, for an orientation that is no rotation and for numbers that are not finite.
+/// anything else, for an orientation that is no rotation and for numbers that are not finite, in metres too.
 std::optional<State> parse_state(std::string_view line, const PoseReading& reading = {});
 
 /// Reads a poses file state by state, in constant memory, so it may be endless or a pipe. Lines end with a line feed, a

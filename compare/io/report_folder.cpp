@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "compare/io/sha256.h"
 #include "compare/io/split_at_commas.h"
 #include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
@@ -33,7 +36,9 @@ std::string as_latex_comment(const std::string& text) {
   return comment + "\n";
 }
 
-bool is_column(const std::string& name, const std::string& pattern) {
+bool is_column(std::string name, const std::string& pattern) {
+  const std::size_t words = name.find_last_not_of("0123456789");
+  if (words != std::string::npos && words > 0 && words + 1 < name.size() && name[words] == '_') name.erase(words);
   if (name == pattern) return true;
   return name.size() > pattern.size() && name.ends_with(pattern) &&
          std::string_view(" _").find(name[name.size() - pattern.size() - 1]) != std::string_view::npos;
@@ -44,7 +49,7 @@ bool is_column(const std::string& name, const std::string& pattern) {
 ReportFolder::ReportFolder(std::filesystem::path folder, const std::string& command, nlohmann::ordered_json question,
                            ProgramProvenance program)
     : folder_(std::move(folder)),
-      provenance_file_(command + ".provenance.json"),
+      provenance_file_(provenance_file(command)),
       program_(std::move(program)),
       provenance_(provenance_json(program_)),
       files_(nlohmann::ordered_json::object()) {
@@ -65,9 +70,23 @@ void ReportFolder::markdown(const std::string& name, const std::string& text) {
 
 void ReportFolder::csv(const std::string& name, const std::string& text, const ColumnUnits& units) {
   write(name + ".csv", text);
-  nlohmann::ordered_json& named = files_[name + ".csv"]["units"] = nlohmann::ordered_json::object();
-  // The names in the first line; ours hold no quotes there.
-  for (const std::string& column : split_at_commas(std::string_view(text).substr(0, text.find('\n')))) {
+  note_units(name + ".csv", std::string_view(text).substr(0, text.find('\n')), units);
+}
+
+void ReportFolder::csv_there(const std::string& name, const ColumnUnits& units) {
+  const std::string file = name + ".csv";
+  const std::optional<std::string> hash = sha256_of_file(folder_ / file);
+  std::ifstream in(folder_ / file);
+  std::string header;
+  if (!hash || !std::getline(in, header)) throw BadInput((folder_ / file).string() + ": can't be read");
+  files_[file]["sha256"] = *hash;
+  note_units(file, header, units);
+}
+
+void ReportFolder::note_units(const std::string& file, std::string_view header, const ColumnUnits& units) {
+  nlohmann::ordered_json& named = files_[file]["units"] = nlohmann::ordered_json::object();
+  // The names hold no quotes.
+  for (const std::string& column : split_at_commas(header)) {
     const auto unit =
         std::find_if(units.begin(), units.end(), [&](const auto& entry) { return is_column(column, entry.first); });
     if (unit != units.end()) named[column] = unit->second;

@@ -5,11 +5,17 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "compare/io/column_units.h"
 #include "compare/io/program_provenance.h"
 
 namespace pcm::compare {
+
+/// What tables of a command are told of in.
+inline std::string provenance_file(const std::string& command) {
+  return command + ".provenance.json";
+}
 
 /// A command's tables in one folder, each with what made it.
 ///
@@ -28,12 +34,16 @@ class ReportFolder {
 
   void markdown(const std::string& name, const std::string& text);
   void csv(const std::string& name, const std::string& text, const ColumnUnits& units);
+  /// A CSV file that is there already: of one written line by line. Throws BadInput where it can't be read.
+  void csv_there(const std::string& name, const ColumnUnits& units);
   void json(const std::string& name, const nlohmann::ordered_json& value);
   /// COMMAND.provenance.json.
   void finish();
 
  private:
   void write(const std::string& file, const std::string& text);
+  /// Of the columns whose names stand in `header`, the first line of a CSV file.
+  void note_units(const std::string& file, std::string_view header, const ColumnUnits& units);
 
   std::filesystem::path folder_;
   std::string provenance_file_;

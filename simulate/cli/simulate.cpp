@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "compare/cli/frame/programs.h"
+#include "compare/io/report_folder.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "simulate/page/page.h"
@@ -24,6 +25,7 @@
 #include "simulate/record/recorded_run.h"
 #include "simulate/record/recorded_state.h"
 #include "simulate/record/recording_of_run.h"
+#include "simulate/record/run_provenance.h"
 #include "simulate/record/run_tables.h"
 #include "simulate/scenes/read_scene.h"
 #include "simulate/scenes/still_instants.h"
@@ -114,7 +116,7 @@ class ProgressLine {
 };
 
 /// To a folder: a table and a picture.
-Exit compare_all(const SimulateOptions& options, const Scene& scene) {
+Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::string& text) {
   const bool terminal = isatty(STDERR_FILENO) == 1;
   const IntegratorComparison comparison = compare_integrators(scene, known_methods(), [&](const std::string& what) {
     if (terminal) fmt::print(stderr, "{}\n", what);
@@ -124,10 +126,21 @@ Exit compare_all(const SimulateOptions& options, const Scene& scene) {
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-integrators" : options.out;
   std::filesystem::create_directories(folder);
   const std::string table = comparison_table(comparison);
-  write_text_file(folder / "integrators.md", "# " + title + "\n\n" + table);
+  compare::ReportFolder report(folder, "integrators", question_of_run(options.scene, text, scene, true));
+  report.markdown("integrators", "# " + title + "\n\n" + table);
   write_text_file(folder / "integrators.svg", comparison_picture(title + ": integrators compared", comparison));
+  report.finish();
   std::cout << table << "\npicture: " << (folder / "integrators.svg").string() << '\n';
   return Exit::success;
+}
+
+/// The tables of a run, with what made them.
+void write_tables(const std::filesystem::path& folder, const std::string& tables, const SimulateOptions& options,
+                  const std::string& text, const Scene& scene, bool finished) {
+  compare::ReportFolder report(folder, kRunReport, question_of_run(options.scene, text, scene, finished));
+  report.markdown("tables", "# " + (scene.title.empty() ? options.scene : scene.title) + "\n\n" + tables);
+  for (const char* table : {"steps", "series", "states", "spectrum"}) report.csv_there(table, run_column_units());
+  report.finish();
 }
 
 Exit simulate(const SimulateOptions& options) {
@@ -143,7 +156,7 @@ Exit simulate(const SimulateOptions& options) {
   }
   Scene scene = parse_scene(text, options.scene);
   apply(options, scene);
-  if (options.compares) return compare_all(options, scene);
+  if (options.compares) return compare_all(options, scene, text);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;
   std::string notice;
@@ -160,8 +173,8 @@ Exit simulate(const SimulateOptions& options) {
   }
   const std::string tables =
       cost_table(options.scene, scene, run.kept()) + "\n" + energy_table(run.kept(), run.observe().energies);
-  write_text_file(folder / "tables.md", "# " + (scene.title.empty() ? options.scene : scene.title) + "\n\n" + tables);
   std::cout << tables << std::flush;
+  write_tables(folder, tables, options, text, scene, finished);
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
   // There is nothing to be seen of what the run has not reached, or does not as --duration and --at have it.

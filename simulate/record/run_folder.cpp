@@ -14,12 +14,14 @@
 #include "compare/io/names.h"
 #include "compare/io/program_hash.h"
 #include "compare/io/question_json.h"
+#include "compare/io/report_folder.h"
 #include "compare/io/sha256.h"
 #include "meshes/files/parse_number.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/write_obj.h"
 #include "simulate/integrators/make_integrator.h"
+#include "simulate/record/run_provenance.h"
 
 namespace pcm::simulate {
 namespace {
@@ -38,26 +40,9 @@ Json to_json(const Eigen::VectorXd& y) {
   return json;
 }
 
-/// What the command line may have changed in the scene as its file has it.
-Json settings(const Scene& scene) {
-  Json json{{"duration", scene.duration},
-            {"method", name(scene.integrator.method)},
-            {"jacobian", scene.integrator.jacobian},
-            {"relative_tolerance", scene.integrator.relative_tolerance},
-            {"absolute_tolerance", scene.integrator.absolute_tolerance},
-            {"greatest_step", scene.integrator.greatest_step},
-            {"spectrum_interval", scene.output.spectrum_interval}};
-  for (const ScenePairing& pairing : scene.pairings) json["slip_velocities"].push_back(pairing.law.slip_velocity);
-  if (scene.initial_state) {
-    json["initial_state"] = {{"t", compare::hexadecimal(scene.initial_state->t)},
-                             {"y", to_json(scene.initial_state->y)}};
-  }
-  return json;
-}
-
 /// A hash of the scene's text, of what the command line changed, and of the surfaces, whose files may have changed.
 std::string scene_hash(const std::string& scene_text, const Scene& scene) {
-  std::string all = scene_text + settings(scene).dump();
+  std::string all = scene_text + settings_of(scene).dump();
   for (const SceneSurface& surface : scene.surfaces) all += compare::sha256(surface.surface.mesh());
   return compare::sha256(all);
 }
@@ -187,6 +172,8 @@ std::vector<std::ofstream*> RunFolder::streams() {
 }
 
 void RunFolder::open_tables(bool append) {
+  std::error_code none_there;
+  std::filesystem::remove(folder_ / compare::provenance_file(kRunReport), none_there);
   const std::vector<std::filesystem::path> files = tables();
   const std::vector<std::ofstream*> outs = streams();
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -256,13 +243,8 @@ void RunFolder::write_trajectory_index() const {
   }
   Json& pairings = json["pairings"] = Json::array();
   for (std::size_t p = 0; p < scene_.pairings.size(); ++p) {
-    const ScenePairing& pairing = scene_.pairings[p];
-    pairings.push_back({{"E", pairing.E},
-                        {"F", pairing.F},
-                        {"law", compare::law_json(pairing.law)},
-                        {"mode", std::string(compare::name(pairing.mode))},
-                        {"scheme", std::string(compare::name(pairing.scheme))},
-                        {"poses", fmt::format("{}.poses", p)}});
+    Json& pairing = pairings.emplace_back(pairing_json(scene_.pairings[p]));
+    pairing["poses"] = fmt::format("{}.poses", p);
   }
   write_text_file(folder_ / "trajectory" / "trajectory.json", json.dump(1) + "\n");
 }
@@ -302,7 +284,7 @@ void RunFolder::flush() {
 void RunFolder::keep(const KeptRun& run) {
   Json json;
   json["scene"] = scene_hash_;
-  json["settings"] = settings(scene_);
+  json["settings"] = settings_of(scene_);
   json["program"] = build_hash();
   json["t"] = compare::hexadecimal(run.checkpoint.t);
   json["y"] = to_json(run.checkpoint.y);

@@ -25,6 +25,9 @@ struct RunCost {
   double seconds = 0;                 ///< of all, recording included
 };
 
+/// What its tables are reported as, with what made them: run.provenance.json (compare::ReportFolder).
+inline constexpr const char* kRunReport = "run";
+
 /// Where a run stands that was kept.
 struct KeptRun {
   Simulation::Checkpoint checkpoint;

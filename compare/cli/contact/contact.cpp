@@ -12,10 +12,10 @@
 
 #include "compare/cli/contact/contact_answers.h"
 #include "compare/cli/contact/contact_outputs.h"
+#include "compare/cli/contact/surface_files.h"
 #include "compare/cli/frame/law_options.h"
 #include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
-#include "compare/cli/frame/surface_warnings.h"
 #include "compare/contact/units.h"
 #include "compare/io/names.h"
 #include "compare/motion/master_advice.h"
@@ -36,7 +36,7 @@ struct ContactOptions {
   bool bound = false;
   bool advise = false;
   bool no_polygons = false;
-  std::optional<std::string> scale;
+  UnitOption unit;
   ContactOutputOptions outputs;
   LawOptions law;
 };
@@ -47,19 +47,17 @@ void print_line(const std::string& answer) {
   flush_output();
 }
 
-/// Calls `look` and then `use` for each state of the file, its lengths in metres, or for the identity at rest; what
-/// `look` throws gets the file's line.
+/// Calls `look` and then `use` for each state of the file, or for the identity at rest; what `look` throws gets the
+/// file's line.
 template <class Look, class Use>
-void for_each_state(std::optional<PosesFile>& poses, double metres_per_unit, const Look& look, const Use& use) {
+void for_each_state(std::optional<PosesFile>& poses, const Look& look, const Use& use) {
   if (!poses) {
     look(State{});
     use(State{});
     return;
   }
   ReplacementNotice notice;
-  while (std::optional<State> state = poses->next()) {
-    state->pose.r *= metres_per_unit;
-    state->velocity.v *= metres_per_unit;
+  while (const std::optional<State> state = poses->next()) {
     notice.look_at(*state, *poses);
     try {
       look(*state);
@@ -70,19 +68,9 @@ void for_each_state(std::optional<PosesFile>& poses, double metres_per_unit, con
   }
 }
 
-double metres_per_unit(const ContactOptions& options) {
-  return options.scale ? positive_number("--scale", *options.scale) : 1;
-}
-
-TriangleMesh read_scaled_mesh(const std::string& file, double metres_per_unit) {
-  TriangleMesh mesh = read_mesh(file);
-  if (metres_per_unit != 1) scale(mesh, metres_per_unit);
-  return mesh;
-}
-
 /// Lengths that are likely no metres, unless the user has said what they are.
 void remark_on_units(const ContactOptions& options, const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
-  if (options.scale) return;
+  if (options.unit.scale) return;
   const LayerThickness thickness{layer_thickness(options.law, Side::E), layer_thickness(options.law, Side::F)};
   if (const std::string remark = millimetre_remark(mesh_E, mesh_F, thickness); !remark.empty())
     complain("remark: " + remark);
@@ -107,7 +95,7 @@ Provenance provenance_of(const ContactOptions& options, const ContactQuestion& q
           question.scheme,
           question.mode,
           question.law,
-          metres_per_unit(options),
+          metres_per_unit(options.unit),
           surface_origin(options.file_E, mesh_E),
           surface_origin(options.file_F, mesh_F)};
 }
@@ -123,20 +111,17 @@ Exit contact(const ContactOptions& options) {
   if (options.advise && (options.outputs.any() || options.no_polygons))
     throw BadInput("--advise gives advice instead of answers; leave out what asks for more of these");
   const ContactLaw law = law_from(options.law);
-  std::optional<PosesFile> poses = poses_from(options.poses);
+  const double unit = metres_per_unit(options.unit);
+  std::optional<PosesFile> poses = poses_from(options.poses, unit);
   require_files_of_their_own(options.outputs, {options.file_E, options.file_F, options.poses.poses.value_or("-")});
 
   // Unfit surfaces are refused here, alike for engine and oracle.
-  const double unit = metres_per_unit(options);
-  TriangleMesh mesh_E = read_scaled_mesh(options.file_E, unit);
-  const std::string warning_E = require_fit_or_warn(mesh_E);
-  TriangleMesh mesh_F = read_scaled_mesh(options.file_F, unit);
-  print_warnings(warning_E, require_fit_or_warn(mesh_F));
+  auto [mesh_E, mesh_F] = read_surfaces(options.file_E, options.file_F, unit);
   remark_on_units(options, mesh_E, mesh_F);
   if (options.advise) {
     MasterAdviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);
     for_each_state(
-        poses, unit, [&](const State& state) { adviser.add(state.pose); }, [](const State&) {});
+        poses, [&](const State& state) { adviser.add(state.pose); }, [](const State&) {});
     std::cout << master_advice_text(adviser.advice());
     return Exit::success;
   }
@@ -150,7 +135,7 @@ Exit contact(const ContactOptions& options) {
   ContactAnswer answer;
   std::string line;
   for_each_state(
-      poses, unit,
+      poses,
       [&](const State& state) {
         answer = answer_contact(state);
         if (outputs) outputs->complete(answer, state);
@@ -208,11 +193,7 @@ void add_contact_command(CLI::App& program, Run& run) {
       ->type_name("FILE");
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
   add_pose_options(*command, options->poses);
-  command
-      ->add_option("--scale", options->scale,
-                   "Metres for each unit of length in the files: vertices, and r and v of poses, are multiplied by it "
-                   "(default 1); the law and the answers are in SI units")
-      ->type_name("S");
+  add_unit_option(*command, options->unit);
   CLI::Option* engine =
       command
           ->add_option("--engine", options->engine,

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -15,9 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "compare/cli/contact/surface_files.h"
 #include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
-#include "compare/cli/frame/surface_warnings.h"
 #include "compare/explain/explanation_json.h"
 #include "compare/explain/explanation_text.h"
 #include "compare/io/names.h"
@@ -33,6 +34,7 @@ struct ExplainCommand {
   std::vector<std::string> files;  ///< a case file, or two surfaces
   std::optional<std::string> named, mode, scheme;
   PoseOptions poses;
+  UnitOption unit;
   std::string ulps = "8";
   bool all = false;
   bool json = false;
@@ -46,11 +48,18 @@ struct Asked {
   Pose pose;
   Mode mode = Mode::E;
   Scheme scheme = Scheme::barycentric;
+  std::vector<std::array<std::string, 2>> disagreements;  ///< of a case file, as it has them
 };
 
 Asked from_case_file(const std::string& path) {
   Case posed = read_case(path);
-  return {posed.origin, std::move(posed.E), std::move(posed.F), posed.pose, posed.mode, posed.scheme};
+  return {posed.origin,
+          std::move(posed.E),
+          std::move(posed.F),
+          posed.pose,
+          posed.mode,
+          posed.scheme,
+          std::move(posed.disagreements)};
 }
 
 /// By its name, or by the id that `pcm poses --catalogue` gives it: catalogue/NAME/both, catalogue/NAME/both/clipped.
@@ -67,28 +76,38 @@ Asked from_catalogue(std::string word) {
           std::move(named.F),
           {named.A, named.r},
           Mode::both,
-          clipped ? Scheme::clipped : Scheme::barycentric};
+          clipped ? Scheme::clipped : Scheme::barycentric,
+          {}};
 }
 
-Asked from_surfaces(const std::vector<std::string>& files) {
-  TriangleMesh E = read_mesh(files[0]);
-  const std::string warning_E = require_fit_or_warn(E);
-  TriangleMesh F = read_mesh(files[1]);
-  print_warnings(warning_E, require_fit_or_warn(F));
-  return {files[0] + " and " + files[1], std::move(E), std::move(F), {}, Mode::E, Scheme::barycentric};
+Asked from_surfaces(const std::vector<std::string>& files, double metres_per_unit) {
+  auto [E, F] = read_surfaces(files[0], files[1], metres_per_unit);
+  return {files[0] + " and " + files[1], std::move(E), std::move(F), {}, Mode::E, Scheme::barycentric, {}};
 }
 
 Asked asked(const ExplainCommand& command) {
   if (command.named.has_value() == !command.files.empty())
     throw BadInput("give a case file, two surfaces, or --pose with the name of a degenerate pose");
   if (command.files.size() > 2) throw BadInput("give one case file or two surfaces, not more");
-  if (command.poses.poses && command.files.size() != 2) throw BadInput("--poses goes with two surfaces");
+  for (const auto& [option, given] : {std::pair{"--poses", command.poses.poses.has_value()},
+                                      std::pair{"--quaternions", command.poses.orientations.quaternions.has_value()},
+                                      std::pair{"--orthonormalise", command.poses.orientations.orthonormalise},
+                                      std::pair{"--scale", command.unit.scale.has_value()}})
+    if (given && command.files.size() != 2)
+      throw BadInput(std::string(option) + " goes with two surfaces, not with a case file or a named pose");
   Asked question = command.named               ? from_catalogue(*command.named)
                    : command.files.size() == 1 ? from_case_file(command.files[0])
-                                               : from_surfaces(command.files);
+                                               : from_surfaces(command.files, metres_per_unit(command.unit));
   if (command.mode) question.mode = mode_named(*command.mode);
   if (command.scheme) question.scheme = scheme_named(*command.scheme);
   return question;
+}
+
+std::string text_of(const std::vector<std::array<std::string, 2>>& disagreements) {
+  if (disagreements.empty()) return {};
+  std::string text = "Wrong, by the case file:\n";
+  for (const auto& [kind, words] : disagreements) text += fmt::format("  {}: {}\n", kind, words);
+  return text;
 }
 
 Exit explain(const ExplainCommand& command) {
@@ -98,16 +117,20 @@ Exit explain(const ExplainCommand& command) {
   }
   ExplainOptions options;
   options.near_ulps = positive_number("--ulps", command.ulps);
-  if (command.all) options.listed = std::numeric_limits<std::size_t>::max();
-  std::optional<PosesFile> poses = poses_from(command.poses);
   Asked question = asked(command);
+  if (command.all) options.listed = std::numeric_limits<std::size_t>::max();
+  std::optional<PosesFile> poses = poses_from(command.poses, metres_per_unit(command.unit));
   const Explainer explainer(std::move(question.E), std::move(question.F), question.mode, question.scheme);
   const auto print = [&](const Pose& pose, const std::string& origin) {
     const Explanation explanation = explainer.explain(pose, options);
-    if (command.json)
-      std::cout << dump_exactly(explanation_json(explanation, explainer, options, origin)) << '\n';
-    else
-      std::cout << origin << '\n' << explanation_text(explanation, options, command.all);
+    if (command.json) {
+      Json json = explanation_json(explanation, explainer, options, origin);
+      if (!question.disagreements.empty()) json["disagreements"] = question.disagreements;
+      std::cout << dump_exactly(json) << '\n';
+    } else {
+      std::cout << origin << '\n'
+                << text_of(question.disagreements) << explanation_text(explanation, options, command.all);
+    }
     flush_output();
   };
   if (!poses) {
@@ -155,6 +178,7 @@ void add_explain_command(CLI::App& program, Run& run) {
                    "Instead: a pose of the degenerate catalogue, by its name or as 'pcm poses --catalogue' calls it")
       ->type_name("NAME");
   add_pose_options(*command, options->poses);
+  add_unit_option(*command, options->unit);
   command
       ->add_option("--mode", options->mode,
                    "Whose faces have penetration lines: E, F or both (default: as the case file says; E for surfaces; "

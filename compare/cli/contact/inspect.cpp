@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
+#include "compare/cli/contact/surface_files.h"
 #include "compare/cli/frame/law_options.h"
 #include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
-#include "compare/cli/frame/surface_warnings.h"
 #include "compare/io/contact_picture.h"
 #include "compare/io/names.h"
 #include "compare/motion/path_report.h"
@@ -35,6 +35,7 @@ struct InspectOptions {
   std::string file_E, file_F;
   std::string path;
   OrientationOptions orientations;
+  UnitOption unit;
   std::string mode = "E";
   std::string scheme = "barycentric";
   std::string steps = std::to_string(JumpSearch().steps);
@@ -115,11 +116,9 @@ Exit inspect(const InspectOptions& options) {
   if (options.least) search.least = nonnegative_number("--least", *options.least);
   const std::optional<Eigen::Vector3d> normal_Me = normal_from(options.normal);
   const ContactLaw law = law_from(options.law);
-  const PosePath path(poses_of(options.path, reading_from(options.orientations)));
-  TriangleMesh mesh_E = read_mesh(options.file_E);
-  const std::string warning_E = require_fit_or_warn(mesh_E);
-  TriangleMesh mesh_F = read_mesh(options.file_F);
-  print_warnings(warning_E, require_fit_or_warn(mesh_F));
+  const double unit = metres_per_unit(options.unit);
+  const PosePath path(poses_of(options.path, reading_from(options.orientations, unit)));
+  auto [mesh_E, mesh_F] = read_surfaces(options.file_E, options.file_F, unit);
   const PathPoint place = place_from(options.at, path);
   const std::optional<ViewAxis> view = view_from(options.view);
   for (const auto& file : {options.out, options.svg})
@@ -171,6 +170,7 @@ void add_inspect_command(CLI::App& program, Run& run) {
   command->add_option("F", options->file_F, "Surface of body F")->required()->type_name("FILE");
   command->add_option("--path", options->path, "Where F goes, pose by pose")->type_name("FILE")->required();
   add_orientation_options(*command, options->orientations);
+  add_unit_option(*command, options->unit);
   command->add_option("--mode", options->mode, "Whose faces carry the contact elements: E (default), F or both")
       ->type_name("MODE")
       ->check(CLI::IsMember({"E", "F", "both"}));

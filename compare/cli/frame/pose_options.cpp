@@ -23,11 +23,12 @@ void add_orientation_options(CLI::App& command, OrientationOptions& options) {
                    "rotation; without it they are refused");
 }
 
-PoseReading reading_from(const OrientationOptions& options) {
+PoseReading reading_from(const OrientationOptions& options, double metres_per_unit) {
   PoseReading reading;
   if (options.quaternions)
     reading.notation = *options.quaternions == "wxyz" ? OrientationNotation::wxyz : OrientationNotation::xyzw;
   reading.orthonormalise = options.orthonormalise;
+  reading.metres_per_unit = metres_per_unit;
   return reading;
 }
 
@@ -39,13 +40,13 @@ void add_pose_options(CLI::App& command, PoseOptions& options) {
   add_orientation_options(command, options.orientations);
 }
 
-std::optional<PosesFile> poses_from(const PoseOptions& options) {
+std::optional<PosesFile> poses_from(const PoseOptions& options, double metres_per_unit) {
   if (!options.poses) {
     if (options.orientations.quaternions || options.orientations.orthonormalise)
       throw BadInput("--quaternions and --orthonormalise say how poses are read; add --poses");
     return std::nullopt;
   }
-  return std::optional<PosesFile>(std::in_place, *options.poses, reading_from(options.orientations));
+  return std::optional<PosesFile>(std::in_place, *options.poses, reading_from(options.orientations, metres_per_unit));
 }
 
 void ReplacementNotice::look_at(const State& state, const PosesFile& poses) {

@@ -18,7 +18,7 @@ struct OrientationOptions {
 
 /// Adds --quaternions and --orthonormalise to a subcommand.
 void add_orientation_options(CLI::App& command, OrientationOptions& options);
-PoseReading reading_from(const OrientationOptions& options);
+PoseReading reading_from(const OrientationOptions& options, double metres_per_unit);
 
 /// Where the poses of a command come from and how they are written.
 struct PoseOptions {
@@ -29,8 +29,8 @@ struct PoseOptions {
 /// Adds --poses and the options above to a subcommand.
 void add_pose_options(CLI::App& command, PoseOptions& options);
 
-/// The poses, where there are any.
-std::optional<PosesFile> poses_from(const PoseOptions& options);
+/// The poses, where there are any; their lengths are in units of so many metres.
+std::optional<PosesFile> poses_from(const PoseOptions& options, double metres_per_unit);
 
 /// Says on standard error, the first time, that an orientation of the file was replaced.
 class ReplacementNotice {

@@ -173,11 +173,12 @@ void print_wrong_answers(const Judging& run, const std::optional<fs::path>& fold
     const PosedQuestion& question = run.judge().posed().questions[wrong.reply.question];
     if (++shown[question.stratum] > kShown) continue;
     ++all_shown;
+    const char* word = wrong.tie ? "tie" : "clear";
     for (const FactVerdict& fact : wrong.facts)
       if (fact.verdict == Verdict::wrong)
-        std::cout << fmt::format("{}: {}: {}\n", question.id, name(fact.fact), fact.text);
+        std::cout << fmt::format("{} ({}): {}: {}\n", question.id, word, name(fact.fact), fact.text);
     if (wrong.reply.breakdown)
-      std::cout << fmt::format("{}: {}: {}\n", question.id,
+      std::cout << fmt::format("{} ({}): {}: {}\n", question.id, word,
                                kBreakdownNames[static_cast<std::size_t>(*wrong.reply.breakdown)], wrong.reply.failure);
   }
   if (const std::int64_t more = run.total().wrong - all_shown; more > 0)

@@ -58,7 +58,7 @@ void write_cases(const fs::path& folder, const Verification& run) {
       // The disagreement itself says which side failed, and how.
     }
     write_text_file(folder / case_file_name(run.poses().pose_name(cell, finding.pose)),
-                    format_case(posed, finding.disagreements, engine, oracle));
+                    format_case(posed, engine, oracle));
   }
 }
 

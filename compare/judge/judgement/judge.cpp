@@ -6,10 +6,12 @@
 
 #include <algorithm>
 
+#include "compare/explain/explain.h"
 #include "compare/judge/judgement/moved_poses.h"
 #include "compare/judge/judgement/true_facts.h"
 #include "compare/poses/rounded_vertices.h"
 #include "pcm/bad_input.h"
+#include "reference/pose/exact_pose.h"
 
 namespace pcm::compare {
 namespace {
@@ -25,7 +27,11 @@ bool PoseVerdict::has(Verdict verdict) const {
 }
 
 Judge::Pairing::Pairing(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F)
-    : E(mesh_E), F(mesh_F), oracle(mesh_E, mesh_F) {}
+    : E(mesh_E),
+      F(mesh_F),
+      oracle(mesh_E, mesh_F),
+      exact_E(reference::make_surface(mesh_E)),
+      exact_F(reference::make_surface(mesh_F)) {}
 
 Judge::Judge(const PosedQuestions& posed, const Tolerances& tolerances, std::int64_t near_ulps)
     : posed_(posed), tolerances_(tolerances), near_ulps_(near_ulps) {
@@ -46,6 +52,12 @@ reference::Answer Judge::ask(const PosedQuestion& question, const Pose& pose, co
   }
 }
 
+bool Judge::is_tie(const PosedQuestion& question) const {
+  const Pairing& surfaces = pairing(question);
+  const reference::ExactPose pose(reference::Problem::rounded, surfaces.exact_E, surfaces.exact_F, question.pose);
+  return coincident(pose, question.mode, question.scheme);
+}
+
 reference::Answer Judge::truth(const PosedQuestion& question) const {
   return ask(question, question.pose, {});
 }
@@ -59,6 +71,12 @@ PoseVerdict Judge::judge(const PosedQuestion& question, const GivenAnswer& answe
   for (const FactJudged& fact : judged)
     verdict.facts.push_back(
         {fact.fact, fact.right ? Verdict::right : Verdict::wrong, fact.text, fact.lost, fact.spurious});
+  for (std::size_t k = 0; k < kFacts; ++k) {
+    const auto fact = static_cast<Fact>(k);
+    if (gives(answer, fact) &&
+        std::none_of(judged.begin(), judged.end(), [fact](const FactJudged& f) { return f.fact == fact; }))
+      verdict.no_truth.push_back(fact);
+  }
   if (!verdict.has(Verdict::wrong)) return verdict;
   look_around(question, answer, truth, verdict.facts);
   verdict.conventions = told_by(asked, answer, truth, tolerances_, judged);

@@ -14,6 +14,7 @@
 #include "compare/judge/lines/reply.h"
 #include "compare/poses/surface_features.h"
 #include "reference/oracle.h"
+#include "reference/pose/surface.h"
 
 namespace pcm::compare {
 
@@ -30,6 +31,7 @@ struct FactVerdict {
 
 struct PoseVerdict {
   std::vector<FactVerdict> facts;
+  std::vector<Fact> no_truth;  ///< given, without anything that they could be held against
   ConventionsTold conventions;
 
   bool has(Verdict verdict) const;
@@ -45,6 +47,8 @@ class Judge {
 
   const PosedQuestions& posed() const { return posed_; }
   PoseVerdict judge(const PosedQuestion& question, const GivenAnswer& answer) const;
+  /// Whether features coincide exactly in the pose, so that the tie rule decides something.
+  bool is_tie(const PosedQuestion& question) const;
   /// The oracle's whole answer, for the reader of a case file.
   reference::Answer truth(const PosedQuestion& question) const;
 
@@ -56,6 +60,7 @@ class Judge {
     SurfaceFeatures E;
     SurfaceFeatures F;
     reference::Oracle oracle;
+    reference::Surface exact_E, exact_F;
   };
   const Pairing& pairing(const PosedQuestion& question) const { return *pairings_.at({question.E, question.F}); }
   reference::Answer ask(const PosedQuestion& question, const Pose& pose, const Wanted& wanted) const;

@@ -23,6 +23,7 @@ void JudgedTally::add(const PoseVerdict& verdict) {
     tally.lost += fact.lost;
     tally.spurious += fact.spurious;
   }
+  for (const Fact fact : verdict.no_truth) ++facts[static_cast<std::size_t>(fact)].no_truth;
 }
 
 void JudgedTally::add(Breakdown breakdown) {
@@ -35,6 +36,7 @@ void JudgedTally::merge(const JudgedTally& other) {
   poses += other.poses;
   wrong += other.wrong;
   near += other.near;
+  ties += other.ties;
   for (std::size_t k = 0; k < kBreakdowns; ++k) breakdowns[k] += other.breakdowns[k];
   for (std::size_t k = 0; k < kFacts; ++k) {
     facts[k].right += other.facts[k].right;
@@ -42,21 +44,23 @@ void JudgedTally::merge(const JudgedTally& other) {
     facts[k].wrong += other.facts[k].wrong;
     facts[k].lost += other.facts[k].lost;
     facts[k].spurious += other.facts[k].spurious;
+    facts[k].no_truth += other.facts[k].no_truth;
   }
 }
 
 Json JudgedTally::to_json() const {
   Json rows = Json::array();
-  for (const FactTally& fact : facts) rows.push_back({fact.right, fact.near, fact.wrong, fact.lost, fact.spurious});
-  return {{"poses", {poses, wrong, near}}, {"breakdowns", breakdowns}, {"facts", std::move(rows)}};
+  for (const FactTally& fact : facts)
+    rows.push_back({fact.right, fact.near, fact.wrong, fact.lost, fact.spurious, fact.no_truth});
+  return {{"poses", {poses, wrong, ties, near}}, {"breakdowns", breakdowns}, {"facts", std::move(rows)}};
 }
 
 JudgedTally JudgedTally::from_json(const Json& json) {
-  const auto [poses, wrong, near] = json.at("poses").get<std::array<std::int64_t, 3>>();
-  JudgedTally tally{poses, wrong, near, json.at("breakdowns").get<std::array<std::int64_t, kBreakdowns>>(), {}};
+  const auto [poses, wrong, ties, near] = json.at("poses").get<std::array<std::int64_t, 4>>();
+  JudgedTally tally{poses, wrong, ties, near, json.at("breakdowns").get<std::array<std::int64_t, kBreakdowns>>(), {}};
   for (std::size_t k = 0; k < kFacts; ++k) {
-    const auto row = json.at("facts").at(k).get<std::array<std::int64_t, 5>>();
-    tally.facts[k] = {row[0], row[1], row[2], row[3], row[4]};
+    const auto row = json.at("facts").at(k).get<std::array<std::int64_t, 6>>();
+    tally.facts[k] = {row[0], row[1], row[2], row[3], row[4], row[5]};
   }
   return tally;
 }
@@ -65,6 +69,7 @@ Json WrongAnswer::to_json(const PosedQuestions& posed) const {
   Json json{{"question", reply.question},
             {"line", reply.line},
             {"answer", answer_json(posed.questions[reply.question].id, reply.answer, Notation::hexadecimal)},
+            {"tie", tie},
             {"facts", Json::array()}};
   if (reply.breakdown) json["breakdown"] = {static_cast<int>(*reply.breakdown), reply.failure};
   for (const FactVerdict& fact : facts)
@@ -78,6 +83,7 @@ WrongAnswer WrongAnswer::from_json(const Json& json, const PosedQuestions& posed
   wrong.reply.question = json.at("question").get<std::size_t>();
   wrong.reply.line = json.at("line").get<std::int64_t>();
   wrong.reply.answer = answer_from(json.at("answer"), posed, posed.questions.at(wrong.reply.question));
+  wrong.tie = json.at("tie").get<bool>();
   if (json.contains("breakdown")) {
     wrong.reply.breakdown = static_cast<Breakdown>(json["breakdown"].at(0).get<int>());
     wrong.reply.failure = json["breakdown"].at(1).get<std::string>();

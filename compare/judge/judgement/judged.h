@@ -22,6 +22,7 @@ struct FactTally {
   std::int64_t wrong = 0;
   /// In all wrong answers together: members of sets that they lack, and that they alone have.
   std::int64_t lost = 0, spurious = 0;
+  std::int64_t no_truth = 0;  ///< given, without anything that it could be held against
 
   std::int64_t judged() const { return right + near + wrong; }
 };
@@ -30,6 +31,7 @@ struct FactTally {
 struct JudgedTally {
   std::int64_t poses = 0;  ///< asked, or answered in a file
   std::int64_t wrong = 0;  ///< poses wrong in anything, breakdowns included
+  std::int64_t ties = 0;   ///< those of the wrong ones where features coincide exactly
   std::int64_t near = 0;   ///< the others that are near another answer in anything
   std::array<std::int64_t, kBreakdowns> breakdowns{};
   std::array<FactTally, kFacts> facts{};
@@ -49,6 +51,7 @@ inline constexpr std::size_t kMostCasesOfAStratum = 100;
 struct WrongAnswer {
   Reply reply;
   std::vector<FactVerdict> facts;  ///< empty where the engine broke down
+  bool tie = false;                ///< features coincide exactly
 
   Json to_json(const PosedQuestions& posed) const;
   static WrongAnswer from_json(const Json& json, const PosedQuestions& posed);

@@ -169,6 +169,45 @@ void judge_forces(const Question& question, const GivenAnswer& given, const refe
 
 }  // namespace
 
+bool gives(const GivenAnswer& given, Fact fact) {
+  const auto of_either = [&](auto GivenArea::*value) { return given.E.*value || given.F.*value; };
+  const auto of_an_element = [&](auto GivenElement::*value) {
+    return given.elements && std::any_of(given.elements->begin(), given.elements->end(),
+                                         [value](const GivenElement& e) { return (e.*value).has_value(); });
+  };
+  switch (fact) {
+    case Fact::touching:
+      return given.touching.has_value();
+    case Fact::crossing_pairs:
+      return given.crossing_pairs.has_value();
+    case Fact::intersected_faces:
+      return of_either(&GivenArea::intersected);
+    case Fact::inner_faces:
+      return of_either(&GivenArea::inner);
+    case Fact::active_faces:
+      return of_either(&GivenArea::active);
+    case Fact::polygons:
+      return given.polygons.has_value();
+    case Fact::closed_polygons:
+      return given.closed_polygons.has_value();
+    case Fact::elements:
+      return given.elements || given.element_count;
+    case Fact::area:
+      return of_either(&GivenArea::area);
+    case Fact::volume:
+      return given.volume.has_value();
+    case Fact::element_area:
+      return of_an_element(&GivenElement::area);
+    case Fact::element_penetration:
+      return of_an_element(&GivenElement::penetration);
+    case Fact::force:
+      return given.force_Me.has_value();
+    case Fact::torque:
+      return given.torque_Me.has_value();
+  }
+  return false;
+}
+
 std::vector<FactJudged> judge_facts(const Question& question, const GivenAnswer& given, const reference::Answer& truth,
                                     const Tolerances& tolerances) {
   Facts facts(tolerances);

@@ -23,6 +23,8 @@ struct FactJudged {
   std::int64_t lost = 0, spurious = 0;
 };
 
+bool gives(const GivenAnswer& given, Fact fact);
+
 /// The facts that an answer gives and that can be judged, in the order of Fact. `truth` must have been asked for as
 /// `wanted_for` says. Not judged is what was not given, and what has no truth:
 /// - a volume where a surface is open or the answer ambiguous; an area where an open border ends within a face;

@@ -63,12 +63,14 @@ Judged Judging::judge_one(Reply reply) const {
     tally.add(*reply.breakdown);
   else
     tally.add(verdict);
+  const bool tie = tally.wrong > 0 && judge_.is_tie(question);
+  tally.ties = tie;
   Judged judged;
   judged.strata[question.stratum] = judged.pairs[question.pair] = tally;
   judged.conventions.add(verdict.conventions, reply.line);
   if (tally.wrong > 0) {
     const std::size_t number = reply.question;
-    judged.wrong_answers[question.stratum].emplace(number, WrongAnswer{std::move(reply), verdict.facts});
+    judged.wrong_answers[question.stratum].emplace(number, WrongAnswer{std::move(reply), verdict.facts, tie});
   }
   return judged;
 }
@@ -108,16 +110,15 @@ std::string Judging::case_text(const WrongAnswer& wrong) const {
   posed.law = question.law;
   posed.mode = question.mode;
   posed.scheme = question.scheme;
-  std::vector<std::array<std::string, 2>> texts;
   for (const FactVerdict& fact : wrong.facts)
     if (fact.verdict != Verdict::right)
-      texts.push_back(
+      posed.disagreements.push_back(
           {std::string(name(fact.fact)) + (fact.verdict == Verdict::near ? " (near another answer)" : ""), fact.text});
   if (wrong.reply.breakdown)
-    texts.push_back(
+    posed.disagreements.push_back(
         {std::string(kBreakdownNames[static_cast<std::size_t>(*wrong.reply.breakdown)]), wrong.reply.failure});
-  return format_foreign_case(posed, texts, answer_json(question.id, wrong.reply.answer, Notation::hexadecimal),
-                             decided(judge_.truth(question)));
+  return format_case(posed, answer_json(question.id, wrong.reply.answer, Notation::hexadecimal),
+                     decided(judge_.truth(question)));
 }
 
 }  // namespace pcm::compare

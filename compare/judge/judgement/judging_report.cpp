@@ -28,13 +28,14 @@ std::vector<TableCell> fact_row(const std::string& stratum, Fact fact, const Jud
           rate_cell(rate_upper_bound(of_fact.wrong, of_fact.judged())),
           is_set(fact) ? count_cell(of_fact.lost) : empty_cell(),
           is_set(fact) ? count_cell(of_fact.spurious) : empty_cell(),
-          count_cell(tally.poses - of_fact.judged())};
+          count_cell(tally.poses - of_fact.judged() - of_fact.no_truth),
+          count_cell(of_fact.no_truth)};
 }
 
 void add_fact_rows(const std::string& stratum, const JudgedTally& tally, Table& table) {
   for (std::size_t k = 0; k < kFacts; ++k) {
     const auto fact = static_cast<Fact>(k);
-    if (tally.of(fact).judged() > 0) table.rows.push_back(fact_row(stratum, fact, tally));
+    if (tally.of(fact).judged() + tally.of(fact).no_truth > 0) table.rows.push_back(fact_row(stratum, fact, tally));
   }
 }
 
@@ -45,6 +46,7 @@ Table table_of_poses(const std::string& what) {
                {"right", "right"},
                {"near", "near"},
                {"wrong", "wrong"},
+               {"of these ties", "wrong_ties"},
                {"rate below", "wrong_rate_upper_bound"}},
               {}};
   for (const std::string_view word : kBreakdownNames) table.columns.push_back({std::string(word), std::string(word)});
@@ -57,6 +59,7 @@ std::vector<TableCell> row_of_poses(const std::string& name, const JudgedTally& 
                              count_cell(tally.poses - tally.wrong - tally.near),
                              count_cell(tally.near),
                              count_cell(tally.wrong),
+                             count_cell(tally.ties),
                              rate_cell(rate_upper_bound(tally.wrong, tally.poses))};
   for (const std::int64_t count : tally.breakdowns) row.push_back(count_cell(count));
   return row;
@@ -74,7 +77,8 @@ Table facts_table(const Judging& run) {
                {"rate below", "wrong_rate_upper_bound"},
                {"lost", "lost"},
                {"spurious", "spurious"},
-               {"not judged", "not_judged"}},
+               {"not given", "not_given"},
+               {"no truth", "no_truth"}},
               {}};
   for (const auto& [stratum, tally] : run.strata()) add_fact_rows(stratum, tally, table);
   add_fact_rows("all", run.total(), table);
@@ -100,8 +104,9 @@ std::string judging_legend(const JudgingSetup& setup) {
       "Answers of {} to the poses of {}, held against the oracle's answers to the rounded problem.\n"
       "wrong: at least one fact is; rate below: upper end of the 95 % confidence interval of the rate of wrong ones;\n"
       "lost, spurious: members that the sets of all wrong answers together lack, and that they alone have;\n"
-      "crash, hang, garbage: no answer came, and the pose counts as wrong; not judged: not given, or without a "
-      "truth.\n",
+      "tie: vertices, edges, faces or penetration lines coincide exactly in the pose, so that a rule for ties decides\n"
+      "something; clear: nothing does; no truth: given, without anything that it could be held against;\n"
+      "crash, hang, garbage: no answer came, and the pose counts as wrong.\n",
       setup.who, setup.poses);
   text += setup.near_ulps == 0
               ? "No other poses were asked about.\n"
@@ -130,7 +135,7 @@ nlohmann::ordered_json judging_json(const Judging& run, const JudgingSetup& setu
   whole["pairs"] = json(pairs_table(run));
   whole["wrong_answers"] = nlohmann::ordered_json::array();
   for (const WrongAnswer& wrong : run.wrong_answers()) {
-    nlohmann::ordered_json entry{{"id", run.judge().posed().questions[wrong.reply.question].id}};
+    nlohmann::ordered_json entry{{"id", run.judge().posed().questions[wrong.reply.question].id}, {"tie", wrong.tie}};
     for (const FactVerdict& fact : wrong.facts)
       if (fact.verdict == Verdict::wrong) entry["wrong"][std::string(name(fact.fact))] = fact.text;
     if (wrong.reply.breakdown)

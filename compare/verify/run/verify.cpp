@@ -131,6 +131,12 @@ std::vector<StratumTally> Verification::by_stratum_scheme_and_mode() const {
   return tallies;
 }
 
+Case Verification::as_case(const Finding& finding) const {
+  Case posed = poses_.as_case(cells_[finding.cell], finding.pose);
+  posed.disagreements = in_words(finding.disagreements);
+  return posed;
+}
+
 Verification::Held Verification::hold(const Cell& cell, std::int64_t pose, fast::Workspace& workspace) const {
   try {
     const HeldPairing::State state = poses_.asked(cell, pose);

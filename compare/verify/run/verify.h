@@ -85,7 +85,7 @@ class Verification {
   std::vector<NamedTally> by_scheme() const;
   /// The cells of each stratum, scheme and mode together, in this order.
   std::vector<StratumTally> by_stratum_scheme_and_mode() const;
-  Case as_case(const Finding& finding) const { return poses_.as_case(cells_[finding.cell], finding.pose); }
+  Case as_case(const Finding& finding) const;
 
   /// Into how many chunks the run is cut.
   std::int64_t chunks() const { return chunks_; }

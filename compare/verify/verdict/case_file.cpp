@@ -136,15 +136,13 @@ Json decided(const reference::Answer& truth) {
   return json;
 }
 
-std::string format_case(const Case& posed, const std::vector<Disagreement>& disagreements, const Json& engine,
-                        const Json& oracle) {
+std::vector<std::array<std::string, 2>> in_words(const std::vector<Disagreement>& disagreements) {
   std::vector<std::array<std::string, 2>> words;
   for (const Disagreement& d : disagreements) words.push_back({std::string(name(d.kind)), d.text});
-  return format_foreign_case(posed, words, engine, oracle);
+  return words;
 }
 
-std::string format_foreign_case(const Case& posed, const std::vector<std::array<std::string, 2>>& disagreements,
-                                const Json& engine, const Json& oracle) {
+std::string format_case(const Case& posed, const Json& engine, const Json& oracle) {
   Json json;
   json["format"] = "pcm case 1";
   json["origin"] = posed.origin;
@@ -158,8 +156,7 @@ std::string format_foreign_case(const Case& posed, const std::vector<std::array<
   json["law"] = law_json(posed.law);
   json["scheme"] = std::string(name(posed.scheme));
   json["mode"] = std::string(name(posed.mode));
-  json["disagreements"] = Json::array();
-  for (const auto& [kind, text] : disagreements) json["disagreements"].push_back(Json::array({kind, text}));
+  json["disagreements"] = posed.disagreements;
   json["engine"] = engine;
   json["oracle"] = oracle;
   json["E"] = to_json(posed.E, posed.file_E);
@@ -205,6 +202,7 @@ Case read_case(const std::filesystem::path& path) {
     posed.law = law_from(json.at("law"));
     posed.scheme = scheme_from(json.at("scheme"));
     posed.mode = mode_from(json.at("mode"));
+    posed.disagreements = json.value("disagreements", posed.disagreements);
     posed.E = mesh_from(json.at("E"), path.parent_path(), posed.file_E);
     posed.F = mesh_from(json.at("F"), path.parent_path(), posed.file_F);
     return posed;

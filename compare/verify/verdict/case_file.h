@@ -29,7 +29,11 @@ struct Case {
   ContactLaw law;
   Mode mode = Mode::E;
   Scheme scheme = Scheme::barycentric;
+  /// What disagreed: of each its kind, and in words what either side says. A replay does not look at it.
+  std::vector<std::array<std::string, 2>> disagreements;
 };
+
+std::vector<std::array<std::string, 2>> in_words(const std::vector<Disagreement>& disagreements);
 
 /// What each side decided, for the reader of a case file; a replay does not look at it.
 nlohmann::ordered_json decided(const fast::Contact& subj);
@@ -37,12 +41,7 @@ nlohmann::ordered_json decided(const reference::Answer& truth);
 
 /// The text of a case file: JSON; pose, velocity and law in hexadecimal floating point, inline meshes in decimals that
 /// read back bit for bit.
-std::string format_case(const Case& posed, const std::vector<Disagreement>& disagreements,
-                        const nlohmann::ordered_json& engine, const nlohmann::ordered_json& oracle);
-
-/// The same where what disagrees goes by other words: pairs of a kind and what each side says.
-std::string format_foreign_case(const Case& posed, const std::vector<std::array<std::string, 2>>& disagreements,
-                                const nlohmann::ordered_json& engine, const nlohmann::ordered_json& oracle);
+std::string format_case(const Case& posed, const nlohmann::ordered_json& engine, const nlohmann::ordered_json& oracle);
 
 /// What the case file of a pose is called, by the pose's name.
 std::string case_file_name(std::string pose);

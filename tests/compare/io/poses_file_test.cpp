@@ -51,6 +51,18 @@ TEST(PosesFile, TheLastLineNeedsNoLineFeedAndPlacesAreCountedFromOne) {
   EXPECT_FALSE(file.next());
 }
 
+TEST(PosesFile, LengthsAreMadeMetres) {
+  PoseReading reading;
+  reading.metres_per_unit = 0.125;
+  const std::optional<State> state = parse_state("1 0 0 0 1 0 0 0 1  8 16 24  1 2 4  3 5 7", reading);
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->pose.r, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(state->velocity.v, Eigen::Vector3d(0.125, 0.25, 0.5));
+  EXPECT_EQ(state->velocity.w, Eigen::Vector3d(3, 5, 7));
+  reading.metres_per_unit = 1e10;
+  EXPECT_THROW(parse_state("1 0 0 0 1 0 0 0 1  1e300 0 0", reading), BadInput);
+}
+
 TEST(PosesFile, AnyLineEndingsAByteOrderMarkAndLongCommentsAreUnderstood) {
   const std::string pose = "1 0 0 0 1 0 0 0 1 0 0 ";
   const TemporaryFolder scratch;

@@ -23,7 +23,7 @@ class ReportFolderTest : public testing::Test {
   void SetUp() override {
     ReportFolder report(scratch_.path(), "first", {{"seed", 7}});
     report.markdown("table", "# Table\n\n| a |\n|--:|\n| 1 |\n");
-    report.csv("table", "pair,median_us,force max,edge,maximum\nx,1,2,3,4\n",
+    report.csv("table", "pair,median_us,force max,edge,maximum,edge_12,12\nx,1,2,3,4,5,6\n",
                {{"us", "us"}, {"max", "N"}, {"edge", "m"}, {"imum", "wrong"}});
     report.json("table", {{"rows", {1, 2}}});
     report.json("list", Json::array({1, 2}));
@@ -51,7 +51,7 @@ TEST_F(ReportFolderTest, EveryTableSaysWhatMadeIt) {
 
 TEST_F(ReportFolderTest, TablesStandAsTheyWere) {
   EXPECT_EQ(content("table.md").rfind("# Table\n\n| a |\n|--:|\n| 1 |\n", 0), 0U);
-  EXPECT_EQ(content("table.csv"), "pair,median_us,force max,edge,maximum\nx,1,2,3,4\n");
+  EXPECT_EQ(content("table.csv"), "pair,median_us,force max,edge,maximum,edge_12,12\nx,1,2,3,4,5,6\n");
   EXPECT_EQ(Json::parse(content("table.json"))["rows"], Json({1, 2}));
   EXPECT_EQ(Json::parse(content("list.json")), Json({1, 2}));
   EXPECT_NE(content("table.tex").find("\\begin{longtable}{r}"), std::string::npos);
@@ -61,7 +61,8 @@ TEST_F(ReportFolderTest, ProvenanceHasHashesOfAllTablesAndUnitsOfColumns) {
   const Json files = Json::parse(content("first.provenance.json"))["files"];
   EXPECT_EQ(files.size(), 5U);
   for (const auto& [file, entry] : files.items()) EXPECT_EQ(entry["sha256"], sha256(content(file))) << file;
-  EXPECT_EQ(files["table.csv"]["units"], Json({{"median_us", "us"}, {"force max", "N"}, {"edge", "m"}}));
+  EXPECT_EQ(files["table.csv"]["units"],
+            Json({{"median_us", "us"}, {"force max", "N"}, {"edge", "m"}, {"edge_12", "m"}}));
 }
 
 TEST_F(ReportFolderTest, OfTwoCommandsKeepsWhatEachSaysOfItsTables) {

@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "compare/io/sha256.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
@@ -65,6 +67,25 @@ TEST(SimulateCommand, EndsWithTablesAPageAndTheSceneAsItWas) {
   EXPECT_EQ(folder.bytes("scene.json"), block_over_floor("0.1"));
 }
 
+TEST(SimulateCommand, TellsWhatMadeItsTables) {
+  const Folder folder(block_over_floor("0.1"));
+  ASSERT_EQ(folder.run({"--integrator", "adams"}).status, 0);
+  EXPECT_NE(folder.bytes("tables.md").find("Made by pcm "), std::string::npos);
+  EXPECT_NE(folder.bytes("tables.tex").find("longtable"), std::string::npos);
+  const auto told = nlohmann::json::parse(folder.bytes("run.provenance.json"));
+  EXPECT_NE(told["command_line"].get<std::string>().find("--integrator adams"), std::string::npos);
+  const auto& question = told["question"];
+  EXPECT_EQ(question["scene_sha256"], compare::sha256(block_over_floor("0.1")));
+  EXPECT_EQ(question["settings"]["method"], "CVODE, Adams");
+  EXPECT_EQ(question["pairings"][0]["law"]["max_penetration"], "0x1.999999999999ap-4");
+  EXPECT_EQ(question["surfaces"].size(), 2U);
+  EXPECT_EQ(question["complete"], true);
+  for (const char* table : {"steps.csv", "series.csv", "states.csv", "spectrum.csv", "tables.md", "tables.tex"})
+    EXPECT_EQ(told["files"][table]["sha256"], compare::sha256(folder.bytes(table))) << table;
+  EXPECT_EQ(told["files"]["series.csv"]["units"]["normal_force_0"], "N");
+  EXPECT_EQ(told["files"]["steps.csv"]["units"], nlohmann::json({{"t", "s"}, {"size", "s"}}));
+}
+
 // It can't pass the floor's surface by more than 1e-6 m, and gives up there: what was computed is shown.
 TEST(SimulateCommand, WhoseIntegratorGivesUpSaysWhenInOneLineAndShowsWhatThereIs) {
   const Folder folder(block_over_floor("1e-6"));
@@ -74,6 +95,7 @@ TEST(SimulateCommand, WhoseIntegratorGivesUpSaysWhenInOneLineAndShowsWhatThereIs
   EXPECT_NE(outcome.err.find("scene.json: CVODE, BDF gave up at t = 0.14"), std::string::npos) << outcome.err;
   EXPECT_NE(folder.bytes("tables.md").find("steps to t = 0.14"), std::string::npos);
   EXPECT_GT(folder.bytes("page.html").size(), 100000U);
+  EXPECT_EQ(nlohmann::json::parse(folder.bytes("run.provenance.json"))["question"]["complete"], false);
   EXPECT_EQ(folder.run().status, 1);  // goes on from the checkpoint, to the same end
 }
 

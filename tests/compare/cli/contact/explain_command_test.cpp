@@ -79,6 +79,29 @@ TEST(ExplainCommand, ReadsPosesAsContactDoes) {
   EXPECT_EQ(explain({"--quaternions", "wxyz"}).status, 2);
 }
 
+TEST(ExplainCommand, ScaleMakesMetresOfSurfacesAndPositions) {
+  const TemporaryFolder scratch;
+  const std::string small = scratch.write("t.obj", kTetrahedron);
+  std::string text(kTetrahedron);
+  for (std::size_t at = text.find("1"); at < text.find('f'); at = text.find("1", at + 1)) text[at] = '4';
+  const std::string large = scratch.write("large.obj", text);
+  const auto explain = [&](const std::string& surface, const std::string& r, const Words& options) {
+    Words arguments{"explain", surface,   surface,
+                    "--json",  "--poses", scratch.write("poses.txt", std::string(kIdentity) + r)};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    json answer = json::parse(outcome.out);
+    for (const char* key : {"origin", "E", "F"}) answer.erase(key);
+    return answer;
+  };
+  EXPECT_EQ(explain(large, "1.5 0.5 0.75\n", {"--scale", "0.25"}), explain(small, "0.375 0.125 0.1875\n", {}));
+  EXPECT_EQ(run_pcm({"explain", small, small, "--scale", "0"}).status, 2);
+  const Outcome named = run_pcm({"explain", "--pose", "vertex_on_face", "--scale", "2"});
+  EXPECT_EQ(named.status, 2);
+  EXPECT_NE(named.err.find("--scale goes with two surfaces, not with a case file"), std::string::npos) << named.err;
+}
+
 TEST(ExplainCommand, ExplainsACaseFile) {
   const TemporaryFolder scratch;
   const std::string pose = R"({"A":["0x1p+0","0x0p+0","0x0p+0","0x0p+0","0x1p+0","0x0p+0","0x0p+0","0x0p+0","0x1p+0"],)"

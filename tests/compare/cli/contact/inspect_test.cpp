@@ -75,6 +75,31 @@ TEST_F(Inspect, ReadsQuaternions) {
   expect_refused({"--path", quaternions}, quaternions);
 }
 
+TEST_F(Inspect, ScaleMakesMetresOfSurfacesAndPositions) {
+  const auto box = [&](const std::string& extent) {
+    std::string file = scratch_.path("box_" + extent + ".obj");
+    EXPECT_EQ(run_pcm({"mesh", "make", "box", "--extent_x=" + extent, "--extent_y=" + extent, "--extent_z=" + extent,
+                       "-o", file})
+                  .status,
+              0);
+    return file;
+  };
+  const auto path = [&](const Words& files, const std::string& poses, const Words& options) {
+    Words arguments{"inspect", files[0],  files[1], "--path", scratch_.write("path.txt", poses),
+                    "--json",  "--steps", "2"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string identity = "1 0 0 0 1 0 0 0 1  ";
+  const std::string in_metres =
+      path({box("1"), box("0.5")}, identity + "0 0 0.6875\n" + identity + "0.125 0 0.6875\n", {});
+  EXPECT_EQ(path({box("8"), box("4")}, identity + "0 0 5.5\n" + identity + "1 0 5.5\n", {"--scale", "0.125"}),
+            in_metres);
+  expect_refused({"--path", slide_, "--scale", "-1"}, "--scale");
+}
+
 TEST_F(Inspect, JumpsAreGivenByPosesThatContactAnswersAlike) {
   const Outcome outcome = inspect({"--path", slide_, "--json", "--stiffness", "800", "--steps", "4"});
   EXPECT_EQ(outcome.status, 0);

@@ -91,12 +91,12 @@ TEST_F(JudgeCommand, WrongAnswersOfEveryStratumAreShownAndCountedByPair) {
     const std::string place = '/' + std::string(stratum) + '/';
     std::size_t shown = 0;
     for (const std::string& line : lines_of(outcome.out))
-      shown += line.find(place) != std::string::npos && line.find(": touching: ") != std::string::npos ? 1 : 0;
+      shown += line.find(place) != std::string::npos && line.find("): touching: ") != std::string::npos ? 1 : 0;
     EXPECT_EQ(shown, 4U) << stratum;
   }
   EXPECT_NE(outcome.out.find("... and 36 more wrong answers; "), std::string::npos) << outcome.out;
   const std::vector<std::string> pairs = lines_of(content_of(out + "/pairs.csv"));
-  EXPECT_EQ(pairs.front().rfind("pair,poses,right,near,wrong,", 0), 0U);
+  EXPECT_EQ(pairs.front().rfind("pair,poses,right,near,wrong,wrong_ties,", 0), 0U);
   ASSERT_EQ(pairs.size(), 2U);
   EXPECT_NE(pairs[1].find(",60,0,0,60,"), std::string::npos) << pairs[1];
 }
@@ -109,12 +109,15 @@ TEST_F(JudgeCommand, AWrongAnswerIsShownAndKeptAsACase) {
   const Outcome outcome = judge(lines, {"--out", out});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_EQ(last_line(outcome.out), "NOT right: 60 answers, 1 wrong, 0 near another answer");
-  EXPECT_NE(outcome.out.find("touching: engine false, oracle true"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(" (clear): touching: engine false, oracle true"), std::string::npos) << outcome.out;
   std::string kept;
   for (const auto& entry : std::filesystem::directory_iterator(out))
     if (entry.path().filename().string().starts_with("case_")) kept = entry.path().string();
   ASSERT_NE(kept, "");
   EXPECT_NE(content_of(kept).find("engine false, oracle true"), std::string::npos);
+  const Outcome explained = run_pcm({"explain", kept});
+  EXPECT_NE(explained.out.find("Wrong, by the case file:\n  touching: engine false, oracle true\n"), std::string::npos)
+      << explained.out;
   const Outcome replayed = run_pcm({"verify", "--case", kept});
   EXPECT_EQ(replayed.status, 0) << replayed.out;
 

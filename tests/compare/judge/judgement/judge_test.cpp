@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "compare/explain/explain.h"
 #include "compare/judge/judgement/judging.h"
 #include "compare/judge/poses/catalogue_poses.h"
 #include "meshes/generate/boxes.h"
@@ -312,6 +313,58 @@ TEST_F(Answers, AreCountedByStratumWithACaseForEachWrongOne) {
   EXPECT_EQ(replayed.origin, question.id);
   EXPECT_EQ(replayed.pose.r, question.pose.r);
   EXPECT_EQ(replayed.pose.A, question.pose.A);
+  ASSERT_EQ(replayed.disagreements.size(), 1U);
+  EXPECT_EQ(replayed.disagreements[0][0], "touching");
+}
+
+TEST_F(Answers, ThatAreWrongAreToldApartByTies) {
+  Judging run(judge_);
+  run.add(
+      replies(folder(), [](const PosedQuestion&, GivenAnswer& a) { a.touching = !*a.touching; }), 2,
+      [] { return false; }, [](std::int64_t) {});
+  for (const auto& [stratum, tally] : run.strata()) {
+    EXPECT_EQ(tally.wrong, tally.poses) << stratum;
+    if (stratum == "generic" || stratum == "nested") {
+      EXPECT_EQ(tally.ties, 0) << stratum;
+    } else if (stratum == "degenerate") {
+      EXPECT_EQ(tally.ties, tally.poses) << stratum;
+    }
+  }
+  std::int64_t ties = 0;
+  for (const WrongAnswer& wrong : run.wrong_answers()) {
+    ties += wrong.tie;
+    const PosedQuestion& question = folder().posed.questions[wrong.reply.question];
+    const Explainer explainer(folder().posed.surfaces[question.E].mesh, folder().posed.surfaces[question.F].mesh,
+                              question.mode, question.scheme);
+    EXPECT_EQ(wrong.tie, explainer.coincident(reference::Problem::rounded, question.pose)) << question.id;
+  }
+  EXPECT_EQ(ties, run.total().ties);
+  EXPECT_GT(ties, 0);
+  EXPECT_LT(ties, run.total().wrong);
+}
+
+TEST_F(Answers, WithoutATruthAreToldApartFromWhatIsNotGiven) {
+  Judging run(judge_);
+  run.add(
+      replies(folder(),
+              [](const PosedQuestion& question, GivenAnswer& a) {
+                if (question.stratum == "separated") a = {};
+                if (!a.elements) return;
+                a.element_count = std::ssize(*a.elements);  // a mere number, which is not held in the clipped scheme
+                a.elements.reset();
+              }),
+      2, [] { return false; }, [](std::int64_t) {});
+  std::map<std::string, std::int64_t> clipped;
+  for (const PosedQuestion& question : folder().posed.questions)
+    clipped[question.stratum] += question.scheme == Scheme::clipped;
+  for (const auto& [stratum, tally] : run.strata()) {
+    const bool given = stratum != "separated";
+    const FactTally& elements = tally.of(Fact::elements);
+    EXPECT_EQ(elements.no_truth, given ? clipped[stratum] : 0) << stratum;
+    EXPECT_EQ(elements.judged(), given ? tally.poses - clipped[stratum] : 0) << stratum;
+    EXPECT_EQ(tally.of(Fact::force).judged() + tally.of(Fact::force).no_truth, given ? tally.poses : 0) << stratum;
+    EXPECT_EQ(tally.of(Fact::touching).no_truth, 0) << stratum;
+  }
 }
 
 /// A pair lost, faces of both surfaces lost and a spurious one: of each of E and F, and of wrong answers alone.

@@ -147,7 +147,7 @@ TEST(Trajectory, AnAlteredAnswerIsADisagreementWhoseCaseIsTheRecordedPose) {
   EXPECT_EQ(run.poses().pose_name(run.cells()[finding.cell], finding.pose), "block-brick/trajectory/3/F");
 
   const std::string file = trajectory.folder().path("case.json");
-  write_text_file(file, format_case(run.as_case(finding), finding.disagreements, {}, {}));
+  write_text_file(file, format_case(run.as_case(finding), {}, {}));
   const Case posed = read_case(file);
   EXPECT_EQ(posed.origin, trajectory.folder().path("0.poses") + ":3, block-brick/trajectory/3/F");
   EXPECT_EQ(posed.pose.r, Eigen::Vector3d(0.75, 0.13, 0.05));

@@ -61,16 +61,19 @@ void expect_same_question(const Case& a, const Case& b) {
 }
 
 TEST_F(CaseFiles, ReadBackBitForBitWithMeshesInline) {
-  const Case written = posed();
-  write_text_file(folder_ / "case.json", format_case(written, {{Kind::force, "off"}}, {}, {}));
-  expect_same_question(read_case(folder_ / "case.json"), written);
+  Case written = posed();
+  written.disagreements = in_words({{Kind::force, "off"}});
+  write_text_file(folder_ / "case.json", format_case(written, {}, {}));
+  const Case read = read_case(folder_ / "case.json");
+  expect_same_question(read, written);
+  EXPECT_EQ(read.disagreements, written.disagreements);
 }
 
 TEST_F(CaseFiles, ReadBackBitForBitWithMeshesByPathAndRefuseChangedOnes) {
   Case written = posed();
   written.file_E = folder_ / "E.obj";
   write_obj(written.E, written.file_E);
-  write_text_file(folder_ / "case.json", format_case(written, {}, {}, {}));
+  write_text_file(folder_ / "case.json", format_case(written, {}, {}));
   expect_same_question(read_case(folder_ / "case.json"), written);
   std::ofstream(written.file_E, std::ios::app) << "# changed\n";
   EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
@@ -79,7 +82,7 @@ TEST_F(CaseFiles, ReadBackBitForBitWithMeshesByPathAndRefuseChangedOnes) {
 TEST_F(CaseFiles, BadOnesAreRefused) {
   EXPECT_THROW(read_case(folder_ / "missing.json"), BadInput);
   EXPECT_THROW(read_case(folder_), BadInput);
-  const std::string whole = format_case(posed(), {}, {}, {});
+  const std::string whole = format_case(posed(), {}, {});
   for (const std::string& text : {std::string("{"), std::string("[1]"), std::string("{\"format\": \"pcm case 1\"}"),
                                   std::string(whole).replace(whole.find("clipped"), 7, "cut"),
                                   std::string(whole).replace(whole.find("0x"), 2, "zz")}) {
@@ -96,6 +99,7 @@ TEST_F(CaseFiles, BadOnesAreRefused) {
   refused_with([](auto& json) { json["pose"]["A"][0] = 1; });
   refused_with([](auto& json) { json["pose"]["r"][0] = "inf"; });
   refused_with([](auto& json) { json["pose"]["v"][0] = "nan"; });
+  refused_with([](auto& json) { json["disagreements"] = {{"force"}}; });
   refused_with([](auto& json) { json["E"]["faces"][0][0] = -1; });
   refused_with([](auto& json) { json["E"]["faces"][0][0] = 0.5; });
   refused_with([](auto& json) { json["E"]["faces"][0][0] = 4294967296; });
@@ -112,7 +116,7 @@ TEST(HeldPairings, UnfitAndEmptySurfacesAreRefused) {
 
 TEST_F(CaseFiles, ReplayGivesTheSameVerdict) {
   const Case written = posed();
-  write_text_file(folder_ / "case.json", format_case(written, {}, {}, {}));
+  write_text_file(folder_ / "case.json", format_case(written, {}, {}));
   const Case read = read_case(folder_ / "case.json");
   const HeldPairing held(read.E, read.F, read.law, read.mode, read.scheme);
   fast::Workspace workspace;

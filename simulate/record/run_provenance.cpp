@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulate/record/run_provenance.h"
+
+#include <nlohmann/json.hpp>
+
+#include "compare/io/names.h"
+#include "compare/io/question_json.h"
+#include "compare/io/sha256.h"
+
+namespace pcm::simulate {
+
+using Json = nlohmann::ordered_json;
+
+Json settings_of(const Scene& scene) {
+  Json json{{"duration", scene.duration},
+            {"method", name(scene.integrator.method)},
+            {"jacobian", scene.integrator.jacobian},
+            {"relative_tolerance", scene.integrator.relative_tolerance},
+            {"absolute_tolerance", scene.integrator.absolute_tolerance},
+            {"greatest_step", scene.integrator.greatest_step},
+            {"spectrum_interval", scene.output.spectrum_interval}};
+  for (const ScenePairing& pairing : scene.pairings) json["slip_velocities"].push_back(pairing.law.slip_velocity);
+  if (scene.initial_state) {
+    Json y = Json::array();
+    for (const double value : scene.initial_state->y) y.push_back(compare::hexadecimal(value));
+    json["initial_state"] = {{"t", compare::hexadecimal(scene.initial_state->t)}, {"y", std::move(y)}};
+  }
+  return json;
+}
+
+Json pairing_json(const ScenePairing& pairing) {
+  return {{"E", pairing.E},
+          {"F", pairing.F},
+          {"law", compare::law_json(pairing.law)},
+          {"mode", std::string(compare::name(pairing.mode))},
+          {"scheme", std::string(compare::name(pairing.scheme))}};
+}
+
+Json question_of_run(const std::string& scene_name, const std::string& scene_text, const Scene& scene, bool complete) {
+  Json question{{"scene", scene_name},
+                {"scene_sha256", compare::sha256(scene_text)},
+                {"settings", settings_of(scene)},
+                {"pairings", Json::array()},
+                {"surfaces", Json::array()},
+                {"complete", complete}};
+  for (const ScenePairing& pairing : scene.pairings) question["pairings"].push_back(pairing_json(pairing));
+  for (const SceneSurface& surface : scene.surfaces)
+    question["surfaces"].push_back({{"name", surface.name}, {"sha256", compare::sha256(surface.surface.mesh())}});
+  return question;
+}
+
+compare::ColumnUnits run_column_units() {
+  return {{"t", "s"},
+          {"size", "s"},
+          {"kinetic", "J"},
+          {"gravity", "J"},
+          {"elastic", "J"},
+          {"bumpers", "J"},
+          {"lost_to_damping", "J"},
+          {"lost_to_friction", "J"},
+          {"lost_to_joints", "J"},
+          {"brought_by_motions", "J"},
+          {"depth", "m"},
+          {"area", "m^2"},
+          {"normal_force", "N"},
+          {"tangential_force", "N"},
+          {"least_real", "1/s"},
+          {"greatest_imaginary", "1/s"},
+          {"radius", "1/s"}};
+}
+
+}  // namespace pcm::simulate
