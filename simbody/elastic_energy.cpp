@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "pcm/simbody.h"
 
 namespace pcm::simbody {

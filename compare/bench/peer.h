@@ -14,8 +14,8 @@
 /// Who takes part in `pcm bench peers`: the engine, the oracle, and other programs that answer part of the question.
 /// A peer of `pcm bench peers` takes a file peer_NAME.cpp; its function below; its lines in peer_list.cpp, without
 /// which it is built and not asked; pcm_add_peer in CMakeLists.txt; its package in `run` and its row in
-/// docs/performance.md. How its surfaces are set up stands in compare/peers, where it is a contestant of `pcm judge`
-/// too (compare/contestants).
+/// docs/performance.md. How its surfaces are set up stands in compare/peers, for it may be a contestant of `pcm judge`
+/// too (compare/contestants/contestant.h).
 namespace pcm::compare {
 
 /// One that is timed in the table, ours included, set up for two surfaces. Setting it up is not measured.

@@ -107,11 +107,6 @@ std::string against_integral_in_words(const WorkPrecisionResult& result) {
   return note;
 }
 
-/// Without the pointer to the collection of cases, which the reader of a picture does not have.
-std::string reference_in_words(const std::string& reference) {
-  return reference.substr(0, reference.find(" (CASES"));
-}
-
 PlotCurve plotted(const WorkPrecisionCurve& curve, ErrorAgainst reference) {
   // Colours of Okabe and Ito, told apart by the colour-blind too.
   const auto style = [&]() -> CurveStyle {
@@ -228,8 +223,8 @@ Figure work_precision_figure(const WorkPrecisionResult& result, const Machine& m
       "enclose the same volume. Right: reference is the integral of the elastic foundation over the same triangles. "
       "Time: median over the orientations of the least of up to five evaluations, one thread, on {} ({}). pcm: this "
       "project's engine. Methods are left out where an evaluation takes more than {:.0f} ms.",
-      result.problem, faces, result.orientations, reference_in_words(result.reference), machine.processor,
-      machine.compiler, kLongestEvaluation_ms);
+      result.problem, faces, result.orientations, result.reference, machine.processor, machine.compiler,
+      kLongestEvaluation_ms);
   return figure;
 }
 

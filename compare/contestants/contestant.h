@@ -11,6 +11,10 @@
 
 /// Engines of others as contestants of `pcm judge --command`: each a program of its own, so that none can bring another
 /// one down, and none is linked with what judges it but for the lines that both write and read.
+///
+/// A new one takes a file NAME.cpp here, with its surfaces set up in a header of compare/peers; pcm_add_contestant in
+/// CMakeLists.txt; its package in `run`; a line in judge_contestants.sh, without which it is built and not judged; what
+/// is expected of it in tests/compare/contestants/contestants_test.cpp; its rows in docs/peers.md.
 namespace pcm::compare {
 
 /// An engine set up for two surfaces.

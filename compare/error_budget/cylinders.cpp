@@ -68,7 +68,7 @@ BudgetCase cylinder_on_plane(Extent extent) {
   pair.id = "cylinder-on-plane";
   pair.title = "cylinder on plane";
   pair.problem = "cylinder, r = 1 m, 1 m long, rolled about its axis, pressed by 0.05 m into a gridded plate";
-  pair.reference = "F / L = K 2r (r sin t - (r - h) t), cos t = 1 - h/r (CASES A5)";
+  pair.reference = "F / L = K 2r (r sin t - (r - h) t), cos t = 1 - h/r";
   pair.levels = budget_levels(extent);
   pair.width = 2 * std::sqrt(2 * kRadius * kDepth - kDepth * kDepth);
   pair.in_words = [](std::size_t level) {
@@ -102,7 +102,7 @@ BudgetCase journal_in_bore(Extent extent) {
       "cylinder, r = 1 m, 1 m long, rolled about its axis, displaced by 0.02 m across a bore of the same radius, twice "
       "as "
       "fine";
-  pair.reference = "integral of the penetration over the journal's arc, by quadrature (CASES A7)";
+  pair.reference = "integral of the penetration over the journal's arc, by quadrature";
   pair.levels = budget_levels(extent);
   pair.width = kPi * kRadius;
   pair.in_words = [](std::size_t level) {

@@ -114,7 +114,7 @@ BudgetCase sphere_on_plane(Extent extent) {
   pair.id = "sphere-on-plane";
   pair.title = "sphere on plane";
   pair.problem = "icosphere, r = 1 m, pressed by 0.05 m into a gridded plate";
-  pair.reference = "F = K pi r h^2 (CASES A2)";
+  pair.reference = "F = K pi r h^2";
   pair.levels = budget_levels(extent);
   pair.width = 2 * std::sqrt(2 * kRadius * kDepth - kDepth * kDepth);
   pair.in_words = sphere_and_plate_in_words;
@@ -144,7 +144,7 @@ BudgetCase plane_on_sphere(Extent extent) {
   pair.id = "plane-on-sphere";
   pair.title = "plane on sphere";
   pair.problem = "the same, the plate as master";
-  pair.reference = "F = K pi h^2 (r - h/3) (CASES A3)";
+  pair.reference = "F = K pi h^2 (r - h/3)";
   pair.edge = plate_edge;
   pair.meshes = [](std::size_t level) { return BudgetMeshes{plate(level), sphere(level)}; };
   pair.equal_volume = [](std::size_t level) { return BudgetMeshes{plate(level), filled_sphere(level)}; };
@@ -205,7 +205,7 @@ BudgetCase ball_in_socket(Extent extent) {
   pair.id = "ball-in-socket";
   pair.title = "ball in socket";
   pair.problem = "icosphere, r = 1 m, displaced by 0.02 m in a hollow of R = 1.01 m made of meridians and parallels";
-  pair.reference = "integral of the penetration over the ball, by quadrature (CASES A6)";
+  pair.reference = "integral of the penetration over the ball, by quadrature";
   pair.levels = budget_levels(extent);
   const auto t = static_cast<double>(closed_forms::ball_contact_angle(kRadius, kHollow, kDisplacement));
   pair.width = 2 * kRadius * t;

@@ -71,8 +71,8 @@ KnownAnswer cylinder_on_plane(Extent extent) {
       "a "
       "longer plate; K = 1 N/m^3. Force per length, mean over the orientations.";
   problem.reference =
-      "cylinder master K 2r (r sin t - (r - h) t), plane master K (r^2 t - (r - h) sqrt(2rh - h^2)), cos t = 1 - h/r "
-      "(CASES A5); their mean with both";
+      "cylinder master K 2r (r sin t - (r - h) t), plane master K (r^2 t - (r - h) sqrt(2rh - h^2)), cos t = 1 - h/r; "
+      "their mean with both";
   for (const double h : {0.05, 0.2})
     for (const Mode mode : kModes)
       for (const Scheme scheme : kSchemes) {
@@ -136,7 +136,7 @@ KnownAnswer journal_in_bore(Extent extent) {
       "the same radius; K = 1 N/m^3. Force per length, mean over the orientations.";
   problem.reference =
       "integral of u cos t over the master's arc, u = r + d cos t - sqrt(r^2 - d^2 sin^2 t) (journal), d cos t + "
-      "sqrt(r^2 - d^2 sin^2 t) - r (bore), by quadrature; (pi/2) K r d to first order (CASES A7)";
+      "sqrt(r^2 - d^2 sin^2 t) - r (bore), by quadrature; (pi/2) K r d to first order";
   const double d = 0.02;
   for (const Mode mode : kModes)
     for (const Scheme scheme : kSchemes) {

@@ -8,7 +8,7 @@
 #include "compare/known_answers/identity_result.h"
 #include "compare/known_answers/known_answers.h"
 
-/// Identities that need no reference: what must hold of any answer, whatever its value (CASES B).
+/// Identities that need no reference: what must hold of any answer, whatever its value.
 namespace pcm::compare {
 
 /// All identities, on poses drawn by `draw_pose` with this seed from the built-in pairs, and on poses made for them.

@@ -84,7 +84,7 @@ std::vector<KnownAnswer> sockets(Extent extent) {
       "radius R = 1.01 m; K = 1 N/m^3. Mean over the orientations.";
   problem.reference =
       "2 pi r^2 times the integral of u cos t sin t, u = r + d cos t - sqrt(R^2 - d^2 sin^2 t) (sphere master), 2 pi "
-      "R^2, u = d cos t + sqrt(r^2 - d^2 sin^2 t) - R (socket master), by quadrature (CASES A6); their mean with both";
+      "R^2, u = d cos t + sqrt(r^2 - d^2 sin^2 t) - R (socket master), by quadrature; their mean with both";
   const std::vector<Level> levels = levels_for(extent);
   for (const Mode mode : kModes)
     for (const Scheme scheme : kSchemes) {

@@ -124,7 +124,7 @@ KnownAnswer sphere_on_plane(const Meshes& meshes, Extent extent, const std::stri
   problem.id = id;
   problem.title = title;
   problem.problem = kProblem;
-  problem.reference = formula + " (integral over the master's surface; CASES " + id + ")";
+  problem.reference = formula + " (integral over the master's surface)";
   for (const double h : {0.01, 0.05, 0.2})
     for (const Scheme scheme : kSchemes) {
       Series& series = problem.series.emplace_back(pressed(meshes, h, mode, scheme));
@@ -141,7 +141,7 @@ KnownAnswer hertz(const Meshes& meshes, Extent extent) {
   problem.title = "Hertz, sphere on half-space";
   problem.problem =
       std::string(kProblem) + " Hertz' effective modulus E* is set so that both models give one force at h = 0.2 r.";
-  problem.reference = "F = (4/3) E* sqrt(r) h^1.5, h = (4 E* / (3 pi K))^2 / r (Hertz 1882; CASES A18), for comparison";
+  problem.reference = "F = (4/3) E* sqrt(r) h^1.5, h = (4 E* / (3 pi K))^2 / r (Hertz 1882), for comparison";
   const double equal_at = 0.2 * kRadius;
   for (const double part : {1.0, 0.25})
     for (const Scheme scheme : kSchemes) {
@@ -161,8 +161,9 @@ KnownAnswer hertz(const Meshes& meshes, Extent extent) {
   return problem;
 }
 
-/// CASES D: the error of inscribed icospheres of 320 to 20480 triangles, printed there in per cent for one random
-/// orientation each; it guides the mean to a tenth of its size, and half a unit of its last digit.
+/// The error of inscribed icospheres of 320 to 20480 triangles, which a trial before this project, in code of its own,
+/// printed in per cent for one random orientation each; it guides the mean to a tenth of its size, and half a unit of
+/// its last digit.
 KnownAnswer error_of_the_mesh(const Meshes& meshes) {
   struct Printed {
     double h;
@@ -183,7 +184,8 @@ KnownAnswer error_of_the_mesh(const Meshes& meshes) {
   problem.id = std::string("D");  // gcc 12 warns of a plain assignment
   problem.title = "how much of an error is the mesh's";
   problem.problem = kProblem;
-  problem.reference = "F = K pi r h^2 (sphere master); printed deviations of CASES D, one random orientation each";
+  problem.reference =
+      "F = K pi r h^2 (sphere master); deviations that an earlier trial printed, one random orientation each";
   for (const Printed& printed : table) {
     if (std::find(kSchemes.begin(), kSchemes.end(), printed.scheme) == kSchemes.end()) continue;
     Series& series = problem.series.emplace_back(pressed(first, printed.h, Mode::E, printed.scheme));

@@ -116,7 +116,7 @@ std::vector<KnownAnswer> volumes(Extent extent) {
       "A closed body, in fixed orientations, is sunk into a plate half as deep as its lowest overhang; the plate is "
       "master, K = 1 N/m^3. The arm is the distance of the force's line from the immersed centroid, in metres.";
   problem.reference =
-      "F = K V along the plane's normal, through the centroid of the immersed volume V (CASES A8); V and centroid by "
+      "F = K V along the plane's normal, through the centroid of the immersed volume V; V and centroid by "
       "the "
       "divergence theorem, in long double";
   const int orientations = extent == Extent::full ? 10 : 3;

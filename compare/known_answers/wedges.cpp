@@ -76,7 +76,7 @@ KnownAnswer wedge_on_plane(Extent extent) {
       "fixed orientations of its frame; K = 3 N/m^3, no friction.";
   problem.reference =
       "wedge master: F_z = (K w h^2 / 2)(1 / sin p + 1 / cos p), F_x / F_z = tan(p - 45 deg) although mu = 0; plane "
-      "master: F_z = (K w h^2 / 2)(tan p + cot p), F_x = 0 (CASES A9); their mean with both";
+      "master: F_z = (K w h^2 / 2)(tan p + cot p), F_x = 0; their mean with both";
   const int orientations = extent == Extent::full ? 5 : 2;
   for (const double degrees : {45.0, 40.0, 30.0, 15.0})
     for (const Mode mode : kModes)
@@ -133,7 +133,7 @@ KnownAnswer loop_of_the_wedge(Extent extent) {
       "The wedge of A9 is pressed down by h = 0.5 m, slid by 0.5 m along the plane and lifted again: work of the "
       "contact "
       "force on it, which a conservative force would not do.";
-  problem.reference = "F_x s with F_x of A9: wedge master F_z tan(p - 45 deg) s, plane master 0, both half (CASES A10)";
+  problem.reference = "F_x s with F_x of A9: wedge master F_z tan(p - 45 deg) s, plane master 0, both half";
   const int orientations = extent == Extent::full ? 3 : 1;
   for (const double degrees : {45.0, 30.0, 15.0})
     for (const Mode mode : kModes)

@@ -25,7 +25,7 @@
 /// every n_k is parallel to its n_f, and where the master is one plane that reaches beyond the contact: there
 /// n_f / (n_k . n_f) = n_k + grad u, and the integral of grad u over the contact is 0 with u = 0 along its border; the
 /// force is then the gradient of c_l times the integral of the volume over the depth. It is not 0 in general: the
-/// model, clipped scheme included, is not conservative (CASES A10). Where the outward normals at the border enclose
+/// model, clipped scheme included, is not conservative. Where the outward normals at the border enclose
 /// less than a right angle, lines enter the slave there and u is not 0: then the moving border adds its share, and the
 /// formula does not hold; nor where the master's border lies within the contact. The barycentric scheme samples all
 /// this, and its force jumps besides.

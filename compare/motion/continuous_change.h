@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compare/motion/path_force.h"
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 
 namespace pcm::compare {
 

@@ -19,7 +19,8 @@ namespace pcm::compare {
 /// A new one takes a value here, at the end of those that are drawn, for its number is part of what random numbers are
 /// drawn from, and a place in kStrata; a row in strata.cpp; and a function that draws a pose, declared in `detail`
 /// below (strata_generic.cpp, ...; CMakeLists.txt). Help texts, tables and most tests go over all of them;
-/// docs/verification.md lists them.
+/// docs/verification.md and DESIGN section 4 list them, and tests of the judge count them (tests/compare/cli/judge,
+/// tests/compare/judge/poses, tests/compare/contestants).
 enum class Stratum : std::uint8_t {
   generic,          ///< uniform rotation, penetration log-uniform between 1e-6 and 0.5 of the smaller body's size
   grazing,          ///< the same, penetration between 1e-15 and 1e-6

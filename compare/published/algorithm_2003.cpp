@@ -6,7 +6,7 @@
 
 #include "compare/published/forces.h"
 #include "compare/published/report_polygons.h"
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 
 namespace pcm::compare::published {
 

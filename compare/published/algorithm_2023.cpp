@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "compare/published/forces.h"
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 
 namespace pcm::compare::published {
 namespace {

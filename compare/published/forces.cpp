@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/published/forces.h"
 
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare::published {

@@ -34,9 +34,9 @@ class ProjectedWalk {
   explicit ProjectedWalk(const std::vector<ProjectedFace>& faces) : next_(faces.begin()), end_(faces.end()) {}
 
   /// Null where no line was found to meet it.
-  const ProjectedFace* at(bool own, Index face) {
-    while (next_ != end_ && std::pair(next_->own, next_->face) < std::pair(own, face)) ++next_;
-    return next_ != end_ && next_->own == own && next_->face == face ? &*next_ : nullptr;
+  const ProjectedFace* at(bool of_master, Index face) {
+    while (next_ != end_ && std::pair(next_->of_master, next_->face) < std::pair(of_master, face)) ++next_;
+    return next_ != end_ && next_->of_master == of_master && next_->face == face ? &*next_ : nullptr;
   }
 
  private:

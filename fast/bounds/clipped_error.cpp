@@ -23,7 +23,7 @@ constexpr double kFanRoundings = 6;
 
 /// An element's area is a sum over triangles, ten a part at most, times 2 and the master's area: 12 roundings, 4 to
 /// spare. What triangles' own areas round counts as a position error of their border (kFanRoundings,
-/// ClippingError::add_part); so does what sums over several parts round besides, of which ClippingError::cut_area has
+/// ClippingError::add_piece); so does what sums over several parts round besides, of which ClippingError::cut_area has
 /// 40 u of each part's widths.
 constexpr double kAreaRoundings = 16;
 
@@ -115,37 +115,34 @@ ClampRoundings::ClampRoundings(const BoxST& box, int polygons) : cuts(2), sums(2
 
 }  // namespace
 
-void ViewError::see(PosedSurface& surface, Index face, bool own, const SeenCorners& corners,
+void ViewError::see(PosedSurface& surface, Index face, bool of_master, const SeenCorners& corners,
                     const ProjectedFace* projected, WorkCounters& work) {
-  if (surely_unseen(error_, own, corners.points)) return;
+  if (surely_unseen(error_, of_master, corners.points)) return;
   // Not a local variable: most of it stays unused where nothing is seen.
   scratch_->sights.emplace_back();
   FaceInView& sight = scratch_->sights.back();
   FaceEnclosure& f = sight.enclosure;
-  const FaceInPrism seen{face,
-                         own,
-                         surface.surface().face(face),
-                         surface.face_Me(face, work),
-                         corners.points,
-                         corners.is_shared,
-                         surface.sharp_face_rounding_Me(face)};
+  const FaceInPrism seen{
+      face,           of_master,         surface.surface().face(face),        surface.face_Me(face, work),
+      corners.points, corners.is_shared, surface.sharp_face_rounding_Me(face)};
   if (!find_face_enclosure(error_, seen, f)) {
     scratch_->sights.pop_back();
     return;
   }
   known_ = known_ && f.position_error.s < kGreatestPositionError && f.position_error.t < kGreatestPositionError;
   sight.projected = projected;
-  sight.may_carry = !own && f.facing <= 0;
+  sight.may_carry = !of_master && f.facing <= 0;
   if (sight.may_carry) greatest_depth_ = std::max(greatest_depth_, f.greatest);
 }
 
-FaceInView* ViewError::find(bool own, Index face) const {
+FaceInView* ViewError::find(bool of_master, Index face) const {
   std::vector<FaceInView>& sights = scratch_->sights;
-  const auto found = std::lower_bound(sights.begin(), sights.end(), std::pair(own, face),
+  const auto found = std::lower_bound(sights.begin(), sights.end(), std::pair(of_master, face),
                                       [](const FaceInView& sight, const std::pair<bool, Index>& key) {
-                                        return std::pair(sight.enclosure.own, sight.enclosure.face) < key;
+                                        return std::pair(sight.enclosure.of_master, sight.enclosure.face) < key;
                                       });
-  const bool is_there = found != sights.end() && found->enclosure.own == own && found->enclosure.face == face;
+  const bool is_there =
+      found != sights.end() && found->enclosure.of_master == of_master && found->enclosure.face == face;
   return is_there ? &*found : nullptr;
 }
 
@@ -158,7 +155,7 @@ void ViewError::find_outline(FaceInView& sight, const PreparedSurface& surface) 
     const Index neighbour = surface.neighbours_of(f.face)[side];
     bool goes_on = neighbour != f.face;
     if (goes_on) {
-      if (const FaceInView* const beyond = find(f.own, neighbour); beyond != nullptr) {
+      if (const FaceInView* const beyond = find(f.of_master, neighbour); beyond != nullptr) {
         goes_on = f.facing != 0 && beyond->enclosure.facing == f.facing;
         if (goes_on) sight.sheet_error = std::max(sight.sheet_error, beyond->enclosure.depth_error);
       }
@@ -238,7 +235,7 @@ void ViewError::compare_pair(FaceInView& f, FaceInView& g, const PreparedSurface
     if (overlap == 0) return;
   }
   for (FaceInView* const sight : {&f, &g}) {
-    if (!sight->knows_outline) find_outline(*sight, sight->enclosure.own ? master : slave);
+    if (!sight->knows_outline) find_outline(*sight, sight->enclosure.of_master ? master : slave);
     find_side_errors(error_, sight->enclosure);
   }
   if (f.may_carry) charge(f, g, box, overlap);
@@ -316,7 +313,7 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
     }
     area = std::min(outline.area + one_depth.area + zero.area, overlap);
     volume = std::min(outline.volume + one_depth.volume + zero.volume, area * greatest);
-    if (g.own && hider.projected == nullptr) {
+    if (g.of_master && hider.projected == nullptr) {
       // The elements were made without it, the master being thick enough, or it lying after all they see: whatever it
       // may hide is missing.
       area = std::min(greatest_area(g), overlap);
@@ -355,7 +352,7 @@ ElementError ViewError::of_element(const VisiblePart& part, const FaceError& fac
   const double area_error =
       differing + clipping_error.area + clipping_error.cut_area + kAreaRoundings * u * moments.area;
   ClampRoundings clamp;
-  if (moments.greatest > greatest_allowed_) clamp = ClampRoundings(f.box, std::max(clipping_error.parts, 1));
+  if (moments.greatest > greatest_allowed_) clamp = ClampRoundings(f.box, std::max(clipping_error.pieces, 1));
   const double off_plane =
       3 * u * (clipping_error.cuts + clamp.cuts) * (deepest + std::abs(f.depth.per_s) + std::abs(f.depth.per_t));
   const double depth_error =
@@ -365,7 +362,7 @@ ElementError ViewError::of_element(const VisiblePart& part, const FaceError& fac
       clamped_volume(sight->volume_error, differing + passed_area, deepest) + clipping_error.area * greatest +
       clamped_volume(clipping_error.cut_volume, clipping_error.cut_area, deepest) +
       (moments.area + area_error + passed_area) * depth_error +
-      clamp.sums * (18 + 10 * clipping_error.parts) * u * (moments.depth + area_error * greatest) +
+      clamp.sums * (18 + 10 * clipping_error.pieces) * u * (moments.depth + area_error * greatest) +
       (clamp.area * greatest + clamp.least);
   const double mean = moments.depth / moments.area;
   error.area = twice_area * area_error + 2 * face.area * (moments.area + area_error + passed_area);
@@ -383,7 +380,7 @@ ElementError ViewError::of_element(const VisiblePart& part, const FaceError& fac
   // s - s_foot is no greater than f's width, so the foot is off by that times the error of the volume over the volume.
   double share = 1;
   if (2 * volume_off < moments.depth) share = std::min(1.0, volume_off / (moments.depth - volume_off));
-  const double rounding = kFootRoundings * u * clamp.sums * (1 + clipping_error.parts) *
+  const double rounding = kFootRoundings * u * clamp.sums * (1 + clipping_error.pieces) *
                               std::min(0x1p40, moments.area * greatest / moments.depth) +
                           clamp.least / moments.depth;
   error.foot_Me += (std::min(1.0, share * width_s + rounding)) * prism_.edge_s_Me().cwiseAbs() +

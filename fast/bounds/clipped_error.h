@@ -46,8 +46,8 @@ class ViewError {
 
   /// Any face that the master's prism may meet, ascending, the slave's first. `projected`: as the engine sees it, where
   /// it does.
-  void see(PosedSurface& surface, Index face, bool own, const SeenCorners& corners, const ProjectedFace* projected,
-           WorkCounters& work);
+  void see(PosedSurface& surface, Index face, bool of_master, const SeenCorners& corners,
+           const ProjectedFace* projected, WorkCounters& work);
   /// No part is seen deeper in either problem, before clamping; less than 0 where no face may carry anything, m.
   double greatest_depth() const { return greatest_depth_; }
   /// No face of the master itself need be entered, but its lines deviate from where it would be so by up to this times
@@ -90,7 +90,7 @@ class ViewError {
   std::array<double, 3> weights_within(double distance) const;
   double area_leant_over(const FaceEnclosure& f) const;
   void find_outline(FaceInView& sight, const PreparedSurface& surface);
-  FaceInView* find(bool own, Index face) const;
+  FaceInView* find(bool of_master, Index face) const;
 
   ViewScratch* scratch_;
   const MasterPrism& prism_;

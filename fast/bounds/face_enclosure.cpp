@@ -108,7 +108,8 @@ int certain_side(const FaceEnclosure& f, const FaceEnclosure& g) {
   const double twice_area = cross_st(f.corners[0], f.corners[1], f.corners[2]);
   int above = 0, below = 0, shared = 0;
   for (std::size_t j = 0; j < 3; ++j) {
-    if (f.own == g.own && std::find(f.vertices.begin(), f.vertices.end(), g.vertices[j]) != f.vertices.end()) {
+    if (f.of_master == g.of_master &&
+        std::find(f.vertices.begin(), f.vertices.end(), g.vertices[j]) != f.vertices.end()) {
       ++shared;
       continue;
     }
@@ -252,7 +253,7 @@ void find_position_errors(const PrismError& error, const SeenFace& seen, const C
 /// The face itself, counterclockwise where its doubled area in (s, t) is this.
 void copy_face(const SeenFace& seen, double twice_area, FaceEnclosure& f) {
   f.face = seen.face.face;
-  f.own = seen.face.own;
+  f.of_master = seen.face.of_master;
   f.rounding_Me = seen.face.rounding_Me;
   f.vertices = seen.face.vertices;
   f.corners = seen.face.corners;
@@ -316,12 +317,12 @@ CertainOrder certain_order(const FaceEnclosure& g, const FaceEnclosure& f) {
   return g_over_f < 0 || f_over_g > 0 ? CertainOrder::after : CertainOrder::unsure;
 }
 
-bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners) {
+bool surely_unseen(const PrismError& error, bool of_master, const std::array<PrismPoint, 3>& corners) {
   const double distance =
       error.distance(greatest_of(corners, kS), greatest_of(corners, kT), greatest_of(corners, kDepth));
   const double deepest = std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth], 0.0});
-  return surely_outside(corners,
-                        sum_of(error.of_any_vertices(error.greatest_rounding(distance), own), error.of_frame(deepest)));
+  return surely_outside(
+      corners, sum_of(error.of_any_vertices(error.greatest_rounding(distance), of_master), error.of_frame(deepest)));
 }
 
 // The two steps of PrismError move each corner by no more than corner_error but for an affine map of the plane, which

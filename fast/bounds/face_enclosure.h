@@ -39,7 +39,7 @@ struct LinearDepth {
 /// depths are within `depth_error` of `depth`.
 struct FaceEnclosure {
   Index face;
-  bool own;                     ///< of the master
+  bool of_master;               ///< of the master
   Eigen::Vector3d rounding_Me;  ///< how far its vertices may be from the exact problem's, m
   int facing;                   ///< -1: the lines leave the face's body there; +1: they enter; 0: not sure
   std::array<Index, 3> vertices;
@@ -95,12 +95,12 @@ struct ViewScratch {
 };
 
 /// Whether the face certainly lies beyond one of the master's sides or above it, in both problems: a first test.
-bool surely_unseen(const PrismError& error, bool own, const std::array<PrismPoint, 3>& corners);
+bool surely_unseen(const PrismError& error, bool of_master, const std::array<PrismPoint, 3>& corners);
 
 /// A face of either surface as a master face sees it.
 struct FaceInPrism {
   Index face;
-  bool own;  ///< of the master
+  bool of_master;  ///< of the master
   std::array<Index, 3> vertices;
   std::array<Eigen::Vector3d, 3> points_Me;
   std::array<PrismPoint, 3> corners;

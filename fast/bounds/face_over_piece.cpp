@@ -78,7 +78,7 @@ UncertainFunction depth_beyond(const FaceEnclosure& f, const FaceEnclosure& g) {
 }
 
 bool goes_on(const FaceEnclosure& face, std::size_t k, const FaceEnclosure& other) {
-  if (face.own != other.own || face.facing != other.facing) return false;
+  if (face.of_master != other.of_master || face.facing != other.facing) return false;
   for (std::size_t j = 0; j < 3; ++j) {
     if (other.vertices[j] == face.vertices[(k + 1) % 3] && other.vertices[(j + 1) % 3] == face.vertices[k]) return true;
   }
@@ -89,7 +89,8 @@ bool surely_beside(const FaceEnclosure& g, std::size_t k, const FaceEnclosure& f
   const double s = f.corner_error.s + g.corner_error.s, t = f.corner_error.t + g.corner_error.t;
   const auto beyond = [&](std::size_t end, std::size_t side) {
     const std::size_t next = (side + 1) % 3;
-    if (f.own == g.own && (g.vertices[end] == f.vertices[side] || g.vertices[end] == f.vertices[next])) return true;
+    if (f.of_master == g.of_master && (g.vertices[end] == f.vertices[side] || g.vertices[end] == f.vertices[next]))
+      return true;
     const PrismPoint& from = f.corners[side];
     const double side_s = f.corners[next][kS] - from[kS], side_t = f.corners[next][kT] - from[kT];
     const double to_s = g.corners[end][kS] - from[kS], to_t = g.corners[end][kT] - from[kT];

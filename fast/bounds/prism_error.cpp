@@ -172,9 +172,9 @@ PrismPositionError PrismError::of_vertices(const PrismRounding& rounding, const 
   return {displaced.s + rounding.s, displaced.t + rounding.t, displaced.depth + rounding.depth};
 }
 
-PrismPositionError PrismError::of_any_vertices(const PrismPositionError& rounding, bool own) const {
+PrismPositionError PrismError::of_any_vertices(const PrismPositionError& rounding, bool of_master) const {
   // Of both surfaces one is F's.
-  const double moves = own == own_moves_ ? 1 : 0;
+  const double moves = of_master == own_moves_ ? 1 : 0;
   return {moves * any_displacement_.s + rounding.s, moves * any_displacement_.t + rounding.t,
           moves * any_displacement_.depth + rounding.depth};
 }

@@ -54,7 +54,7 @@ class PrismError {
   /// The first step, for vertices with these roundings, that are themselves off by up to `rounding_Me`.
   PrismPositionError of_vertices(const PrismRounding& rounding, const Eigen::Vector3d& rounding_Me) const;
   /// The same for any vertices of the slave, or of the master.
-  PrismPositionError of_any_vertices(const PrismPositionError& rounding, bool own) const;
+  PrismPositionError of_any_vertices(const PrismPositionError& rounding, bool of_master) const;
   /// The second, for points over the master face no deeper than `depth`.
   PrismPositionError of_frame(double depth) const;
   /// Both steps for a function of points over the master face no deeper than `depth`, on a face whose vertices are seen

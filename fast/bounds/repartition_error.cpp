@@ -6,68 +6,15 @@
 #include <cmath>
 #include <optional>
 
+#include "fast/bounds/law_error.h"
 #include "fast/posed/vertex_rounding.h"
 
 namespace pcm::fast {
 
-namespace {
-
-/// What passes is less than this share of an element, or it counts in full.
-constexpr double kGreatestShare = 0x1p-12;
-
-/// Roundings of an element's rates, of themselves: those of the stiffness (3), or of the damping's product and quotient
-/// with the transition depth (2), the sum of both 1, the direction's quotient 1, the product with it 1. Where terms
-/// cancel, in that sum or between normal force and friction, roundings are greater than that, but no greater than the
-/// element's own force has them of as great terms (force_error); of that force less than kGreatestShare passes, so they
-/// are less than that share of its error, and within kGrowth. The lever's single rounding is less. Rates and lever of
-/// the first element have none: the sums are off by no more whichever constants are taken from all rates and levers.
-constexpr double kRateRoundings = 6;
-
-/// dF_n / dV and dF_n / dA at fixed velocities, where F_n is surely linear, in both problems and between them.
-struct NormalRates {
-  double per_volume, per_area;
-};
-std::optional<NormalRates> surely_linear(const ForceProblem& problem, const Element& element,
-                                         const ElementError& error) {
-  const ContactLaw& law = problem.law;
-  const double c_l = problem.stiffness.c_l;
-  const double depth = error.mean, volume = element.area * depth;
-  if (!(error.passed_area + error.area < kGreatestShare * element.area)) return {};
-  if (!(error.passed_volume + error.volume < kGreatestShare * volume)) return {};
-  NormalRates rates{c_l, 0};
-  if (law.damping == 0) return rates;
-  const double v_n =
-      law.damping_mode == DampingMode::compression ? std::max(element.normal_velocity, 0.0) : element.normal_velocity;
-  double fade = 1;
-  if (depth + error.penetration < law.transition_depth) {
-    fade = depth / law.transition_depth;
-    rates.per_volume += law.damping * v_n / law.transition_depth;
-  } else if (depth - error.penetration > law.transition_depth) {
-    rates.per_area += law.damping * v_n;
-  } else {
-    return {};
-  }
-  const double lever = (element.position_Me - problem.pose.r).lpNorm<1>();
-  const double turning = problem.velocity.w.lpNorm<1>();
-  const double speed = problem.velocity.v.lpNorm<1>() + turning * lever;
-  const double velocity_error =
-      turning * (error.foot_Me.sum() + error.penetration + depth * error.normal) + speed * (error.normal + 0x1p-40);
-  const double force_error = (c_l + law.damping * fade * speed / depth) * (error.passed_volume + error.volume) +
-                             (c_l * element.penetration + law.damping * speed) * (error.passed_area + error.area) +
-                             law.damping * 2 * element.area * velocity_error +
-                             0x1p-40 * (c_l * volume + law.damping * speed * element.area);
-  const double force = c_l * element.area * element.penetration + law.damping * v_n * fade * element.area;
-  if (!(std::abs(force) > 2 * force_error)) return {};
-  if (force < 0 && law.damping_mode != DampingMode::full) return NormalRates{0, 0};
-  return rates;
-}
-
-}  // namespace
-
 void RepartitionError::add(const ForceProblem& problem, const Element& element, ElementError& error,
                            ElementForceError& sum) {
   if (!(error.passed_area > 0)) return;
-  const std::optional<NormalRates> normal = surely_linear(problem, element, error);
+  const std::optional<NormalRates> normal = surely_linear_rates(problem, element, error);
   if (!normal) {
     error.area += error.passed_area;
     error.volume += error.passed_volume;

@@ -12,8 +12,8 @@ namespace pcm::fast {
 /// scheme). What one element loses another one gains, so transfers sum to zero, and only the difference of the
 /// elements' rates of force counts.
 ///
-/// With fixed velocities the force (14)-(22) of an element k is linear in its integrals, dF = c_k dV + b_k dA, but
-/// where damping begins to fade or the normal force to vanish; V is the integral of the clamped depth. What passes sums
+/// With fixed velocities the force of an element k may be linear in its integrals, dF = c_k dV + b_k dA
+/// (surely_linear_rates, fast/bounds/law_error.h); V is the integral of the clamped depth. What passes sums
 /// up to nothing, so the force is off by no more than the sum of |c_k - c| |dV| + |b_k - b| |dA|, c and b those of any
 /// one element: as much as the velocities differ from element to element. An element whose force may not be linear
 /// counts in full, and what it may pass to the others as well.

@@ -90,7 +90,7 @@ void separate(const FaceEnclosure& a, const FaceEnclosure& b, double error_s, do
     const double side_s = a.corners[next][kS] - from[kS], side_t = a.corners[next][kT] - from[kT];
     double certainty = kInfinity, greatest_error = 0;
     for (std::size_t j = 0; j < 3 && certainty > -1; ++j) {
-      if (a.own == b.own && (b.vertices[j] == a.vertices[k] || b.vertices[j] == a.vertices[next])) continue;
+      if (a.of_master == b.of_master && (b.vertices[j] == a.vertices[k] || b.vertices[j] == a.vertices[next])) continue;
       const double to_s = b.corners[j][kS] - from[kS], to_t = b.corners[j][kT] - from[kT];
       // The position errors pay for the roundings as well.
       const double error = 2 * error_s * (std::abs(side_t) + std::abs(to_t) + 4 * error_t) +
@@ -111,7 +111,7 @@ void separate(const FaceEnclosure& a, const FaceEnclosure& b, double error_s, do
 
 /// Two faces that look the same way, both surely, lie on either side of the side they share.
 bool share_a_side(const FaceEnclosure& a, const FaceEnclosure& b) {
-  if (a.own != b.own || a.facing == 0 || a.facing != b.facing) return false;
+  if (a.of_master != b.of_master || a.facing == 0 || a.facing != b.facing) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (a.vertices[k] == b.vertices[(j + 1) % 3] && a.vertices[(k + 1) % 3] == b.vertices[j]) return true;

@@ -31,7 +31,8 @@ struct ClippedScratch {
 ///
 /// From surfaces to forces: clip_face (clipped_face.h) lets an active face look along its penetration lines
 /// (face_view.h: the faces that its prism meets), parts what it sees (visible_parts.h) and integrates the depth over
-/// each part (Moments, fast/prism/convex_polygon.h); ElementSum (fast/force/element_sum.h) applies the law and adds up.
+/// each part (Moments, fast/prism/convex_polygon.h); ElementQueue
+/// (fast/force/element_sum.h) applies the law to four at a time and adds up.
 MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
                                  ClippedScratch& scratch, ElementRecord& record);
 

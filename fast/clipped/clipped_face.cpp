@@ -43,10 +43,10 @@ Moments moments_of_visible_part(PosedPair& posed, Side master, std::size_t index
   for (; overlap != scratch.overlaps.end() && overlap->first == index; ++overlap) {
     if (scratch.polygons.empty()) continue;
     const ProjectedFace& g = scratch.view.faces[overlap->second];
-    const PlacedFace placed_g = placed(posed, g.own ? master : opposite(master), g);
+    const PlacedFace placed_g = placed(posed, g.of_master ? master : opposite(master), g);
     subtract_hidden(placed_f, placed_g, scratch.polygons, scratch.remaining, clipping_error, posed.work);
   }
-  for (const ConvexPolygon& polygon : scratch.polygons) clipping_error.add_part(polygon, f.seen);
+  for (const ConvexPolygon& polygon : scratch.polygons) clipping_error.add_piece(polygon, f.seen);
   return moments_of(scratch.polygons, most);
 }
 
@@ -63,7 +63,7 @@ void find_parts(PosedPair& posed, Side master, double face_area, double most, Cl
   const std::vector<ProjectedFace>& faces = scratch.view.faces;
   find_overlaps(faces, scratch.order, scratch.overlaps);
   auto overlap = scratch.overlaps.cbegin();
-  for (std::size_t i = 0; i < faces.size() && !faces[i].own; ++i) {
+  for (std::size_t i = 0; i < faces.size() && !faces[i].of_master; ++i) {
     if (!faces[i].leaves) continue;
     VisiblePart& part = scratch.parts.emplace_back();
     part.slave_face = faces[i].face;

@@ -64,7 +64,7 @@ struct ClippedFaceScratch {
   std::vector<VisiblePart> parts;
   std::vector<std::size_t> order;  ///< of find_overlaps
   std::vector<Overlap> overlaps;
-  std::vector<ConvexPolygon> polygons;   ///< what is left of the part at hand
+  std::vector<ConvexPolygon> polygons;   ///< the pieces that are left of the slave face at hand
   std::vector<ConvexPolygon> remaining;  ///< of subtract_hidden
   LineNodes line_open;                   ///< of the search along a line
 };

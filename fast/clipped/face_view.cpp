@@ -56,15 +56,16 @@ std::array<PrismPoint, 3> corners_of(const FastClearArray<PrismPoint>& sights, c
 }
 
 /// Adds a face to those that lines meet; false where none meets it. It carries nothing yet.
-bool add_projected(const MasterPrism& prism, double max_coordinate, Index face, bool own, const Triangle& vertices,
-                   const std::array<PrismPoint, 3>& corners, std::vector<ProjectedFace>& faces) {
+bool add_projected(const MasterPrism& prism, double max_coordinate, Index face, bool of_master,
+                   const Triangle& vertices, const std::array<PrismPoint, 3>& corners,
+                   std::vector<ProjectedFace>& faces) {
   ProjectedFace& projected = faces.emplace_back();
   if (!project_face(vertices, corners, projected)) {
     faces.pop_back();
     return false;
   }
   projected.face = face;
-  projected.own = own;
+  projected.of_master = of_master;
   projected.carries = false;
   projected.uncertainty = prism.uncertainty(corners, max_coordinate);
   return true;

@@ -66,7 +66,7 @@ std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, Wor
   std::array<double, 3> heights;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& shared = f.projected.vertices;
-    const bool is_corner = f.projected.own == g.projected.own &&
+    const bool is_corner = f.projected.of_master == g.projected.of_master &&
                            std::find(shared.begin(), shared.end(), g.projected.vertices[k]) != shared.end();
     heights[k] = is_corner ? 0 : height_over(f.points_Me, g.points_Me[k], work);
   }
@@ -84,7 +84,7 @@ int side_of_plane(const std::array<double, 3>& heights) {
 Order order_of(const PlacedFace& g, const PlacedFace& f, std::array<double, 3>& f_over_g, WorkCounters& work) {
   const int side_of_g = side_of_plane(heights_over(f, g, work));
   if (side_of_g == 0) {
-    return !g.projected.own && g.projected.face < f.projected.face ? Order::before : Order::after;
+    return !g.projected.of_master && g.projected.face < f.projected.face ? Order::before : Order::after;
   }
   if (side_of_g != 2) return side_of_g > 0 ? Order::before : Order::after;
   f_over_g = heights_over(g, f, work);
@@ -108,20 +108,20 @@ ConvexPolygon common(ConvexPolygon polygon, const ConvexSet& set) {
   return polygon;
 }
 
-/// Appends a part, in two where it has too many vertices for the cuts to come.
-void append(const ConvexPolygon& part, std::vector<ConvexPolygon>& parts) {
-  if (part.count <= ConvexPolygon::kMost) {
-    parts.push_back(part);
+/// Appends a piece, in two where it has too many vertices for the cuts to come.
+void append(const ConvexPolygon& piece, std::vector<ConvexPolygon>& pieces) {
+  if (piece.count <= ConvexPolygon::kMost) {
+    pieces.push_back(piece);
     return;
   }
-  const int half = part.count / 2;
+  const int half = piece.count / 2;
   ConvexPolygon first, second;
-  first.cuts = second.cuts = part.cuts;
-  for (int i = 0; i <= half; ++i) first.add(part[i]);
-  for (int i = half; i < part.count; ++i) second.add(part[i]);
-  second.add(part[0]);
-  parts.push_back(first);
-  parts.push_back(second);
+  first.cuts = second.cuts = piece.cuts;
+  for (int i = 0; i <= half; ++i) first.add(piece[i]);
+  for (int i = half; i < piece.count; ++i) second.add(piece[i]);
+  second.add(piece[0]);
+  pieces.push_back(first);
+  pieces.push_back(second);
 }
 
 double area_of(const ConvexPolygon& polygon) {
@@ -130,18 +130,18 @@ double area_of(const ConvexPolygon& polygon) {
 
 /// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
 /// second, and so on.
-void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<ConvexPolygon>& parts,
+void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<ConvexPolygon>& pieces,
               std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error) {
   remaining.clear();
-  for (const ConvexPolygon& part : parts) {
-    const ConvexPolygon overlap = common(part, set);
+  for (const ConvexPolygon& piece : pieces) {
+    const ConvexPolygon overlap = common(piece, set);
     if (overlap.empty()) {
-      remaining.push_back(part);
+      remaining.push_back(piece);
       continue;
     }
     const std::size_t before = remaining.size();
     double dropped = 0;
-    ConvexPolygon rest = part;
+    ConvexPolygon rest = piece;
     for (const HalfPlane& half_plane : set) {
       Heights heights = heights_of(rest, half_plane);
       if (*std::min_element(heights.begin(), heights.begin() + rest.count) >= 0) continue;
@@ -158,12 +158,12 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
     }
     if (remaining.size() > before + 1 && !certain(overlap, uncertainty)) {
       remaining.resize(before);
-      remaining.push_back(part);
+      remaining.push_back(piece);
       dropped = area_of(overlap);
     }
     clipping_error.area += dropped;
   }
-  std::swap(parts, remaining);
+  std::swap(pieces, remaining);
 }
 
 /// Greatest difference and greatest value of a coordinate.
@@ -182,20 +182,20 @@ struct Extent {
 
 }  // namespace
 
-void ClippingError::add_part(const ConvexPolygon& part, const ConvexPolygon& whole) {
+void ClippingError::add_piece(const ConvexPolygon& piece, const ConvexPolygon& whole) {
   constexpr double u = 0x1p-53;
-  ++parts;
-  const int seen = part.cuts - whole.cuts;
+  ++pieces;
+  const int seen = piece.cuts - whole.cuts;
   cuts = std::max(cuts, seen);
-  const Extent s(part, kS), t(part, kT);
+  const Extent s(piece, kS), t(piece, kT);
   const double off_s = (seen * (2 * Extent(whole, kS).width + 1) + 10 * s.width) * u;
   const double off_t = (seen * (2 * Extent(whole, kT).width + 1) + 10 * t.width) * u;
   const double changed = area_passed_by_border(s.width, t.width, off_s, off_t);
   cut_area += changed;
-  cut_volume += changed * Extent(part, kDepth).high;
+  cut_volume += changed * Extent(piece, kDepth).high;
 }
 
-void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
+void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& pieces,
                      std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error, WorkCounters& work) {
   std::array<double, 3> f_over_g;
   const Order order = order_of(g, f, f_over_g, work);
@@ -210,7 +210,7 @@ void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<Conve
     hidden.add(where_not_negative(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
   }
   const Uncertainty &of_f = f.projected.uncertainty, &of_g = g.projected.uncertainty;
-  subtract(hidden, {kSliver * std::max(of_f.s, of_g.s), kSliver * std::max(of_f.t, of_g.t)}, parts, remaining,
+  subtract(hidden, {kSliver * std::max(of_f.s, of_g.s), kSliver * std::max(of_f.t, of_g.t)}, pieces, remaining,
            clipping_error);
 }
 

@@ -44,8 +44,8 @@ namespace pcm::fast {
 inline constexpr double kPlaceRoundings = 1024;
 inline constexpr double kDepthRoundings = 321;
 
-/// Parts no wider than this part of what makes a face certain are dropped where faces are cut by others: about as wide
-/// as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.
+/// Pieces no wider than this share of what makes a face certain are dropped where faces are cut by others: about as
+/// wide as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.
 inline constexpr double kSliver = 1.0 / 16;
 
 /// A face in the prism together with its vertices in Me.
@@ -54,34 +54,34 @@ struct PlacedFace {
   std::array<Eigen::Vector3d, 3> points_Me;  ///< of `projected.vertices`, so counterclockwise as the master sees them
 };
 
-/// What was done to the parts of a face that is not exact but for roundings of its own points.
+/// What was done to the pieces of a face, convex polygons, that is not exact but for roundings of its own points.
 struct ClippingError {
   double area = 0;  ///< dropped, or kept though hidden, in (s, t)
-  /// Of the parts that are left: how many, and what the cuts that part them from the whole may change.
-  int parts = 0;
-  int cuts = 0;  ///< the greatest number of them that one part has seen
+  /// Of the pieces that are left: how many, and what the cuts that part them from the whole may change.
+  int pieces = 0;
+  int cuts = 0;  ///< the greatest number of them that one piece has seen
   double cut_area = 0;
   double cut_volume = 0;  ///< integral of the depth there, m
 
   /// A cut of the whole by other faces puts vertices, whose coordinates are no greater than 1, off by 2 u times the
-  /// whole's width and u. The integrals are off by as much as a shift by 10 u times the part's width would make.
-  void add_part(const ConvexPolygon& part, const ConvexPolygon& whole);
+  /// whole's width and u. The integrals are off by as much as a shift by 10 u times the piece's width would make.
+  void add_piece(const ConvexPolygon& piece, const ConvexPolygon& whole);
 };
 
-/// Takes from `parts` of the face f, through which the lines leave the slave, what they reach only after g: where g is
+/// Takes from `pieces` of the face f, through which the lines leave the slave, what they reach only after g: where g is
 /// met at a depth >= 0 and not farther than f (PCM section 6). Where the two planes are one, the face of smaller index
 /// is before the other one of the slave, and none of the master is before any of the slave. Which of two faces lies
 /// before the other is decided exactly where the plane of one has the other on one side, as it has wherever faces share
 /// a vertex and wherever they do not intersect; the part taken is exact but for roundings.
 ///
-/// Slivers are dropped (kSliver), and a part of which g hides no more than a sliver is not split: it loses that strip
-/// where one part remains, and stays whole where more would. Both change only strips along the borders
-/// of f and g, as wide as these are uncertain. So the parts, which do not overlap, have areas, and are cells between
+/// Slivers are dropped (kSliver), and a piece of which g hides no more than a sliver is not split: it loses that strip
+/// where one piece remains, and stays whole where more would. Both change only strips along the borders
+/// of f and g, as wide as these are uncertain. So the pieces, which do not overlap, have areas, and are cells between
 /// the sides of those faces that certainly hide some of f: with n of them at most of the order of n^2, and of n where
-/// each meets few of the parts the others leave; `clipping_error` counts both. Without that, slivers of rounding size
+/// each meets few of the pieces the others leave; `clipping_error` counts both. Without that, slivers of rounding size
 /// along one line (faces that the lines run in, several at one border) would cut each other to pieces without end.
 /// `remaining` is scratch.
-void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& parts,
+void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<ConvexPolygon>& pieces,
                      std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error, WorkCounters& work);
 
 }  // namespace pcm::fast

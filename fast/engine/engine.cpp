@@ -10,7 +10,7 @@
 #include "fast/engine/engine.h"
 #include "fast/engine/force_by_scheme.h"
 #include "fast/engine/workspace.h"
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "fast/surface/prepare_surface.h"
 #include "meshes/base/floating_point_environment.h"
 

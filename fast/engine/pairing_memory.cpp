@@ -7,7 +7,7 @@
 #include "fast/base/same_bits.h"
 #include "fast/engine/engine.h"
 #include "fast/engine/workspace.h"
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "meshes/base/floating_point_environment.h"
 
 namespace pcm::fast {

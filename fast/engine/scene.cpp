@@ -15,7 +15,7 @@
 #include "fast/base/thread_team.h"
 #include "fast/engine/separation.h"
 #include "fast/engine/workspace.h"
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "fast/surface/prepared_surface.h"
 #include "meshes/base/floating_point_environment.h"
 #include "pcm/bad_input.h"

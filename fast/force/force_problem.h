@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "fast/simd/elements.h"
 #include "pcm/contact.h"
 

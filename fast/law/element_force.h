@@ -4,10 +4,10 @@
 // compiled for different instructions: everything here is local to the file that includes it, and no function of
 // another header is called, so that no wide instruction leaks out.
 //
-// Who changes them changes their error (fast/bounds/force_error.cpp, repartition_error.cpp); the oracle's own law
-// (reference/force/law.h); the verdict's (compare/verify/bounds/element_law.cpp, law_bounds.cpp, verdict/verdict.cpp;
-// compare/judge/judgement/element_bounds.cpp); the tests' twins (tests/reference/law_twin_test.cpp, force/) and the
-// forces known in closed form (compare/known_answers); and section 7 of docs/PCM.md.
+// Who changes them changes their error (fast/bounds/law_error.cpp), the oracle's own law (reference/force/law.h), the
+// verdict's (compare/verify/bounds/element_law.cpp) and the tests' (tests/force_law.h), each written apart from the
+// others so that an error in one shows: a test holds that there is no sixth (tests/architecture/force_law_test.cpp).
+// Then section 7 of docs/PCM.md, and numbers known in closed form (compare/known_answers, worked examples in tests).
 #pragma once
 
 #include "pcm/inputs.h"

@@ -21,9 +21,9 @@ struct SeenCorners {
 /// A face of the slave, or another one of the master, as the penetration lines of a master face meet it.
 struct ProjectedFace {
   Index face;
-  bool own;      ///< a face of the master
-  bool leaves;   ///< the lines leave that face's body there, N . N_f < 0
-  bool carries;  ///< may carry an element: a face of the slave that certainly is left there, over an area
+  bool of_master;  ///< a face of the master
+  bool leaves;     ///< the lines leave that face's body there, N . N_f < 0
+  bool carries;    ///< may carry an element: a face of the slave that certainly is left there, over an area
   std::array<Index, 3> vertices;
   std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
   ConvexPolygon seen;                 ///< the part over the master face at a depth >= 0, whatever lies before it

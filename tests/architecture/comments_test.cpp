@@ -12,19 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/architecture/source_files.h"
+
+namespace pcm::architecture {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::vector<std::string> kTrees{"meshes",   "fast",    "reference", "compare",
-                                      "simulate", "simbody", "bindings",  "tests"};
-
-std::vector<std::string> files_below(const std::string& tree) {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator{fs::path{PCM_SOURCE_DIR} / tree})
-    if (entry.is_regular_file()) files.push_back('/' + fs::relative(entry.path(), PCM_SOURCE_DIR).generic_string());
-  return files;
-}
 
 /// The headers that a file's comments name.
 std::vector<std::string> headers_named_in(const fs::path& file) {
@@ -42,11 +35,7 @@ std::vector<std::string> headers_named_in(const fs::path& file) {
 }
 
 TEST(Comments, NameHeadersThatAreThere) {
-  std::vector<std::string> files;
-  for (const std::string& tree : kTrees) {
-    const std::vector<std::string> more = files_below(tree);
-    files.insert(files.end(), more.begin(), more.end());
-  }
+  std::vector<std::string> files = source_files();
   files.push_back("/pcm/version.h");  // made when configuring
   int named = 0;
   for (const std::string& file : files) {
@@ -63,3 +52,4 @@ TEST(Comments, NameHeadersThatAreThere) {
 }
 
 }  // namespace
+}  // namespace pcm::architecture

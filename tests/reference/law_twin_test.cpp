@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "reference/oracle.h"
+#include "tests/force_law.h"
 #include "tests/reference/brute_force/brute_force.h"
 #include "tests/reference/brute_force/trials.h"
 
@@ -54,7 +55,7 @@ struct Load {
   Real normal_velocity;
   Real tangential_velocity;
   Real normal_force;
-  Real tangential_force = 0;
+  Real tangential_force;
   RealVector normal{};
   RealVector position{};
   RealVector force{};  ///< on body E
@@ -72,44 +73,22 @@ Load load_of(const Scene& scene, const Element& element, const ContactLaw& law, 
   const Real A_k = unit * unit * real(element.alpha) * length;
   const Real u_k = std::min(Real(unit * real(element.q) * length), Real(law.max_penetration));
 
-  Real c_l = law.stiffness, share = 0.5;
-  if (law.layers) {
-    const double c_master = master_E ? law.layers->c_E : law.layers->c_F;
-    const double c_slave = master_E ? law.layers->c_F : law.layers->c_E;
-    if (std::isinf(c_master)) {
-      c_l = c_slave;
-      share = 0;
-    } else if (std::isinf(c_slave)) {
-      c_l = c_master;
-      share = 1;
-    } else {
-      c_l = Real(c_master) * c_slave / (Real(c_master) + c_slave);
-      share = Real(c_slave) / (Real(c_master) + c_slave);
-    }
-  }
+  const auto [c_l, share] = written_law::layers<Real>(law, element.master);
   const RealVector C_k = plus(unit * real(element.foot), (share * u_k) * n_k);
   const RealVector arm = plus(C_k, (-unit) * real(scene.r_MeMf));
   RealVector v_k = plus(real(velocity.v), outer(real(velocity.w), arm));
   if (!master_E) v_k = Real(-1) * v_k;
   const Real v_n = inner(n_k, v_k);
 
-  Real F_d = law.damping * A_k * v_n;
-  if (u_k < law.transition_depth) F_d *= u_k / law.transition_depth;
-  if (law.damping_mode == DampingMode::compression && v_n < 0) F_d = 0;
-  Real F_n = c_l * A_k * u_k + F_d;
-  if (law.damping_mode == DampingMode::no_tension && F_n < 0) F_n = 0;
-
   const RealVector slip = plus(v_k, (-v_n) * n_k);
   // What these digits leave of a zero is no speed.
-  const Real v = sqrt(inner(slip, slip)), v_t = v > 1e-150 ? v : Real(0), v_eps = law.slip_velocity;
-  Load load{u_k, A_k, v_n, v_t, F_n};
+  const Real v = sqrt(inner(slip, slip)), v_t = v > 1e-150 ? v : Real(0);
+  const auto [F_n, F_t] = written_law::forces<Real>(law, c_l, A_k, u_k, v_n, v_t);
+  Load load{u_k, A_k, v_n, v_t, F_n, F_t};
   load.normal = n_k;
   load.position = C_k;
   load.force = F_n * n_k;
-  if (F_n > 0 && v_t > 0) {
-    load.tangential_force = law.friction * F_n * (v_t >= v_eps ? Real(1) : Real((v_t / v_eps) * (2 - v_t / v_eps)));
-    load.force = plus(load.force, (load.tangential_force / v_t) * slip);
-  }
+  if (F_t > 0) load.force = plus(load.force, (F_t / v_t) * slip);
   if (!master_E) load.force = Real(-1) * load.force;
   load.torque = outer(arm, load.force);
   return load;

@@ -11,6 +11,7 @@
 #include "meshes/generate/degenerate/bodies.h"
 #include "meshes/generate/round.h"
 #include "reference/oracle.h"
+#include "tests/reference/brute_force/brute_force.h"
 #include "tests/reference/oracle_combinatorics.h"
 #include "tests/reference/problems.h"
 #include "tests/shifted_pose.h"

@@ -116,7 +116,9 @@ Exit contact(const ContactOptions& options) {
   require_files_of_their_own(options.outputs, {options.file_E, options.file_F, options.poses.poses.value_or("-")});
 
   // Unfit surfaces are refused here, alike for engine and oracle.
-  auto [mesh_E, mesh_F] = read_surfaces(options.file_E, options.file_F, unit);
+  SurfacesOfFiles surfaces = read_surfaces(options.file_E, options.file_F, unit);
+  TriangleMesh& mesh_E = surfaces.E;
+  TriangleMesh& mesh_F = surfaces.F;
   remark_on_units(options, mesh_E, mesh_F);
   if (options.advise) {
     MasterAdviser adviser(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law);

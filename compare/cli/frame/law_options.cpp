@@ -9,7 +9,7 @@
 
 #include "compare/cli/frame/command_line.h"
 #include "compare/io/split_at_commas.h"
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {

@@ -58,16 +58,15 @@ struct Share {
   double torque = 0;
 };
 
-/// The law (14) to (22) bounded by sizes: |F_k| <= (1 + mu) A_k (c_l u_k + d_l |v_k|), |v_k| <= |v| + |w| |C_k - r|,
-/// with C_k no farther from r than the farthest corner of the master face and the penetration.
+/// |v_k| <= |v| + |w| |C_k - r|, with C_k no farther from r than the farthest corner of the master face and the
+/// penetration.
 Share most_of(const Question& question, const GivenElement& e, const ClippedBounds& bounds, double depth) {
   const double u = e.penetration.value_or(depth);
   double arm = 0;
   for (std::size_t k = 0; k < 3; ++k)
     arm = std::max(arm, (bounds.faces().corner(e.master, e.master_face, k) - question.pose.r).stableNorm() + u);
   const double speed = question.velocity.v.stableNorm() + question.velocity.w.stableNorm() * arm;
-  const ContactLaw& law = question.law;
-  const double force = (1 + law.friction) * std::abs(*e.area) * (series_stiffness(law) * u + law.damping * speed);
+  const double force = greatest_force(question.law, std::abs(*e.area), u, speed);
   return {force, arm * force};
 }
 

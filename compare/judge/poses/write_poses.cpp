@@ -17,6 +17,7 @@
 #include "compare/judge/poses/poses_folder.h"
 #include "compare/judge/poses/poses_writer.h"
 #include "compare/verify/routes/state_draw.h"
+#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "compare/verify/bounds/law_bounds.h"
+#include "compare/verify/bounds/element_law.h"
 #include "compare/verify/bounds/master_view.h"
 #include "compare/verify/bounds/question.h"
 #include "compare/verify/bounds/rounded_faces.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/verify/bounds/law_bounds.h"
+#include "compare/verify/bounds/element_law.h"
 #include "compare/verify/bounds/question.h"
 #include "compare/verify/bounds/rounded_faces.h"
 #include "reference/vocabulary/answer.h"

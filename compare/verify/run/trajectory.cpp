@@ -13,7 +13,7 @@
 
 #include "compare/io/poses_file.h"
 #include "compare/io/question_json.h"
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/check.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compare/verify/bounds/law_bounds.h"
+#include "compare/verify/bounds/element_law.h"
 #include "compare/verify/bounds/question.h"
 #include "compare/verify/verdict/checks.h"
 #include "pcm/contact.h"

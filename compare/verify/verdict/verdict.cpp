@@ -173,9 +173,8 @@ bool may_overflow(const Question& question) {
   const RoundedFaces faces(question);
   const double L = 4 * faces.placed_max_coordinate();
   const double V = question.velocity.v.stableNorm() + question.velocity.w.stableNorm() * L;
-  const ContactLaw& law = question.law;
   const auto n = static_cast<double>(question.E.mesh.faces.size() * question.F.mesh.faces.size());
-  const double torque = n * (1 + law.friction) * (series_stiffness(law) * L * L * L + law.damping * L * L * V) * L;
+  const double torque = n * greatest_force(question.law, L * L, L, V) * L;
   return !(std::max(torque, L * L * L * L * L * L) <= 0x1p900);
 }
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/round.h"
 #include "pcm/engine.h"

@@ -14,6 +14,7 @@
 
 #include "meshes/generate/boxes.h"
 #include "tests/fast/engine_support.h"
+#include "tests/force_law.h"
 
 /// The clipped scheme's bounds where the law clamps point by point, against the exact problem in numbers of 2048 bits:
 /// a thick plate as master, a convex body as slave. The truth is made without the engine's steps: what a line from the
@@ -55,9 +56,6 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 Number length(const Vector& a) {
   return sqrt(dot(a, a));
-}
-Number least(const Number& a, const Number& b) {
-  return b < a ? b : a;
 }
 
 struct Body {
@@ -209,18 +207,17 @@ class TrueMaster {
   Number length_;
 };
 
-/// (12)-(22) without friction and layers.
+/// (12)-(22) without friction.
 void add_load(const ContactLaw& law, const Pose& pose, const Velocity& velocity, Side master, const Vector& n,
               const TrueElement& element, TrueLoad& load) {
   if (!(element.volume > 0)) return;
   const Number u_k = element.volume / element.area;
   const Vector foot = Number(1 / element.volume) * element.moment;
-  const Vector lever = foot + Number(u_k / 2) * n - vector(pose.r);
+  const auto [c_l, share] = written_law::layers<Number>(law, master);
+  const Vector lever = foot + Number(share * u_k) * n - vector(pose.r);
   Number v_n = dot(n, vector(velocity.v) + cross(vector(velocity.w), lever));
   if (master == Side::F) v_n = -v_n;
-  const Number fade = law.transition_depth > 0 ? least(u_k / Number(law.transition_depth), 1) : Number(1);
-  Number F_n = Number(law.stiffness) * element.volume + Number(law.damping) * element.area * v_n * fade;
-  if (F_n < 0) F_n = 0;
+  const Number F_n = written_law::forces<Number>(law, c_l, element.area, u_k, v_n, 0).normal;
   const Vector force = Number(master == Side::E ? F_n : Number(-F_n)) * n;
   load.force = load.force + force;
   load.torque = load.torque + cross(lever, force);

@@ -47,7 +47,7 @@ FaceEnclosure draw_face(Draw& draw, double shift, Index first_vertex) {
     for (PrismPoint& corner : f.corners)
       corner = point(0.24 + 0.24 * draw.unit(), 0.24 + 0.24 * draw.unit(), 1 + draw.unit());
   } while (cross_st(f.corners[0], f.corners[1], f.corners[2]) < 0.02);
-  f.own = false;
+  f.of_master = false;
   f.face = first_vertex;
   f.facing = -1;
   f.vertices = {first_vertex, first_vertex + 1, first_vertex + 2};

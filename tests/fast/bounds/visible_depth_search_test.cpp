@@ -35,7 +35,7 @@ FaceInView in_view(const Face& face, Index number) {
   FaceInView view;
   FaceEnclosure& f = view.enclosure;
   f.face = number;
-  f.own = false;
+  f.of_master = false;
   f.rounding_Me.setZero();
   f.facing = face.facing;
   f.vertices = face.vertices;

@@ -26,7 +26,7 @@ struct Placed {
                                             prism.see(points[2], work)};
     EXPECT_TRUE(project_face(vertices, corners, projected));
     projected.face = face;
-    projected.own = false;
+    projected.of_master = false;
     projected.uncertainty = prism.uncertainty(corners, 1);
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t i = 0; i < 3; ++i) {

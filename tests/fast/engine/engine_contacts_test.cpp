@@ -198,7 +198,7 @@ TEST(Engine, IdenticalBodiesAtTheIdentityAreSound) {
 }
 
 TEST(Engine, PlateAsMasterFeelsTheSlavesImmersedVolume) {
-  // CASES A8, barycentric scheme on a fine grid: within discretisation.
+  // Barycentric scheme on a fine grid: within discretisation.
   const TriangleMesh plate = generate::plate(2, 2, 1, 80, 80);
   const Contact contact = answer(plate, generate::icosphere(1, 3), turned(0.2, {0.01, 0.003, 0.8}), stiffness(10));
   expect_sound(contact);

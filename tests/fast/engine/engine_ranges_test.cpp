@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "pcm/bad_input.h"
 #include "tests/fast/engine_support.h"
 

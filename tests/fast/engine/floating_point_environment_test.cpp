@@ -11,7 +11,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "pcm/bad_input.h"
 #include "pcm/pairing_memory.h"
 #include "pcm/scene.h"

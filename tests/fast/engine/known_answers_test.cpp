@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 #include "tests/fast/engine_support.h"
 
 /// Closed forms of the model that the barycentric scheme meets: exactly where whole faces are in contact, as the

@@ -144,7 +144,7 @@ Pose tilted(double degrees, const Eigen::Vector3d& axis, const Eigen::Vector3d& 
 }
 
 TEST(ClippedElements, BoxOnPlateIsStiffnessTimesAreaTimesDepthInEveryMode) {
-  // CASES A1. 100 x 1/4 x 1/16; with a patch that lies askew on the plate's two large faces as well.
+  // 100 x 1/4 x 1/16; with a patch that lies askew on the plate's two large faces as well.
   const TriangleMesh cube = box(-0.25, -0.25, 0, 0.25, 0.25, 0.5), plate = box(-2, -2, -1, 2, 2, 0);
   for (const Problem problem : kProblems)
     for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
@@ -158,7 +158,7 @@ TEST(ClippedElements, BoxOnPlateIsStiffnessTimesAreaTimesDepthInEveryMode) {
 }
 
 TEST(ClippedElements, BoxOnPlateWithDecimalNumbersIsCorrectlyRounded) {
-  // CASES A1: L = 0.5, u = 0.05, K = 100: 100 x 1/4 x 0.05 is 25 times the double next to 0.05, 1.25 when rounded.
+  // L = 0.5, u = 0.05, K = 100: 100 x 1/4 x 0.05 is 25 times the double next to 0.05, 1.25 when rounded.
   const TriangleMesh cube = box(-0.25, -0.25, 0, 0.25, 0.25, 0.5), plate = box(-2, -2, -1, 2, 2, 0);
   for (const Problem problem : kProblems)
     for (const Mode mode : {Mode::E, Mode::F, Mode::both})
@@ -167,7 +167,7 @@ TEST(ClippedElements, BoxOnPlateWithDecimalNumbersIsCorrectlyRounded) {
 }
 
 TEST(ClippedElements, PlaneAsMasterCarriesTheImmersedVolumeAtItsCentroid) {
-  // CASES A8, as rational numbers, and rounded in the answer. Only faces that look down are immersed at these heights.
+  // As rational numbers, and rounded in the answer. Only faces that look down are immersed at these heights.
   const struct {
     TriangleMesh body;
     double height;
@@ -198,7 +198,7 @@ TEST(ClippedElements, PlaneAsMasterCarriesTheImmersedVolumeAtItsCentroid) {
 }
 
 TEST(ClippedElements, WedgeAsMasterIsPushedAside) {
-  // CASES A9: F_z = (w h^2 / 2)(1 / sin p + 1 / cos p), F_x / F_z = tan(p - 45 deg). The wedge's corners are rounded.
+  // F_z = (w h^2 / 2)(1 / sin p + 1 / cos p), F_x / F_z = tan(p - 45 deg). The wedge's corners are rounded.
   const double w = 2, h = 0.25;
   const TriangleMesh plate = box(-8, -8, -4, 8, 8, 0);
   for (const double degrees : {45.0, 40.0, 30.0, 15.0})
@@ -219,7 +219,7 @@ TEST(ClippedElements, WedgeAsMasterIsPushedAside) {
 }
 
 TEST(ClippedElements, FlushFlanksCarryNothing) {
-  // CASES B: 4 m^2 of one box's top, 1 m deep, whatever the order of bodies and the master.
+  // 4 m^2 of one box's top, 1 m deep, whatever the order of bodies and the master.
   const TriangleMesh lower = box(0, 0, 0, 2, 2, 2), upper = box(0, 0, 1, 2, 2, 3);
   for (const Problem problem : kProblems)
     for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
@@ -239,7 +239,7 @@ TEST(ClippedElements, RestingBoxCarriesNothing) {
 }
 
 TEST(ClippedElements, SubmergedPlateDoesNotFeelThePin) {
-  // CASES B. A plate wholly below F's top and a pin of 1/4 m^2 beside it, one surface.
+  // A plate wholly below F's top and a pin of 1/4 m^2 beside it, one surface.
   const TriangleMesh F = box(-8, -8, -4, 8, 8, 0);
   for (const double depth : {0x1p-40, 0.125}) {
     const TriangleMesh pin = box(3, 3, -depth, 3.5, 3.5, 4), above = box(3, 3, 1, 3.5, 3.5, 4);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 
 #include <Eigen/LU>
 #include <cmath>

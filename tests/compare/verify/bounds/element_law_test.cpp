@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/verify/bounds/law_bounds.h"
+#include "compare/verify/bounds/element_law.h"
 
 #include <gtest/gtest.h>
 

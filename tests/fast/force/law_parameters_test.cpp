@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fast/force/law.h"
+#include "fast/force/law_parameters.h"
 
 #include <gtest/gtest.h>
 
