@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <vector>
 
 namespace pcm::compare {
 namespace {
@@ -30,8 +31,14 @@ std::string sha256(std::string_view bytes) {
 
 std::optional<std::string> sha256_of_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream.is_open() || stream.bad()) return std::nullopt;
+  if (!stream) return std::nullopt;
+  std::string bytes;
+  std::vector<char> piece(1 << 16);
+  do {
+    stream.read(piece.data(), std::ssize(piece));
+    bytes.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  } while (stream);
+  if (stream.bad()) return std::nullopt;  // a folder, say
   return sha256(bytes);
 }
 

@@ -6,7 +6,7 @@
 //
 // Who changes them changes their error (fast/bounds/law_error.cpp), the oracle's own law (reference/force/law.h), the
 // verdict's (compare/verify/bounds/element_law.cpp) and the tests' (tests/force_law.h), each written apart from the
-// others so that an error in one shows: a test holds that there is no sixth (tests/architecture/force_law_test.cpp).
+// others so that an error in one shows; tests/architecture/force_law_test.cpp looks for a sixth place.
 // Then section 7 of docs/PCM.md, and numbers known in closed form (compare/known_answers, worked examples in tests).
 #pragma once
 

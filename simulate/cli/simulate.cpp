@@ -117,20 +117,23 @@ class ProgressLine {
 
 /// To a folder: a table and a picture.
 Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::string& text) {
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-integrators" : options.out;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
   const bool terminal = isatty(STDERR_FILENO) == 1;
   const IntegratorComparison comparison = compare_integrators(scene, known_methods(), [&](const std::string& what) {
     if (terminal) fmt::print(stderr, "{}\n", what);
   });
   const std::string title = scene.title.empty() ? options.scene : scene.title;
-  const std::filesystem::path folder =
-      options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-integrators" : options.out;
-  std::filesystem::create_directories(folder);
   const std::string table = comparison_table(comparison);
-  compare::ReportFolder report(folder, "integrators", question_of_run(options.scene, text, scene, true));
+  std::cout << table << std::flush;
+  compare::ReportFolder report(folder, "integrators", question_of_comparison(options.scene, text, scene, comparison));
   report.markdown("integrators", "# " + title + "\n\n" + table);
   write_text_file(folder / "integrators.svg", comparison_picture(title + ": integrators compared", comparison));
   report.finish();
-  std::cout << table << "\npicture: " << (folder / "integrators.svg").string() << '\n';
+  std::cout << "\npicture: " << (folder / "integrators.svg").string() << '\n';
   return Exit::success;
 }
 

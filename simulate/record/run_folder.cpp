@@ -154,7 +154,9 @@ RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const
 }
 
 std::vector<std::filesystem::path> RunFolder::whole_files() const {
-  std::vector<std::filesystem::path> files{"scene.json", "checkpoint.json", "trajectory/trajectory.json"};
+  std::vector<std::filesystem::path> files{
+      "scene.json", "checkpoint.json", "trajectory/trajectory.json",        "tables.md",
+      "tables.tex", "page.html",       compare::provenance_file(kRunReport)};
   for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) files.push_back("trajectory/" + surface_file(s));
   return files;
 }
@@ -171,9 +173,12 @@ std::vector<std::ofstream*> RunFolder::streams() {
   return all;
 }
 
-void RunFolder::open_tables(bool append) {
+void RunFolder::remove_report() const {
   std::error_code none_there;
   std::filesystem::remove(folder_ / compare::provenance_file(kRunReport), none_there);
+}
+
+void RunFolder::open_tables(bool append) {
   const std::vector<std::filesystem::path> files = tables();
   const std::vector<std::ofstream*> outs = streams();
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -206,12 +211,13 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
     run.checkpoint.energy_at_start = compare::number_from(json.at("energy_at_start"));
     run.cost = cost_from(json.at("cost"));
     run.finished = json.at("finished");
-    for (const std::filesystem::path& table : tables()) {
-      const std::uintmax_t length = json.at("lengths").at(table.string());
-      if (std::filesystem::file_size(folder_ / table) < length)
+    const Json& lengths = json.at("lengths");
+    for (const std::filesystem::path& table : tables())
+      if (std::filesystem::file_size(folder_ / table) < lengths.at(table.string()).get<std::uintmax_t>())
         throw BadInput((folder_ / table).string() + ": is shorter than it was; remove the folder to begin anew");
-      std::filesystem::resize_file(folder_ / table, length);
-    }
+    remove_report();
+    for (const std::filesystem::path& table : tables())
+      std::filesystem::resize_file(folder_ / table, lengths.at(table.string()).get<std::uintmax_t>());
   } catch (const Json::exception&) {
     refuse_damaged(file);
   } catch (const std::filesystem::filesystem_error& error) {
@@ -224,6 +230,7 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
 void RunFolder::begin(Eigen::Index size) {
   std::error_code ignored;
   std::filesystem::remove(folder_ / "checkpoint.json", ignored);
+  remove_report();
   open_tables(false);
   write_text_file(folder_ / "scene.json", scene_text_);
   write_trajectory_index();

@@ -45,6 +45,8 @@ struct KeptRun {
 ///   trajectory/             surfaces and poses of the pairings, for `pcm verify --trajectory`
 ///   checkpoint.json         where the run goes on from
 ///
+/// and, of the caller, tables.md, tables.tex and run.provenance.json (compare::ReportFolder) and page.html.
+///
 /// Tables grow line by line. A checkpoint holds their lengths: what was written after it is cut off when a run goes on,
 /// so that a run that was killed ends with the same bytes as one that was not; files it was killed at writing are
 /// removed. Numbers in tables are the shortest that
@@ -72,6 +74,8 @@ class RunFolder {
 
  private:
   void open_tables(bool append);
+  /// What was said of the tables, which are about to change.
+  void remove_report() const;
   std::vector<std::filesystem::path> tables() const;
   /// What is written at once, not line by line.
   std::vector<std::filesystem::path> whole_files() const;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/record/run_provenance.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "compare/io/names.h"
 #include "compare/io/question_json.h"
@@ -15,7 +17,7 @@ using Json = nlohmann::ordered_json;
 Json settings_of(const Scene& scene) {
   Json json{{"duration", scene.duration},
             {"method", name(scene.integrator.method)},
-            {"jacobian", scene.integrator.jacobian},
+            {"jacobian", scene.integrator.jacobian == JacobianOf::tangents ? "tangents" : "differences"},
             {"relative_tolerance", scene.integrator.relative_tolerance},
             {"absolute_tolerance", scene.integrator.absolute_tolerance},
             {"greatest_step", scene.integrator.greatest_step},
@@ -37,16 +39,48 @@ Json pairing_json(const ScenePairing& pairing) {
           {"scheme", std::string(compare::name(pairing.scheme))}};
 }
 
-Json question_of_run(const std::string& scene_name, const std::string& scene_text, const Scene& scene, bool complete) {
+namespace {
+
+Json question_of_scene(const std::string& scene_name, const std::string& scene_text, const Scene& scene) {
   Json question{{"scene", scene_name},
                 {"scene_sha256", compare::sha256(scene_text)},
-                {"settings", settings_of(scene)},
                 {"pairings", Json::array()},
-                {"surfaces", Json::array()},
-                {"complete", complete}};
+                {"surfaces", Json::array()}};
   for (const ScenePairing& pairing : scene.pairings) question["pairings"].push_back(pairing_json(pairing));
   for (const SceneSurface& surface : scene.surfaces)
     question["surfaces"].push_back({{"name", surface.name}, {"sha256", compare::sha256(surface.surface.mesh())}});
+  return question;
+}
+
+/// Each trial's own number, each once, in their order.
+template <class Number>
+Json each_once(const std::vector<IntegratorTrial>& trials, const Number& number) {
+  Json values = Json::array();
+  for (const IntegratorTrial& trial : trials) {
+    const Json value = number(trial);
+    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace
+
+Json question_of_run(const std::string& scene_name, const std::string& scene_text, const Scene& scene, bool complete) {
+  Json question = question_of_scene(scene_name, scene_text, scene);
+  question["settings"] = settings_of(scene);
+  question["complete"] = complete;
+  return question;
+}
+
+Json question_of_comparison(const std::string& scene_name, const std::string& scene_text, const Scene& scene,
+                            const IntegratorComparison& comparison) {
+  Json question = question_of_scene(scene_name, scene_text, scene);
+  question["duration"] = scene.duration;
+  question["integrators"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return t.integrator; });
+  question["tolerances"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return t.tolerance; });
+  question["slip_velocities"] =
+      each_once(comparison.by_slip_velocity, [](const IntegratorTrial& t) { return t.slip_velocity; });
+  question["reference_tolerance"] = comparison.reference_tolerance;
   return question;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "compare/io/column_units.h"
+#include "simulate/run/integrator_comparison.h"
 #include "simulate/scenes/scene.h"
 
 /// What stands beside the tables of a run, so that they can be made again.
@@ -20,6 +21,10 @@ nlohmann::ordered_json pairing_json(const ScenePairing& pairing);
 /// `complete`: the run has come to the scene's end.
 nlohmann::ordered_json question_of_run(const std::string& scene_name, const std::string& scene_text, const Scene& scene,
                                        bool complete);
+
+/// The same of a comparison of integrators, which tries several tolerances and slip velocities.
+nlohmann::ordered_json question_of_comparison(const std::string& scene_name, const std::string& scene_text,
+                                              const Scene& scene, const IntegratorComparison& comparison);
 
 /// Of the columns of the tables that run_folder.h lists; coordinates and speeds are each in a unit of its own.
 compare::ColumnUnits run_column_units();

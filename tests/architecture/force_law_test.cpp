@@ -17,7 +17,7 @@ namespace {
 
 /// Files that divide by the transition depth (15), or by the slip velocity (20).
 std::set<std::string> files_with_formulas() {
-  static const std::regex formula{R"re(/ *(\w+\()?law\.(transition_depth|slip_velocity))re"};
+  static const std::regex formula{R"re(/ *(\w+\()?(\w+(\.|->))*(transition_depth|slip_velocity)\b)re"};
   std::set<std::string> found;
   for (const std::string& file : source_files()) {
     if (!file.ends_with(".h") && !file.ends_with(".cpp")) continue;

@@ -105,7 +105,7 @@ Asked asked(const ExplainCommand& command) {
 
 std::string text_of(const std::vector<std::array<std::string, 2>>& disagreements) {
   if (disagreements.empty()) return {};
-  std::string text = "Wrong, by the case file:\n";
+  std::string text = "The case file says:\n";
   for (const auto& [kind, words] : disagreements) text += fmt::format("  {}: {}\n", kind, words);
   return text;
 }

@@ -172,7 +172,7 @@ void judge_forces(const Question& question, const GivenAnswer& given, const refe
 bool gives(const GivenAnswer& given, Fact fact) {
   const auto of_either = [&](auto GivenArea::*value) { return given.E.*value || given.F.*value; };
   const auto of_an_element = [&](auto GivenElement::*value) {
-    return given.elements && std::any_of(given.elements->begin(), given.elements->end(),
+    return given.elements && std::all_of(given.elements->begin(), given.elements->end(),
                                          [value](const GivenElement& e) { return (e.*value).has_value(); });
   };
   switch (fact) {

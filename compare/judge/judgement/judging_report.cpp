@@ -104,8 +104,9 @@ std::string judging_legend(const JudgingSetup& setup) {
       "Answers of {} to the poses of {}, held against the oracle's answers to the rounded problem.\n"
       "wrong: at least one fact is; rate below: upper end of the 95 % confidence interval of the rate of wrong ones;\n"
       "lost, spurious: members that the sets of all wrong answers together lack, and that they alone have;\n"
-      "tie: vertices, edges, faces or penetration lines coincide exactly in the pose, so that a rule for ties decides\n"
-      "something; clear: nothing does; no truth: given, without anything that it could be held against;\n"
+      "tie: vertices, edges, faces or penetration lines coincide exactly in the pose; clear: none do;\n"
+      "not given: not in the answer, or no answer came; no truth: given, without anything that it could be held "
+      "against;\n"
       "crash, hang, garbage: no answer came, and the pose counts as wrong.\n",
       setup.who, setup.poses);
   text += setup.near_ulps == 0

@@ -202,7 +202,10 @@ Case read_case(const std::filesystem::path& path) {
     posed.law = law_from(json.at("law"));
     posed.scheme = scheme_from(json.at("scheme"));
     posed.mode = mode_from(json.at("mode"));
-    posed.disagreements = json.value("disagreements", posed.disagreements);
+    for (const Json& words : json.value("disagreements", Json::array())) {
+      if (words.size() != 2) throw BadInput("a disagreement is no pair of words: " + words.dump());
+      posed.disagreements.push_back({words.at(0).get<std::string>(), words.at(1).get<std::string>()});
+    }
     posed.E = mesh_from(json.at("E"), path.parent_path(), posed.file_E);
     posed.F = mesh_from(json.at("F"), path.parent_path(), posed.file_F);
     return posed;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "compare/io/sha256.h"
+#include "meshes/files/text_file.h"
+#include "pcm/read_mesh.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
@@ -78,11 +80,20 @@ TEST(SimulateCommand, TellsWhatMadeItsTables) {
   EXPECT_EQ(question["scene_sha256"], compare::sha256(block_over_floor("0.1")));
   EXPECT_EQ(question["settings"]["method"], "CVODE, Adams");
   EXPECT_EQ(question["pairings"][0]["law"]["max_penetration"], "0x1.999999999999ap-4");
-  EXPECT_EQ(question["surfaces"].size(), 2U);
+  EXPECT_EQ(question["settings"]["jacobian"], "differences");
+  ASSERT_EQ(question["surfaces"].size(), 2U);
+  for (const int k : {0, 1})
+    EXPECT_EQ(question["surfaces"][k]["sha256"],
+              compare::sha256(read_mesh(folder.out + "/trajectory/surface_" + std::to_string(k) + ".obj")));
   EXPECT_EQ(question["complete"], true);
   for (const char* table : {"steps.csv", "series.csv", "states.csv", "spectrum.csv", "tables.md", "tables.tex"})
     EXPECT_EQ(told["files"][table]["sha256"], compare::sha256(folder.bytes(table))) << table;
-  EXPECT_EQ(told["files"]["series.csv"]["units"]["normal_force_0"], "N");
+  const auto units_of = [&](const char* table) { return told["files"][table]["units"]; };
+  EXPECT_EQ(units_of("series.csv"), nlohmann::json::parse(R"({"t": "s", "kinetic": "J", "gravity": "J", "elastic": "J",
+    "bumpers": "J", "lost_to_damping": "J", "lost_to_friction": "J", "lost_to_joints": "J", "brought_by_motions": "J",
+    "depth_0": "m", "area_0": "m^2", "normal_force_0": "N", "tangential_force_0": "N"})"));
+  EXPECT_EQ(units_of("spectrum.csv"), nlohmann::json::parse(R"({"t": "s", "size": "s", "least_real": "1/s",
+    "greatest_imaginary": "1/s", "radius": "1/s"})"));
   EXPECT_EQ(told["files"]["steps.csv"]["units"], nlohmann::json({{"t", "s"}, {"size", "s"}}));
 }
 
@@ -204,6 +215,20 @@ TEST(SimulateCommand, RefusesToStartFromWhatIsNotRecorded) {
     EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(from_it.out));
   }
+}
+
+TEST(SimulateCommand, TellsWhatMadeAComparisonOfIntegrators) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("compared");
+  const Outcome outcome =
+      compare::run_pcm({"simulate", "creep", "--compare-integrators", "--duration", "0.01", "--out", out});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto told = nlohmann::json::parse(read_text_file(out + "/integrators.provenance.json"));
+  EXPECT_EQ(told["question"]["duration"], 0.01);
+  EXPECT_EQ(told["question"]["integrators"].size(), 7U);
+  EXPECT_EQ(told["question"]["tolerances"], nlohmann::json::parse("[1e-3, 1e-4, 1e-5, 1e-6]"));
+  EXPECT_EQ(told["question"]["slip_velocities"].size(), 4U);
+  EXPECT_EQ(told["files"]["integrators.md"]["sha256"], compare::sha256(read_text_file(out + "/integrators.md")));
 }
 
 TEST(SimulateCommand, ComparesIntegratorsOfScenesWithFriction) {

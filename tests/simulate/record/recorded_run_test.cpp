@@ -115,7 +115,8 @@ TEST(RecordedRun, KilledWhileItWritesAFileLeavesNothingOfItOnceItGoesOn) {
   ASSERT_TRUE(run_in(whole));
   ASSERT_FALSE(run_in(killed, [] { return true; }));
   for (const char* unfinished : {"checkpoint.json.part7", "scene.json.part4294967295", "trajectory/surface_0.obj.part1",
-                                 "trajectory/trajectory.json.part0"})
+                                 "trajectory/trajectory.json.part0", "tables.md.part1", "tables.tex.part2",
+                                 "run.provenance.json.part3", "page.html.part4"})
     std::ofstream(killed / unfinished) << "half";
   const std::vector<fs::path> of_the_user{"notes.part7", "scene.json.part", "scene.json.part7.txt",
                                           "checkpoint.json.old"};
@@ -135,6 +136,33 @@ TEST(RecordedRun, StoppedGoesOnAndFinishedStaysFinished) {
   const std::string before = bytes(stopped / "checkpoint.json");
   EXPECT_TRUE(run_in(stopped));
   EXPECT_EQ(bytes(stopped / "checkpoint.json"), before);
+}
+
+TEST(RecordedRun, SaysNothingOfItsTablesWhileTheyChange) {
+  const fs::path folder = empty_folder("changing"), report = folder / "run.provenance.json";
+  const auto report_outlives = [&](const std::function<bool()>& stop) {
+    std::ofstream(report) << "of the tables as they were";
+    run_in(folder, stop);
+    return fs::remove(report);
+  };
+  EXPECT_FALSE(run_in(folder, [] { return true; }));
+  EXPECT_FALSE(report_outlives([] { return true; })) << "resumed";
+  fs::remove(folder / "checkpoint.json");
+  EXPECT_FALSE(report_outlives([] { return true; })) << "begun anew";
+}
+
+TEST(RecordedRun, LeavesAFolderThatItRefusesAsItWas) {
+  const fs::path folder = empty_folder("left");
+  EXPECT_FALSE(run_in(folder, [] { return true; }));
+  std::ofstream(folder / "steps.csv", std::ios::app) << "after the checkpoint\n";
+  std::ofstream(folder / "run.provenance.json") << "of these tables";
+  const std::string steps = bytes(folder / "steps.csv");
+  fs::resize_file(folder / "spectrum.csv", 3);
+  std::string notice;
+  expect_bad_input([&] { RecordedRun(short_bubbles(), "bubbles", folder, notice); },
+                   "spectrum.csv: is shorter than it was");
+  EXPECT_EQ(bytes(folder / "steps.csv"), steps);
+  EXPECT_TRUE(fs::exists(folder / "run.provenance.json"));
 }
 
 TEST(RecordedRun, RefusesTheFolderOfAnotherSceneAndTablesThatAreTooShort) {

@@ -110,16 +110,17 @@ TEST(ExplainCommand, ExplainsACaseFile) {
   const std::string law =
       R"({"stiffness":"0x1p+20","damping":"0x0p+0","transition_depth":"0x0p+0","friction":"0x0p+0",)"
       R"("slip_velocity":"0x0p+0","max_penetration":"inf","damping_mode":"no-tension"})";
-  const std::string file =
-      scratch.write("case.json", R"({"format":"pcm case 1","origin":"by hand","pose":)" + pose + R"(,"law":)" + law +
-                                     R"(,"scheme":"clipped","mode":"both","E":)" + std::string(kSurface) + R"(,"F":)" +
-                                     std::string(kSurface) + "}");
+  const std::string file = scratch.write(
+      "case.json", R"({"format":"pcm case 1","origin":"by hand","pose":)" + pose + R"(,"law":)" + law +
+                       R"(,"scheme":"clipped","mode":"both","disagreements":[["force","engine 1, oracle 2"]],"E":)" +
+                       std::string(kSurface) + R"(,"F":)" + std::string(kSurface) + "}");
   const Outcome outcome = run_pcm({"explain", file, "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const json explained = json::parse(outcome.out);
   EXPECT_EQ(explained["origin"], "by hand");
   EXPECT_EQ(explained["scheme"], "clipped");
   EXPECT_EQ(explained["mode"], "both");
+  EXPECT_EQ(explained["disagreements"], json::parse(R"([["force","engine 1, oracle 2"]])"));
   EXPECT_EQ(explained["counts"]["vertex_on_vertex"]["exact"], 1);
 }
 

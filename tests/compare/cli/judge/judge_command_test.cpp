@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
 #include "compare/io/sha256.h"
+#include "compare/io/split_at_commas.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
@@ -45,6 +47,20 @@ class JudgeCommand : public testing::Test {
     Words words{"judge", scratch_.write("answers.jsonl", text), "--poses", poses_, "--jobs", "2"};
     words.insert(words.end(), options.begin(), options.end());
     return run_pcm(words);
+  }
+  /// Values of a CSV file by the names of their columns, a map a row.
+  static std::vector<std::map<std::string, std::string>> rows_of(const std::string& csv) {
+    const std::vector<std::string> lines = lines_of(csv);
+    const std::vector<std::string> names = split_at_commas(lines.at(0));
+    std::vector<std::map<std::string, std::string>> rows;
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+      const std::vector<std::string> values = split_at_commas(lines[k]);
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i == 0) rows.emplace_back();
+        rows.back()[names[i]] = values.at(i).starts_with('"') ? values[i].substr(1, values[i].size() - 2) : values[i];
+      }
+    }
+    return rows;
   }
   /// The number that follows a key of a JSON line is replaced.
   static std::string replaced(std::string line, const std::string& from, const std::string& to) {
@@ -98,7 +114,36 @@ TEST_F(JudgeCommand, WrongAnswersOfEveryStratumAreShownAndCountedByPair) {
   const std::vector<std::string> pairs = lines_of(content_of(out + "/pairs.csv"));
   EXPECT_EQ(pairs.front().rfind("pair,poses,right,near,wrong,wrong_ties,", 0), 0U);
   ASSERT_EQ(pairs.size(), 2U);
-  EXPECT_NE(pairs[1].find(",60,0,0,60,"), std::string::npos) << pairs[1];
+  const auto wrong = nlohmann::json::parse(content_of(out + "/judgement.json")).at("wrong_answers");
+  ASSERT_EQ(wrong.size(), 60U);
+  const auto ties = std::count_if(wrong.begin(), wrong.end(), [](const auto& one) { return one.at("tie") == true; });
+  EXPECT_NE(pairs[1].find(",60,0,0,60," + std::to_string(ties) + ","), std::string::npos) << pairs[1];
+  EXPECT_GT(ties, 0);
+  EXPECT_LT(ties, 60);
+}
+
+TEST_F(JudgeCommand, WhatIsNotGivenAndWhatHasNoTruthAreCountedByThemselves) {
+  const std::string out = scratch_.path("judged");
+  ASSERT_EQ(judge(answers_, {"--out", out}).status, 0);
+  std::int64_t without_volume = 0, without_elements = 0;
+  for (const std::string& line : answers_) {
+    const auto answer = nlohmann::json::parse(line);
+    if (!answer.contains("id")) continue;  // the header
+    without_volume += !answer.contains("volume") || answer["volume"].is_null();
+    without_elements += answer["elements"].empty();
+  }
+  EXPECT_GT(without_elements, 0);
+  std::map<std::string, std::map<std::string, std::string>> facts;
+  for (auto& row : rows_of(content_of(out + "/facts.csv")))
+    if (row["stratum"] == "all") facts[row["fact"]] = row;
+  const auto expect = [&](const std::string& fact, std::int64_t not_given, std::int64_t no_truth) {
+    EXPECT_EQ(facts[fact]["judged"], std::to_string(60 - not_given - no_truth)) << fact;
+    EXPECT_EQ(facts[fact]["not_given"], std::to_string(not_given)) << fact;
+    EXPECT_EQ(facts[fact]["no_truth"], std::to_string(no_truth)) << fact;
+  };
+  expect("touching", 0, 0);
+  expect("volume", without_volume, 0);
+  expect("element area", 0, without_elements);
 }
 
 TEST_F(JudgeCommand, AWrongAnswerIsShownAndKeptAsACase) {
@@ -116,7 +161,7 @@ TEST_F(JudgeCommand, AWrongAnswerIsShownAndKeptAsACase) {
   ASSERT_NE(kept, "");
   EXPECT_NE(content_of(kept).find("engine false, oracle true"), std::string::npos);
   const Outcome explained = run_pcm({"explain", kept});
-  EXPECT_NE(explained.out.find("Wrong, by the case file:\n  touching: engine false, oracle true\n"), std::string::npos)
+  EXPECT_NE(explained.out.find("The case file says:\n  touching: engine false, oracle true\n"), std::string::npos)
       << explained.out;
   const Outcome replayed = run_pcm({"verify", "--case", kept});
   EXPECT_EQ(replayed.status, 0) << replayed.out;
@@ -173,13 +218,14 @@ TEST_F(JudgeCommand, BreakdownsOfAnEngineAreCounted) {
   const std::string engine = scratch_.write("engine.sh",
                                             "read -r greeting\nwhile read -r line; do\n"
                                             "  id=${line#'{\"id\":\"'}\n  id=${id%%'\"'*}\n"
-                                            "  case $id in\n    */grazing/0/*) exit 1 ;;\n"
+                                            "  case $id in\n    */grazing/0/*|*/degenerate/0/*) exit 1 ;;\n"
                                             "    */grazing/1/*) echo nonsense ;;\n"
                                             "    *) echo '{\"id\":\"'\"$id\"'\"}' ;;\n  esac\ndone\n");
   const Outcome outcome = run_pcm({"judge", "--poses", poses_, "--command", "sh '" + engine + "'"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_EQ(last_line(outcome.out), "NOT right: 60 answers, 2 wrong, 0 near another answer, 2 without an answer");
-  EXPECT_NE(outcome.out.find("crash: it ended with status 1"), std::string::npos) << outcome.out;
+  EXPECT_EQ(last_line(outcome.out), "NOT right: 60 answers, 3 wrong, 0 near another answer, 3 without an answer");
+  EXPECT_NE(outcome.out.find(" (clear): crash: it ended with status 1"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(std::regex_search(outcome.out, std::regex("/degenerate/0/\\w+ \\(tie\\): crash: "))) << outcome.out;
   EXPECT_NE(outcome.out.find("garbage: this is no JSON object"), std::string::npos) << outcome.out;
 }
 

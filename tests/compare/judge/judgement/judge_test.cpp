@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "compare/explain/explain.h"
 #include "compare/judge/judgement/judging.h"
@@ -341,6 +343,45 @@ TEST_F(Answers, ThatAreWrongAreToldApartByTies) {
   EXPECT_EQ(ties, run.total().ties);
   EXPECT_GT(ties, 0);
   EXPECT_LT(ties, run.total().wrong);
+}
+
+TEST(GivenAnswers, GiveWhatTheySayAndNothingElse) {
+  std::map<Fact, GivenAnswer> of_one;
+  of_one[Fact::touching].touching = false;
+  of_one[Fact::crossing_pairs].crossing_pairs.emplace();
+  of_one[Fact::intersected_faces].E.intersected.emplace();
+  of_one[Fact::inner_faces].F.inner.emplace();
+  of_one[Fact::active_faces].E.active.emplace();
+  of_one[Fact::polygons].polygons = 0;
+  of_one[Fact::closed_polygons].closed_polygons = 0;
+  of_one[Fact::elements].element_count = 0;
+  of_one[Fact::area].F.area = 0;
+  of_one[Fact::volume].volume = 0;
+  of_one[Fact::force].force_Me = Eigen::Vector3d::Zero();
+  of_one[Fact::torque].torque_Me = Eigen::Vector3d::Zero();
+  for (const auto& [given, answer] : of_one)
+    for (std::size_t k = 0; k < kFacts; ++k)
+      EXPECT_EQ(gives(answer, static_cast<Fact>(k)), static_cast<Fact>(k) == given) << name(given) << kFactNames[k];
+  GivenAnswer elements;
+  elements.elements = {{Side::E, 0, 0, 1.0, {}}, {Side::E, 1, 0, 2.0, {}}};
+  for (const Fact fact : {Fact::elements, Fact::element_area}) EXPECT_TRUE(gives(elements, fact)) << name(fact);
+  EXPECT_FALSE(gives(elements, Fact::element_penetration));
+  elements.elements->clear();
+  EXPECT_TRUE(gives(elements, Fact::element_penetration)) << "of none";
+}
+
+TEST(JudgedTallies, ReadBackAsTheyWereWritten) {
+  JudgedTally tally{9, 4, 3, 2, {1, 2, 3}, {}};
+  std::int64_t number = 10;
+  for (FactTally& fact : tally.facts)
+    fact = {number, number + 1, number + 2, number + 3, number + 4, number + 5}, number += 6;
+  EXPECT_EQ(JudgedTally::from_json(tally.to_json()).to_json(), tally.to_json());
+  const JudgedTally read = JudgedTally::from_json(tally.to_json());
+  EXPECT_EQ(std::tie(read.poses, read.wrong, read.ties, read.near), std::tuple(9, 4, 3, 2));
+  const FactTally& touching = read.of(Fact::touching);
+  EXPECT_EQ(
+      std::tie(touching.right, touching.near, touching.wrong, touching.lost, touching.spurious, touching.no_truth),
+      std::tuple(10, 11, 12, 13, 14, 15));
 }
 
 TEST_F(Answers, WithoutATruthAreToldApartFromWhatIsNotGiven) {

@@ -14,6 +14,15 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+TEST(GreatestForce, IsThatOfFullDampingAndFriction) {
+  ContactLaw law;
+  law.stiffness = 8;
+  law.damping = 2;
+  law.friction = 0.5;
+  law.transition_depth = 1;
+  EXPECT_EQ(greatest_force(law, 4, 0.25, 3), 1.5 * 4 * (8 * 0.25 + 2 * 3));
+}
+
 /// An element at rest where bodies neither move nor are damped: what such factors of 0 do to errors without a bound.
 class LawBounds : public testing::Test {
  protected:

@@ -94,7 +94,7 @@ class KeptRunTest : public testing::Test {
         run, kept, 1, [&] { return ++asked > 1000; }, kSilent);
     for (const char* file : {"verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
       scratch_.write(file, "old");
-    scratch_.write("notes.txt", "not of the run");
+    for (const char* file : {"notes.txt", "notes.json"}) scratch_.write(file, "not of the run");
   }
 
   std::int64_t poses_kept(const VerificationPlan& plan) const {
@@ -117,7 +117,7 @@ class KeptRunTest : public testing::Test {
     EXPECT_FALSE(kept.finished());
     for (const char* file : {"verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
       EXPECT_FALSE(exists(file)) << file;
-    EXPECT_TRUE(exists("notes.txt"));
+    for (const char* file : {"notes.txt", "notes.json"}) EXPECT_TRUE(exists(file)) << file;
   }
 
   TemporaryFolder scratch_;

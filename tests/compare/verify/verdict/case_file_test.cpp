@@ -17,6 +17,7 @@
 #include "pcm/bad_input.h"
 #include "pcm/write_obj.h"
 #include "tests/compare/small_pair.h"
+#include "tests/meshes/expect_bad_input.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
@@ -79,6 +80,17 @@ TEST_F(CaseFiles, ReadBackBitForBitWithMeshesByPathAndRefuseChangedOnes) {
   EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
 }
 
+TEST(CaseFileNames, AreWordsWithoutFolders) {
+  EXPECT_EQ(case_file_name("gridded cube-plate/generic/7/E"), "case_gridded_cube-plate_generic_7_E.json");
+}
+
+TEST_F(CaseFiles, OfAFolderInPlaceOfAMeshAreRefusedByName) {
+  auto json = nlohmann::ordered_json::parse(format_case(posed(), {}, {}));
+  json["E"] = {{"path", "."}, {"sha256", ""}};
+  write_text_file(folder_ / "case.json", json.dump());
+  expect_bad_input([&] { read_case(folder_ / "case.json"); }, "cannot read the mesh");
+}
+
 TEST_F(CaseFiles, BadOnesAreRefused) {
   EXPECT_THROW(read_case(folder_ / "missing.json"), BadInput);
   EXPECT_THROW(read_case(folder_), BadInput);
@@ -100,6 +112,9 @@ TEST_F(CaseFiles, BadOnesAreRefused) {
   refused_with([](auto& json) { json["pose"]["r"][0] = "inf"; });
   refused_with([](auto& json) { json["pose"]["v"][0] = "nan"; });
   refused_with([](auto& json) { json["disagreements"] = {{"force"}}; });
+  refused_with([](auto& json) { json["disagreements"] = {{"force", "off", "by far"}}; });
+  refused_with([](auto& json) { json["disagreements"] = {{"force", 1}}; });
+  refused_with([](auto& json) { json["disagreements"] = "force"; });
   refused_with([](auto& json) { json["E"]["faces"][0][0] = -1; });
   refused_with([](auto& json) { json["E"]["faces"][0][0] = 0.5; });
   refused_with([](auto& json) { json["E"]["faces"][0][0] = 4294967296; });
