@@ -3,14 +3,16 @@
 #include "compare/contact/coincident_json.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace pcm::compare {
 namespace {
 
-void add_bounds(Json& side, const Json& open, const Json& closed) {
+/// Adds both bounds of the area of a side that has one. By value: an object that gets a member moves the others.
+void add_bounds(Json& side, Json open, Json closed) {
   const bool has_area = !side["area"].is_null();
-  side["area_open"] = has_area ? open : Json();
-  side["area_closed"] = has_area ? closed : Json();
+  side["area_open"] = has_area ? std::move(open) : Json();
+  side["area_closed"] = has_area ? std::move(closed) : Json();
 }
 
 Wanted only_areas() {

@@ -55,9 +55,10 @@ SimTK::MobilizedBody mobilized(SimTK::MobilizedBody& parent, const Joint& joint,
   throw BadInput("joint: no such type");
 }
 
+/// Vectors without coordinates are the same: they have no memory to compare.
 bool same_bits(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() &&
-         std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
+         (a.size() == 0 || std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0);
 }
 
 /// dy/dt of a state that is realized to Stage::Acceleration.
