@@ -8,7 +8,6 @@
 
 #include "fast/bounds/repartition_error.h"
 #include "fast/bounds/verified_line.h"
-#include "fast/clipped/own_faces.h"
 #include "fast/posed/vertex_rounding.h"
 #include "fast/search/prism_search.h"
 

@@ -6,7 +6,7 @@
 
 #include "fast/bounds/clipped_error.h"
 #include "fast/bounds/force_bound.h"
-#include "fast/clipped/clipped_face.h"
+#include "fast/clipped/clipped_elements.h"
 
 namespace pcm::fast {
 

@@ -8,7 +8,7 @@
 #include "fast/bounds/face_enclosure.h"
 #include "fast/bounds/prism_error.h"
 #include "fast/bounds/visible_depth.h"
-#include "fast/clipped/clipped_face.h"
+#include "fast/clipped/clipped_elements.h"
 #include "fast/posed/transform.h"
 #include "fast/surface/prepared_surface.h"
 

@@ -10,8 +10,8 @@
 
 #include "fast/bounds/box_st.h"
 #include "fast/prism/convex_polygon.h"
+#include "fast/prism/master_prism.h"
 #include "fast/prism/prism_position_error.h"
-#include "fast/prism/projected_face.h"
 #include "pcm/triangle_mesh.h"
 
 namespace pcm::fast {

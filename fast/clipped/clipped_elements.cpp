@@ -2,7 +2,118 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/clipped/clipped_elements.h"
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "fast/barycentric/penetration_line.h"
+
 namespace pcm::fast {
+
+namespace {
+
+PlacedFace placed(PosedPair& posed, Side side, const MasterPrism& prism, const ProjectedFace& face) {
+  return {face,
+          {posed.vertex_Me(side, face.vertices[0]), posed.vertex_Me(side, face.vertices[1]),
+           posed.vertex_Me(side, face.vertices[2])},
+          prism,
+          posed.placement.max_coordinate};
+}
+
+/// Integrals over parts of one face; of min(depth, most) in place of the depth. Area and greatest depth are none of the
+/// clamp's.
+Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
+  Moments moments;
+  for (const ConvexPolygon& part : parts) moments.add(part);
+  if (!(moments.greatest > most)) return moments;
+  Moments clamped;
+  for (const ConvexPolygon& part : parts) clamped.add_clamped(part, most);
+  clamped.area = moments.area;
+  clamped.greatest = moments.greatest;
+  return clamped;
+}
+
+/// Integrals over the part of the master face that sees the slave face at `index` of the projected ones first; of
+/// min(depth, most) in place of the depth. `overlap` is the first overlap that may concern it and moves on past them.
+Moments moments_of_visible_part(PosedPair& posed, const ClippedFace& seen, std::size_t index, double most,
+                                ClippedFaceScratch& scratch, std::vector<Overlap>::const_iterator& overlap,
+                                ClippingError& clipping_error) {
+  const ProjectedFace& f = scratch.view.faces[index];
+  if (overlap == scratch.overlaps.end() || overlap->first != index) return moments_of({&f.seen, 1}, most);
+  const auto placed_face = [&](const ProjectedFace& face) {
+    return placed(posed, face.of_master ? seen.master : opposite(seen.master), *seen.prism, face);
+  };
+  const PlacedFace placed_f = placed_face(f);
+  scratch.polygons.assign(1, f.seen);
+  for (; overlap != scratch.overlaps.end() && overlap->first == index; ++overlap) {
+    if (scratch.polygons.empty()) continue;
+    const PlacedFace placed_g = placed_face(scratch.view.faces[overlap->second]);
+    subtract_hidden(placed_f, placed_g, scratch.polygons, scratch.remaining, clipping_error, posed.work);
+  }
+  for (const ConvexPolygon& polygon : scratch.polygons) clipping_error.add_piece(polygon, f.seen);
+  return moments_of(scratch.polygons, most);
+}
+
+void fill_visible_part(PosedPair& posed, const ClippedFace& seen, std::size_t index, double most,
+                       ClippedFaceScratch& scratch, std::vector<Overlap>::const_iterator& overlap, VisiblePart& part) {
+  part.moments = moments_of_visible_part(posed, seen, index, most, scratch, overlap, part.clipping_error);
+  const Moments& moments = part.moments;
+  part.area = moments.area * (2 * seen.geometry.area);
+  part.penetration = std::min({moments.depth / moments.area, moments.greatest, most});
+  if (!part.is_element()) part.left_out = std::abs(moments.area) + part.clipping_error.area;
+}
+
+void find_parts(PosedPair& posed, const ClippedFace& seen, double most, ClippedFaceScratch& scratch) {
+  const std::vector<ProjectedFace>& faces = scratch.view.faces;
+  find_overlaps(faces, scratch.by_low_s, scratch.overlaps);
+  auto overlap = scratch.overlaps.cbegin();
+  for (std::size_t i = 0; i < faces.size() && !faces[i].of_master; ++i) {
+    if (!faces[i].leaves) continue;
+    VisiblePart& part = scratch.parts.emplace_back();
+    part.slave_face = faces[i].face;
+    if (faces[i].carries) {
+      fill_visible_part(posed, seen, i, most, scratch, overlap, part);
+    } else {
+      part.left_out = 0.5 * std::abs(twice_area(faces[i].seen));
+    }
+  }
+}
+
+/// Whether depths below the face may be lost to underflow, and its area: their signs then tell nothing.
+bool underflows(const FaceGeometry& geometry) {
+  const auto& p = geometry.points_Me;
+  return std::max((p[1] - p[0]).lpNorm<Eigen::Infinity>(), (p[2] - p[0]).lpNorm<Eigen::Infinity>()) < kLeastDetail;
+}
+
+}  // namespace
+
+ClippedFace clip_face(PosedPair& posed, Side master, Index face, const ContactLaw& law, ClippedFaceScratch& scratch) {
+  ClippedFace seen{master,        face, face_with_sure_normal(posed.face_Me(master, face)), std::nullopt, scratch.view,
+                   scratch.parts, false};
+  scratch.parts.clear();
+  const auto line_is_too_deep = [&] {
+    return find_penetration(posed, master, face, seen.geometry, scratch.line_open).outcome ==
+           Penetration::Outcome::too_deep;
+  };
+  const bool only_line_tells = underflows(seen.geometry);
+  if (only_line_tells) seen.too_deep = line_is_too_deep();
+  if (!(seen.geometry.area > 0)) return seen;
+  seen.prism.emplace(seen.geometry);
+  look_through(posed, master, face, *seen.prism, scratch.looking, scratch.view);
+  if (!only_line_tells && seen.view.slave_at_barycentre && seen.view.own_at_barycentre) {
+    seen.too_deep = line_is_too_deep();
+  }
+  find_parts(posed, seen, law.max_penetration, scratch);
+  return seen;
+}
+
+void record_beside_elements(const ClippedFace& face, const ContactLaw& law, ElementRecord& record) {
+  if (face.too_deep) ++record.too_deep;
+  for (const VisiblePart& part : face.parts) {
+    // Too small to be an element, but not too shallow.
+    if (part.area > 0 && !part.is_element()) record.note_depth(part.moments.greatest, law);
+  }
+}
 
 MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
                                  ClippedScratch& scratch, ElementRecord& record) {
@@ -12,7 +123,9 @@ MasterForce sum_clipped_elements(const Intersection& intersection, Side master, 
     const ClippedFace seen = clip_face(posed, master, face, problem.law, scratch.face);
     record_beside_elements(seen, problem.law, record);
     for (const VisiblePart& part : seen.parts) {
-      if (part.is_element()) queue.add(seen.element(part), part.moments.greatest, seen.foot_Me(part));
+      if (!part.is_element()) continue;
+      queue.add({seen.face, part.slave_face, part.moments.greatest}, part.area, part.penetration, seen.geometry.n_Me,
+                seen.foot_Me(part));
     }
   });
   return queue.total();

@@ -6,14 +6,17 @@
 #include <cmath>
 #include <limits>
 
-#include "fast/clipped/own_faces.h"
 #include "fast/search/prism_search.h"
+#include "fast/surface/thickness.h"
 
 namespace pcm::fast {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A pose that shears F by more than this makes faces that stand upright on others lean by more than roundings do.
+constexpr double kGreatestSkew = 0x1p-48;
 
 /// How deep the slave is seen, m; -1 where it is not.
 struct Depths {
@@ -56,8 +59,7 @@ std::array<PrismPoint, 3> corners_of(const FastClearArray<PrismPoint>& sights, c
 }
 
 /// Adds a face to those that lines meet; false where none meets it. It carries nothing yet.
-bool add_projected(const MasterPrism& prism, double max_coordinate, Index face, bool of_master,
-                   const Triangle& vertices, const std::array<PrismPoint, 3>& corners,
+bool add_projected(Index face, bool of_master, const Triangle& vertices, const std::array<PrismPoint, 3>& corners,
                    std::vector<ProjectedFace>& faces) {
   ProjectedFace& projected = faces.emplace_back();
   if (!project_face(vertices, corners, projected)) {
@@ -67,8 +69,15 @@ bool add_projected(const MasterPrism& prism, double max_coordinate, Index face, 
   projected.face = face;
   projected.of_master = of_master;
   projected.carries = false;
-  projected.uncertainty = prism.uncertainty(corners, max_coordinate);
   return true;
+}
+
+/// Whether what is seen of the face has area for certain. What no face exceeds tells of most without their own.
+bool surely_has_area(const MasterPrism& prism, double max_coordinate, const Uncertainty& greatest,
+                     const ProjectedFace& face) {
+  const double area = twice_area(face.seen), width_s = face.high_s - face.low_s, width_t = face.high_t - face.low_t;
+  return certain(area, width_s, width_t, greatest) ||
+         certain(area, width_s, width_t, prism.uncertainty(face.corners, max_coordinate));
 }
 
 /// Some steps are done for all candidates before the next, though one loop would do: what a processor guesses wrong of
@@ -91,12 +100,13 @@ Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, Fac
   }
   scratch.over.resize(count);
   scratch.entered.clear();
+  const Uncertainty greatest_uncertainty = prism.greatest_uncertainty(posed.placement.max_coordinate);
   for (const Index face : scratch.over) {
     const Triangle& vertices = surface.face(face);
     const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, vertices);
-    if (!add_projected(prism, posed.placement.max_coordinate, face, false, vertices, corners, view.faces)) continue;
+    if (!add_projected(face, false, vertices, corners, view.faces)) continue;
     ProjectedFace& projected = view.faces.back();
-    const bool is_certain = certain(projected.seen, projected.uncertainty);
+    const bool is_certain = surely_has_area(prism, posed.placement.max_coordinate, greatest_uncertainty, projected);
     if (is_certain && !projected.leaves) scratch.entered.push_back(face);
     projected.carries = projected.leaves && is_certain;
     if (!projected.carries) continue;
@@ -134,12 +144,39 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
     if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > view.own_depth) continue;
-    add_projected(prism, posed.placement.max_coordinate, face, true, posed.surface(master).face(face), corners,
-                  view.faces);
+    add_projected(face, true, posed.surface(master).face(face), corners, view.faces);
   }
 }
 
 }  // namespace
+
+OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,
+                                double deepest) {
+  const PreparedSurface& surface = posed.surface(master);
+  const auto i = static_cast<std::size_t>(face);
+  const ThicknessEverywhere& thickness = surface.thickness_everywhere;
+  // F's parts are seen through roundings of its vertices, which may differ by more than the vertices do.
+  const double vertex_error = master == Side::E ? 0 : posed.placement.position_error_F;
+  const double known = master == Side::E ? thickness.exact[i] : thickness.rounded[i];
+  if (!(deepest < known && thickness_holds(surface, vertex_error, geometry))) return OwnFacesBefore::some;
+  if (surface.clear_of_neighbours[i] && deepest < thickness.tolerant[i]) return OwnFacesBefore::none;
+  if (master == Side::E) return OwnFacesBefore::none;
+  return posed.placement.skew > kGreatestSkew ? OwnFacesBefore::some : OwnFacesBefore::leaning;
+}
+
+SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, Index face) {
+  const PreparedSurface& surface = posed.surface(master);
+  const Triangle& master_vertices = surface.face(master_face);
+  const Triangle& vertices = surface.face(face);
+  SeenCorners corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto shared = std::find(master_vertices.begin(), master_vertices.end(), vertices[k]);
+    corners.is_shared[k] = shared != master_vertices.end();
+    corners.points[k] = corners.is_shared[k] ? MasterPrism::corner(static_cast<int>(shared - master_vertices.begin()))
+                                             : prism.see(posed.vertex_Me(master, vertices[k]), posed.work);
+  }
+  return corners;
+}
 
 void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, FaceViewScratch& scratch,
                   FaceView& view) {

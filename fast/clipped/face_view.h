@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "fast/base/fast_clear_array.h"
 #include "fast/posed/posed_pair.h"
-#include "fast/prism/projected_face.h"
+#include "fast/prism/master_prism.h"
 
 namespace pcm::fast {
 
@@ -33,5 +34,20 @@ struct FaceViewScratch {
 /// Looks through the prism of a master face.
 void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, FaceViewScratch& scratch,
                   FaceView& view);
+
+/// Whether other faces of the master may lie before what one of its faces sees.
+enum class OwnFacesBefore : std::uint8_t {
+  none,     ///< surely none
+  leaning,  ///< only as faces that stand upright on the border of the prism lean over it in the exact problem
+  some
+};
+
+/// As the thickness computed beforehand says it, for whatever is seen no deeper than this, m: in the rounded problem
+/// and in the exact one.
+OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,
+                                double deepest);
+
+/// The corners of another face of the master.
+SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, Index face);
 
 }  // namespace pcm::fast

@@ -10,6 +10,19 @@ namespace pcm::fast {
 
 namespace {
 
+/// Whether one of a's sides has all of b on its far side. A corner that both share lies on its sides exactly.
+bool side_separates(const ProjectedFace& a, const ProjectedFace& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PrismPoint& from = a.corners[k];
+    const PrismPoint& to = a.corners[(k + 1) % 3];
+    if (cross_st(from, to, b.corners[0]) <= 0 && cross_st(from, to, b.corners[1]) <= 0 &&
+        cross_st(from, to, b.corners[2]) <= 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Where a face lies along the lines, compared with another one.
 enum class Order : std::uint8_t { before, after, crossing };
 
@@ -99,14 +112,37 @@ Heights heights_of(const ConvexPolygon& polygon, const HalfPlane& half_plane) {
   return heights;
 }
 
-/// What a convex polygon and a convex set have in common.
-ConvexPolygon common(ConvexPolygon polygon, const ConvexSet& set) {
-  for (const HalfPlane& half_plane : set) {
-    keep_where_not_negative(polygon, heights_of(polygon, half_plane));
-    if (polygon.empty()) break;
+/// A convex polygon as half planes cut it, one after the other.
+struct Cuts {
+  std::array<const ConvexPolygon*, 6> left;  ///< before the first cut, after it, after the second one, ...
+  std::array<Heights, 5> heights;            ///< what the half plane of each cut is at the vertices before it
+  std::array<ConvexPolygon, 5> kept;
+  std::size_t count = 0;  ///< of half planes that cut
+
+  /// Until nothing is left.
+  Cuts(const ConvexPolygon& polygon, const ConvexSet& set) {
+    left[0] = &polygon;
+    for (const HalfPlane& half_plane : set) {
+      heights[count] = heights_of(*left[count], half_plane);
+      if (!cut_where_negative(*left[count], heights[count], kept[count])) continue;
+      left[count + 1] = &kept[count];
+      ++count;
+      if (common().empty()) break;
+    }
   }
-  return polygon;
-}
+  Cuts(const Cuts&) = delete;
+  Cuts& operator=(const Cuts&) = delete;
+
+  /// What the polygon and the set have in common.
+  const ConvexPolygon& common() const { return *left[count]; }
+  /// What cut k took away.
+  ConvexPolygon outside(std::size_t k) const {
+    Heights below = heights[k];
+    for (int i = 0; i < left[k]->count; ++i) below[static_cast<std::size_t>(i)] = -below[static_cast<std::size_t>(i)];
+    ConvexPolygon taken;
+    return cut_where_negative(*left[k], below, taken) ? taken : *left[k];
+  }
+};
 
 /// Appends a piece, in two where it has too many vertices for the cuts to come.
 void append(const ConvexPolygon& piece, std::vector<ConvexPolygon>& pieces) {
@@ -134,32 +170,25 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
               std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error) {
   remaining.clear();
   for (const ConvexPolygon& piece : pieces) {
-    const ConvexPolygon overlap = common(piece, set);
-    if (overlap.empty()) {
+    const Cuts cuts(piece, set);
+    if (cuts.common().empty()) {
       remaining.push_back(piece);
       continue;
     }
     const std::size_t before = remaining.size();
     double dropped = 0;
-    ConvexPolygon rest = piece;
-    for (const HalfPlane& half_plane : set) {
-      Heights heights = heights_of(rest, half_plane);
-      if (*std::min_element(heights.begin(), heights.begin() + rest.count) >= 0) continue;
-      ConvexPolygon outside = rest;
-      keep_where_not_negative(rest, heights);
-      for (double& height : heights) height = -height;
-      keep_where_not_negative(outside, heights);
+    for (std::size_t k = 0; k < cuts.count; ++k) {
+      const ConvexPolygon outside = cuts.outside(k);
       if (certain(outside, uncertainty)) {
         append(outside, remaining);
       } else {
         dropped += area_of(outside);
       }
-      if (rest.empty()) break;
     }
-    if (remaining.size() > before + 1 && !certain(overlap, uncertainty)) {
+    if (remaining.size() > before + 1 && !certain(cuts.common(), uncertainty)) {
       remaining.resize(before);
       remaining.push_back(piece);
-      dropped = area_of(overlap);
+      dropped = area_of(cuts.common());
     }
     clipping_error.area += dropped;
   }
@@ -181,6 +210,31 @@ struct Extent {
 };
 
 }  // namespace
+
+void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<FaceExtent>& by_low_s,
+                   std::vector<Overlap>& overlaps) {
+  overlaps.clear();
+  by_low_s.clear();
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const ProjectedFace& face = faces[i];
+    by_low_s.push_back({face.low_s, face.high_s, face.low_t, face.high_t, i, face.carries});
+  }
+  std::sort(by_low_s.begin(), by_low_s.end(), [](const FaceExtent& a, const FaceExtent& b) {
+    return a.low_s < b.low_s || (a.low_s == b.low_s && a.index < b.index);
+  });
+  for (std::size_t i = 0; i < by_low_s.size(); ++i) {
+    const FaceExtent& f = by_low_s[i];
+    for (std::size_t j = i + 1; j < by_low_s.size() && by_low_s[j].low_s < f.high_s; ++j) {
+      const FaceExtent& g = by_low_s[j];
+      if (!(f.carries || g.carries) || !(f.low_s < g.high_s)) continue;
+      if (!(f.low_t < g.high_t && g.low_t < f.high_t)) continue;
+      if (side_separates(faces[f.index], faces[g.index]) || side_separates(faces[g.index], faces[f.index])) continue;
+      if (f.carries) overlaps.emplace_back(f.index, g.index);
+      if (g.carries) overlaps.emplace_back(g.index, f.index);
+    }
+  }
+  std::sort(overlaps.begin(), overlaps.end());
+}
 
 void ClippingError::add_piece(const ConvexPolygon& piece, const ConvexPolygon& whole) {
   constexpr double u = 0x1p-53;
@@ -209,7 +263,7 @@ void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<Conve
   if (order == Order::crossing) {
     hidden.add(where_not_negative(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
   }
-  const Uncertainty &of_f = f.projected.uncertainty, &of_g = g.projected.uncertainty;
+  const Uncertainty of_f = f.uncertainty(), of_g = g.uncertainty();
   subtract(hidden, {kSliver * std::max(of_f.s, of_g.s), kSliver * std::max(of_f.t, of_g.t)}, pieces, remaining,
            clipping_error);
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
-#include "fast/prism/projected_face.h"
+#include "fast/prism/master_prism.h"
 
 namespace pcm::fast {
 
@@ -48,10 +49,31 @@ inline constexpr double kDepthRoundings = 321;
 /// wide as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.
 inline constexpr double kSliver = 1.0 / 16;
 
+/// Where a face overlaps another one: a face that leaves the slave, and one that may lie before it.
+using Overlap = std::pair<std::size_t, std::size_t>;
+
+/// What the search for overlaps reads of all faces; the faces themselves are large.
+struct FaceExtent {
+  double low_s, high_s, low_t, high_t;
+  std::size_t index;  ///< of the face
+  bool carries;
+};
+
+/// Finds all overlaps among the faces of positive area, ordered by first, then second; the first is always a face of
+/// the slave through which it is left. `by_low_s` is scratch. Sweeps along s: O(n log n) plus the pairs that overlap
+/// there.
+void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<FaceExtent>& by_low_s,
+                   std::vector<Overlap>& overlaps);
+
 /// A face in the prism together with its vertices in Me.
 struct PlacedFace {
   const ProjectedFace& projected;
   std::array<Eigen::Vector3d, 3> points_Me;  ///< of `projected.vertices`, so counterclockwise as the master sees them
+  const MasterPrism& prism;
+  double max_coordinate;  ///< of the pose, m (Placement)
+
+  /// Of its sides.
+  Uncertainty uncertainty() const { return prism.uncertainty(projected.corners, max_coordinate); }
 };
 
 /// What was done to the pieces of a face, convex polygons, that is not exact but for roundings of its own points.

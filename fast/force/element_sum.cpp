@@ -91,12 +91,13 @@ ElementQueue::ElementQueue(const ForceProblem& problem, Side master, ElementReco
       kept_(problem.keep_found ? &record.found.of(master) : nullptr),
       sum_(problem, record, work) {}
 
-void ElementQueue::add(const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me) {
+void ElementQueue::add(const ElementFaces& faces, double area, double penetration, const Eigen::Vector3d& n_Me,
+                       const Eigen::Vector3d& foot_Me) {
   const std::size_t lane = waiting_++;
-  set_faces(lane, element.master_face, element.slave_face, greatest_penetration);
-  lanes_.area.value[lane] = element.area;
-  lanes_.depth.value[lane] = element.penetration;
-  lanes_.n_Me.set(lane, -element.normal_Me);
+  faces_[lane] = faces;
+  lanes_.area.value[lane] = area;
+  lanes_.depth.value[lane] = penetration;
+  lanes_.n_Me.set(lane, n_Me);
   lanes_.barycentre_Me.set(lane, foot_Me);
   if (waiting_ == kElementLanes) form_waiting();
 }

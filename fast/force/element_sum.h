@@ -81,8 +81,9 @@ class ElementQueue {
   ElementQueue(const ForceProblem& problem, Side master, ElementRecord& record, WorkCounters& work,
                ElementLanes& lanes);
 
-  /// See ElementSum::add.
-  void add(const Element& element, double greatest_penetration, const Eigen::Vector3d& foot_Me);
+  /// See ElementSum::add; `n_Me` is the master face's normal, outward, against that of the element.
+  void add(const ElementFaces& faces, double area, double penetration, const Eigen::Vector3d& n_Me,
+           const Eigen::Vector3d& foot_Me);
   /// Elements whose areas, normals, feet and penetrations are in the lanes already; none may wait.
   void add_lanes(LaneBits which);
   /// Elements that such a queue kept at this pose.

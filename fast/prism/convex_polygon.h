@@ -75,9 +75,10 @@ inline PrismPoint point_at_zero(const PrismPoint& a, double height_a, const Pris
   return b + (-height_b / difference) * (a - b);
 }
 
-/// Cuts away where the linear function is negative. Along the border of a convex polygon the function rises and falls
-/// once; what rounding adds to that is taken as outside, so that at most one vertex joins.
-inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heights) {
+/// What a cut where the linear function is negative leaves; false, and nothing is left to do, where it is negative at
+/// no vertex. Along the border of a convex polygon the function rises and falls once; what rounding adds to that is
+/// taken as outside, so that at most one vertex joins. `kept` is another polygon.
+inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heights, ConvexPolygon& kept) {
   const int n = polygon.count;
   int top = 0;
   bool all = true;
@@ -86,12 +87,11 @@ inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heigh
     all = all && height >= 0;
     if (height > heights[static_cast<std::size_t>(top)]) top = i;
   }
-  if (all) return;
+  if (all) return false;
   const auto at = [&heights](int i) { return heights[static_cast<std::size_t>(i)]; };
-  if (!(at(top) > 0)) {
-    polygon.count = 0;
-    return;
-  }
+  kept.cuts = polygon.cuts + 1;
+  kept.count = 0;
+  if (!(at(top) > 0)) return true;
   const auto next = [n](int i) { return i + 1 == n ? 0 : i + 1; };
   const auto previous = [n](int i) { return i == 0 ? n - 1 : i - 1; };
   int first = top, last = top;
@@ -99,14 +99,18 @@ inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heigh
   for (; at(before) >= 0; before = previous(before)) first = before;
   for (; at(after) >= 0; after = next(after)) last = after;
   // Counted apart from the polygon, so that storing points need not wait for it.
-  ConvexPolygon kept;
   std::size_t count = 0;
   if (at(first) > 0) kept.points[count++] = point_at_zero(polygon[first], at(first), polygon[before], at(before));
   for (int i = first; i != after; i = next(i)) kept.points[count++] = polygon[i];
   if (at(last) > 0) kept.points[count++] = point_at_zero(polygon[last], at(last), polygon[after], at(after));
   kept.count = static_cast<int>(count);
-  kept.cuts = polygon.cuts + 1;
-  polygon = kept;
+  return true;
+}
+
+/// Cuts away where the linear function is negative.
+inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heights) {
+  ConvexPolygon kept;
+  if (cut_where_negative(polygon, heights, kept)) polygon = kept;
 }
 
 /// Cuts away where one of the coordinates is negative.
@@ -129,8 +133,13 @@ inline double twice_area(const ConvexPolygon& polygon) {
   return sum;
 }
 
-/// Whether a polygon has area however its points are off within the uncertainty. One that may have none counts as
-/// none: its mean or greatest depth would mean nothing, and cutting with it would only make more of its kind.
+/// Whether a polygon of that area and width has area however its points are off within the uncertainty. One that may
+/// have none counts as none: its mean or greatest depth would mean nothing, and cutting with it would only make more of
+/// its kind.
+inline bool certain(double twice_area, double width_s, double width_t, const Uncertainty& uncertainty) {
+  return 0.5 * twice_area > width_t * uncertainty.s + width_s * uncertainty.t;
+}
+
 inline bool certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty) {
   if (polygon.empty()) return false;
   double low_s = polygon[0][kS], high_s = low_s, low_t = polygon[0][kT], high_t = low_t;
@@ -140,7 +149,7 @@ inline bool certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty
     low_t = std::min(low_t, polygon[i][kT]);
     high_t = std::max(high_t, polygon[i][kT]);
   }
-  return 0.5 * twice_area(polygon) > (high_t - low_t) * uncertainty.s + (high_s - low_s) * uncertainty.t;
+  return certain(twice_area(polygon), high_s - low_s, high_t - low_t, uncertainty);
 }
 
 /// Integrals over polygons in (s, t), exact for their linear field.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fast/base/number_vector.h"
 
@@ -124,6 +125,40 @@ TreePrism::TreePrism(const MasterPrism& prism, double box_error, const Eigen::Ma
   }
   top_ = down_.dot(prism.p0_Me() - r_Me);
   down_ = A.transpose() * down_;
+}
+
+bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face) {
+  for (int weight = 0; weight < 3; ++weight) {
+    if (!(std::max({corners[0][weight], corners[1][weight], corners[2][weight]}) > 0)) return false;
+  }
+  if (!(std::max({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) >= 0)) return false;
+  const double twice_area = cross_st(corners[0], corners[1], corners[2]);
+  if (!(std::abs(twice_area) > 0)) return false;
+  face.leaves = twice_area < 0;
+  const std::array<std::size_t, 3> order{0, face.leaves ? 2U : 1U, face.leaves ? 1U : 2U};
+  ConvexPolygon& seen = face.seen;
+  seen.count = 3;
+  seen.cuts = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    face.vertices[k] = vertices[order[k]];
+    face.corners[k] = seen.points[k] = corners[order[k]];
+  }
+  for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
+    // A polygon of no corner beyond a side stays beyond none.
+    if (std::min({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]}) >= 0) continue;
+    keep_where_not_negative(seen, coordinate);
+    if (seen.empty()) return false;
+  }
+  face.low_s = face.low_t = std::numeric_limits<double>::infinity();
+  face.high_s = face.high_t = -face.low_s;
+  for (int i = 0; i < seen.count; ++i) {
+    if (seen[i][kDepth] < 0) seen[i][kDepth] = 0;
+    face.low_s = std::min(face.low_s, seen[i][kS]);
+    face.high_s = std::max(face.high_s, seen[i][kS]);
+    face.low_t = std::min(face.low_t, seen[i][kT]);
+    face.high_t = std::max(face.high_t, seen[i][kT]);
+  }
+  return true;
 }
 
 double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work) {

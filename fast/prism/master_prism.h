@@ -10,6 +10,7 @@
 #include "fast/base/geometry.h"
 #include "fast/predicates/orientation.h"
 #include "fast/prism/convex_polygon.h"
+#include "pcm/triangle_mesh.h"
 #include "pcm/work_counters.h"
 
 namespace pcm::fast {
@@ -48,8 +49,11 @@ class MasterPrism {
   /// weights, a relative error of 2^-30, makes no sliver.
   Uncertainty uncertainty(const std::array<PrismPoint, 3>& corners, double max_coordinate) const {
     const double farthest = std::max({place_error(corners[0]), place_error(corners[1]), place_error(corners[2])});
-    const double error = std::min(farthest, kPlaceError * (4 * max_coordinate));
-    return {error * inward_length_[2], error * inward_length_[0]};
+    return uncertainty_of(std::min(farthest, greatest_place_error(max_coordinate)));
+  }
+  /// Of any face: no less, and the same for all of them.
+  Uncertainty greatest_uncertainty(double max_coordinate) const {
+    return uncertainty_of(greatest_place_error(max_coordinate));
   }
 
   /// The angle between the lines of the face, without any rounding, and those computed, at most; less than 2^-32.
@@ -78,6 +82,11 @@ class MasterPrism {
 
  private:
   static constexpr double kPlaceError = 16 * 0x1p-53;  ///< of a distance from p0: for its roundings and a cut's
+
+  static double greatest_place_error(double max_coordinate) { return kPlaceError * (4 * max_coordinate); }
+  Uncertainty uncertainty_of(double place_error) const {
+    return {place_error * inward_length_[2], place_error * inward_length_[0]};
+  }
 
   /// How far off a point may be seen, m. A turn of the lines by an angle moves a point by that times its depth, and no
   /// more but relative to itself. No corner is farther from the point than `distance` and its depth.
@@ -140,6 +149,30 @@ class TreePrism {
   double top_;                             ///< m
   double box_error_;                       ///< m
 };
+
+/// The corners of a face as a master face sees them.
+struct SeenCorners {
+  std::array<PrismPoint, 3> points;
+  std::array<bool, 3> is_shared{};  ///< which of them are the master face's own, seen exactly
+};
+
+/// A face of the slave, or another one of the master, as the penetration lines of a master face meet it.
+struct ProjectedFace {
+  Index face;
+  bool of_master;  ///< a face of the master
+  bool leaves;     ///< the lines leave that face's body there, N . N_f < 0
+  bool carries;    ///< may carry an element: a face of the slave that certainly is left there, over an area
+  std::array<Index, 3> vertices;
+  std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
+  ConvexPolygon seen;                 ///< the part over the master face at a depth >= 0, whatever lies before it
+  double low_s, high_s, low_t, high_t;
+
+  ProjectedFace() {}
+};
+
+/// Projects a face with the given vertices, seen by the prism at `corners`. False where no line meets it: seen
+/// edgewise, beside the master face or above it.
+bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face);
 
 /// ((f1 - f0) x (f2 - f0)) . (x - f0): positive where x is above the plane of f, 0 where it lies in it, exactly; off by
 /// no more than kHeightError of itself, besides a few ulps.

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "fast/predicates/penetration_predicates.h"
-#include "fast/prism/projected_face.h"
+#include "fast/prism/master_prism.h"
 
 namespace pcm::fast {
 

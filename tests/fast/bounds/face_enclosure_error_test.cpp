@@ -12,7 +12,7 @@
 #include "fast/bounds/face_over_piece.h"
 #include "fast/bounds/prism_error.h"
 #include "fast/bounds/uncertain_strips.h"
-#include "fast/prism/projected_face.h"
+#include "fast/prism/master_prism.h"
 #include "tests/fast/exact_numbers.h"
 
 /// What is said of a face that a master face sees, against the face that the exact problem has there: rational numbers,

@@ -19,22 +19,23 @@ constexpr double u = 0x1p-53;
 struct Placed {
   ProjectedFace projected;
   FacePoints points_Me;
+  const MasterPrism& prism;
 
-  Placed(const MasterPrism& prism, Index face, const std::array<Index, 3>& vertices, const FacePoints& points) {
+  Placed(const MasterPrism& of_prism, Index face, const std::array<Index, 3>& vertices, const FacePoints& points)
+      : prism(of_prism) {
     WorkCounters work;
     const std::array<PrismPoint, 3> corners{prism.see(points[0], work), prism.see(points[1], work),
                                             prism.see(points[2], work)};
     EXPECT_TRUE(project_face(vertices, corners, projected));
     projected.face = face;
     projected.of_master = false;
-    projected.uncertainty = prism.uncertainty(corners, 1);
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t i = 0; i < 3; ++i) {
         if (projected.vertices[k] == vertices[i]) points_Me[k] = points[i];
       }
     }
   }
-  PlacedFace face() const { return {projected, points_Me}; }
+  PlacedFace face() const { return {projected, points_Me, prism, 1}; }
 };
 
 /// Area in (s, t) of what g leaves of f.
