@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/contact_target.h"
+
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -123,17 +125,21 @@ compare::Case draw_case(std::string_view bytes) {
 
 }  // namespace
 
-void compare_contact(std::string_view bytes) {
+void compare_contact_through(std::string_view bytes, const compare::EngineSeam& seam) {
   const compare::Case posed = draw_case(bytes);
   if (!check(posed.E).fit() || !check(posed.F).fit()) return;
   const compare::HeldPairing held(posed.E, posed.F, posed.law, posed.mode, posed.scheme);
   fast::Workspace workspace;
-  const compare::PoseOutcome outcome = held.hold(posed.pose, posed.velocity, workspace).front();
+  const compare::PoseOutcome outcome = held.hold(posed.pose, posed.velocity, workspace, seam).front();
   if (outcome.disagreements.empty()) return;
   compare::Case wrong = posed;
   wrong.disagreements = in_words(outcome.disagreements);
   throw Found("engine and oracle disagree; the case:\n" +
               format_case(wrong, nlohmann::ordered_json::object(), nlohmann::ordered_json::object()));
+}
+
+void compare_contact(std::string_view bytes) {
+  compare_contact_through(bytes, compare::EngineSeam::none());
 }
 
 }  // namespace pcm::fuzz

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/compare/verify/routes/altering_seam.h"
+#include "tests/fuzz/contact_target.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/fuzz/target.h"
 
@@ -67,6 +69,24 @@ TEST_P(Fuzz, MutationsOfTheCorpusAreRefusedOrAnsweredRightly) {
   for (int i = 0; i < kTries && !HasFailure(); ++i) {
     expect_no_finding(target(), mutate(inputs[random() % inputs.size()], inputs, random));
   }
+}
+
+TEST(FuzzContact, DoubledForceIsFoundInHalfOfTheCorpus) {
+  const compare::AlteringSeam doubled([](fast::Contact& contact) {
+    contact.force_Me *= 2;
+    return true;
+  });
+  const std::vector<std::string> inputs = corpus("contact");
+  std::size_t found = 0;
+  for (const std::string& input : inputs) {
+    try {
+      compare_contact_through(input, doubled);
+    } catch (const Found& finding) {
+      EXPECT_NE(std::string(finding.what()).find("force"), std::string::npos) << finding.what();
+      ++found;
+    }
+  }
+  EXPECT_GE(2 * found, inputs.size()) << found;
 }
 
 std::vector<std::string> names() {
