@@ -8,12 +8,25 @@
 
 #include "fast/bounds/repartition_error.h"
 #include "fast/bounds/verified_line.h"
+#include "fast/clipped/face_view.h"
 #include "fast/posed/vertex_rounding.h"
 #include "fast/search/prism_search.h"
 
 namespace pcm::fast {
 
 namespace {
+
+/// All of the element that a part makes, but its foot and what the law makes of it.
+Element element_before_law(const ClippedFace& seen, const VisiblePart& part) {
+  Element element;
+  element.master = seen.master;
+  element.master_face = seen.face;
+  element.slave_face = part.slave_face;
+  element.area = part.area;
+  element.penetration = part.penetration;
+  element.normal_Me = -seen.geometry.n_Me;
+  return element;
+}
 
 /// Lists the faces of a side that a master face may see down to this depth in either problem, ascending;
 /// `position_error`: how far from the computed prism the exact problem's may be, m. Which those are is not left to
@@ -193,7 +206,7 @@ MasterForce sum_bounded_clipped_elements(const Intersection& intersection, const
     FaceBound face_bound(posed, problem, seen, scratch, bound);
     for (const VisiblePart& part : seen.parts) {
       if (!part.is_element()) continue;
-      Element element = seen.element(part);
+      Element element = element_before_law(seen, part);
       sum.add(part.moments.greatest, seen.foot_Me(part), element);
       face_bound.add_element(part, element, sum.total());
     }

@@ -12,11 +12,12 @@ namespace pcm::fast {
 
 namespace {
 
-PlacedFace placed(PosedPair& posed, Side side, const MasterPrism& prism, const ProjectedFace& face) {
+PlacedFace placed_face(PosedPair& posed, const ClippedFace& seen, const ProjectedFace& face) {
+  const Side side = face.of_master ? seen.master : opposite(seen.master);
   return {face,
           {posed.vertex_Me(side, face.vertices[0]), posed.vertex_Me(side, face.vertices[1]),
            posed.vertex_Me(side, face.vertices[2])},
-          prism,
+          *seen.prism,
           posed.placement.max_coordinate};
 }
 
@@ -34,20 +35,18 @@ Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
 }
 
 /// Integrals over the part of the master face that sees the slave face at `index` of the projected ones first; of
-/// min(depth, most) in place of the depth. `overlap` is the first overlap that may concern it and moves on past them.
+/// min(depth, most) in place of the depth. `overlap` is at the first one from this face on, and is left after
+/// the last one of it.
 Moments moments_of_visible_part(PosedPair& posed, const ClippedFace& seen, std::size_t index, double most,
                                 ClippedFaceScratch& scratch, std::vector<Overlap>::const_iterator& overlap,
                                 ClippingError& clipping_error) {
   const ProjectedFace& f = scratch.view.faces[index];
   if (overlap == scratch.overlaps.end() || overlap->first != index) return moments_of({&f.seen, 1}, most);
-  const auto placed_face = [&](const ProjectedFace& face) {
-    return placed(posed, face.of_master ? seen.master : opposite(seen.master), *seen.prism, face);
-  };
-  const PlacedFace placed_f = placed_face(f);
+  const PlacedFace placed_f = placed_face(posed, seen, f);
   scratch.polygons.assign(1, f.seen);
   for (; overlap != scratch.overlaps.end() && overlap->first == index; ++overlap) {
     if (scratch.polygons.empty()) continue;
-    const PlacedFace placed_g = placed_face(scratch.view.faces[overlap->second]);
+    const PlacedFace placed_g = placed_face(posed, seen, scratch.view.faces[overlap->second]);
     subtract_hidden(placed_f, placed_g, scratch.polygons, scratch.remaining, clipping_error, posed.work);
   }
   for (const ConvexPolygon& polygon : scratch.polygons) clipping_error.add_piece(polygon, f.seen);
@@ -91,6 +90,8 @@ ClippedFace clip_face(PosedPair& posed, Side master, Index face, const ContactLa
   ClippedFace seen{master,        face, face_with_sure_normal(posed.face_Me(master, face)), std::nullopt, scratch.view,
                    scratch.parts, false};
   scratch.parts.clear();
+  scratch.view.faces.clear();
+  // For the count of too_deep alone.
   const auto line_is_too_deep = [&] {
     return find_penetration(posed, master, face, seen.geometry, scratch.line_open).outcome ==
            Penetration::Outcome::too_deep;

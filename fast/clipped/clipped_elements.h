@@ -12,6 +12,11 @@
 #include "fast/force/element_sum.h"
 #include "fast/search/line_search.h"
 
+/// Contact elements of the clipped scheme (PCM section 6), from surfaces to forces in six files: clip_face lets an
+/// active face look along its penetration lines (face_view.h: the faces that its prism meets, in the coordinates of
+/// fast/prism/master_prism.h), parts what it sees (visible_parts.h) and integrates the depth over each part (Moments,
+/// fast/prism/convex_polygon.h); ElementQueue (fast/force/element_sum.h) applies the law to four elements at a time and
+/// adds up, as it does in both schemes.
 namespace pcm::fast {
 
 /// The part of a master face whose penetration lines leave the slave through one and the same face of it.
@@ -39,18 +44,7 @@ struct ClippedFace {
   const std::vector<VisiblePart>& parts;  ///< by slave face
   bool too_deep = false;                  ///< the line of the barycentre leaves the master first
 
-  /// The element that a part makes, but for its force.
-  Element element(const VisiblePart& part) const {
-    Element element;
-    element.master = master;
-    element.master_face = face;
-    element.slave_face = part.slave_face;
-    element.area = part.area;
-    element.penetration = part.penetration;
-    element.normal_Me = -geometry.n_Me;
-    return element;
-  }
-  /// Its centre of pressure, p0 + s (p1 - p0) + t (p2 - p0), within the face.
+  /// The centre of pressure of a part, p0 + s (p1 - p0) + t (p2 - p0); s and t are kept within 0 and 1 for roundings.
   Eigen::Vector3d foot_Me(const VisiblePart& part) const {
     const double s = std::clamp(part.moments.s_depth / part.moments.depth, 0.0, 1.0);
     const double t = std::clamp(part.moments.t_depth / part.moments.depth, 0.0, 1.0);
@@ -70,7 +64,7 @@ struct ClippedFaceScratch {
   LineNodes line_open;                   ///< of the search along a line
 };
 
-/// Finds what a master face sees in the clipped scheme (fast/clipped/clipped_elements.h).
+/// Finds what a master face sees, and the parts that its elements are made of.
 ClippedFace clip_face(PosedPair& posed, Side master, Index face, const ContactLaw& law, ClippedFaceScratch& scratch);
 
 /// Records what the face has beside elements.
@@ -96,11 +90,6 @@ struct ClippedScratch {
 /// |F_k| a few ulps times S over the mean penetration, or over the width of what is seen where that is less; flush and
 /// nearly flush faces included. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets
 /// overlap.
-///
-/// From surfaces to forces, six files: clip_face lets an active face look along its penetration lines (face_view.h: the
-/// faces that its prism meets, in the coordinates of fast/prism/master_prism.h), parts what it sees (visible_parts.h)
-/// and integrates the depth over each part (Moments, fast/prism/convex_polygon.h); ElementQueue
-/// (fast/force/element_sum.h) applies the law to four elements at a time and adds up, as it does in both schemes.
 MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
                                  ClippedScratch& scratch, ElementRecord& record);
 

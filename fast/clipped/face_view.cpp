@@ -72,10 +72,12 @@ bool add_projected(Index face, bool of_master, const Triangle& vertices, const s
   return true;
 }
 
-/// Whether what is seen of the face has area for certain. What no face exceeds tells of most without their own.
+/// Whether what is seen of the face has area for certain. `greatest`, the prism's bound for all faces, settles that for
+/// most of them, whose own uncertainty then need not be known.
 bool surely_has_area(const MasterPrism& prism, double max_coordinate, const Uncertainty& greatest,
                      const ProjectedFace& face) {
-  const double area = twice_area(face.seen), width_s = face.high_s - face.low_s, width_t = face.high_t - face.low_t;
+  const double area = 0.5 * twice_area(face.seen);
+  const double width_s = face.high_s - face.low_s, width_t = face.high_t - face.low_t;
   return certain(area, width_s, width_t, greatest) ||
          certain(area, width_s, width_t, prism.uncertainty(face.corners, max_coordinate));
 }
@@ -117,7 +119,8 @@ Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, Fac
   return depths;
 }
 
-/// Where the line of the barycentre may leave the slave: also through a sliver whose side it sees is not certain.
+/// For the count of lines that are too deep alone, but that faces of the master may lie before what it finds. Where the
+/// line of the barycentre may leave the slave: also through a sliver whose side it sees is not certain.
 void look_along_barycentre(const PreparedSurface& surface, const MasterPrism& prism, const FaceViewScratch& scratch,
                            FaceView& view, Depths& depths) {
   auto entered = scratch.entered.begin();

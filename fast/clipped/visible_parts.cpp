@@ -3,7 +3,9 @@
 #include "fast/clipped/visible_parts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace pcm::fast {
@@ -33,12 +35,17 @@ struct HalfPlane {
   double operator()(const PrismPoint& x) const { return c_s * (x[kS] - s_0) + c_t * (x[kT] - t_0); }
 };
 
+constexpr std::size_t kMostHalfPlanes = ConvexPolygon::kMostCutsOfAFace;
+
 /// A convex set of points, the intersection of half planes.
 struct ConvexSet {
-  std::array<HalfPlane, 5> half_planes;
+  std::array<HalfPlane, kMostHalfPlanes> half_planes;
   std::size_t count = 0;
 
-  void add(const HalfPlane& half_plane) { half_planes[count++] = half_plane; }
+  void add(const HalfPlane& half_plane) {
+    assert(count < kMostHalfPlanes);
+    half_planes[count++] = half_plane;
+  }
   const HalfPlane* begin() const { return half_planes.data(); }
   const HalfPlane* end() const { return half_planes.data() + count; }
 };
@@ -112,14 +119,13 @@ Heights heights_of(const ConvexPolygon& polygon, const HalfPlane& half_plane) {
   return heights;
 }
 
-/// A convex polygon as half planes cut it, one after the other.
+/// A convex polygon as half planes cut it, one after the other, until they are through or nothing is left of it.
 struct Cuts {
-  std::array<const ConvexPolygon*, 6> left;  ///< before the first cut, after it, after the second one, ...
-  std::array<Heights, 5> heights;            ///< what the half plane of each cut is at the vertices before it
-  std::array<ConvexPolygon, 5> kept;
-  std::size_t count = 0;  ///< of half planes that cut
+  std::size_t count = 0;                                       ///< of half planes that cut
+  std::array<const ConvexPolygon*, kMostHalfPlanes + 1> left;  ///< before cut k; the last one: after all of them
+  std::array<Heights, kMostHalfPlanes> heights;                ///< values of cut k's half plane at left[k]'s vertices
+  std::array<ConvexPolygon, kMostHalfPlanes> kept;             ///< what cut k leaves
 
-  /// Until nothing is left.
   Cuts(const ConvexPolygon& polygon, const ConvexSet& set) {
     left[0] = &polygon;
     for (const HalfPlane& half_plane : set) {
@@ -137,10 +143,11 @@ struct Cuts {
   const ConvexPolygon& common() const { return *left[count]; }
   /// What cut k took away.
   ConvexPolygon outside(std::size_t k) const {
-    Heights below = heights[k];
-    for (int i = 0; i < left[k]->count; ++i) below[static_cast<std::size_t>(i)] = -below[static_cast<std::size_t>(i)];
-    ConvexPolygon taken;
-    return cut_where_negative(*left[k], below, taken) ? taken : *left[k];
+    Heights outward = heights[k];
+    for (int i = 0; i < left[k]->count; ++i) outward[static_cast<std::size_t>(i)] *= -1;
+    ConvexPolygon taken = *left[k];
+    keep_where_not_negative(taken, outward);
+    return taken;
   }
 };
 

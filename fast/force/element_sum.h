@@ -81,7 +81,7 @@ class ElementQueue {
   ElementQueue(const ForceProblem& problem, Side master, ElementRecord& record, WorkCounters& work,
                ElementLanes& lanes);
 
-  /// See ElementSum::add; `n_Me` is the master face's normal, outward, against that of the element.
+  /// See ElementSum::add; `n_Me` is the master face's outward normal, opposite to the element's.
   void add(const ElementFaces& faces, double area, double penetration, const Eigen::Vector3d& n_Me,
            const Eigen::Vector3d& foot_Me);
   /// Elements whose areas, normals, feet and penetrations are in the lanes already; none may wait.

@@ -28,8 +28,10 @@ inline double cross_st(const PrismPoint& a, const PrismPoint& b, const PrismPoin
 struct ConvexPolygon {
   /// Most vertices a part may have: a triangle cut by the face's three sides and at depth 0 has seven.
   static constexpr int kMost = 7;
-  /// Room for five more cuts, those of one other face: each adds at most one vertex.
-  static constexpr int kCapacity = kMost + 5;
+  /// Cuts of one other face: by its three sides, at depth 0, and where the two cross.
+  static constexpr int kMostCutsOfAFace = 5;
+  /// Room for as many, each of which adds at most one vertex.
+  static constexpr int kCapacity = kMost + kMostCutsOfAFace;
 
   std::array<PrismPoint, kCapacity> points;
   int count;
@@ -75,9 +77,9 @@ inline PrismPoint point_at_zero(const PrismPoint& a, double height_a, const Pris
   return b + (-height_b / difference) * (a - b);
 }
 
-/// What a cut where the linear function is negative leaves; false, and nothing is left to do, where it is negative at
-/// no vertex. Along the border of a convex polygon the function rises and falls once; what rounding adds to that is
-/// taken as outside, so that at most one vertex joins. `kept` is another polygon.
+/// Fills `kept`, another polygon, with what a cut where the linear function is negative leaves. False where it is
+/// negative at no vertex: the polygon stays whole then, and `kept` untouched. Along the border of a convex polygon the
+/// function rises and falls once; what rounding adds to that is taken as outside, so that at most one vertex joins.
 inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heights, ConvexPolygon& kept) {
   const int n = polygon.count;
   int top = 0;
@@ -133,11 +135,11 @@ inline double twice_area(const ConvexPolygon& polygon) {
   return sum;
 }
 
-/// Whether a polygon of that area and width has area however its points are off within the uncertainty. One that may
-/// have none counts as none: its mean or greatest depth would mean nothing, and cutting with it would only make more of
-/// its kind.
-inline bool certain(double twice_area, double width_s, double width_t, const Uncertainty& uncertainty) {
-  return 0.5 * twice_area > width_t * uncertainty.s + width_s * uncertainty.t;
+/// Whether a polygon that covers `area` and is so wide has area however its points are off within the uncertainty. One
+/// that may have none counts as none: its mean or greatest depth would mean nothing, and cutting with it would only
+/// make more of its kind.
+inline bool certain(double area, double width_s, double width_t, const Uncertainty& uncertainty) {
+  return area > width_t * uncertainty.s + width_s * uncertainty.t;
 }
 
 inline bool certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty) {
@@ -149,7 +151,7 @@ inline bool certain(const ConvexPolygon& polygon, const Uncertainty& uncertainty
     low_t = std::min(low_t, polygon[i][kT]);
     high_t = std::max(high_t, polygon[i][kT]);
   }
-  return certain(twice_area(polygon), high_s - low_s, high_t - low_t, uncertainty);
+  return certain(0.5 * twice_area(polygon), high_s - low_s, high_t - low_t, uncertainty);
 }
 
 /// Integrals over polygons in (s, t), exact for their linear field.

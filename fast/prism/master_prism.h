@@ -51,7 +51,7 @@ class MasterPrism {
     const double farthest = std::max({place_error(corners[0]), place_error(corners[1]), place_error(corners[2])});
     return uncertainty_of(std::min(farthest, greatest_place_error(max_coordinate)));
   }
-  /// Of any face: no less, and the same for all of them.
+  /// An upper bound of that for all faces at once.
   Uncertainty greatest_uncertainty(double max_coordinate) const {
     return uncertainty_of(greatest_place_error(max_coordinate));
   }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 
 namespace pcm::fast::visible_parts_test {
 namespace {
@@ -108,6 +109,51 @@ TEST(SubtractHidden, NarrowStripOfASmallFaceIsSeenThoughTheBodiesAreLarge) {
                    {Vector3d(width * h, -h, -h), Vector3d(width * h, 4 * h, -h), Vector3d(8 * h, -h, -h)});
     EXPECT_NEAR(area_left(f, g), width - 0.5 * width * width, 32 * u) << width;
   }
+}
+
+/// Whether two faces overlap by the rule of find_overlaps, corner by corner.
+bool overlap(const ProjectedFace& f, const ProjectedFace& g) {
+  const auto apart = [](const ProjectedFace& a, const ProjectedFace& b) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      int beyond = 0;
+      for (const PrismPoint& x : b.corners) beyond += cross_st(a.corners[k], a.corners[(k + 1) % 3], x) <= 0;
+      if (beyond == 3) return true;
+    }
+    return false;
+  };
+  return f.low_s < g.high_s && g.low_s < f.high_s && f.low_t < g.high_t && g.low_t < f.high_t && !apart(f, g) &&
+         !apart(g, f);
+}
+
+TEST(FindOverlaps, FindsWhatASearchOfAllPairsFindsInOrder) {
+  std::mt19937_64 random(29);
+  const auto coordinate = [&] { return static_cast<double>(random() % 17) / 8 - 0.5; };  // many are equal
+  const MasterPrism prism(FaceGeometry({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)}));
+  std::vector<FaceExtent> by_low_s;
+  std::vector<Overlap> found;
+  std::size_t overlaps = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<ProjectedFace> faces;
+    for (int i = 0; i < 12; ++i) {
+      std::array<PrismPoint, 3> corners;
+      WorkCounters work;
+      for (PrismPoint& corner : corners) corner = prism.see({coordinate(), coordinate(), -1}, work);
+      ProjectedFace face;
+      if (!project_face({0, 1, 2}, corners, face)) continue;
+      face.carries = random() % 2 == 0;
+      faces.push_back(face);
+    }
+    std::vector<Overlap> expected;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      for (std::size_t j = 0; j < faces.size(); ++j) {
+        if (i != j && faces[i].carries && overlap(faces[i], faces[j])) expected.emplace_back(i, j);
+      }
+    }
+    find_overlaps(faces, by_low_s, found);
+    ASSERT_EQ(found, expected) << trial;
+    overlaps += found.size();
+  }
+  EXPECT_GT(overlaps, 1000U);
 }
 
 }  // namespace

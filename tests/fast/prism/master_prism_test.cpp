@@ -136,5 +136,29 @@ TEST(MasterPrism, SeesPointsTo24RoundingsOfTheirDistanceTimesTheSkewOfTheFaceHow
   }
 }
 
+// What lets a face count as certain without its own uncertainty.
+TEST(MasterPrism, GreatestUncertaintyIsAnUpperBoundForEveryFace) {
+  Doubles random(153);
+  WorkCounters work;
+  int below = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const MasterPrism prism(face_with_sure_normal(draw_face(random)));
+    std::array<PrismPoint, 3> corners;
+    const double far = std::ldexp(1, trial % 40 - 20);
+    for (PrismPoint& corner : corners) {
+      const Eigen::Vector3d x = Doubles::point([&] { return far * random.unit(); });
+      corner = prism.see(x, work);
+    }
+    for (const double max_coordinate : {0x1p-10, 1.0, 0x1p20}) {
+      const Uncertainty own = prism.uncertainty(corners, max_coordinate);
+      const Uncertainty greatest = prism.greatest_uncertainty(max_coordinate);
+      ASSERT_GE(greatest.s, own.s) << trial;
+      ASSERT_GE(greatest.t, own.t) << trial;
+      below += own.s < greatest.s;
+    }
+  }
+  EXPECT_GT(below, 1000);
+}
+
 }  // namespace
 }  // namespace pcm::fast
