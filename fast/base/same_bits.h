@@ -11,9 +11,11 @@
 namespace pcm::fast {
 
 inline bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are meant
   return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
 }
 inline bool same_bits(const Pose& a, const Pose& b) {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are meant
   return std::memcmp(a.A.data(), b.A.data(), 9 * sizeof(double)) == 0 && same_bits(a.r, b.r);
 }
 inline bool same_bits(const Velocity& a, const Velocity& b) {

@@ -9,6 +9,7 @@
 #include "compare/verify/routes/held_pairing.h"
 #include "compare/verify/verdict/case_file.h"
 #include "pcm/check.h"
+#include "tests/compare/tetrahedron.h"
 #include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/target.h"
 
@@ -17,7 +18,7 @@ namespace pcm::fuzz {
 namespace {
 
 TriangleMesh tetrahedron() {
-  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, "tetrahedron"};
+  return compare::tetrahedron({Eigen::Vector3d(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
 }
 
 TriangleMesh octahedron() {

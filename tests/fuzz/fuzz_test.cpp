@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <sstream>
 #include <string>
@@ -15,6 +14,7 @@
 #include "tests/fuzz/contact_target.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/fuzz/target.h"
+#include "tests/meshes/content_of.h"
 
 namespace pcm::fuzz {
 namespace {
@@ -25,12 +25,7 @@ std::vector<std::string> corpus(std::string_view target) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<std::string> inputs;
-  for (const std::filesystem::path& file : files) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    inputs.push_back(text.str());
-  }
+  for (const std::filesystem::path& file : files) inputs.push_back(content_of(file));
   return inputs;
 }
 

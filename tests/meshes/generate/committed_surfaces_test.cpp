@@ -5,14 +5,9 @@
 // on purpose, run this test once with the environment variable PCM_REWRITE_SURFACES set: it writes the files anew.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -21,6 +16,8 @@
 #include "meshes/files/read_obj.h"
 #include "meshes/generate/make.h"
 #include "pcm/write_obj.h"
+#include "tests/meshes/content_of.h"
+#include "tests/meshes/same_bits.h"
 
 namespace pcm {
 namespace {
@@ -51,21 +48,6 @@ std::vector<CommittedSurface> committed_surfaces() {
 }
 
 const std::filesystem::path kFolder = std::filesystem::path(PCM_SOURCE_DIR) / "meshes" / "surfaces";
-
-std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-bool same_bits(const TriangleMesh& a, const TriangleMesh& b) {
-  const auto same_coordinates = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-    return std::equal(p.begin(), p.end(), q.begin(), [](double x, double y) {
-      return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-    });
-  };
-  return a.faces == b.faces &&
-         std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), same_coordinates);
-}
 
 TEST(CommittedSurfaces, EqualTheirGeneratorsBitForBit) {
   for (const auto& [shape, parameters] : committed_surfaces()) {
