@@ -86,6 +86,8 @@ struct FaceInView {
   double passed_volume = 0;       ///< integral of the depth there, m
   double area_error = 0;          ///< beside that, of the part of the master that sees it, in (s, t)
   double volume_error = 0;        ///< of the integral of its depth over that part, m
+
+  FaceInView() {}  // Defaulted, it would have the whole enclosure set to 0 first.
 };
 
 /// Scratch memory.

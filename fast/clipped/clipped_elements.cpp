@@ -68,8 +68,7 @@ void find_parts(PosedPair& posed, const ClippedFace& seen, double most, ClippedF
   auto overlap = scratch.overlaps.cbegin();
   for (std::size_t i = 0; i < faces.size() && !faces[i].of_master; ++i) {
     if (!faces[i].leaves) continue;
-    VisiblePart& part = scratch.parts.emplace_back();
-    part.slave_face = faces[i].face;
+    VisiblePart& part = scratch.parts.emplace_back(faces[i].face);
     if (faces[i].carries) {
       fill_visible_part(posed, seen, i, most, scratch, overlap, part);
     } else {
@@ -87,8 +86,7 @@ bool underflows(const FaceGeometry& geometry) {
 }  // namespace
 
 ClippedFace clip_face(PosedPair& posed, Side master, Index face, const ContactLaw& law, ClippedFaceScratch& scratch) {
-  ClippedFace seen{master,        face, face_with_sure_normal(posed.face_Me(master, face)), std::nullopt, scratch.view,
-                   scratch.parts, false};
+  ClippedFace seen(master, face, face_with_sure_normal(posed.face_Me(master, face)), scratch.view, scratch.parts);
   scratch.parts.clear();
   scratch.view.faces.clear();
   // For the count of too_deep alone.

@@ -21,12 +21,14 @@ namespace pcm::fast {
 
 /// The part of a master face whose penetration lines leave the slave through one and the same face of it.
 struct VisiblePart {
-  Index slave_face = 0;
+  Index slave_face;
   double area = 0;         ///< A_k, m^2; 0 where it is not certain that there is a part
   double penetration = 0;  ///< u_k, mean of the clamped depth, m
   Moments moments;         ///< of min(depth, max_penetration); area and greatest depth are none of the clamp's
   ClippingError clipping_error;
   double left_out = 0;  ///< what was computed of it and makes no element, in (s, t)
+
+  explicit VisiblePart(Index face) : slave_face(face) {}
 
   /// Otherwise it is too small, or not certain to exist.
   bool is_element() const { return area > 0 && penetration > 0; }
@@ -43,6 +45,10 @@ struct ClippedFace {
   const FaceView& view;
   const std::vector<VisiblePart>& parts;  ///< by slave face
   bool too_deep = false;                  ///< the line of the barycentre leaves the master first
+
+  ClippedFace(Side of, Index index, const FaceGeometry& sure, const FaceView& seen,
+              const std::vector<VisiblePart>& found)
+      : master(of), face(index), geometry(sure), view(seen), parts(found) {}
 
   /// The centre of pressure of a part, p0 + s (p1 - p0) + t (p2 - p0); s and t are kept within 0 and 1 for roundings.
   Eigen::Vector3d foot_Me(const VisiblePart& part) const {
