@@ -28,16 +28,10 @@ Element element_before_law(const ClippedFace& seen, const VisiblePart& part) {
   return element;
 }
 
-/// Lists the faces of a side that a master face may see down to this depth in either problem, ascending;
-/// `position_error`: how far from the computed prism the exact problem's may be, m. Which those are is not left to
+/// Whether a face may be seen down to this depth. Of the listed faces it is asked, for which those are is left to
 /// single precision.
-void list_candidates(PosedPair& posed, Side side, const MasterPrism& prism, double position_error, double deepest,
-                     ClippedBoundScratch& scratch) {
-  const TreePrism tree_prism = prism_in_tree(posed, side, prism, position_error);
-  list_faces_in_prism(posed, side, tree_prism, deepest, scratch.open, scratch.candidates);
-  const TriangleMesh& mesh = posed.surface(side).mesh;
-  std::erase_if(scratch.candidates,
-                [&](Index face) { return !tree_prism.may_meet(box_of_faces(mesh, &face, 1), deepest); });
+bool may_be_seen(const TreePrism& prism, const TriangleMesh& mesh, Index face, double deepest) {
+  return prism.may_meet(box_of_faces(mesh, &face, 1), deepest);
 }
 
 /// Finds those faces that lines were found to meet, in their order: the slave's, then the master's, ascending.
@@ -118,12 +112,17 @@ void FaceBound::find_sights(ClippedBoundScratch& scratch) {
 }
 
 void FaceBound::see_slave(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
+  constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
   const Side slave = opposite(seen_.master);
+  const PreparedSurface& surface = posed_.surface(slave);
   const FastClearArray<PrismPoint>& sights = seen_.view.slave_sights;
-  list_candidates(posed_, slave, *seen_.prism, position_error, std::numeric_limits<double>::infinity(), scratch);
-  for (const Index face : scratch.candidates) {
+  const TreePrism prism = prism_in_tree(posed_, slave, *seen_.prism, position_error);
+  const bool is_listed = position_error <= seen_.view.listed_wider_by;
+  if (!is_listed) list_faces_in_prism(posed_, slave, prism, kAnyDepth, scratch.open, scratch.listed);
+  for (const Index face : is_listed ? seen_.view.slave_listed : scratch.listed) {
+    if (!may_be_seen(prism, surface.mesh, face, kAnyDepth)) continue;
     SeenCorners corners;
-    const Triangle& vertices = posed_.surface(slave).face(face);
+    const Triangle& vertices = surface.face(face);
     for (std::size_t k = 0; k < 3; ++k) {
       const Index v = vertices[k];
       corners.points[k] = sights.contains(v) ? sights.at(v) : seen_.prism->see(posed_.vertex_Me(slave, v), posed_.work);
@@ -134,9 +133,10 @@ void FaceBound::see_slave(double position_error, ProjectedWalk& projected, Clipp
 
 void FaceBound::see_own(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
   const double deepest = std::max(seen_.view.own_depth, sight_->greatest_depth());
-  list_candidates(posed_, seen_.master, *seen_.prism, position_error, deepest, scratch);
-  for (const Index face : scratch.candidates) {
-    if (face == seen_.face) continue;
+  const TreePrism prism = prism_in_tree(posed_, seen_.master, *seen_.prism, position_error);
+  list_faces_in_prism(posed_, seen_.master, prism, deepest, scratch.open, scratch.listed);
+  for (const Index face : scratch.listed) {
+    if (face == seen_.face || !may_be_seen(prism, posed_.surface(seen_.master).mesh, face, deepest)) continue;
     const SeenCorners corners = see_own_corners(posed_, seen_.master, seen_.face, *seen_.prism, face);
     sight_->see(posed_[seen_.master], face, true, corners, projected.at(true, face), posed_.work);
   }

@@ -77,6 +77,11 @@ class Search {
   bool may_part(const Piece& piece) const { return cut_ && piece.polygon.cuts + 2 <= kMostPieceCuts; }
   void part(const Piece& piece, std::vector<Piece>& heap);
   void push(const ConvexPolygon& polygon, std::size_t carrier, std::vector<Piece>& heap);
+  bool is_close(const Piece& piece, const DepthRange& range) const;
+  double sure_depth(const Piece& piece) const;
+  Piece within_borders(const Piece& piece) const;
+  /// The shortest way to what the search would find; false, and nothing said, where it leads nowhere.
+  bool find_within_borders(DepthRange& range);
   void find_visible(DepthRange& range);
   void find_hidden(DepthRange& range);
 
@@ -313,6 +318,46 @@ void Search::part(const Piece& piece, std::vector<Piece>& heap) {
   for (const ConvexPolygon* const polygon : {&positive, &negative, &between}) push(*polygon, piece.carrier, heap);
 }
 
+/// Whether the piece can't tell more than errors of its depth do.
+bool Search::is_close(const Piece& piece, const DepthRange& range) const {
+  const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
+  return piece.deepest - std::max(range.at_least, floor_) <= 8 * depth_of(f).parted_at();
+}
+
+/// Of a piece that is visible: some of it is seen for certain as deep.
+double Search::sure_depth(const Piece& piece) const {
+  const UncertainFunction depth = depth_of(*scratch_.carriers[piece.carrier].face);
+  return std::max(depth.over(piece.polygon).high - depth.parted_at(), 0.0);
+}
+
+/// What is left of a carrier's piece without all that is uncertain about its borders; fewer than three vertices: none.
+VisibleDepthScratch::Piece Search::within_borders(const Piece& piece) const {
+  Piece inner = piece;
+  const auto keep_inside = [&inner](const UncertainFunction& side) {
+    if (inner.polygon.count < ConvexPolygon::kCapacity) keep_above(inner.polygon, side, 1, side.parted_at());
+  };
+  const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
+  for (std::size_t k = 0; k < 3; ++k) keep_inside(inside_of_side(f, k));
+  for (const UncertainFunction& side : sides_of_master_) keep_inside(side);
+  return inner;
+}
+
+// Most faces see what is deepest for certain, but along its borders, and there it is deeper by no more than errors.
+bool Search::find_within_borders(DepthRange& range) {
+  if (scratch_.pieces.empty()) return false;
+  DepthRange found = range;
+  for (const Piece& piece : scratch_.pieces) {
+    if (piece.deepest <= found.at_least || scratch_.carriers[piece.carrier].face->facing == 0) continue;
+    const Piece inner = within_borders(piece);
+    if (inner.polygon.empty() || examine(inner, true) != Outcome::visible) continue;
+    found.at_least = std::max(found.at_least, sure_depth(inner));
+  }
+  const Piece& deepest = scratch_.pieces.front();
+  if (!is_close(deepest, found)) return false;
+  range = {found.at_least, deepest.deepest};
+  return true;
+}
+
 // What is never certain waits.
 void Search::find_visible(DepthRange& range) {
   for (int looked_at = 0; !scratch_.pieces.empty() && looked_at < kMostPieces; ++looked_at) {
@@ -330,12 +375,9 @@ void Search::find_visible(DepthRange& range) {
       case Outcome::never_certain:
         push_deepest(scratch_.unsettled, piece);
         break;
-      case Outcome::visible: {
-        const UncertainFunction depth = depth_of(*scratch_.carriers[piece.carrier].face);
-        range.at_least = std::max(depth.over(piece.polygon).high - depth.parted_at(), 0.0);
-        range.at_most = piece.deepest;
+      case Outcome::visible:
+        range = {sure_depth(piece), piece.deepest};
         return;
-      }
     }
   }
   for (const Piece& piece : scratch_.pieces) push_deepest(scratch_.unsettled, piece);
@@ -346,9 +388,7 @@ void Search::find_hidden(DepthRange& range) {
   for (int looked_at = 0; !scratch_.unsettled.empty(); ++looked_at) {
     const Piece piece = pop_deepest(scratch_.unsettled);
     if (piece.deepest <= range.at_most) return;
-    const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
-    const bool close = piece.deepest - std::max(range.at_least, floor_) <= 8 * depth_of(f).parted_at();
-    if (looked_at < kMostPieces && !close) {
+    if (looked_at < kMostPieces && !is_close(piece, range)) {
       if (examine(piece, false) == Outcome::hidden) continue;
       if (doubted_ && may_part(piece)) {
         part(piece, scratch_.unsettled);
@@ -364,6 +404,7 @@ DepthRange Search::run(double computed) {
   start();
   DepthRange range{0, floor_};
   if (computed > floor_) {
+    if (find_within_borders(range)) return range;
     find_visible(range);
   } else {
     std::swap(scratch_.pieces, scratch_.unsettled);

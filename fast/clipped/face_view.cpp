@@ -18,10 +18,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A pose that shears F by more than this makes faces that stand upright on others lean by more than roundings do.
 constexpr double kGreatestSkew = 0x1p-48;
 
+/// The slave's faces are listed in a prism wider by this share of the greatest coordinate, so that they need not be
+/// listed anew for the bound. It is less than what single precision makes the search list anyway.
+constexpr double kListedWider = 0x1p-40;
+
 /// How deep the slave is seen, m; -1 where it is not.
 struct Depths {
   double deepest = -1;         ///< greatest depth at which the slave may be left, whatever lies before
-  double deepest_corner = -1;  ///< greatest depth of a corner of a candidate
+  double deepest_corner = -1;  ///< greatest depth of a corner of a listed face
 
   double any() const { return std::max(deepest, deepest_corner); }
 };
@@ -42,12 +46,12 @@ bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& 
   return true;
 }
 
-/// Looks at each of the candidates' vertices once.
-void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const std::vector<Index>& candidates,
+/// Looks at each of the faces' vertices once.
+void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const std::vector<Index>& faces,
                   FastClearArray<PrismPoint>& sights) {
   const PreparedSurface& surface = posed.surface(slave);
   sights.start(surface.mesh.vertices.size());
-  for (const Index face : candidates) {
+  for (const Index face : faces) {
     for (const Index v : surface.face(face)) {
       if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(slave, v), posed.work));
     }
@@ -82,16 +86,18 @@ bool surely_has_area(const MasterPrism& prism, double max_coordinate, const Unce
          certain(area, width_s, width_t, prism.uncertainty(face.corners, max_coordinate));
 }
 
-/// Some steps are done for all candidates before the next, though one loop would do: what a processor guesses wrong of
+/// Some steps are done for all faces before the next, though one loop would do: what a processor guesses wrong of
 /// a face is then known soon, not only after all that was computed for it.
 Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, FaceViewScratch& scratch, FaceView& view) {
   const PreparedSurface& surface = posed.surface(slave);
-  list_faces_in_prism(posed, slave, prism_in_tree(posed, slave, prism), kInfinity, scratch.open, scratch.candidates);
-  see_vertices(posed, slave, prism, scratch.candidates, view.slave_sights);
+  view.listed_wider_by = kListedWider * posed.placement.max_coordinate;
+  list_faces_in_prism(posed, slave, prism_in_tree(posed, slave, prism, view.listed_wider_by), kInfinity, scratch.open,
+                      view.slave_listed);
+  see_vertices(posed, slave, prism, view.slave_listed, view.slave_sights);
   Depths depths;
-  scratch.over.resize(scratch.candidates.size());
+  scratch.over.resize(view.slave_listed.size());
   std::size_t count = 0;
-  for (const Index face : scratch.candidates) {
+  for (const Index face : view.slave_listed) {
     const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, surface.face(face));
     const PrismPoint greatest = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
     depths.deepest_corner = std::max(depths.deepest_corner, greatest[kDepth]);
@@ -124,7 +130,7 @@ Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, Fac
 void look_along_barycentre(const PreparedSurface& surface, const MasterPrism& prism, const FaceViewScratch& scratch,
                            FaceView& view, Depths& depths) {
   auto entered = scratch.entered.begin();
-  for (const Index face : scratch.candidates) {
+  for (const Index face : view.slave_listed) {
     if (entered != scratch.entered.end() && *entered == face) {
       ++entered;
       continue;
@@ -140,8 +146,8 @@ void look_along_barycentre(const PreparedSurface& surface, const MasterPrism& pr
 void project_own(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, FaceViewScratch& scratch,
                  FaceView& view) {
   list_faces_in_prism(posed, master, prism_in_tree(posed, master, prism), view.own_depth, scratch.open,
-                      scratch.candidates);
-  for (const Index face : scratch.candidates) {
+                      scratch.own_listed);
+  for (const Index face : scratch.own_listed) {
     if (face == master_face) continue;
     const std::array<PrismPoint, 3> corners = see_own_corners(posed, master, master_face, prism, face).points;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
@@ -191,7 +197,7 @@ void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& 
     const double farthest = deepest + farthest_off(prism, posed.placement);
     return deepest < 0 || own_faces_before(posed, master, prism.face(), face, farthest) != OwnFacesBefore::some;
   };
-  // Where nothing lies before any candidate it need not be known which of them the barycentre's line meets.
+  // Where nothing lies before any listed face it need not be known which of them the barycentre's line meets.
   bool thick = surely_thick(depths.any());
   // A face that touches the master's plane from above hides nothing, but the barycentre's line meets it.
   const double thickness_at_barycentre = posed.surface(master).thickness[static_cast<std::size_t>(face)];

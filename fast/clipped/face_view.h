@@ -13,7 +13,10 @@ namespace pcm::fast {
 
 /// What the penetration lines of one master face meet. Its memory is kept from face to face.
 struct FaceView {
-  FastClearArray<PrismPoint> slave_sights;  ///< by vertex of the slave: of all faces near the prism
+  /// Faces of the slave, ascending: all that a prism may meet which is wider by `listed_wider_by`, m.
+  std::vector<Index> slave_listed;
+  double listed_wider_by = 0;
+  FastClearArray<PrismPoint> slave_sights;  ///< by vertex of the slave: of all faces listed
   /// The slave's faces, then other ones of the master where these may lie before, ascending.
   std::vector<ProjectedFace> faces;
   /// The master's other faces were looked for down to this depth; -1 where it is known to be thick enough without, m.
@@ -25,10 +28,10 @@ struct FaceView {
 
 /// Scratch memory of look_through.
 struct FaceViewScratch {
-  std::vector<Index> candidates;
-  std::vector<Index> open;     ///< of the search for them
-  std::vector<Index> over;     ///< candidates of the slave that some line may meet
-  std::vector<Index> entered;  ///< faces of the slave that the lines certainly enter
+  std::vector<Index> own_listed;  ///< other faces of the master near the prism
+  std::vector<Index> open;        ///< of the search for faces
+  std::vector<Index> over;        ///< listed faces of the slave that some line may meet
+  std::vector<Index> entered;     ///< faces of the slave that the lines certainly enter
 };
 
 /// Looks through the prism of a master face.
