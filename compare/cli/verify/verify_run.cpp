@@ -11,6 +11,8 @@
 #include <iostream>
 #include <limits>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "compare/cli/frame/launcher.h"
 #include "compare/cli/frame/surface_warnings.h"
@@ -50,26 +52,56 @@ HeldPairing::Modes modes_named(const std::string& word) {
 /// there is room for areas times depths from 2^-600 to 2^600.
 constexpr double kLeastOfLaw = 0x1p-200, kGreatestOfLaw = 0x1p200;
 
+/// With those of the stratum extreme, 2^-960 to 2^960 with an arm, there is room for numbers of a law from 2^-40 to
+/// 2^40.
+constexpr double kLeastOfExtreme = 0x1p-40, kGreatestOfExtreme = 0x1p40;
+
+/// The numbers of a law with the options that they are given by.
+std::vector<std::pair<const char*, double>> numbers_of(const ContactLaw& law) {
+  std::vector<std::pair<const char*, double>> numbers{{"--damping", law.damping},
+                                                      {"--transition-depth", law.transition_depth},
+                                                      {"--friction", law.friction},
+                                                      {"--slip-velocity", law.slip_velocity},
+                                                      {"--max-penetration", law.max_penetration}};
+  if (law.layers) {
+    numbers.emplace_back("--stiffness-E or --layer-E", law.layers->c_E);
+    numbers.emplace_back("--stiffness-F or --layer-F", law.layers->c_F);
+  } else {
+    numbers.emplace_back("--stiffness", law.stiffness);
+  }
+  return numbers;
+}
+
+bool is_between(double x, double least, double greatest) {
+  return x == 0 || std::isinf(x) || (x >= least && x <= greatest);
+}
+
+/// Leaves the stratum extreme out under a law that has no room for it. Throws BadInput where it is asked for by name.
+void leave_out_extreme(const ContactLaw& law, VerificationPlan& plan, std::vector<std::string>& notices) {
+  const auto extreme = std::find(plan.strata.begin(), plan.strata.end(), Stratum::extreme);
+  if (extreme == plan.strata.end()) return;
+  for (const auto& [option, x] : numbers_of(law)) {
+    if (is_between(x, kLeastOfExtreme, kGreatestOfExtreme)) continue;
+    const std::string why = fmt::format(
+        "stratum extreme: with {} of {} forces leave the range of doubles; from 2^-40 to 2^40 (9e-13 to 1e12) they do "
+        "not",
+        option, x);
+    if (plan.strata_named) throw BadInput(why);
+    notices.push_back(why + "; the stratum is left out");
+    plan.strata.erase(extreme);
+    return;
+  }
+}
+
 /// Throws BadInput naming the option whose number is neither within the limits above nor 0 or infinite.
 void require_within_bounds(const ContactLaw& law) {
-  const auto require = [](const char* option, double x) {
-    if (x == 0 || std::isinf(x) || (x >= kLeastOfLaw && x <= kGreatestOfLaw)) return;
+  for (const auto& [option, x] : numbers_of(law)) {
+    if (is_between(x, kLeastOfLaw, kGreatestOfLaw)) continue;
     throw BadInput(
         fmt::format("{}: {} is so {} that the verdict's bounds need not hold; from 2^-200 to 2^200 (6e-61 to 2e60) "
                     "they do",
                     option, x, x < 1 ? "small" : "large"));
-  };
-  if (law.layers) {
-    require("--stiffness-E or --layer-E", law.layers->c_E);
-    require("--stiffness-F or --layer-F", law.layers->c_F);
-  } else {
-    require("--stiffness", law.stiffness);
   }
-  require("--damping", law.damping);
-  require("--transition-depth", law.transition_depth);
-  require("--friction", law.friction);
-  require("--slip-velocity", law.slip_velocity);
-  require("--max-penetration", law.max_penetration);
 }
 
 /// Refuses pairs that are unfit for contact, and notes once what is odd about others.
@@ -159,6 +191,7 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   if (options.law.any()) {
     plan.law = law_from(options.law);
     require_within_bounds(*plan.law);
+    leave_out_extreme(*plan.law, plan, notices);
   }
   plan.pairs = pairs_of(options, notices);
   for (SurfacePair& pair : plan.pairs)

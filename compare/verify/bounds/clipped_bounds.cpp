@@ -32,6 +32,11 @@ double tip_at_least(const reference::Element& e, const SlaveInView& seen, double
                           : where_hidden;
 }
 
+/// The engine integrates the depth over the share of the master face, triangle by triangle, each of which loses up to
+/// 2^-1075 m to underflow: of an integral as great as this less than a rounding, were there 2^50 of them. A smaller one
+/// may be lost, and the element with it (PCM section 6).
+constexpr double kLeastIntegral = 0x1p-970;
+
 }  // namespace
 
 ClippedBounds::ClippedBounds(const Question& question, const reference::Answer& true_rounded)
@@ -67,7 +72,8 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
       (e.area + errors.area) * depth_error + no_more(strips, e.area + view.greatest_area()) * counted;
 
   OfElement result;
-  result.sliver = !(e.area > 2 * (errors.area + seen.uncertain));
+  const bool may_underflow = (e.area / view.greatest_area()) * e.penetration < kLeastIntegral;
+  result.sliver = may_underflow || !(e.area > 2 * (errors.area + seen.uncertain));
   result.may_keep_hidden = seen.hiders > 0;
   errors.penetration = counted;
   // The centroid of u moves within the face; where the volume is known, by no more than its relative error.

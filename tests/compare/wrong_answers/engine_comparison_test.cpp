@@ -68,9 +68,9 @@ TEST(WrongAnswers, AlteredAnswersAreToldApart) {
 }
 
 TEST(EngineComparison, TheEngineIsNeverWrongThePaperIsWhereFeaturesCoincide) {
-  const EngineComparison result = small_comparison(360, 1);
+  const EngineComparison result = small_comparison(60 * std::ssize(kStrata), 1);
   ASSERT_TRUE(result.finished);
-  EXPECT_EQ(result.all.poses, 360);
+  EXPECT_EQ(result.all.poses, 60 * std::ssize(kStrata));
   EXPECT_EQ(result.all.of(Engine::fast).wrong, 0);
   for (const auto& [stratum, tally] : result.strata) {
     EXPECT_EQ(tally.poses, 60);

@@ -127,7 +127,7 @@ TEST_F(Program, PublishedAlgorithmsAnswerWithoutAreas) {
 
 TEST_F(Program, VerifyHoldsSeveralEnginesSideBySide) {
   const std::string folder = scratch_.path("engines");
-  const Outcome outcome = run_pcm({"verify", "--engine", "fast,published-2003,published-2023", "--poses", "60",
+  const Outcome outcome = run_pcm({"verify", "--engine", "fast,published-2003,published-2023", "--poses", "80",
                                    "--pair", box_, box_, "--jobs", "1", "--out", folder});
   EXPECT_EQ(outcome.status, 1) << "published-2003 is wrong somewhere";
   EXPECT_EQ(outcome.err, "");
@@ -135,10 +135,10 @@ TEST_F(Program, VerifyHoldsSeveralEnginesSideBySide) {
   EXPECT_NE(read_text_file(folder + "/wrong_answers.md").find("| degenerate | 10 | 0 |"), std::string::npos);
   const Json whole = Json::parse(read_text_file(folder + "/wrong_answers.json"));
   EXPECT_EQ(whole["complete"], true);
-  EXPECT_EQ(whole["strata"].size(), 7u);  // six and all
+  EXPECT_EQ(whole["strata"].size(), 9u);  // eight and all
   EXPECT_EQ(whole["strata"].back()["fast_wrong"], 0);
   EXPECT_GT(whole["strata"].back()["published_2003_polygons"], 0);
-  EXPECT_EQ(lines_of(read_text_file(folder + "/wrong_answers.csv")).size(), 8u);
+  EXPECT_EQ(lines_of(read_text_file(folder + "/wrong_answers.csv")).size(), 10u);
   EXPECT_EQ(run_pcm({"verify", "--engine", "fast", "--poses", "6", "--pair", box_, box_}).status, 0);
 }
 
@@ -249,13 +249,13 @@ TEST_F(Program, ContactAndVerifyWarnOnceOfSurfacesThatIntersectThemselves) {
 TEST_F(Program, VerifyLabelsPairsSoThatTablesCanHoldThem) {
   const std::string odd = scratch_.path("a,b|\"c\"\xE9.obj");
   std::filesystem::copy_file(box_, odd);
-  const Outcome outcome = run_pcm({"verify", "--poses", "6", "--pair", odd, box_, "--out", scratch_.path("tables")});
+  const Outcome outcome = run_pcm({"verify", "--poses", "8", "--pair", odd, box_, "--out", scratch_.path("tables")});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("\na_b__c__-box "), std::string::npos) << outcome.out;
   const std::string table = read_text_file(scratch_.path("tables/verification.md"));
   EXPECT_NE(table.find("| a_b__c__-box | generic | barycentric | both | 1 |"), std::string::npos) << table;
   EXPECT_TRUE(std::filesystem::exists(scratch_.path("tables/verification.json")));
-  EXPECT_TRUE(lines_of(outcome.out).back().starts_with("verified: 6 poses")) << outcome.out;
+  EXPECT_TRUE(lines_of(outcome.out).back().starts_with("verified: 8 poses")) << outcome.out;
 }
 
 TEST_F(Program, VerifyAsksAllPosesUnderTheLawThatIsGiven) {
@@ -294,7 +294,12 @@ TEST_F(Program, VerifyRefusesLawsUnderWhichTheBoundsOfTheVerdictNeedNotHold) {
                                      "--damping", number, "--friction", number, "--slip-velocity", number,
                                      "--transition-depth", number, "--max-penetration", number});
     EXPECT_EQ(outcome.status, 0) << outcome.out;
+    EXPECT_NE(outcome.err.find("the stratum is left out"), std::string::npos) << outcome.err;
   }
+  const Outcome named =
+      run_pcm({"verify", "--poses", "8", "--strata", "extreme", "--pair", box_, box_, "--damping", "1e13"});
+  EXPECT_EQ(named.status, 2);
+  EXPECT_NE(named.err.find("stratum extreme: with --damping of 1e+13"), std::string::npos) << named.err;
 }
 
 TEST_F(Program, TablesOfVerifyCarryWhatMadeThem) {

@@ -20,6 +20,7 @@ struct PosedFolder {
                        Notation notation = Notation::decimal) {
     VerificationPlan plan;
     plan.poses = poses;
+    plan.strata.assign(kUsualStrata.begin(), kUsualStrata.end());
     plan.schemes = std::move(schemes);
     plan.pairs = {small_pair()};
     write_poses(
