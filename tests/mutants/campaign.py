@@ -6,12 +6,11 @@ import json
 import os
 import time
 from dataclasses import asdict
-from itertools import islice
 
-from checks import CHECKS, Checks
+from checks import Checks, Finding
 from draw import ROOMS, Draw
 from hand_picked import PICKED, PLANTED
-from mutant import BadMutant, by_hand
+from mutant import by_hand
 from scratch import ANSWERING, CHECKING, CannotBuild, Scratch
 
 #: What can become of a mutant.
@@ -53,8 +52,10 @@ class Results:
 
 
 def picked_mutants(read, rooms=ROOMS):
-    """Those chosen by hand, in the order of their list."""
-    return [by_hand(file, *rest, read(file)) for file, *rest in PICKED if file.split("/")[0] in rooms]
+    """Those chosen by hand: in the order of their list, but headers, which many files include, last."""
+    in_rooms = [picked for picked in PICKED if picked[0].split("/")[0] in rooms]
+    in_rooms.sort(key=lambda picked: picked[0].endswith(".h"))
+    return [by_hand(file, *rest, read(file)) for file, *rest in in_rooms]
 
 
 def planted_mutant(read, room):
@@ -130,7 +131,7 @@ class Campaign:
         self._scratch.build(self._checks.targets(self._names, room), self._jobs)
 
     def _found_before(self, mutant):
-        """What checks have found of it: all that caught it, and where no check has changed since those that it passed."""
+        """What checks have found of it: all that caught it, and where none has changed those that it passed."""
         entry = self._results.get(mutant.id)
         if entry is None:
             return {}
@@ -150,7 +151,7 @@ class Campaign:
         return all(name in found and self._checks.is_enough(name, found[name]) for name in self._names)
 
     def run(self, rooms, drawn, seed, picked):
-        """Those chosen by hand in these rooms, unless they are not wanted, then `drawn` of each room that are programs."""
+        """Those chosen by hand in these rooms, if they are wanted, then `drawn` programs of each room."""
         if picked:
             for room in rooms:
                 for mutant in picked_mutants(self._scratch.read, [room]):
@@ -211,18 +212,10 @@ class Campaign:
         except CannotBuild as error:
             if entry["checks"]:
                 # One that is only no program together with what a later check is made of.
-                entry["checks"][name] = {"by": "does not compile", "seconds": 0, "poses": 0, "disagreements": 0, "kinds": {}}
+                entry["checks"][name] = asdict(Finding("does not compile"))
                 entry["state"] = CAUGHT
             else:
                 entry["message"] = str(error)[-400:]
         finally:
             self._scratch.write(mutant.file, text)
         return entry
-
-
-def first_drawn(root, room, seed, number):
-    """The first of those that a campaign would draw, programs or not."""
-    return list(islice(iter(Draw(root, room, seed)), number))
-
-
-__all__ = ["BadMutant", "CHECKS", "Campaign", "Refused", "Results", "first_drawn", "picked_mutants", "planted_mutant"]

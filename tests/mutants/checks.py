@@ -199,7 +199,8 @@ class Checks:
                 return Finding(signal.Signals(-ended.status).name, seconds, poses)
             said = verdict(ended.output)
             if said is None:
-                return Finding(ended.output.strip().splitlines()[-1][:200] if ended.output.strip() else "?", seconds, poses)
+                last_line = (ended.output.strip().splitlines() or ["ended without a word"])[-1]
+                return Finding(last_line[:200], seconds, poses)
             table = out / "verification.csv"
             kinds = disagreements_by_kind(table) if table.exists() else {}
             if said[1] == 0:

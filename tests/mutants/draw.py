@@ -8,6 +8,7 @@ reference or a template's bracket has not.
 
 import random
 import re
+from itertools import islice
 from pathlib import Path
 
 from mutant import Mutant
@@ -136,7 +137,7 @@ def sites_in(text):
         elif token.kind == "word" and following is not None:
             if token.text in ("true", "false"):
                 add("constant", token.offset, token.text, "false" if token.text == "true" else "true")
-            elif previous is not None and previous.text == "::" and token.text in _SIDES and tokens[i - 2].text == "Side":
+            elif token.text in _SIDES and [t.text for t in tokens[max(i - 2, 0) : i]] == ["Side", "::"]:
                 add("side", token.offset, token.text, _SIDES[token.text])
             elif token.text in _EXCHANGED and previous is not None and previous.text in (".", "::", "=", "(", ","):
                 add("call", token.offset, token.text, _EXCHANGED[token.text])
@@ -170,7 +171,7 @@ def sources_of(root, room):
 
 
 class Draw:
-    """Draws one mutant after the other: a file by how much code it has, a kind of fault by chance, a place by chance."""
+    """Draws one mutant after the other: a file by how much code it has, then a kind of fault, then a place."""
 
     def __init__(self, root, room, seed):
         self._room = room
@@ -210,3 +211,8 @@ class Draw:
             if mutant.id not in self._drawn:
                 self._drawn.add(mutant.id)
                 yield mutant
+
+
+def first_drawn(root, room, seed, number):
+    """The first of those that a campaign would draw, programs or not."""
+    return list(islice(Draw(root, room, seed), number))

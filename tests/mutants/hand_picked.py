@@ -51,8 +51,10 @@ PICKED = [
     ),
     (
         "fast/predicates/orientation.cpp",
-        "    {+1, {2, 3, kNone}, {kZ, kNone}},         // v2y v1x\n    {-1, {0, 1, 3}, {kX, kY}},                // v3z\n",
-        "    {-1, {0, 1, 3}, {kX, kY}},                // v3z\n    {+1, {2, 3, kNone}, {kZ, kNone}},         // v2y v1x\n",
+        "    {+1, {2, 3, kNone}, {kZ, kNone}},         // v2y v1x\n"
+        "    {-1, {0, 1, 3}, {kX, kY}},                // v3z\n",
+        "    {-1, {0, 1, 3}, {kX, kY}},                // v3z\n"
+        "    {+1, {2, 3, kNone}, {kZ, kNone}},         // v2y v1x\n",
         "two cases of the tie rule in the wrong order",
     ),
     (
@@ -395,7 +397,8 @@ PICKED = [
     (
         "fast/engine/engine.cpp",
         "const CrossingOptions options{only_touch && savings.first_crossing, wanted.bound, savings.filters};",
-        "const CrossingOptions options{only_touch && savings.first_crossing, wanted.bound && wanted.areas, savings.filters};",
+        "const CrossingOptions options{only_touch && savings.first_crossing, wanted.bound && wanted.areas,"
+        " savings.filters};",
         "the candidates that a bound reads, where it is wanted without areas",
     ),
     (

@@ -24,7 +24,7 @@ class Mutant:
 
     @property
     def id(self):
-        """The same for the same fault in the same text, whichever others are drawn; of one chosen by hand, wherever it stands."""
+        """The same for the same fault in the same text; of one chosen by hand, wherever it stands there."""
         place = "" if self.kind == "by hand" else str(self.offset)
         digest = hashlib.sha256("\0".join([self.file, place, self.before, self.after]).encode())
         return digest.hexdigest()[:10]

@@ -14,9 +14,9 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # nothing of ours among the sources
 
 import report
-from campaign import CHECKS, Campaign, Refused, Results, first_drawn, picked_mutants
-from checks import LADDER
-from draw import ROOMS
+from campaign import Campaign, Refused, Results, picked_mutants
+from checks import CHECKS, LADDER
+from draw import ROOMS, first_drawn
 from mutant import BadMutant
 from scratch import CannotBuild
 
@@ -30,7 +30,8 @@ def arguments():
     parser.add_argument("--seed", type=int, default=1, help="of the draw (default 1)")
     parser.add_argument("--checks", default=",".join(CHECKS), help="some of tests, verify, suite (default all)")
     parser.add_argument("--all-checks", action="store_true", help="also ask the others when one check has caught it")
-    parser.add_argument("--poses", default=",".join(map(str, LADDER)), help="of the runs of verify (default %(default)s)")
+    ladder = ",".join(map(str, LADDER))
+    parser.add_argument("--poses", default=ladder, help="of the runs of verify, one after the other (default %(default)s)")
     parser.add_argument("--no-picked", action="store_true", help="leave out those chosen by hand")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="of the build")
     parser.add_argument("--folder", type=Path, default=ROOT / "build" / "mutants", help="default: build/mutants")
@@ -55,7 +56,8 @@ def print_mutants(options, rooms):
     for room in rooms:
         mutants += first_drawn(ROOT, room, options.seed, options.drawn)
     for mutant in mutants:
-        print(f"{mutant.file}:{mutant.line_in(read(mutant.file))}: {mutant.kind}: {mutant.before!r} -> {mutant.after!r}")
+        line = mutant.line_in(read(mutant.file))
+        print(f"{mutant.file}:{line}: {mutant.kind}: {mutant.before!r} -> {mutant.after!r}")
 
 
 def say(line):

@@ -12,7 +12,8 @@ sys.dont_write_bytecode = True
 import checks
 import draw
 import report
-from campaign import Results, first_drawn, picked_mutants, planted_mutant
+from campaign import Results, picked_mutants, planted_mutant
+from draw import first_drawn
 from hand_picked import PICKED
 from mutant import BadMutant, Mutant, by_hand
 from tokens import tokens_of

@@ -97,8 +97,9 @@ def write(entries, folder):
     with open(folder / "mutants.csv", "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)
         head = ["id", "room", "file", "line", "kind", "why", "before", "after", "state"]
-        rows.writerow(head + [f"{name} {what}" for name in CHECKS for what in ("by", "poses", "disagreements", "seconds")])
+        columns = ("by", "poses", "disagreements", "seconds")
+        rows.writerow(head + [f"{name} {column}" for name in CHECKS for column in columns])
         for entry in entries:
             found = [entry["checks"].get(name, {}) for name in CHECKS]
-            cells = [f.get(what, "") for f in found for what in ("by", "poses", "disagreements", "seconds")]
+            cells = [one.get(column, "") for one in found for column in columns]
             rows.writerow([entry[column] for column in head] + cells)
