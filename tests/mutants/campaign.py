@@ -83,12 +83,13 @@ class Campaign:
         self._forget_other_sources()
         self._scratch.configure()
         for room in rooms:
-            known = self._read_unaltered().get(self._key_of_unaltered(room))
+            known = self._read_unaltered().get(self._key_of_unaltered(room), {})
             self._checks = Checks(self._scratch.build_folder, self._ladder, known)
-            self._scratch.build(self._checks.targets(self._names, room), self._jobs)
-            if known is None:
-                self._check_unaltered(room)
-                self._check_planted(room)
+            new = [name for name in self._names if not set(self._checks.commands(name, room)) <= set(known)]
+            if new:
+                self._scratch.build(self._checks.targets(new, room), self._jobs)
+                self._check_unaltered(room, new)
+                self._check_planted(room, new)
                 self._keep_unaltered(room)
 
     def _forget_other_sources(self):
@@ -103,7 +104,7 @@ class Campaign:
         stamp.write_text(self._answering, encoding="utf-8")
 
     def _key_of_unaltered(self, room):
-        return " ".join([room, self._answering, self._checking, *self._names, *map(str, self._ladder)])
+        return " ".join([room, self._answering, self._checking])
 
     def _read_unaltered(self):
         path = self._folder / "unaltered.json"
@@ -114,21 +115,20 @@ class Campaign:
         passed[self._key_of_unaltered(room)] = self._checks.measured()
         (self._folder / "unaltered.json").write_text(json.dumps(passed, indent=1), encoding="utf-8")
 
-    def _check_unaltered(self, room):
-        for name in self._names:
+    def _check_unaltered(self, room, names):
+        for name in names:
             finding = self._checks.check(name, room, measure=True)
             self._say(f"{room}: {name} of the sources as they are: {finding.by or 'passed'}, {finding.seconds:.0f} s")
             if finding.by:
                 raise Refused(f"the sources as they are fail {name} ({finding.by}): nothing can be told of mutants")
 
-    def _check_planted(self, room):
+    def _check_planted(self, room, names):
         mutant = planted_mutant(self._scratch.read, room)
-        entry = self._try(mutant, all_checks=True, found_before={})
-        missed = [name for name in self._names if not entry["checks"].get(name, {}).get("by")]
+        entry = self._try(mutant, names, all_checks=True, found_before={})
+        missed = [name for name in names if not entry["checks"].get(name, {}).get("by")]
         self._say(f"{room}: a planted fault: {entry['state']}")
         if entry["state"] != CAUGHT or missed:
             raise Refused(f"a planted fault in {room} is not noticed by {', '.join(missed) or 'any check'}")
-        self._scratch.build(self._checks.targets(self._names, room), self._jobs)
 
     def _found_before(self, mutant):
         """What checks have found of it: all that caught it, and where none has changed those that it passed."""
@@ -172,14 +172,14 @@ class Campaign:
         if self._is_known(mutant):
             return self._results.get(mutant.id)
         begin = time.monotonic()
-        entry = self._try(mutant, self._all_checks, self._found_before(mutant))
+        entry = self._try(mutant, self._names, self._all_checks, self._found_before(mutant))
         entry["clock_seconds"] = round(time.monotonic() - begin, 1)
         self._results.add(entry)
         by = ", ".join(f"{name}: {found['by'] or 'passed'}" for name, found in entry["checks"].items())
         self._say(f"{entry['state']:<13} {entry['file']}:{entry['line']} {mutant.kind}  {by}")
         return entry
 
-    def _try(self, mutant, all_checks, found_before):
+    def _try(self, mutant, names, all_checks, found_before):
         """Builds and checks one mutant, and puts the file back. What was found before is not looked for again."""
         text = self._scratch.read(mutant.file)
         entry = {
@@ -199,7 +199,7 @@ class Campaign:
             entry["state"] = CAUGHT if any(found["by"] for found in found_before.values()) else SURVIVED
         try:
             self._scratch.write(mutant.file, mutant.applied_to(text))
-            for name in self._names:
+            for name in names:
                 found = found_before.get(name)
                 if found and self._checks.is_enough(name, found):
                     continue

@@ -32,7 +32,7 @@ CHECKS = ("tests", "verify", "suite")
 _MOST_MEMORY = 12 << 30
 #: A mutant may take so many times what the unaltered program takes, and so many seconds more: of processor time, which
 #: other work on the machine does not touch; waiting, as in a deadlock, ten times as long.
-_TIMES, _SECONDS_MORE = 5, 20
+_TIMES, _SECONDS_MORE = 3, 10
 
 
 @dataclass
@@ -149,6 +149,12 @@ class Checks:
             return None
         programs = [path.split("/")[-1] for path in TEST_PROGRAMS[room]] if "tests" in names else []
         return programs + (["pcm"] if "verify" in names else [])
+
+    def commands(self, name, room):
+        """What is run for a check, by name: what has to be known to set its limits."""
+        if name == "tests":
+            return TEST_PROGRAMS[room]
+        return [f"verify {poses}" for poses in self._ladder] if name == "verify" else ["suite"]
 
     def measured(self):
         """Seconds allowed, by command, as far as `check` was called with the unaltered sources."""

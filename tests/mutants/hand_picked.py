@@ -59,6 +59,14 @@ PICKED = [
     ),
     (
         "fast/predicates/orientation.cpp",
+        "    {-1, {1, 2, 3}, {kX, kY}},                // v1z\n"
+        "    {+1, {1, 2, 3}, {kX, kZ}},                // v1y\n",
+        "    {+1, {1, 2, 3}, {kX, kZ}},                // v1y\n"
+        "    {-1, {1, 2, 3}, {kX, kY}},                // v1z\n",
+        "the first two cases of the tie rule in the wrong order",
+    ),
+    (
+        "fast/predicates/orientation.cpp",
         "      parity = -parity;\n",
         "",
         "the parity of the order of ranks",
