@@ -152,6 +152,24 @@ PICKED = [
         "the margin of edges in single precision",
     ),
     (
+        "fast/simd/overlap.cpp",
+        "kBoxRoundings = 64, kPlaneRoundings = 128, kEdgeRoundings = 32;",
+        "kBoxRoundings = 0, kPlaneRoundings = 128, kEdgeRoundings = 32;",
+        "no margin of boxes in single precision",
+    ),
+    (
+        "fast/simd/overlap.cpp",
+        "kPlaneRoundings = 128, kEdgeRoundings = 32;",
+        "kPlaneRoundings = 0, kEdgeRoundings = 32;",
+        "no margin of planes in single precision",
+    ),
+    (
+        "fast/simd/overlap.cpp",
+        "kPlaneRoundings = 128, kEdgeRoundings = 32;",
+        "kPlaneRoundings = 128, kEdgeRoundings = 0;",
+        "no margin of edges in single precision",
+    ),
+    (
         "fast/simd/overlap_kernels.h",
         "pairs |= static_cast<LanePairs>(of_E) << (8 * j);\n  }\n  return pairs;\n}\n\n",
         "pairs |= static_cast<LanePairs>(of_E & 0x7fU) << (8 * j);\n  }\n  return pairs;\n}\n\n",
