@@ -62,7 +62,7 @@ def _what(found):
     if not found:
         return "not asked"
     if not found["by"]:
-        return "passed"
+        return "passed" + (f" {found['poses']} poses" if found.get("poses") else "")
     if found.get("disagreements"):
         return f"{found['by']} ({found['disagreements']} of {found['poses']} poses)"
     return found["by"] + (f" ({found['poses']} poses)" if found.get("poses") else "")
