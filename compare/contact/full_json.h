@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "compare/contact/contact_record.h"
 #include "compare/contact/placed_surfaces.h"
 #include "compare/io/exact_json.h"

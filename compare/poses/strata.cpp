@@ -45,6 +45,8 @@ constexpr std::array kRows = {
           detail::move_by_ulps(pair, random, drawn);
           return drawn;
         }},
+    Row{Stratum::extreme, "extreme", true, detail::draw_extreme},
+    Row{Stratum::adversarial, "adversarial", true, detail::draw_adversarial},
     Row{Stratum::trajectory, "trajectory", false,
         [](const FeaturePair&, PoseRandom&) -> DrawnPose {
           throw std::logic_error("poses of a trajectory are recorded, not drawn");

@@ -28,12 +28,20 @@ enum class Stratum : std::uint8_t {
   nested,           ///< one body inside the other, no crossing
   degenerate,       ///< features coincide exactly
   near_degenerate,  ///< degenerate, then moved by 1 to 8 ulps
+  extreme,          ///< surfaces taken to the ends of what doubles hold (extreme_meshes.h), in poses of all these kinds
+  adversarial,      ///< several features within roundings of each other, in no special place, and not onto each other
   trajectory,       ///< not drawn: recorded by a simulation (compare/verify/run/trajectory.h)
 };
 
 /// Those that poses are drawn from.
 inline constexpr std::array kStrata = {Stratum::generic, Stratum::grazing,    Stratum::separated,
-                                       Stratum::nested,  Stratum::degenerate, Stratum::near_degenerate};
+                                       Stratum::nested,  Stratum::degenerate, Stratum::near_degenerate,
+                                       Stratum::extreme, Stratum::adversarial};
+
+/// Those that ask no more than most engines say they can do: surfaces of ordinary sizes and shapes, and poses that were
+/// not searched for.
+inline constexpr std::array kUsualStrata = {Stratum::generic, Stratum::grazing,    Stratum::separated,
+                                            Stratum::nested,  Stratum::degenerate, Stratum::near_degenerate};
 
 /// The word of DESIGN section 4, e.g. "near-degenerate".
 std::string_view name(Stratum stratum);
@@ -78,7 +86,8 @@ struct FeaturePair {
   Side host = Side::E;  ///< stratum nested only: whose ball it is
 };
 
-/// Draws one pose. `random` must be fresh. Stratum nested asks for a pair made of `NestedMeshes`.
+/// Draws one pose. `random` must be fresh. Stratum nested asks for a pair made of `NestedMeshes`, extreme
+/// for one of `extreme_meshes`.
 /// Throws std::logic_error for `trajectory`.
 /// Cost: O(n) in the number of vertices.
 DrawnPose draw_pose(Stratum stratum, const FeaturePair& pair, PoseRandom random);
@@ -88,6 +97,10 @@ DrawnPose draw_overlapping(const FeaturePair& pair, double least, double greates
 DrawnPose draw_separated(const FeaturePair& pair, PoseRandom& random);
 DrawnPose draw_nested(const FeaturePair& pair, PoseRandom& random);
 DrawnPose draw_degenerate(const FeaturePair& pair, PoseRandom& random);
+/// With a rotation that is none by up to 1e-9, and features that coincide all the same in the rounded problem.
+DrawnPose draw_drifted(const FeaturePair& pair, PoseRandom& random);
+DrawnPose draw_extreme(const FeaturePair& pair, PoseRandom& random);
+DrawnPose draw_adversarial(const FeaturePair& pair, PoseRandom& random);
 void move_by_ulps(const FeaturePair& pair, PoseRandom& random, DrawnPose& drawn);
 }  // namespace detail
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strata degenerate and near-degenerate: features made to coincide exactly in doubles, then moved by ulps.
+// The strata degenerate and near-degenerate: features made to coincide exactly in doubles, then moved by ulps; and for
+// the stratum extreme the same with rotations that have drifted.
 //
 // Two families of rotations keep the arithmetic exact. The 24 rotations of the cube permute and negate coordinates, so
 // A x is exact, and with an exact r = x_E - A x_F the features coincide in the rounded and in the exact problem.
@@ -244,14 +245,52 @@ Attempt stacked(const FeaturePair& pair, PoseRandom& random) {
   return drawn.exact ? Attempt(drawn) : std::nullopt;
 }
 
+// Coordinates that fill all 53 bits make most differences round; some feature of a large surface then still fits.
+constexpr int kTries = 256;
+
+/// Off by up to 2^-33 in each entry: A^T A - I stays below 1e-9.
+void drift(Eigen::Matrix3d& A, PoseRandom& random) {
+  for (int k = 0; k < 9; ++k) {
+    const double step = random.log_uniform(0x1p-52, 0x1p-33);
+    A(k / 3, k % 3) += random.coin() ? step : -step;
+  }
+}
+
+Attempt drifted_onto_feature(const FeaturePair& pair, PoseRandom& random) {
+  Eigen::Matrix3d A = draw_rotation(random);
+  drift(A, random);
+  const Eigen::Vector3d x_F = draw_vertex(pair.F, random);
+  WatchedArithmetic arithmetic;
+  switch (random.below(3)) {
+    case 0:
+      return placed(A, draw_vertex(pair.E, random), x_F, arithmetic, "drifted, vertex on vertex");
+    case 1: {
+      const Eigen::Vector3d x_E = point_of_edge(pair.E, draw_edge(pair.E, random), random, arithmetic);
+      return placed(A, x_E, x_F, arithmetic, "drifted, vertex on edge");
+    }
+    default: {
+      const Eigen::Vector3d x_E = point_of_face(pair.E, draw_face(pair.E, random), random, arithmetic);
+      return placed(A, x_E, x_F, arithmetic, "drifted, vertex on face");
+    }
+  }
+}
+
 }  // namespace
+
+DrawnPose draw_drifted(const FeaturePair& pair, PoseRandom& random) {
+  for (int attempt = 0; attempt < kTries; ++attempt)
+    if (const Attempt drawn = drifted_onto_feature(pair, random)) return *drawn;
+  DrawnPose nearly = draw_degenerate(pair, random);
+  drift(nearly.pose.A, random);
+  nearly.construction = "drifted";
+  nearly.exact = false;
+  return nearly;
+}
 
 DrawnPose draw_degenerate(const FeaturePair& pair, PoseRandom& random) {
   constexpr std::array kConstructions = {vertex_on_vertex, vertex_on_edge,     vertex_on_face,
                                          edge_across_edge, edge_in_face,       coplanar_faces,
                                          identical_bodies, slid_along_an_edge, stacked};
-  // Coordinates that fill all 53 bits make most differences round; some feature of a large surface then still fits.
-  constexpr int kTries = 256;
   for (int attempt = 0; attempt < kTries; ++attempt)
     if (const Attempt drawn = kConstructions[random.below(kConstructions.size())](pair, random)) return *drawn;
   DrawnPose nearly;
@@ -264,7 +303,7 @@ DrawnPose draw_degenerate(const FeaturePair& pair, PoseRandom& random) {
 
 void move_by_ulps(const FeaturePair& pair, PoseRandom& random, DrawnPose& drawn) {
   // r by 1 to 8 of its own ulps or of those of E's coordinates (an ulp of a tiny r would vanish in r + A x) along a
-  // drawn set of axes; in one pose of four the entries of A as well, by up to 2^-33: A^T A - I stays below 1e-9.
+  // drawn set of axes; in one pose of four the entries of A as well.
   const std::uint64_t axes = 1 + random.below(7);
   const bool own_ulps = random.coin();
   for (int j = 0; j < 3; ++j) {
@@ -275,11 +314,7 @@ void move_by_ulps(const FeaturePair& pair, PoseRandom& random, DrawnPose& drawn)
     double& r = drawn.pose.r[j];
     r += steps * ulp_of(own_ulps && r != 0 ? r : std::max(std::abs(r), scale));
   }
-  if (random.below(4) == 0)
-    for (int k = 0; k < 9; ++k) {
-      const double step = random.log_uniform(0x1p-52, 0x1p-33);
-      drawn.pose.A(k / 3, k % 3) += random.coin() ? step : -step;
-    }
+  if (random.below(4) == 0) drift(drawn.pose.A, random);
   drawn.exact = false;
 }
 

@@ -19,10 +19,12 @@
 #include "compare/cli/contact/surface_files.h"
 #include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
+#include "compare/explain/answer_map.h"
 #include "compare/explain/explanation_json.h"
 #include "compare/explain/explanation_text.h"
 #include "compare/io/names.h"
 #include "compare/verify/verdict/case_file.h"
+#include "meshes/files/text_file.h"
 #include "meshes/generate/degenerate/catalogue.h"
 #include "pcm/bad_input.h"
 #include "pcm/read_mesh.h"
@@ -36,6 +38,8 @@ struct ExplainCommand {
   PoseOptions poses;
   UnitOption unit;
   std::string ulps = "8";
+  std::optional<std::string> map;
+  std::string map_axes = "xy", map_steps = "16";
   bool all = false;
   bool json = false;
   bool schema = false;
@@ -110,6 +114,24 @@ std::string text_of(const std::vector<std::array<std::string, 2>>& disagreements
   return text;
 }
 
+MapGrid map_grid(const ExplainCommand& command) {
+  constexpr std::string_view kAxes = "xyz";
+  MapGrid grid;
+  for (std::size_t k = 0; k < 2; ++k) grid.axes[k] = static_cast<int>(kAxes.find(command.map_axes.at(k)));
+  grid.steps = static_cast<int>(whole_number("--map-steps", command.map_steps, 1, 64));
+  return grid;
+}
+
+Exit write_map(const ExplainCommand& command, const Asked& question) {
+  if (command.poses.poses) throw BadInput("--map: a map is of one pose; --poses has many");
+  const AnswerMap map = answer_map(question.E, question.F, question.pose, map_grid(command));
+  write_text_file(*command.map, answer_map_svg(map, question.origin));
+  for (const MappedAnswers& row : map.rows)
+    std::cout << fmt::format("{:<16} {:>6} of {} poses wrong\n", row.who, map.wrong(row), map.grid.cells());
+  std::cout << fmt::format("{} answers, drawn in {}\n", map.answers.size(), *command.map);
+  return Exit::success;
+}
+
 Exit explain(const ExplainCommand& command) {
   if (command.schema) {
     std::cout << explanation_schema();
@@ -118,6 +140,7 @@ Exit explain(const ExplainCommand& command) {
   ExplainOptions options;
   options.near_ulps = positive_number("--ulps", command.ulps);
   Asked question = asked(command);
+  if (command.map) return write_map(command, question);
   if (command.all) options.listed = std::numeric_limits<std::size_t>::max();
   std::optional<PosesFile> poses = poses_from(command.poses, metres_per_unit(command.unit));
   const Explainer explainer(std::move(question.E), std::move(question.F), question.mode, question.scheme);
@@ -167,7 +190,8 @@ void add_explain_command(CLI::App& program, Run& run) {
       "Examples:\n"
       "  pcm explain --pose vertex_on_edge\n"
       "  pcm explain case_seed_1.json --all\n"
-      "  pcm explain E.obj F.obj --poses poses.txt --json");
+      "  pcm explain E.obj F.obj --poses poses.txt --json\n"
+      "  pcm explain --pose edge_through_vertex --map map.svg");
   command
       ->add_option(
           "FILES", options->files,
@@ -197,6 +221,21 @@ void add_explain_command(CLI::App& program, Run& run) {
                    "How far apart features nearly coincide, in ulps of the greatest coordinate")
       ->type_name("X")
       ->capture_default_str();
+  command
+      ->add_option(
+          "--map", options->map,
+          "Instead: a picture (SVG) of what oracle, engine and the published algorithm of 2003 answer at poses "
+          "an ulp apart about this one")
+      ->type_name("FILE");
+  command->add_option("--map-axes", options->map_axes, "Along which axes r is moved there: to the right and upwards")
+      ->type_name("AXES")
+      ->check(CLI::IsMember({"xy", "yz", "zx", "yx", "zy", "xz"}))
+      ->capture_default_str()
+      ->needs("--map");
+  command->add_option("--map-steps", options->map_steps, "How many ulps it is moved to either side, up to 64")
+      ->type_name("N")
+      ->capture_default_str()
+      ->needs("--map");
   command->add_flag("--all", options->all, "List all coincidences with all their signs, not only the nearest ten");
   command->add_flag("--json", options->json, "One JSON object a line for each pose");
   command->add_flag("--schema", options->schema, "Print the JSON schema of such a line instead");

@@ -68,11 +68,12 @@ Exit poses(const PosesOptions& options) {
 
 void add_poses_command(CLI::App& program, Run& run) {
   auto options = std::make_shared<PosesOptions>();
+  options->plan.usual_strata = true;
   CLI::App* command = program.add_subcommand("poses", kPosesDescription);
   command->footer(
       "The folder gets poses.jsonl, whose first line names the surfaces and whose others are a pose each, and the\n"
       "surfaces as OBJ files. docs/judge.md says what stands there and which conventions hold; 'pcm judge --schema\n"
-      "poses' prints the schema of a line. The poses are those that 'pcm verify' with the same arguments asks about,\n"
+      "poses' prints the schema of a line. The poses are those that 'pcm verify' with the same --strata asks about,\n"
       "each with the law, the scheme and the mode that it asks with, under the name that its tables have.\n"
       "Examples:\n"
       "  pcm poses --out poses --poses 2000\n"

@@ -33,7 +33,11 @@ void add_plan_options(CLI::App& command, VerifyOptions& options) {
   command.add_option("--seed", options.seed, "Seed of the random poses, a whole number")
       ->type_name("S")
       ->capture_default_str();
-  command.add_option("--strata", options.strata, "Of " + strata_names() + " (default: all)")
+  command
+      .add_option(
+          "--strata", options.strata,
+          "Of " + strata_names() + " (default: all" +
+              (options.usual_strata ? " but extreme and adversarial, beyond what most engines say they can do)" : ")"))
       ->type_name("NAME,...")
       ->delimiter(',');
   command

@@ -18,6 +18,7 @@ struct VerifyOptions {
   std::optional<std::string> poses;
   std::string seed;
   std::vector<std::string> strata;
+  bool usual_strata = false;  ///< where none is named: kUsualStrata, not all
   std::vector<std::vector<std::string>> pairs;
   std::optional<std::string> mode;
   std::optional<std::string> scheme;

@@ -148,6 +148,7 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   plan.schemes_named = options.scheme.has_value();
   plan.strata_named = !options.strata.empty();
   plan.pairs_named = !options.pairs.empty();
+  if (options.usual_strata) plan.strata.assign(kUsualStrata.begin(), kUsualStrata.end());
   if (plan.strata_named) plan.strata.clear();
   for (const std::string& word : options.strata) {
     const std::optional<Stratum> stratum = stratum_named(word);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "compare/io/names.h"
+#include "compare/poses/extreme_meshes.h"
 #include "compare/verify/routes/state_draw.h"
 #include "pcm/bad_input.h"
 
@@ -18,6 +19,9 @@ namespace {
 
 /// Larger pairs have no part in the stratum nested.
 constexpr std::size_t kMostNestedFaces = 20000;
+
+/// Nor have larger ones in extreme, where each is prepared for contact many times over.
+constexpr std::size_t kMostExtremeFaces = 2000;
 
 /// One pose in this many of a hard stratum falls to the general pairs.
 constexpr std::int64_t kGeneralShare = 50;
@@ -71,18 +75,26 @@ PlannedPoses::PlannedPoses(VerificationPlan plan, const EngineSeam& seam)
 }
 
 void PlannedPoses::prepare_pairings() {
-  const bool wants_nested = std::find(plan_.strata.begin(), plan_.strata.end(), Stratum::nested) != plan_.strata.end();
+  const auto wants = [this](Stratum stratum) {
+    return std::find(plan_.strata.begin(), plan_.strata.end(), stratum) != plan_.strata.end();
+  };
+  const bool wants_nested = wants(Stratum::nested), wants_extreme = wants(Stratum::extreme);
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
     if (!plan_.recorded.empty() && plan_.recorded[i].states.empty()) return;
     const HeldPairing::Modes& modes = plan_.recorded.empty() ? plan_.modes : plan_.recorded[i].modes;
     try {
-      const auto add = [&](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
-        held_pairings_[i].usual.push_back(
-            std::make_unique<HeldPairing>(mesh_E, mesh_F, pair.law, modes, plan_.schemes.front()));
+      const auto held = [&](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
+        return std::make_unique<HeldPairing>(mesh_E, mesh_F, pair.law, modes, plan_.schemes.front());
       };
-      add(pair.E, pair.F);
-      for (const auto& [mesh_E, mesh_F] : pair.variants) add(mesh_E, mesh_F);
+      held_pairings_[i].usual.push_back(held(pair.E, pair.F));
+      for (const auto& [mesh_E, mesh_F] : pair.variants) held_pairings_[i].usual.push_back(held(mesh_E, mesh_F));
+      if (wants_extreme && pair.for_hard_strata && !pair.made_to_hurt && pair.faces() <= kMostExtremeFaces) {
+        for (std::size_t k = 0; k < kExtremes; ++k) {
+          const auto [mesh_E, mesh_F] = extreme_meshes(pair.E, pair.F, k);
+          held_pairings_[i].extreme.push_back(held(mesh_E, mesh_F));
+        }
+      }
       // All faces of a nested guest are active: tens of thousands cost the oracle tens of seconds a pose.
       if (!wants_nested || !pair.for_all_strata || pair.faces() > kMostNestedFaces) return;
       if (std::optional<NestedMeshes> meshes = nested_meshes(pair.E, pair.F))
@@ -92,6 +104,13 @@ void PlannedPoses::prepare_pairings() {
       throw BadInput("pair " + pair.name + ": " + error.what());
     }
   });
+}
+
+/// Whether it has the surfaces that the stratum asks for.
+bool PlannedPoses::takes_part(std::size_t pair, Stratum stratum) const {
+  if (stratum == Stratum::nested) return held_pairings_[pair].nested != nullptr;
+  if (stratum == Stratum::extreme) return !held_pairings_[pair].extreme.empty();
+  return true;
 }
 
 void PlannedPoses::add_drawn_cells() {
@@ -132,9 +151,10 @@ void PlannedPoses::add_drawn_cells() {
     std::vector<std::size_t> general, small;
     for (std::size_t i = 0; i < plan_.pairs.size(); ++i) {
       const SurfacePair& pair = plan_.pairs[i];
+      if (!takes_part(i, stratum) && stratum == Stratum::extreme) continue;
       if (hard(stratum) && pair.for_hard_strata)
         small.push_back(i);
-      else if (pair.for_all_strata && (stratum != Stratum::nested || held_pairings_[i].nested))
+      else if (pair.for_all_strata && takes_part(i, stratum))
         general.push_back(i);
       else if (pair.for_all_strata)
         omissions_.push_back("nested: left out for " + pair.name +
@@ -217,7 +237,8 @@ std::string PlannedPoses::pose_name(const PlannedCell& cell, std::int64_t pose) 
 const HeldPairing& PlannedPoses::held_pairing(const PlannedCell& cell, std::int64_t pose) const {
   const HeldPairings& pairings = held_pairings_[cell.pair];
   if (cell.stratum == Stratum::nested) return *pairings.nested;
-  return *pairings.usual[static_cast<std::size_t>(pose) % pairings.usual.size()];
+  const auto& variants = cell.stratum == Stratum::extreme ? pairings.extreme : pairings.usual;
+  return *variants[static_cast<std::size_t>(pose) % variants.size()];
 }
 
 const RecordedState* PlannedPoses::recorded(const PlannedCell& cell, std::int64_t pose) const {
@@ -258,7 +279,7 @@ Case PlannedPoses::as_case(const PlannedCell& cell, std::int64_t pose) const {
   posed.origin = origin(cell, pose);
   posed.E = meshes.E.mesh;
   posed.F = meshes.F.mesh;
-  // The stratum nested scales meshes; they are then no longer those of the files.
+  // The strata nested and extreme scale meshes; they are then no longer those of the files.
   if (posed.E.name == pair.E.name) posed.file_E = pair.file_E;
   if (posed.F.name == pair.F.name) posed.file_F = pair.file_F;
   const auto set = [&posed](const HeldPairing::State& state, Mode mode) {

@@ -62,6 +62,7 @@ class PlannedPoses {
   struct HeldPairings {
     std::vector<std::unique_ptr<HeldPairing>> usual;  ///< of the pair itself, then of its variants
     std::unique_ptr<HeldPairing> nested;
+    std::vector<std::unique_ptr<HeldPairing>> extreme;
   };
 
   /// What can have poses, however few are asked for.
@@ -72,6 +73,7 @@ class PlannedPoses {
   };
 
   void prepare_pairings();
+  bool takes_part(std::size_t pair, Stratum stratum) const;
   void add_drawn_cells();
   void add_recorded_cells();
   void say_what_gets_no_pose(const Fit& fit);

@@ -14,6 +14,10 @@ namespace {
 
 using roundoff::u;
 
+/// A product that underflows is off by half the least denormal number. A term of a sum has up to four products, its
+/// vector three components, and both sums have it: 4 sqrt(3) of these at most.
+constexpr double kUnderflowOfTerm = 8 * std::numeric_limits<double>::denorm_min();
+
 /// A sum, and that of the terms' sizes: n terms added up in any order are off by n u times these.
 template <class Value>
 struct Sum {
@@ -27,7 +31,9 @@ struct Sum {
     ++terms;
   }
   /// Of a sum of doubles like this one; both are off. `roundings`: of a term.
-  double bound(double roundings) const { return kHigherOrder * 2 * (terms + roundings) * u * sizes; }
+  double bound(double roundings) const {
+    return kHigherOrder * 2 * (terms + roundings) * u * sizes + terms * kUnderflowOfTerm;
+  }
 };
 using NumberSum = Sum<double>;
 using VectorSum = Sum<Eigen::Vector3d>;

@@ -3,6 +3,7 @@
 // `pcm explain` as users meet it: named poses, surfaces, case files, text and JSON, bad input.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -32,6 +33,20 @@ TEST(ExplainCommand, ExplainsANamedPose) {
                             "tie rule: below, by z of vertex", "Other crossings or faces inside: within"})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
   EXPECT_EQ(run_pcm({"explain", "--pose", "catalogue/vertex_on_face/both"}).status, 0);
+}
+
+TEST(ExplainCommand, DrawsAMapOfOnePoseAndRefusesOneOfMany) {
+  const TemporaryFolder scratch;
+  const std::string picture = scratch.path("map.svg");
+  const Outcome drawn = run_pcm({"explain", "--pose", "vertex_on_face", "--map", picture, "--map-steps", "2"});
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  EXPECT_NE(drawn.out.find("fast                  0 of 25 poses wrong"), std::string::npos) << drawn.out;
+  EXPECT_TRUE(std::filesystem::exists(picture));
+  const std::string surface = scratch.write("t.obj", kTetrahedron);
+  const std::string poses = scratch.write("poses.txt", std::string(kIdentity) + "0.5 0 0\n");
+  EXPECT_EQ(run_pcm({"explain", surface, surface, "--poses", poses, "--map", picture}).status, 2);
+  EXPECT_EQ(run_pcm({"explain", "--pose", "vertex_on_face", "--map", picture, "--map-axes", "xx"}).status, 2);
+  EXPECT_EQ(run_pcm({"explain", "--pose", "vertex_on_face", "--map-steps", "2"}).status, 2);
 }
 
 TEST(ExplainCommand, ExplainsPosesOfTwoSurfacesAsJson) {

@@ -349,7 +349,7 @@ bool any_says(const std::vector<std::string>& lines, const std::string& words) {
 
 TEST(Verification, WhatIsNamedMustGetAPose) {
   // A pose a stratum: the second pair gets all of them.
-  const VerificationPlan plan = plan_of_both_schemes(6);
+  const VerificationPlan plan = plan_of_both_schemes(std::ssize(kStrata));
   const auto expect_refused = [](const VerificationPlan& named, const std::string& what) {
     try {
       const Verification run(named);
@@ -364,7 +364,7 @@ TEST(Verification, WhatIsNamedMustGetAPose) {
   schemes.schemes_named = true;
   expect_refused(schemes, "clipped scheme");
   strata.strata_named = true;
-  strata.poses = 5;
+  strata.poses = std::ssize(kStrata) - 1;
   expect_refused(strata, "stratum generic");
   nested.strata_named = true;
   for (SurfacePair& pair : nested.pairs)
@@ -373,7 +373,7 @@ TEST(Verification, WhatIsNamedMustGetAPose) {
 }
 
 TEST(Verification, WhatGetsNoPoseIsSaidInTablesAndVerdict) {
-  Verification run(plan_of_both_schemes(5));
+  Verification run(plan_of_both_schemes(std::ssize(kStrata) - 1));
   run_all(run, 1);
   for (const std::string& words : {std::string("stratum generic"), std::string("clipped scheme"),
                                    "1 of 2 pairs get no pose (" + small_pair().name}) {
