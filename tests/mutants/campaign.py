@@ -1,0 +1,221 @@
+# SPDX-FileCopyrightText: 2026 The pcm authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A campaign: one mutant after the other is built and checked, and what became of it is written down at once."""
+
+import json
+import os
+import time
+from dataclasses import asdict
+
+from checks import Checks, Finding
+from draw import ROOMS, Draw
+from hand_picked import PICKED, PLANTED
+from mutant import by_hand
+from scratch import ANSWERING, CHECKING, CannotBuild, Scratch
+
+#: What can become of a mutant.
+CAUGHT, SURVIVED, NO_PROGRAM = "caught", "survived", "not a program"
+
+
+class Refused(Exception):
+    """The campaign cannot begin or go on, and why."""
+
+
+class Results:
+    """A file of JSON lines, one for each mutant that was checked; a later line takes the place of an earlier one."""
+
+    def __init__(self, path):
+        self._path = path
+        self._lines = {}
+        if path.exists():
+            for line in path.read_text(encoding="utf-8").splitlines():
+                try:
+                    entry = json.loads(line)
+                except json.JSONDecodeError:
+                    continue  # cut off when a run was killed
+                self._lines[entry["id"]] = entry
+
+    def get(self, id):
+        return self._lines.get(id)
+
+    def all(self):
+        return list(self._lines.values())
+
+    def add(self, entry):
+        self._lines[entry["id"]] = entry
+        self._path.parent.mkdir(parents=True, exist_ok=True)
+        torn = self._path.exists() and not self._path.read_bytes()[-1:] in (b"", b"\n")
+        with open(self._path, "a", encoding="utf-8") as file:
+            file.write(("\n" if torn else "") + json.dumps(entry) + "\n")
+            file.flush()
+            os.fsync(file.fileno())
+
+
+def picked_mutants(read, rooms=ROOMS):
+    """Those chosen by hand: in the order of their list, but headers, which many files include, last."""
+    in_rooms = [picked for picked in PICKED if picked[0].split("/")[0] in rooms]
+    in_rooms.sort(key=lambda picked: picked[0].endswith(".h"))
+    return [by_hand(file, *rest, read(file)) for file, *rest in in_rooms]
+
+
+def planted_mutant(read, room):
+    file, before, after, why = PLANTED[room]
+    return by_hand(file, before, after, why, read(file))
+
+
+class Campaign:
+    """`names` of checks; with `all_checks` each of them is asked of every mutant, otherwise until one has caught it.
+    `ladder`: numbers of poses of verify."""
+
+    def __init__(self, root, folder, names, all_checks, ladder, jobs, say):
+        self._folder, self._names, self._all_checks, self._ladder = folder, names, all_checks, ladder
+        self._jobs, self._say = jobs, say
+        self._scratch = Scratch(root, folder)
+        self._results = Results(folder / "results.jsonl")
+        self._checks = None
+        self._answering = self._checking = ""
+
+    def prepare(self, rooms):
+        """The copy, built and checked without any fault, then with one that every check has to notice."""
+        self._say("copying the sources and building them")
+        self._scratch.refresh()
+        self._answering, self._checking = self._scratch.digest(ANSWERING), self._scratch.digest(CHECKING)
+        self._forget_other_sources()
+        self._scratch.configure()
+        for room in rooms:
+            known = self._read_unaltered().get(self._key_of_unaltered(room), {})
+            self._checks = Checks(self._scratch.build_folder, self._ladder, known)
+            new = [name for name in self._names if not set(self._checks.commands(name, room)) <= set(known)]
+            if new:
+                self._scratch.build(self._checks.targets(new, room), self._jobs)
+                self._check_unaltered(room, new)
+                self._check_planted(room, new)
+                self._keep_unaltered(room)
+
+    def _forget_other_sources(self):
+        """Results of other sources are put aside, not removed."""
+        stamp = self._folder / "sources"
+        if stamp.exists() and stamp.read_text(encoding="utf-8") != self._answering:
+            old = stamp.read_text(encoding="utf-8")
+            if (self._folder / "results.jsonl").exists():
+                (self._folder / "results.jsonl").rename(self._folder / f"results_{old}.jsonl")
+                self._say(f"the sources have changed: what was found is in results_{old}.jsonl, and all begins anew")
+            self._results = Results(self._folder / "results.jsonl")
+        stamp.write_text(self._answering, encoding="utf-8")
+
+    def _key_of_unaltered(self, room):
+        return " ".join([room, self._answering, self._checking])
+
+    def _read_unaltered(self):
+        path = self._folder / "unaltered.json"
+        return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+    def _keep_unaltered(self, room):
+        passed = self._read_unaltered()
+        passed[self._key_of_unaltered(room)] = self._checks.measured()
+        (self._folder / "unaltered.json").write_text(json.dumps(passed, indent=1), encoding="utf-8")
+
+    def _check_unaltered(self, room, names):
+        for name in names:
+            finding = self._checks.check(name, room, measure=True)
+            self._say(f"{room}: {name} of the sources as they are: {finding.by or 'passed'}, {finding.seconds:.0f} s")
+            if finding.by:
+                raise Refused(f"the sources as they are fail {name} ({finding.by}): nothing can be told of mutants")
+
+    def _check_planted(self, room, names):
+        mutant = planted_mutant(self._scratch.read, room)
+        entry = self._try(mutant, names, all_checks=True, found_before={})
+        missed = [name for name in names if not entry["checks"].get(name, {}).get("by")]
+        self._say(f"{room}: a planted fault: {entry['state']}")
+        if entry["state"] != CAUGHT or missed:
+            raise Refused(f"a planted fault in {room} is not noticed by {', '.join(missed) or 'any check'}")
+
+    def _found_before(self, mutant):
+        """What checks have found of it: all that caught it, and where none has changed those that it passed."""
+        entry = self._results.get(mutant.id)
+        if entry is None:
+            return {}
+        return {
+            name: found for name, found in entry["checks"].items() if found["by"] or entry["checking"] == self._checking
+        }
+
+    def _is_known(self, mutant):
+        """Whether nothing would be learnt by trying it again."""
+        entry = self._results.get(mutant.id)
+        if entry is None:
+            return False
+        found = self._found_before(mutant)
+        caught = any(one["by"] for one in found.values())
+        if entry["state"] == NO_PROGRAM or (caught and not self._all_checks):
+            return True
+        return all(name in found and self._checks.is_enough(name, found[name]) for name in self._names)
+
+    def run(self, rooms, drawn, seed, picked):
+        """Those chosen by hand in these rooms, if they are wanted, then `drawn` programs of each room."""
+        if picked:
+            for room in rooms:
+                for mutant in picked_mutants(self._scratch.read, [room]):
+                    self._visit(mutant)
+        draws = {room: iter(Draw(self._scratch.source, room, seed)) for room in rooms}
+        programs = {room: 0 for room in rooms}
+        while draws:
+            # In turns, so that a campaign that is cut short has seen both rooms.
+            for room in list(draws):
+                mutant = next(draws[room], None) if programs[room] < drawn else None
+                if mutant is None:
+                    del draws[room]
+                    continue
+                entry = self._visit(mutant)
+                programs[room] += entry["state"] != NO_PROGRAM
+
+    def _visit(self, mutant):
+        if self._is_known(mutant):
+            return self._results.get(mutant.id)
+        begin = time.monotonic()
+        entry = self._try(mutant, self._names, self._all_checks, self._found_before(mutant))
+        entry["clock_seconds"] = round(time.monotonic() - begin, 1)
+        self._results.add(entry)
+        by = ", ".join(f"{name}: {found['by'] or 'passed'}" for name, found in entry["checks"].items())
+        self._say(f"{entry['state']:<13} {entry['file']}:{entry['line']} {mutant.kind}  {by}")
+        return entry
+
+    def _try(self, mutant, names, all_checks, found_before):
+        """Builds and checks one mutant, and puts the file back. What was found before is not looked for again."""
+        text = self._scratch.read(mutant.file)
+        entry = {
+            "id": mutant.id,
+            "room": mutant.room,
+            "file": mutant.file,
+            "line": mutant.line_in(text),
+            "kind": mutant.kind,
+            "why": mutant.why,
+            "before": mutant.before,
+            "after": mutant.after,
+            "state": NO_PROGRAM,
+            "checks": dict(found_before),
+            "checking": self._checking,
+        }
+        if found_before:
+            entry["state"] = CAUGHT if any(found["by"] for found in found_before.values()) else SURVIVED
+        try:
+            self._scratch.write(mutant.file, mutant.applied_to(text))
+            for name in names:
+                found = found_before.get(name)
+                if found and self._checks.is_enough(name, found):
+                    continue
+                self._scratch.build(self._checks.targets([name], mutant.room), self._jobs)
+                finding = self._checks.check(name, mutant.room, passed=found)
+                entry["checks"][name] = asdict(finding)
+                entry["state"] = CAUGHT if finding.by or entry["state"] == CAUGHT else SURVIVED
+                if finding.by and not all_checks:
+                    break
+        except CannotBuild as error:
+            if entry["checks"]:
+                # One that is only no program together with what a later check is made of.
+                entry["checks"][name] = asdict(Finding("does not compile"))
+                entry["state"] = CAUGHT
+            else:
+                entry["message"] = str(error)[-400:]
+        finally:
+            self._scratch.write(mutant.file, text)
+        return entry

@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: 2026 The pcm authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Does anything notice a small fault? Builds mutants of the engine and of the oracle, one at a time, and checks them.
+
+A copy of the sources is built in build/mutants. What became of each mutant is written to build/mutants/results.jsonl as
+soon as it is known; a run that was killed goes on from there. Those chosen by hand come first, then those drawn.
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # nothing of ours among the sources
+
+import report
+from campaign import Campaign, Refused, Results, picked_mutants
+from checks import CHECKS, LADDER
+from draw import ROOMS, first_drawn
+from mutant import BadMutant
+from scratch import CannotBuild
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("drawn", nargs="?", type=int, default=200, help="how many to draw in each room (default 200)")
+    parser.add_argument("--rooms", default=",".join(ROOMS), help="fast, reference or both (default)")
+    parser.add_argument("--seed", type=int, default=1, help="of the draw (default 1)")
+    parser.add_argument("--checks", default=",".join(CHECKS), help="some of tests, verify, suite (default all)")
+    parser.add_argument("--all-checks", action="store_true", help="also ask the others when one check has caught it")
+    ladder = ",".join(map(str, LADDER))
+    parser.add_argument("--poses", default=ladder, help="of the runs of verify, one after the other (default %(default)s)")
+    parser.add_argument("--no-picked", action="store_true", help="leave out those chosen by hand")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="of the build")
+    parser.add_argument("--folder", type=Path, default=ROOT / "build" / "mutants", help="default: build/mutants")
+    parser.add_argument("--list", action="store_true", help="only print the mutants")
+    parser.add_argument("--report", action="store_true", help="only write the tables of what is known so far")
+    return parser.parse_args()
+
+
+def one_of_each(text, allowed, what):
+    names = text.split(",")
+    for name in names:
+        if name not in allowed:
+            raise Refused(f"{what} {name} is none of {', '.join(allowed)}")
+    return [name for name in allowed if name in names]
+
+
+def print_mutants(options, rooms):
+    def read(file):
+        return (ROOT / file).read_text(encoding="utf-8")
+
+    mutants = [] if options.no_picked else picked_mutants(read, rooms)
+    for room in rooms:
+        mutants += first_drawn(ROOT, room, options.seed, options.drawn)
+    for mutant in mutants:
+        line = mutant.line_in(read(mutant.file))
+        print(f"{mutant.file}:{line}: {mutant.kind}: {mutant.before!r} -> {mutant.after!r}")
+
+
+def say(line):
+    print(line, flush=True)
+
+
+def main():
+    options = arguments()
+    rooms = one_of_each(options.rooms, ROOMS, "room")
+    names = one_of_each(options.checks, CHECKS, "check")
+    results = options.folder / "results.jsonl"
+    if options.list:
+        print_mutants(options, rooms)
+        return 0
+    if not options.report:
+        ladder = tuple(sorted(int(poses) for poses in options.poses.split(",")))
+        campaign = Campaign(ROOT, options.folder, names, options.all_checks, ladder, options.jobs, say)
+        campaign.prepare(rooms)
+        campaign.run(rooms, options.drawn, options.seed, not options.no_picked)
+    entries = Results(results).all()
+    report.write(entries, options.folder)
+    print(report.summary_table(entries))
+    survivors = sum(entry["state"] == "survived" for entry in entries)
+    print(f"{survivors} survivors; tables: {options.folder}/mutants.md, mutants.csv")
+    return 1 if survivors else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (Refused, BadMutant, CannotBuild) as error:
+        sys.exit(f"mutants: {error}")
+    except KeyboardInterrupt:
+        sys.exit("mutants: interrupted; the same command goes on from here")
