@@ -246,7 +246,7 @@ Attempt stacked(const FeaturePair& pair, PoseRandom& random) {
 }
 
 // Coordinates that fill all 53 bits make most differences round; some feature of a large surface then still fits.
-constexpr int kTries = 256;
+constexpr int kMostAttempts = 256;
 
 /// Off by up to 2^-33 in each entry: A^T A - I stays below 1e-9.
 void drift(Eigen::Matrix3d& A, PoseRandom& random) {
@@ -278,7 +278,7 @@ Attempt drifted_onto_feature(const FeaturePair& pair, PoseRandom& random) {
 }  // namespace
 
 DrawnPose draw_drifted(const FeaturePair& pair, PoseRandom& random) {
-  for (int attempt = 0; attempt < kTries; ++attempt)
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt)
     if (const Attempt drawn = drifted_onto_feature(pair, random)) return *drawn;
   DrawnPose nearly = draw_degenerate(pair, random);
   drift(nearly.pose.A, random);
@@ -291,7 +291,7 @@ DrawnPose draw_degenerate(const FeaturePair& pair, PoseRandom& random) {
   constexpr std::array kConstructions = {vertex_on_vertex, vertex_on_edge,     vertex_on_face,
                                          edge_across_edge, edge_in_face,       coplanar_faces,
                                          identical_bodies, slid_along_an_edge, stacked};
-  for (int attempt = 0; attempt < kTries; ++attempt)
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt)
     if (const Attempt drawn = kConstructions[random.below(kConstructions.size())](pair, random)) return *drawn;
   DrawnPose nearly;
   nearly.pose.A = cube_rotation(random);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "reference/pose/exact_pose.h"
 
@@ -29,7 +30,8 @@ struct Shifted {
 
   Shifted() = default;
   explicit Shifted(double constant) : a(constant), b(0), c(0) {}
-  Shifted(Exact constant, Exact linear, Exact square) : a(constant), b(linear), c(square) {}
+  Shifted(Exact constant, Exact linear, Exact square)
+      : a(std::move(constant)), b(std::move(linear)), c(std::move(square)) {}
   friend Shifted operator+(const Shifted& x, const Shifted& y) { return {x.a + y.a, x.b + y.b, x.c + y.c}; }
   friend Shifted operator-(const Shifted& x, const Shifted& y) { return {x.a - y.a, x.b - y.b, x.c - y.c}; }
   friend Shifted operator*(const Shifted& x, const Shifted& y) {
