@@ -32,6 +32,7 @@ struct VerifyOptions {
   bool known_answers = false;
   bool error_budget = false;
   bool audits = false;
+  bool stability = false;
   bool quick = false;
 };
 
