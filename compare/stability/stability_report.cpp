@@ -100,10 +100,10 @@ LogPlot error_plot(const StabilityReport& report, Sweep sweep, Scheme scheme) {
       [](const PointFigures& p) { return p.settled.of(Quantity::force).bound.median; });
   add(plot, "condition: an ulp of the pose", kCondition,
       [](const PointFigures& p) { return p.settled.of(Quantity::force).condition.median; });
-  add(plot, "error of the engine", kError,
-      [](const PointFigures& p) { return p.settled.of(Quantity::force).error.median; });
   add(plot, "the part of rounded vertices", kOfVertices,
       [](const PointFigures& p) { return p.settled.of(Quantity::force).of_vertices.median; });
+  add(plot, "error of the engine", kError,
+      [](const PointFigures& p) { return p.settled.of(Quantity::force).error.median; });
   add(plot, "error of the engine, flipped poses", kFlippedError,
       [](const PointFigures& p) { return p.flipped.of(Quantity::force).error.median; });
   if (scheme == Scheme::barycentric) {
@@ -312,16 +312,16 @@ Figure stability_figure(const StabilityReport& report, Sweep sweep) {
                        ratio_plot(report, sweep)})
     if (!plot.curves.empty()) figure.plots.push_back(std::move(plot));
   figure.caption = fmt::format(
-      "Two polyhedral spheres in contact, an elastic foundation between them; medians over {} random poses at each "
+      "Two polyhedral spheres{} in contact, an elastic foundation between them; medians over {} random poses at each "
       "value. Error: of the engine's force against the exact force, computed without rounding from the same doubles. "
       "Condition: how far the exact force moves as one of the pose's twelve numbers moves by a unit in the last place, "
       "the greatest over the twelve. The part of rounded vertices: error of the exact force between bodies of which "
       "one "
       "has its vertices rounded, as the engine has them; the rest is evaluation. Bound: what the engine itself "
       "promises; "
-      "bounds above {:.0e} are not drawn. Error over condition is the engine's own share. Flipped poses, in which a "
+      "bounds above {:.0f} are not drawn. Error over condition is the engine's own share. Flipped poses, in which a "
       "discrete decision may not be that of the exact problem, are drawn apart.",
-      report.poses, kNothingKnown);
+      sweep == Sweep::aspect ? ", stretched along one axis," : "", report.poses, kNothingKnown);
   return figure;
 }
 

@@ -48,7 +48,7 @@ std::vector<int> steps(Sweep sweep, Extent extent) {
     case Sweep::offset:
       return full ? range(0, 44, 4) : range(0, 40, 20);
     case Sweep::scale:
-      return full ? range(-240, 240, 40) : range(-240, 240, 240);
+      return full ? range(-240, 240, 80) : range(-240, 240, 240);
     case Sweep::aspect:
       return full ? range(0, 50, 5) : range(0, 40, 20);
     case Sweep::depth:
