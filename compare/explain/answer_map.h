@@ -18,7 +18,7 @@ struct MapGrid {
   int steps = 16;                 ///< to either side of the middle
   double ulp = 0;                 ///< m
 
-  std::size_t side() const { return static_cast<std::size_t>(2 * steps + 1); }
+  std::size_t side() const { return 2 * static_cast<std::size_t>(steps) + 1; }
   std::size_t cells() const { return side() * side(); }
 };
 

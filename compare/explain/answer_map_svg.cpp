@@ -65,7 +65,8 @@ std::string legend(const AnswerMap& map, double top) {
   std::string drawn;
   const std::size_t listed = std::min(map.answers.size(), kListed);
   for (std::size_t i = 0; i < listed; ++i) {
-    const double x = kMargin + static_cast<double>(i % 4) * 210, y = top + static_cast<double>(i / 4) * kLine;
+    const std::size_t row = i / 4, column = i % 4;
+    const double x = kMargin + static_cast<double>(column) * 210, y = top + static_cast<double>(row) * kLine;
     const bool stands_for_more = i + 1 == kListed && map.answers.size() > kListed;
     const std::string words = stands_for_more ? fmt::format("{} other answers", map.answers.size() - kListed + 1)
                                               : fmt::format("{}: {}", i + 1, map.answers[i]);

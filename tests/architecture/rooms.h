@@ -65,6 +65,7 @@ inline const std::vector<Part>& parts() {
         "contact",
         "known_answers",
         "error_budget",
+        "stability",
         "motion",
         "bench",
         "cli/frame",

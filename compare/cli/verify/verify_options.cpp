@@ -17,7 +17,7 @@
 namespace pcm::compare {
 
 bool asks_for_other_tables(const VerifyOptions& options) {
-  return options.known_answers || options.error_budget || options.audits ||
+  return options.known_answers || options.error_budget || options.audits || options.stability ||
          std::any_of(options.engines.begin(), options.engines.end(),
                      [](const std::string& engine) { return engine != "fast"; });
 }
@@ -79,7 +79,8 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "check was. Case files are written of the first {} answers with a disagreement in the order of the tables; all\n"
       "are counted.\n"
       "Known answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each\n"
-      "case are written to --out.\n"
+      "case are written to --out. Stability: 1 when an error exceeds the engine's own bound or an answer is not\n"
+      "finite; tables and a plot a sweep are written to --out.\n"
       "A run with --out may be killed and goes on where it was, half a second excepted. Any number of processes may "
       "share\n"
       "in it: start the same command once more, on another machine that has the folder too, or by mpirun.\n"
@@ -95,6 +96,7 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "  pcm verify --known-answers --out answers\n"
       "  pcm verify --error-budget --out budget\n"
       "  pcm verify --audits --out audits\n"
+      "  pcm verify --stability --out stability\n"
       "  pcm verify --trajectory bubbles/trajectory/trajectory.json --out results\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17_both.json",
       kMostFindings));
@@ -145,24 +147,32 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
               "Instead: work left over, tangential force and jumps of the elastic force over closed loops of poses")
           ->excludes(known, budget)
           ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  CLI::Option* stability =
+      command
+          ->add_flag("--stability", options->stability,
+                     "Instead: rounding error beside the condition of the problem, over offset, scale, aspect ratio, "
+                     "depth and mesh size, in both schemes and of the published algorithms (minutes)")
+          ->excludes(known, budget, audits)
+          ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
   command
       ->add_option("--trajectory", options->trajectory,
                    "Hold the poses of this recorded trajectory (trajectory/trajectory.json of a folder of `pcm "
                    "simulate`) instead of random ones")
       ->type_name("FILE")
-      ->excludes(known, budget, audits)
+      ->excludes(known, budget, audits, stability)
       ->excludes("--seed", "--strata", "--pair", "--engine", "--case");
   command->add_flag("--quick", options->quick,
-                    "Known answers or error budget on coarser meshes only, audits in coarser steps");
+                    "Known answers or error budget on coarser meshes only, audits in coarser steps, stability at fewer "
+                    "points and poses");
   add_law_options(*command, options->law);
   command->callback([options, &run, act] {
     run = [options, act] {
       if (options->law.any() && (options->known_answers || options->error_budget || options->audits ||
-                                 options->case_file || options->trajectory))
+                                 options->stability || options->case_file || options->trajectory))
         throw BadInput("the options of the force law go with random poses; all else has laws of its own");
       if (options->quick && !options->known_answers && !options->error_budget && !options->audits &&
-          !options->case_file)
-        throw BadInput("--quick goes with --known-answers, --error-budget or --audits");
+          !options->stability && !options->case_file)
+        throw BadInput("--quick goes with --known-answers, --error-budget, --audits or --stability");
       if (options->part || !options->merge.empty()) {
         if (asks_for_other_tables(*options) || options->case_file)
           throw BadInput("--part and --merge go with the poses of a run alone");

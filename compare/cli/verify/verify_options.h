@@ -33,6 +33,7 @@ struct VerifyOptions {
   bool known_answers = false;
   bool error_budget = false;
   bool audits = false;
+  bool stability = false;
   bool quick = false;
 };
 

@@ -12,6 +12,7 @@
 #include "compare/cli/verify/verify_error_budget.h"
 #include "compare/cli/verify/verify_known_answers.h"
 #include "compare/cli/verify/verify_run.h"
+#include "compare/cli/verify/verify_stability.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
@@ -58,10 +59,17 @@ Exit audits(const VerifyOptions& options) {
   return verify_audits(extent_of(options), number_of_jobs(options), folder);
 }
 
+Exit stability(const VerifyOptions& options) {
+  const std::uint64_t seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  const std::optional<fs::path> folder = prepared_folder(options);
+  return verify_stability(extent_of(options), seed, number_of_jobs(options), folder);
+}
+
 }  // namespace
 
 Exit verify_other_tables(const VerifyOptions& options) {
   if (options.audits) return audits(options);
+  if (options.stability) return stability(options);
   if (options.error_budget) return error_budget(options);
   if (options.known_answers) return known_answers(options);
   return engine_comparison(options);

@@ -168,7 +168,7 @@ TEST_F(ProgramBadInput, EndlessDevices) {
 }
 
 TEST_F(ProgramBadInput, LawOfVerifyWhereItHasNoPart) {
-  for (const char* other : {"--audits", "--known-answers", "--error-budget"})
+  for (const char* other : {"--audits", "--known-answers", "--error-budget", "--stability"})
     expect_bad_input({"verify", other, "--quick", "--friction", "0.5"}, "random poses");
   expect_bad_input({"verify", "--case", "case.json", "--stiffness", "1e5"}, "random poses");
   expect_bad_input({"verify", "--poses", "6", "--stiffness", "-1"}, "--stiffness");
@@ -194,9 +194,12 @@ TEST_F(ProgramBadInput, OptionsOfVerify) {
   expect_bad_input({"verify", "--engine", "slow"}, "--engine");
   expect_bad_input({"verify", "--engine", "published-2003", "--scheme", "clipped"}, "--engine");
   expect_bad_input({"verify", "--audits", "--engine", "published-2003"}, "--audits");
-  expect_bad_input({"verify", "--quick"}, "--quick goes with --known-answers, --error-budget or --audits");
+  expect_bad_input({"verify", "--quick"}, "--quick goes with --known-answers, --error-budget, --audits or --stability");
   expect_bad_input({"verify", "--error-budget", "--known-answers"}, "--error-budget");
   expect_bad_input({"verify", "--error-budget", "--scheme", "clipped"}, "--error-budget");
+  expect_bad_input({"verify", "--stability", "--scheme", "clipped"}, "--stability");
+  expect_bad_input({"verify", "--stability", "--audits"}, "--stability");
+  expect_bad_input({"verify", "--stability", "--quick", "--seed", "x"}, "--seed");
   expect_bad_input({"verify", "--error-budget", "--quick", "--jobs", "0"}, "--jobs");
   expect_bad_input({"verify", "--error-budget", "--quick", "--out", surface_}, surface_);
 }

@@ -83,9 +83,10 @@ TEST_F(VerifyTrajectory, KeepsTablesOfThisRecordingAlone) {
 
 TEST_F(VerifyTrajectory, RefusesOptionsThatContradict) {
   const std::string surface = trajectory_.folder().path("first.obj");
-  for (const Words& options : {Words{"--seed", "1"}, Words{"--strata", "generic"}, Words{"--pair", surface, surface},
-                               Words{"--engine", "fast"}, Words{"--engine", "published-2003"}, Words{"--case", surface},
-                               Words{"--known-answers"}, Words{"--error-budget"}, Words{"--audits"}})
+  for (const Words& options :
+       {Words{"--seed", "1"}, Words{"--strata", "generic"}, Words{"--pair", surface, surface},
+        Words{"--engine", "fast"}, Words{"--engine", "published-2003"}, Words{"--case", surface},
+        Words{"--known-answers"}, Words{"--error-budget"}, Words{"--audits"}, Words{"--stability"}})
     expect_refused(options.front() + " excludes --trajectory", options);
   expect_refused("--quick goes with", {"--quick"});
   expect_refused("--scheme both", {"--scheme", "both"});

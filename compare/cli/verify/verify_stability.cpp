@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/verify/verify_stability.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compare/io/report_folder.h"
+#include "compare/stability/stability_report.h"
+#include "meshes/files/text_file.h"
+
+namespace pcm::compare {
+namespace {
+
+void write_tables(const std::filesystem::path& path, const stability::StabilityReport& report, Extent extent) {
+  ReportFolder folder(path, "stability",
+                      {{"extent", extent == Extent::quick ? "quick" : "full"},
+                       {"seed", report.seed},
+                       {"poses_at_each_point", report.poses},
+                       {"mode", "E"},
+                       {"law", "elastic, c_l = 1 N/m^3"}});
+  const Table table = stability_table(report), flatness = flatness_table(report);
+  folder.markdown("stability", stability_markdown(report));
+  folder.csv("stability", csv(table), {});
+  folder.csv("flatness", csv(flatness), {});
+  folder.json("stability", {{"verdict", {{"met", report.met()}, {"line", stability_verdict(report)}}},
+                            {"flatness", json(flatness)},
+                            {"points", json(table)}});
+  for (const stability::Sweep sweep : stability::kSweeps)
+    write_text_file(path / fmt::format("stability_{}.svg", name(sweep)), svg(stability_figure(report, sweep)));
+  folder.finish();
+}
+
+}  // namespace
+
+Exit verify_stability(Extent extent, std::uint64_t seed, int jobs, const std::optional<std::filesystem::path>& folder) {
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const stability::StabilityReport report = stability::run_stability(extent, seed, jobs, [&](const std::string& what) {
+    if (terminal) std::cerr << fmt::format("\r{:<60}", what) << std::flush;
+  });
+  if (terminal) std::cerr << fmt::format("\r{:<60}\r", "");
+  std::cout << stability_summary(report) << stability_verdict(report) << '\n';
+  if (folder) write_tables(*folder, report, extent);
+  return report.met() ? Exit::success : Exit::negative;
+}
+
+}  // namespace pcm::compare
