@@ -83,7 +83,8 @@ void leave_out_extreme(const ContactLaw& law, VerificationPlan& plan, std::vecto
   for (const auto& [option, x] : numbers_of(law)) {
     if (is_between(x, kLeastOfExtreme, kGreatestOfExtreme)) continue;
     const std::string why = fmt::format(
-        "stratum extreme: with {} of {:g} forces leave the range of doubles; from 2^-40 to 2^40 (9e-13 to 1e12) they do "
+        "stratum extreme: with {} of {:g} forces leave the range of doubles; from 2^-40 to 2^40 (9e-13 to 1e12) they "
+        "do "
         "not",
         option, x);
     if (plan.strata_named) throw BadInput(why);
