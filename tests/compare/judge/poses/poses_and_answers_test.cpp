@@ -21,6 +21,7 @@ namespace {
 PlannedPoses planned(std::int64_t poses, const std::vector<Scheme>& schemes) {
   VerificationPlan plan;
   plan.poses = poses;
+  plan.strata.assign(kUsualStrata.begin(), kUsualStrata.end());
   plan.schemes = schemes;
   plan.pairs = {small_pair()};
   return PlannedPoses(std::move(plan));
