@@ -21,13 +21,6 @@ namespace {
 /// The edges that pass through faces, in order; none where the surfaces do not cross.
 using CrossingKeys = std::vector<std::array<Index, 4>>;
 
-CrossingKeys keys_of(const fast::Contact& contact) {
-  CrossingKeys keys;
-  for (const fast::Crossing& x : contact.crossings) keys.push_back(crossing_key(x));
-  std::sort(keys.begin(), keys.end());
-  return keys;
-}
-
 CrossingKeys keys_of(const reference::Answer& answer) {
   CrossingKeys keys;
   for (const reference::Polygon& polygon : answer.polygons) {
@@ -68,7 +61,8 @@ std::vector<CrossingKeys> answers_of(Engine engine, const TriangleMesh& mesh_E, 
   const Wanted polygons{.polygons = true, .areas = false, .force = false, .elements = false};
   TestedEngineWorkspace workspace;
   std::vector<CrossingKeys> answers;
-  for (const Pose& pose : poses) answers.push_back(keys_of(tested->evaluate(pose, {}, polygons, workspace)));
+  for (const Pose& pose : poses)
+    answers.push_back(discrete_answer(tested->evaluate(pose, {}, polygons, workspace)).crossings);
   return answers;
 }
 

@@ -3,6 +3,7 @@
 // The strata generic and grazing (one construction, two ranges of penetration) and separated.
 #include <cmath>
 
+#include "compare/poses/opposed_rotation.h"
 #include "compare/poses/strata.h"
 
 namespace pcm::compare::detail {
@@ -46,42 +47,14 @@ SurfacePoint draw_surface_point(const SurfaceFeatures& surface, PoseRandom& rand
   return drawn;
 }
 
-/// A right-handed orthonormal frame, by columns, whose third axis is `third` and whose first is drawn about it.
-Eigen::Matrix3d frame_about(const Eigen::Vector3d& third, PoseRandom& random) {
-  for (;;) {
-    const Eigen::Vector3d drawn = random.direction();
-    const Eigen::Vector3d second = ordered_cross(third, drawn);
-    if (ordered_dot(second, second) < 1e-4) continue;
-    Eigen::Matrix3d frame;
-    frame.col(2) = third;
-    frame.col(1) = ordered_normalized(second);
-    frame.col(0) = ordered_cross(frame.col(1), third);
-    return frame;
-  }
-}
-
-/// B T C^T, one rounded operation at a time.
-Eigen::Matrix3d ordered_product_transposed(const Eigen::Matrix3d& B, const Eigen::Matrix3d& T,
-                                           const Eigen::Matrix3d& C) {
-  Eigen::Matrix3d product;
-  for (int j = 0; j < 3; ++j) product.col(j) = ordered_product(B, ordered_product(T, C.row(j).transpose()));
-  return product;
-}
-
 /// Feature-to-feature pose: a drawn point of F lies in a drawn one of E at `depth`, outward normals opposed but for a
 /// tilt. Half the tangents of the half tilt are log-uniform down to 2^-40, so that nearly parallel faces come often.
 DrawnPose draw_feature_pose(const FeaturePair& pair, double depth, PoseRandom& random) {
   const SurfacePoint on_E = draw_surface_point(pair.E, random);
   const SurfacePoint on_F = draw_surface_point(pair.F, random);
   const double t = random.coin() ? random.log_uniform(0x1p-40, 0.5) : random.uniform(0, 0.5);
-  Eigen::Matrix3d tilt = Eigen::Matrix3d::Identity();
-  tilt(1, 1) = tilt(2, 2) = (1 - t * t) / (1 + t * t);
-  tilt(2, 1) = 2 * t / (1 + t * t);
-  tilt(1, 2) = -tilt(2, 1);
   DrawnPose drawn;
-  const Eigen::Matrix3d frame_E = frame_about(on_E.normal, random);
-  const Eigen::Matrix3d frame_F = frame_about(-on_F.normal, random);
-  drawn.pose.A = ordered_product_transposed(frame_E, tilt, frame_F);
+  drawn.pose.A = draw_opposed_rotation(on_E.normal, on_F.normal, t, random);
   drawn.pose.r = on_E.point - on_E.normal * depth - ordered_product(drawn.pose.A, on_F.point);
   drawn.construction = "feature to feature";
   return drawn;

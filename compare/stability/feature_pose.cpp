@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compare/poses/opposed_rotation.h"
 #include "reference/numbers/ball.h"
 
 namespace pcm::compare::stability {
@@ -68,28 +69,6 @@ Drawn draw_vertex(const TriangleMesh& mesh, PoseRandom& random) {
   return {{Rational(x[0]), Rational(x[1]), Rational(x[2])}, ordered_normalized(normal), random.uniform(0, 0.1)};
 }
 
-/// A right-handed orthonormal frame, by columns, whose third axis is given and whose first is drawn about it.
-Eigen::Matrix3d frame_about(const Eigen::Vector3d& third, PoseRandom& random) {
-  for (;;) {
-    const Eigen::Vector3d second = ordered_cross(third, random.direction());
-    if (ordered_dot(second, second) < 1e-4) continue;
-    Eigen::Matrix3d frame;
-    frame.col(2) = third;
-    frame.col(1) = ordered_normalized(second);
-    frame.col(0) = ordered_cross(frame.col(1), third);
-    return frame;
-  }
-}
-
-/// By an angle about the x axis, given the tangent of its half.
-Eigen::Matrix3d turned(double t) {
-  Eigen::Matrix3d tilt = Eigen::Matrix3d::Identity();
-  tilt(1, 1) = tilt(2, 2) = (1 - t * t) / (1 + t * t);
-  tilt(2, 1) = 2 * t / (1 + t * t);
-  tilt(1, 2) = -tilt(2, 1);
-  return tilt;
-}
-
 }  // namespace
 
 Pose draw_feature_pose(const SweptBodies& bodies, PoseRandom random) {
@@ -97,11 +76,8 @@ Pose draw_feature_pose(const SweptBodies& bodies, PoseRandom random) {
   const Eigen::Vector3d n_E = ordered_normalized(doubled_normal(p_E));
   const Drawn on_F =
       bodies.feature == Feature::face ? draw_on_face(bodies.F, bodies.depth, random) : draw_vertex(bodies.F, random);
-  const Eigen::Matrix3d frame_E = frame_about(n_E, random), frame_F = frame_about(-on_F.normal, random);
-  const Eigen::Matrix3d tilt = turned(on_F.tangent / 2);
   Pose pose;
-  for (int j = 0; j < 3; ++j)
-    pose.A.col(j) = ordered_product(frame_E, ordered_product(tilt, frame_F.row(j).transpose()));
+  pose.A = draw_opposed_rotation(n_E, on_F.normal, on_F.tangent / 2, random);
   const Rational third = Rational(1) / Rational(3);
   const ExactPoint barycentre = weighted(p_E, {third, third, third});
   for (int i = 0; i < 3; ++i) {

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/verify/verify_error_budget.h"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "compare/cli/frame/progress_line.h"
 #include "compare/error_budget/error_budget.h"
 #include "compare/io/report_folder.h"
 #include "compare/known_answers/report.h"
@@ -33,11 +31,10 @@ void write_tables(const std::filesystem::path& path, const std::vector<KnownAnsw
 }  // namespace
 
 Exit verify_error_budget(Extent extent, int jobs, const std::optional<std::filesystem::path>& folder) {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const std::vector<KnownAnswerResult> budget = error_budget(extent, jobs, [&](const std::string& what) {
-    if (terminal) std::cerr << fmt::format("\r{:<60}", what) << std::flush;
-  });
-  if (terminal) std::cerr << fmt::format("\r{:<60}\r", "");
+  const ProgressLine progress;
+  const std::vector<KnownAnswerResult> budget =
+      error_budget(extent, jobs, [&](const std::string& what) { progress.show(what); });
+  progress.wipe();
   const bool met =
       std::all_of(budget.begin(), budget.end(), [](const KnownAnswerResult& result) { return result.missed() == 0; });
   std::cout << error_budget_summary(budget) << error_budget_verdict(budget) << '\n';

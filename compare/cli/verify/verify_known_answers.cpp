@@ -3,13 +3,13 @@
 #include "compare/cli/verify/verify_known_answers.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/cli/frame/progress_line.h"
 #include "compare/io/report_folder.h"
 #include "compare/known_answers/report.h"
 
@@ -34,11 +34,10 @@ void write_tables(const std::filesystem::path& path, const KnownAnswersReport& r
 
 Exit verify_known_answers(Extent extent, std::uint64_t seed, int jobs,
                           const std::optional<std::filesystem::path>& folder) {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const KnownAnswersReport report = run_known_answers(extent, seed, jobs, [&](const std::string& what) {
-    if (terminal) std::cerr << fmt::format("\r{:<60}", what) << std::flush;
-  });
-  if (terminal) std::cerr << fmt::format("\r{:<60}\r", "");
+  const ProgressLine progress;
+  const KnownAnswersReport report =
+      run_known_answers(extent, seed, jobs, [&](const std::string& what) { progress.show(what); });
+  progress.wipe();
 #ifndef PCM_WITH_DYNAMICS
   std::cerr << "A12 to A17 are left out: this program was built without SUNDIALS\n";
 #endif

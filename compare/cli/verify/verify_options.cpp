@@ -16,8 +16,17 @@
 
 namespace pcm::compare {
 
+namespace {
+
+/// Whether the options ask for a table whose problems and laws are its own.
+bool asks_for_problems_of_its_own(const VerifyOptions& options) {
+  return options.known_answers || options.error_budget || options.audits || options.stability;
+}
+
+}  // namespace
+
 bool asks_for_other_tables(const VerifyOptions& options) {
-  return options.known_answers || options.error_budget || options.audits || options.stability ||
+  return asks_for_problems_of_its_own(options) ||
          std::any_of(options.engines.begin(), options.engines.end(),
                      [](const std::string& engine) { return engine != "fast"; });
 }
@@ -167,11 +176,10 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
   add_law_options(*command, options->law);
   command->callback([options, &run, act] {
     run = [options, act] {
-      if (options->law.any() && (options->known_answers || options->error_budget || options->audits ||
-                                 options->stability || options->case_file || options->trajectory))
+      const bool problems_of_its_own = asks_for_problems_of_its_own(*options);
+      if (options->law.any() && (problems_of_its_own || options->case_file || options->trajectory))
         throw BadInput("the options of the force law go with random poses; all else has laws of its own");
-      if (options->quick && !options->known_answers && !options->error_budget && !options->audits &&
-          !options->stability && !options->case_file)
+      if (options->quick && !problems_of_its_own && !options->case_file)
         throw BadInput("--quick goes with --known-answers, --error-budget, --audits or --stability");
       if (options->part || !options->merge.empty()) {
         if (asks_for_other_tables(*options) || options->case_file)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <optional>
 
 #include "compare/cli/verify/verify_audits.h"
@@ -44,7 +43,7 @@ Exit engine_comparison(const VerifyOptions& options) {
 }
 
 Exit known_answers(const VerifyOptions& options) {
-  const std::uint64_t seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  const std::uint64_t seed = seed_of(options);
   const std::optional<fs::path> folder = prepared_folder(options);
   return verify_known_answers(extent_of(options), seed, number_of_jobs(options), folder);
 }
@@ -60,7 +59,7 @@ Exit audits(const VerifyOptions& options) {
 }
 
 Exit stability(const VerifyOptions& options) {
-  const std::uint64_t seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  const std::uint64_t seed = seed_of(options);
   const std::optional<fs::path> folder = prepared_folder(options);
   return verify_stability(extent_of(options), seed, number_of_jobs(options), folder);
 }

@@ -6,9 +6,8 @@
 
 namespace pcm::compare {
 
-/// What else `pcm verify` does than its main job: --known-answers, --error-budget, --audits, --stability,
-/// --engine. A program of its
-/// own (programs.h), so that the main job doesn't wait until all this is compiled.
+/// What else `pcm verify` does than its main job: --known-answers, --error-budget, --audits, --stability, --engine. A
+/// program of its own (programs.h), so that the main job doesn't wait until all this is compiled.
 Exit verify_other_tables(const VerifyOptions& options);
 
 }  // namespace pcm::compare

@@ -84,8 +84,7 @@ void leave_out_extreme(const ContactLaw& law, VerificationPlan& plan, std::vecto
     if (is_between(x, kLeastOfExtreme, kGreatestOfExtreme)) continue;
     const std::string why = fmt::format(
         "stratum extreme: with {} of {:g} forces leave the range of doubles; from 2^-40 to 2^40 (9e-13 to 1e12) they "
-        "do "
-        "not",
+        "do not",
         option, x);
     if (plan.strata_named) throw BadInput(why);
     notices.push_back(why + "; the stratum is left out");
@@ -160,6 +159,10 @@ int number_of_jobs(const VerifyOptions& options) {
   return cores_of(launched_process());
 }
 
+std::uint64_t seed_of(const VerifyOptions& options) {
+  return whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+}
+
 JobPart part_of(const VerifyOptions& options) {
   if (!options.merge.empty()) return kNoPart;
   if (!options.part) return {};
@@ -174,7 +177,7 @@ JobPart part_of(const VerifyOptions& options) {
 VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string>& notices) {
   VerificationPlan plan;
   if (options.poses) plan.poses = number_of_poses(*options.poses);
-  plan.seed = whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  plan.seed = seed_of(options);
   plan.modes = modes_named(options.mode.value_or("both"));
   plan.schemes = options.scheme && *options.scheme != "both" ? std::vector{scheme_named(*options.scheme)}
                                                              : std::vector{Scheme::barycentric, Scheme::clipped};

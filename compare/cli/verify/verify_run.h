@@ -32,6 +32,7 @@ class Interruptible {
 };
 
 int number_of_jobs(const VerifyOptions& options);
+std::uint64_t seed_of(const VerifyOptions& options);
 
 /// What --part or --merge say.
 JobPart part_of(const VerifyOptions& options);

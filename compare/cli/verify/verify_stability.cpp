@@ -3,12 +3,12 @@
 #include "compare/cli/verify/verify_stability.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/cli/frame/progress_line.h"
 #include "compare/io/report_folder.h"
 #include "compare/stability/stability_report.h"
 #include "meshes/files/text_file.h"
@@ -38,11 +38,10 @@ void write_tables(const std::filesystem::path& path, const stability::StabilityR
 }  // namespace
 
 Exit verify_stability(Extent extent, std::uint64_t seed, int jobs, const std::optional<std::filesystem::path>& folder) {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const stability::StabilityReport report = stability::run_stability(extent, seed, jobs, [&](const std::string& what) {
-    if (terminal) std::cerr << fmt::format("\r{:<60}", what) << std::flush;
-  });
-  if (terminal) std::cerr << fmt::format("\r{:<60}\r", "");
+  const ProgressLine progress;
+  const stability::StabilityReport report =
+      stability::run_stability(extent, seed, jobs, [&](const std::string& what) { progress.show(what); });
+  progress.wipe();
   std::cout << stability_summary(report) << stability_verdict(report) << '\n';
   if (folder) write_tables(*folder, report, extent);
   return report.met() ? Exit::success : Exit::negative;

@@ -151,14 +151,15 @@ void PlannedPoses::add_drawn_cells() {
     std::vector<std::size_t> general, small;
     for (std::size_t i = 0; i < plan_.pairs.size(); ++i) {
       const SurfacePair& pair = plan_.pairs[i];
-      if (!takes_part(i, stratum) && stratum == Stratum::extreme) continue;
-      if (hard(stratum) && pair.for_hard_strata)
-        small.push_back(i);
-      else if (pair.for_all_strata && takes_part(i, stratum))
-        general.push_back(i);
-      else if (pair.for_all_strata)
+      if (takes_part(i, stratum)) {
+        if (hard(stratum) && pair.for_hard_strata)
+          small.push_back(i);
+        else if (pair.for_all_strata)
+          general.push_back(i);
+      } else if (stratum == Stratum::nested && pair.for_all_strata) {
         omissions_.push_back("nested: left out for " + pair.name +
                              " (no room inside either surface, or too many faces)");
+      }
     }
     const std::int64_t poses = of_strata.next(1);
     const std::int64_t for_general = small.empty() ? poses : general.empty() ? 0 : poses / kGeneralShare;
