@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -27,10 +29,11 @@ inline Wanted wanted_by_number(std::uint64_t number) {
 inline std::vector<compare::SurfacePair> varied_pairs() {
   std::vector<std::string> missing;
   std::vector<compare::SurfacePair> pairs;
+  constexpr std::array<std::string_view, 7> kWanted{"bubble-bubble", "gridded cubes", "small icospheres",
+                                                    "small tori",    "cube-tray",     "hollow cube-cube",
+                                                    "pentagram-cube"};
   for (compare::SurfacePair& pair : compare::built_in_pairs({}, missing))
-    for (const std::string_view wanted : {"bubble-bubble", "gridded cubes", "small icospheres", "small tori",
-                                          "cube-tray", "hollow cube-cube", "pentagram-cube"})
-      if (pair.name == wanted) pairs.push_back(std::move(pair));
+    if (std::find(kWanted.begin(), kWanted.end(), pair.name) != kWanted.end()) pairs.push_back(std::move(pair));
   return pairs;
 }
 

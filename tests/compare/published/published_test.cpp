@@ -25,7 +25,7 @@ constexpr std::array kPublished = {Engine::published_2003, Engine::published_202
 /// One pairing as all of them see it.
 class Trio {
  public:
-  Trio(TriangleMesh mesh_E, TriangleMesh mesh_F, Mode mode)
+  Trio(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Mode mode)
       : oracle_(mesh_E, mesh_F, verification_law(0, mesh_E, mesh_F), mode) {
     const ContactLaw law = verification_law(0, mesh_E, mesh_F);
     for (const Engine engine : kEngines)

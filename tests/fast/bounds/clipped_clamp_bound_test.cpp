@@ -232,8 +232,8 @@ struct Case {
   Velocity velocity;
   ContactLaw law;
 
-  const TriangleMesh& E() const { return mode == Mode::E ? plate : body; }
-  const TriangleMesh& F() const { return mode == Mode::E ? body : plate; }
+  const TriangleMesh& mesh_E() const { return mode == Mode::E ? plate : body; }
+  const TriangleMesh& mesh_F() const { return mode == Mode::E ? body : plate; }
 };
 
 TrueLoad truth(const Case& c) {
@@ -273,7 +273,7 @@ struct Widths {
 };
 
 void check(const Case& c, Workspace& workspace, Widths& widths) {
-  const Pairing pairing(Surface(c.E()), Surface(c.F()), c.law, c.mode, Scheme::clipped);
+  const Pairing pairing(Surface(c.mesh_E()), Surface(c.mesh_F()), c.law, c.mode, Scheme::clipped);
   Wanted wanted;
   wanted.bound = true;
   const Contact& contact = evaluate(pairing, c.pose, c.velocity, wanted, workspace);
@@ -409,7 +409,7 @@ TEST(ClippedClampBound, HoldsWhereFlatDepthsLieWithinUlpsOfTheClamp) {
                                   .toRotationMatrix();
     Case c = drawn(antiprism(), A, depth, random);
     if (i % 4 != 0) turn(c, any_rotation(random));
-    const Contact unclamped = answer(c.E(), c.F(), c.pose, c.law, c.mode, {}, {}, Scheme::clipped);
+    const Contact unclamped = answer(c.mesh_E(), c.mesh_F(), c.pose, c.law, c.mode, {}, {}, Scheme::clipped);
     c.law.max_penetration = unclamped.max_penetration;
     for (int ulps = random.below(12) - 8; ulps != 0; ulps -= ulps > 0 ? 1 : -1)
       c.law.max_penetration = std::nextafter(c.law.max_penetration, ulps > 0 ? 1.0 : 0.0);

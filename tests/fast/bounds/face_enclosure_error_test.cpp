@@ -32,7 +32,7 @@ class ExactPrism {
     N_ = cross(a_, b_);
     square_ = dot(N_, N_);
   }
-  mpf_class length_N() const { return sqrt(mpf_class(square_, 300)); }
+  mpf_class normal_length() const { return sqrt(mpf_class(square_, 300)); }
   Seen see(const RationalVector& x) const {
     const RationalVector d = minus(x, p0_);
     const mpq_class s = dot(cross(d, b_), N_) / square_, t = dot(cross(a_, d), N_) / square_;
@@ -279,7 +279,7 @@ TEST_P(FootprintOf, HoldsTheFaceOfTheExactProblem) {
     const bool found = find_face_enclosure(error, {0, regime.own, {0, 1, 2}, x, corners, shared, rounding}, f);
 
     const ExactPrism exact(true_p);
-    const mpf_class length_N = exact.length_N();
+    const mpf_class length_N = exact.normal_length();
     const auto metres = [&length_N](const mpq_class& q) { return mpq_class(mpf_class(q, 300) * length_N); };
     std::array<Seen, 3> true_seen{exact.see(true_x[0]), exact.see(true_x[1]), exact.see(true_x[2])};
     for (Seen& c : true_seen) c[3] = metres(c[3]);

@@ -37,7 +37,7 @@ class ExactPrism {
     N_ = cross(a_, b_);
     square_ = dot(N_, N_);
   }
-  double length_N() const { return mpf_class(sqrt(mpf_class(square_, 200))).get_d(); }
+  double normal_length() const { return mpf_class(sqrt(mpf_class(square_, 200))).get_d(); }
   Seen see(const Eigen::Vector3d& x) const {
     const RationalVector d = minus(rational(x), p0_);
     const mpq_class s = dot(cross(d, b_), N_) / square_, t = dot(cross(a_, d), N_) / square_;
@@ -93,7 +93,7 @@ double exact_thickness(const PreparedSurface& surface, Index face) {
     const std::optional<mpq_class> depth = begins_at({prism.see(g[0]), prism.see(g[1]), prism.see(g[2])});
     if (depth && !(least && *least <= *depth)) least = depth;
   }
-  return least ? least->get_d() * prism.length_N() : kInfinity;
+  return least ? least->get_d() * prism.normal_length() : kInfinity;
 }
 
 struct Count {

@@ -100,7 +100,7 @@ std::string free_body_on(const std::string& parent) {
 }
 
 /// Its place, and by central differences along dq/dt its velocity.
-void expect_free_body_in_G(Model& model, std::size_t surface) {
+void expect_free_body(Model& model, std::size_t surface) {
   const Eigen::VectorXd y = model.start();
   const Isometry3d X = pose_of(model, y, surface);
   const Isometry3d expected = Translation3d(1, 2, 3) * AngleAxisd(0.8, Vector3d(1, 2, 2).normalized());
@@ -118,7 +118,7 @@ void expect_free_body_in_G(Model& model, std::size_t surface) {
 
 TEST(Joints, FreeOneWithTurnedFramesStartsInGAsTheSceneSays) {
   Model model(parse_scene(R"({"bodies": [)" + free_body_on("ground") + R"(], "duration": 1})", "test.json"));
-  expect_free_body_in_G(model, 0);
+  expect_free_body(model, 0);
 }
 
 TEST(Joints, FreeOneOnATurningParentStartsInGAsTheSceneSays) {
@@ -132,7 +132,7 @@ TEST(Joints, FreeOneOnATurningParentStartsInGAsTheSceneSays) {
                                 parent_joint + "}, " + free_body_on("parent") +
                                 R"(], "duration": 1, "gravity": [0, 0, 0]})",
                             "test.json"));
-    expect_free_body_in_G(model, 1);
+    expect_free_body(model, 1);
   }
 }
 
