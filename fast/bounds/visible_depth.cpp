@@ -23,10 +23,11 @@ std::array<UncertainFunction, 4> sides_of(const BoxST& box) {
           UncertainFunction(0, 0, 1, box.low_t, 0, 0), UncertainFunction(0, 0, -1, box.high_t, 0, 0)};
 }
 
-/// The weights of the master's corners: near a side they are unsure where faces that lean may hide.
-std::array<UncertainFunction, 3> sides_of_master(const std::array<double, 3>& leant_weights) {
-  return {UncertainFunction(-1, 0, -1, 0, 1, leant_weights[0]), UncertainFunction(1, 0, 0, 0, 0, leant_weights[1]),
-          UncertainFunction(0, 0, 1, 0, 0, leant_weights[2])};
+/// The weights of the master's corners: near a side they are unsure where faces that lean may hide, and the first one
+/// where the engine, whose three weights are each computed for itself, does not cut f at s + t = 1 exactly.
+std::array<UncertainFunction, 3> sides_of_master(const std::array<double, 3>& leant_weights, const FaceEnclosure& f) {
+  return {UncertainFunction(-1, 0, -1, 0, 1, leant_weights[0] + f.third_side_error),
+          UncertainFunction(1, 0, 0, 0, 0, leant_weights[1]), UncertainFunction(0, 0, 1, 0, 0, leant_weights[2])};
 }
 
 /// A box that has all of a piece.
@@ -45,7 +46,7 @@ class Search {
  public:
   Search(const std::vector<FaceInView>& sights, const std::array<double, 3>& leant_weights, double floor,
          VisibleDepthScratch& scratch)
-      : sights_(sights), sides_of_master_(sides_of_master(leant_weights)), floor_(floor), scratch_(scratch) {}
+      : sights_(sights), leant_weights_(leant_weights), floor_(floor), scratch_(scratch) {}
 
   DepthRange run(double computed);
 
@@ -86,7 +87,7 @@ class Search {
   void find_hidden(DepthRange& range);
 
   const std::vector<FaceInView>& sights_;
-  const std::array<UncertainFunction, 3> sides_of_master_;
+  const std::array<double, 3>& leant_weights_;
   const double floor_;
   VisibleDepthScratch& scratch_;
   // Of the piece at hand:
@@ -276,7 +277,7 @@ Search::Outcome Search::examine_borders(const ConvexPolygon& polygon, const Face
   };
   for (std::size_t k = 0; k < 3; ++k) look_at(inside_of_side(f, k));
   if (!for_certain) return outcome;
-  for (const UncertainFunction& side : sides_of_master_) look_at(side);
+  for (const UncertainFunction& side : sides_of_master(leant_weights_, f)) look_at(side);
   return outcome;
 }
 
@@ -338,7 +339,7 @@ VisibleDepthScratch::Piece Search::within_borders(const Piece& piece) const {
   };
   const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
   for (std::size_t k = 0; k < 3; ++k) keep_inside(inside_of_side(f, k));
-  for (const UncertainFunction& side : sides_of_master_) keep_inside(side);
+  for (const UncertainFunction& side : sides_of_master(leant_weights_, f)) keep_inside(side);
   return inner;
 }
 

@@ -10,7 +10,8 @@
 
 namespace pcm::fast {
 
-/// Bounds of the greatest depth that one master face sees in the exact problem (PCM section 6, clipped scheme).
+/// Bounds of the greatest depth that one master face sees in the exact problem (PCM section 6, clipped scheme). What
+/// the engine computes is no less than `at_least`, either, where it has the element that is seen there.
 struct DepthRange {
   double at_least = 0;  ///< m; 0: nothing is known
   double at_most = 0;   ///< m
