@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "compare/stability/exact_contact.h"
 
 namespace pcm::compare::stability {
