@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -45,6 +46,7 @@ std::vector<Setting> settings() {
           {"elements on both sides", without(&Savings::one_sided)},
           {"all answers, asked for or not", without(&Savings::only_wanted)},
           {"no filters", without(&Savings::filters)},
+          {"no coherence", without(&Savings::coherence)},
           {"nothing skipped", Savings::none()}};
 }
 
@@ -217,6 +219,79 @@ void measure_known_poses(std::int64_t poses, SkipResult& result) {
   }
 }
 
+/// A pose and those that follow it.
+struct Way {
+  std::string name;
+  double step;          ///< by which points of F move about, m
+  bool back_and_forth;  ///< to either side of the first pose along each coordinate, as difference quotients do
+};
+
+/// F moves along a line and turns about another, or to where difference quotients ask.
+Pose pose_on_way(const Way& way, const Pose& start, double size, int number) {
+  const double sign = number % 2 == 0 ? 1 : -1;
+  const int coordinate = way.back_and_forth ? number / 2 % 6 : -1;
+  Eigen::Vector3d move = way.step * 0.7 * number * Eigen::Vector3d(0.48, -0.6, 0.64);
+  double angle = way.step * 0.3 * number / size;
+  Eigen::Vector3d axis(0.6, 0.64, -0.48);
+  if (coordinate >= 0) {
+    move = coordinate < 3 ? Eigen::Vector3d(sign * way.step * Eigen::Vector3d::Unit(coordinate))
+                          : Eigen::Vector3d(0, 0, 0);
+    angle = coordinate < 3 ? 0 : sign * way.step / size;
+    axis = Eigen::Vector3d::Unit(coordinate % 3);
+  }
+  Pose pose = start;
+  pose.r += move;
+  pose.A = Eigen::AngleAxisd(angle, axis) * start.A;
+  return pose;
+}
+
+/// What is known of the last pose, and nothing.
+SavingResult measure_way(const std::string& bodies, const TriangleMesh& mesh, double touching, Scheme scheme,
+                         const Way& way, std::int64_t poses) {
+  constexpr int kFirst = 3, kSteps = 15;
+  const fast::Surface surface(mesh);
+  const fast::Pairing pairing(surface, surface, bench_law(), Mode::E, scheme);
+  fast::Workspace workspace, other;
+  SavingResult result{
+      "coherence",
+      fmt::format("force on two {}, 5 % deep, {}{}", bodies, way.name, scheme == Scheme::clipped ? ", clipped" : ""),
+      0,
+      0,
+      "candidate pairs",
+      0,
+      0};
+  std::vector<double> on, off;
+  for (std::int64_t p = 0; p < poses; ++p) {
+    const Pose start = drawn_pose(touching, 0.05 * touching, p);
+    fast::PairingMemory memory(pairing);
+    for (int step = 0; step < kSteps; ++step) {
+      const Pose pose = pose_on_way(way, start, touching / 2, step);
+      const fast::Contact* followed = nullptr;
+      const fast::Contact* anew = nullptr;
+      const double us_on = time_us([&] { followed = &memory.evaluate(pose, bench_velocity(), kForceOnly, workspace); });
+      const double us_off =
+          time_us([&] { anew = &fast::evaluate(pairing, pose, bench_velocity(), kForceOnly, other); });
+      if (step < kFirst) continue;
+      on.push_back(us_on);
+      off.push_back(us_off);
+      result.work_on += followed->work.candidate_pairs;
+      result.work_off += anew->work.candidate_pairs;
+    }
+  }
+  result.on_us = quantile(on, 0.5);
+  result.off_us = quantile(off, 0.5);
+  return result;
+}
+
+void measure_coherence(std::int64_t poses, SkipResult& result) {
+  for (const Way& way : {Way{"steps of 1 mm", 1e-3, false}, Way{"steps of 0.1 mm", 1e-4, false},
+                         Way{"steps of 0.01 mm", 1e-5, false}, Way{"differences by 10 nm", 1e-8, true}}) {
+    result.savings.push_back(measure_way("bubbles", generate::bubble(), 0.4, Scheme::barycentric, way, poses));
+    result.savings.push_back(
+        measure_way("spheres of 20,480 faces", generate::icosphere(1, 5), 2, Scheme::barycentric, way, poses));
+  }
+}
+
 /// The oracle looks exactly at pairs of faces whose boxes meet, or at all.
 SavingResult measure_candidate_region(std::int64_t poses) {
   using reference::CandidateRegion;
@@ -312,6 +387,8 @@ SkipResult run_skip(int bubbles, std::int64_t steps, std::int64_t poses,
   }
   progress("known poses");
   measure_known_poses(5 * poses, result);
+  progress("coherence");
+  measure_coherence(5 * poses, result);
   progress("oracle's candidate region");
   result.savings.push_back(measure_candidate_region(poses));
   return result;

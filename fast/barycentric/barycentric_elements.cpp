@@ -24,11 +24,12 @@ void start_walks(const Intersection& intersection, Side master, PenetrationWalks
 class ElementBatch {
  public:
   ElementBatch(const Intersection& intersection, Side master, const ForceProblem& problem, BarycentricScratch& scratch,
-               ElementRecord& record)
+               LineMemory* memory, ElementRecord& record)
       : posed_(intersection.posed),
         master_(master),
         problem_(problem),
         scratch_(scratch),
+        memory_(memory),
         record_(record),
         queue_(problem, master, record, posed_.work, scratch.lanes) {
     start_walks(intersection, master, scratch.walks);
@@ -49,7 +50,7 @@ class ElementBatch {
     ElementLanes& lanes = scratch_.lanes;
     find_geometry(posed_, master_, faces_, count_, lanes);
     std::array<Penetration, kElementLanes> found;
-    find_penetrations(posed_, master_, faces_, count_, lanes, scratch_.walks, found);
+    find_penetrations(posed_, master_, faces_, count_, lanes, scratch_.walks, memory_, found);
     LaneBits elements = 0;
     for (std::size_t lane = 0; lane < count_; ++lane) {
       if (found[lane].outcome == Penetration::Outcome::too_deep) ++record_.too_deep;
@@ -65,6 +66,7 @@ class ElementBatch {
   Side master_;
   const ForceProblem& problem_;
   BarycentricScratch& scratch_;
+  LineMemory* memory_;
   ElementRecord& record_;
   ElementQueue queue_;
   FaceBatch faces_{};
@@ -74,8 +76,8 @@ class ElementBatch {
 }  // namespace
 
 MasterForce sum_barycentric_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
-                                     BarycentricScratch& scratch, ElementRecord& record) {
-  ElementBatch batch(intersection, master, problem, scratch, record);
+                                     BarycentricScratch& scratch, LineMemory* memory, ElementRecord& record) {
+  ElementBatch batch(intersection, master, problem, scratch, memory, record);
   for_each_active_face(intersection, master, [&batch](Index face) { batch.add(face); });
   return batch.total();
 }

@@ -16,9 +16,9 @@ struct BarycentricScratch {
 
 /// Forms the contact elements of a master in the barycentric scheme (PCM section 6), in face-index order, records them
 /// and sums their forces (21)-(24): one element for each active face whose penetration line leaves the slave at u > 0.
-/// kElementLanes are formed at a time.
+/// kElementLanes are formed at a time. `memory`: of the penetration lines at the last pose, or nullptr.
 MasterForce sum_barycentric_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
-                                     BarycentricScratch& scratch, ElementRecord& record);
+                                     BarycentricScratch& scratch, LineMemory* memory, ElementRecord& record);
 
 /// One of them: a master face that was found to penetrate.
 inline Element barycentric_element(Side master, Index face, const FaceGeometry& geometry,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "fast/base/depth.h"
 #include "fast/predicates/penetration_predicates.h"
@@ -117,14 +118,39 @@ int compare(ExactLine& line, const FaceMet& f, const FaceMet& g, WorkCounters& w
   return compare_distance(*line, f.points_Me, g.points_Me, work);
 }
 
+/// All faces that a line may meet up to a distance along it, m.
+struct FacesAlongLine {
+  const LineCoordinates& line;
+  std::span<const Index> faces;
+  double searched = 0;
+};
+
+/// Calls `visit(face, passage)` for every face of a side's surface that the line may meet at most `limit` along it, m,
+/// which `visit` may lower: one of `known`, or as the tree has them. Those that the trace wants as well, up to the
+/// distance returned.
+template <class Visit>
+double for_each_face_along(PosedPair& posed, Side side, const Ray& ray, const double& limit,
+                           const FacesAlongLine* known, const LineTrace* trace, LineNodes& open, const Visit& visit) {
+  if (known != nullptr) {
+    for (const Index face : known->faces) {
+      const std::optional<Passage> passage = passage_through(posed[side], known->line, face, posed.work);
+      if (passage) visit(face, *passage);
+    }
+    return known->searched;
+  }
+  const WideTree& tree = posed.surface(side).wide_tree;
+  const WideRay wide_ray = in_tree_of(side, tree, ray, posed.placement, trace != nullptr ? trace->radius : 0);
+  return search_along(tree, wide_ray, limit, fastest_wide_tests(), open, posed.work, visit);
+}
+
 /// The first face of a surface that the line meets, by exact distance, then shift, then face index.
 /// `left`: one of them, through which the line surely leaves the body at a distance greater than 0, or -1.
-FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray& ray, Index left, LineNodes& open,
-                       LineTrace* trace) {
-  const WideTree& tree = posed.surface(slave).wide_tree;
+/// `searched`: how far along the line all faces were looked at, m: the first one is no farther than that, or none is.
+FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray& ray, Index left,
+                       const FacesAlongLine* known, LineNodes& open, LineTrace* trace, double& searched) {
   WorkCounters& work = posed.work;
   const double position_error = line_position_error(slave, ray, posed.placement);
-  const WideRay wide_ray = in_tree_of(slave, tree, ray, posed.placement, trace != nullptr ? trace->radius : 0);
+  const double beyond = trace != nullptr ? trace->beyond : 0;
   FaceMet first;
   if (left >= 0) {
     first.face = left;
@@ -132,6 +158,7 @@ FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray&
     first.points_Me = posed.face_Me(slave, left);
     first.distance = distance_to(ray, first.points_Me, position_error);
   }
+  double limit = first.distance.greatest + beyond;
   const auto visit = [&](Index face, Passage passage) {
     if (trace != nullptr) trace->slave_faces.push_back(face);
     if (face == left) return;
@@ -144,23 +171,21 @@ FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray&
       if (order > 0 || (order == 0 && face > first.face)) return;
     }
     first = met;
+    limit = first.distance.greatest + beyond;
   };
-  const double searched =
-      search_along(tree, wide_ray, first.distance.greatest, fastest_wide_tests(), open, work, visit);
+  searched = for_each_face_along(posed, slave, ray, limit, known, trace, open, visit);
   if (trace != nullptr) trace->slave_searched = searched;
   return first;
 }
 
 /// Whether the line meets another face of the master strictly before `limit`.
 bool leaves_master_before(PosedPair& posed, Side master, Index face, ExactLine& line, const Ray& ray,
-                          const FaceMet& limit, LineNodes& open, LineTrace* trace) {
-  const WideTree& tree = posed.surface(master).wide_tree;
+                          const FaceMet& limit, const FacesAlongLine* known, LineNodes& open, LineTrace* trace) {
   WorkCounters& work = posed.work;
   const double position_error = line_position_error(master, ray, posed.placement);
-  const WideRay wide_ray = in_tree_of(master, tree, ray, posed.placement, trace != nullptr ? trace->radius : 0);
   bool leaves = false;
-  double no_farther_than = limit.distance.greatest;
-  search_along(tree, wide_ray, no_farther_than, fastest_wide_tests(), open, work, [&](Index own, Passage passage) {
+  double no_farther_than = limit.distance.greatest + (trace != nullptr ? trace->beyond : 0);
+  const auto visit = [&](Index own, Passage passage) {
     if (own == face || leaves) return;
     if (trace != nullptr) trace->own_faces.push_back(own);
     FaceMet met;
@@ -169,7 +194,9 @@ bool leaves_master_before(PosedPair& posed, Side master, Index face, ExactLine& 
       return;
     leaves = true;
     no_farther_than = -1;  // The search is over.
-  });
+  };
+  for_each_face_along(posed, master, ray, no_farther_than, known, trace, open, visit);
+  if (trace != nullptr) trace->own_listed = !leaves;
   return leaves;
 }
 
@@ -202,12 +229,17 @@ Index slave_face_near(const PreparedSurface& master, Index face, const Penetrati
   return walks.last;
 }
 
+LineCoordinates line_coordinates(const PosedPair& posed, const ElementLanes& lanes, std::size_t lane) {
+  const FacePoints p{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]};
+  return {p, lanes.barycentre_Me[lane], lanes.side[0].value[lane], lanes.side[1].value[lane],
+          posed.placement.max_coordinate};
+}
+
 /// The face through which a lane's line surely leaves the slave's body, at whatever distance, found by a walk; or -1.
 Index walk_from_neighbour(PosedPair& posed, Side master, const ElementLanes& lanes, std::size_t lane, Index start) {
   const double a = lanes.side[0].value[lane], b = lanes.side[1].value[lane];
   if (start < 0 || !(lanes.area.value[lane] > kLeastShare * (a * b))) return -1;
-  const FacePoints p{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]};
-  const LineCoordinates line(p, lanes.barycentre_Me[lane], a, b, posed.placement.max_coordinate);
+  const LineCoordinates line = line_coordinates(posed, lanes, lane);
   if (!line.usable()) return -1;
   return walk_to_face_left(posed[opposite(master)], line, start, posed.work);
 }
@@ -236,22 +268,34 @@ DecisionLimits decision_limits(const PosedPair& posed, Side master) {
   return limits;
 }
 
+/// All faces that a line may meet, as far as they are known.
+struct KnownFaces {
+  FacesAlongLine slave, own;
+};
+
 /// find_penetration, given a face that the line surely leaves the slave through, at a distance greater than 0; or -1.
-Penetration search_penetration(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, Index left,
-                               LineNodes& open, LineTrace* trace) {
+/// Nothing where what is known of the faces does not suffice.
+std::optional<Penetration> follow_line(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry,
+                                       Index left, const KnownFaces* known, LineNodes& open, LineTrace* trace) {
   const Ray ray(geometry, geometry.barycentre_Me());
   Penetration penetration;
   if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
   ExactLine line(geometry.points_Me);
-  const FaceMet first = first_face_met(posed, opposite(master), line, ray, left, open, trace);
+  double searched = 0;
+  const FaceMet first = first_face_met(posed, opposite(master), line, ray, left,
+                                       known != nullptr ? &known->slave : nullptr, open, trace, searched);
+  if (!(first.distance.greatest <= searched)) return std::nullopt;
   penetration.first_met = first.face;
   if (first.face < 0 || first.direction > 0) return penetration;
-  if (!thicker_than(posed, master, face, geometry, first.distance.greatest) &&
-      leaves_master_before(posed, master, face, line, ray, first, open, trace)) {
-    penetration.outcome = Penetration::Outcome::too_deep;
-    return penetration;
+  if (!thicker_than(posed, master, face, geometry, first.distance.greatest)) {
+    const FacesAlongLine* const own = known != nullptr ? &known->own : nullptr;
+    if (own != nullptr && !(first.distance.greatest <= own->searched)) return std::nullopt;
+    if (leaves_master_before(posed, master, face, line, ray, first, own, open, trace)) {
+      penetration.outcome = Penetration::Outcome::too_deep;
+      return penetration;
+    }
   }
-  if (trace != nullptr) trace->own_searched = first.distance.greatest;
+  if (trace != nullptr) trace->own_searched = first.distance.greatest + (trace->own_listed ? trace->beyond : 0);
   if (!(first.distance.least > 0) && distance_sign(*line, first.points_Me, posed.work) == 0) return penetration;
   penetration.outcome = Penetration::Outcome::element;
   penetration.slave_face = first.face;
@@ -259,27 +303,82 @@ Penetration search_penetration(PosedPair& posed, Side master, Index face, const 
   return penetration;
 }
 
-}  // namespace
-
-bool thicker_than(const PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, double distance) {
-  const PreparedSurface& surface = posed.surface(master);
-  return distance < surface.thickness[static_cast<std::size_t>(face)] &&
-         thickness_holds(surface, posed.placement.vertex_error(master), geometry);
+Penetration search_penetration(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, Index left,
+                               LineNodes& open, LineTrace* trace) {
+  return *follow_line(posed, master, face, geometry, left, nullptr, open, trace);
 }
 
+/// Whether roundings of the vertices of a face of F, which differ from pose to pose, turn its normal by so little that
+/// its line is no farther than a quarter of this distance from where it would be without, m. E's are the same at all.
+bool line_stays(const Placement& placement, Side master, const FaceGeometry& geometry, double distance) {
+  if (master == Side::E) return true;
+  const auto& p = geometry.points_Me;
+  const double sides = (p[1] - p[0]).lpNorm<1>() + (p[2] - p[0]).lpNorm<1>();
+  const double turn = 8 * placement.position_error_E * sides / (2 * geometry.area);
+  return turn * 8 * placement.max_coordinate < 0.25 * distance;
+}
+
+/// Follows the line of a face where no walk could tell, and remembers what it may meet.
+Penetration search_and_remember(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, Index left,
+                                PenetrationWalks& walks, LineMemory& memory) {
+  LineTrace& trace = walks.trace;
+  trace.clear();
+  trace.radius = memory.radius();
+  trace.beyond = 2 * memory.radius();
+  const Penetration penetration = search_penetration(posed, master, face, geometry, left, walks.open, &trace);
+  if (line_stays(posed.placement, master, geometry, memory.radius())) {
+    memory.keep(face, penetration.slave_face, trace);
+  } else {
+    memory.keep(face, penetration.slave_face);
+  }
+  return penetration;
+}
+
+/// Follows a line among the faces that it may meet, where these are remembered.
+std::optional<Penetration> recall_penetration(PosedPair& posed, Side master, Index face, const LineMemory::Line& line,
+                                              const ElementLanes& lanes, std::size_t lane, PenetrationWalks& walks,
+                                              LineMemory& memory) {
+  if (!memory.holds(line)) return std::nullopt;
+  std::optional<Penetration> penetration;
+  if (line.slave_count == 0 && line.slave_searched == kInfinity) {
+    penetration.emplace();
+  } else {
+    const LineCoordinates coordinates = line_coordinates(posed, lanes, lane);
+    const KnownFaces known{{coordinates, {memory.slave_faces(line), line.slave_count}, line.slave_searched},
+                           {coordinates, {memory.own_faces(line), line.own_count}, line.own_searched}};
+    penetration = follow_line(posed, master, face, geometry_of(lanes, lane), -1, &known, walks.open, nullptr);
+  }
+  return penetration;
+}
+
+}  // namespace
+
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
-                       PenetrationWalks& walks, std::array<Penetration, kElementLanes>& penetrations) {
+                       PenetrationWalks& walks, LineMemory* memory,
+                       std::array<Penetration, kElementLanes>& penetrations) {
   const Side slave = opposite(master);
   const bool may_walk =
       posed.placement.position_error(slave) < kClearanceTolerance * posed.surface(slave).max_coordinates.maxCoeff();
   std::array<Index, kElementLanes> met;
   met.fill(-1);
-  LaneBits walked = 0;
-  for (std::size_t lane = 0; lane < count && may_walk; ++lane) {
-    const Index start = slave_face_near(posed.surface(master), faces[lane], walks);
+  std::array<const LineMemory::Line*, kElementLanes> lines{};
+  LaneBits walked = 0, recalled = 0;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const Index face = faces[lane];
+    const LineMemory::Line* const line = lines[lane] = memory != nullptr ? memory->recall(face) : nullptr;
+    if (line != nullptr) {
+      if (const auto known = recall_penetration(posed, master, face, *line, lanes, lane, walks, *memory)) {
+        penetrations[lane] = *known;
+        recalled |= 1U << lane;
+        continue;
+      }
+    }
+    if (!may_walk) continue;
+    const bool has_start = line != nullptr && line->slave_nearby >= 0;
+    const Index start = has_start ? line->slave_nearby : slave_face_near(posed.surface(master), face, walks);
     met[lane] = walk_from_neighbour(posed, master, lanes, lane, start);
     if (met[lane] < 0) continue;
-    walks.slave_nearby[faces[lane]] = walks.last = met[lane];
+    walks.slave_nearby[face] = walks.last = met[lane];
     walked |= 1U << lane;
   }
   DecidedLanes decided;
@@ -294,9 +393,15 @@ void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, st
   }
   for (std::size_t lane = 0; lane < count; ++lane) {
     Penetration& penetration = penetrations[lane];
+    if (has_lane(recalled, lane)) {
+      memory->keep(*lines[lane], penetration.slave_face);
+      lanes.depth.value[lane] = penetration.depth;
+      continue;
+    }
     penetration = {};
-    if (has_lane(walked & decided.nothing, lane)) continue;
-    const bool element = has_lane(walked & decided.element, lane);
+    const bool nothing = has_lane(walked & decided.nothing, lane), element = has_lane(walked & decided.element, lane);
+    if ((nothing || element) && memory != nullptr) memory->keep(faces[lane], met[lane]);
+    if (nothing) continue;
     if (element && has_lane(decided.nearest_known, lane)) {
       penetration = {Penetration::Outcome::element, met[lane], lanes.depth.value[lane], -1};
       continue;
@@ -307,12 +412,20 @@ void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, st
       penetration = {Penetration::Outcome::element, met[lane], DepthBelow(geometry, f).value(), -1};
     } else {
       const Index left = has_lane(walked & decided.left, lane) ? met[lane] : -1;
-      penetration = search_penetration(posed, master, faces[lane], geometry, left, walks.open, nullptr);
+      penetration = memory != nullptr
+                        ? search_and_remember(posed, master, faces[lane], geometry, left, walks, *memory)
+                        : search_penetration(posed, master, faces[lane], geometry, left, walks.open, nullptr);
       const Index found = penetration.slave_face;
       if (found >= 0) walks.slave_nearby[faces[lane]] = walks.last = found;
     }
     lanes.depth.value[lane] = penetration.depth;
   }
+}
+
+bool thicker_than(const PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, double distance) {
+  const PreparedSurface& surface = posed.surface(master);
+  return distance < surface.thickness[static_cast<std::size_t>(face)] &&
+         thickness_holds(surface, posed.placement.vertex_error(master), geometry);
 }
 
 Penetration find_penetration(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, LineNodes& open,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fast/barycentric/line_memory.h"
 #include "fast/base/geometry.h"
 #include "fast/posed/posed_pair.h"
 #include "fast/prism/line_trace.h"
@@ -34,14 +35,16 @@ struct PenetrationWalks {
   FastClearArray<Index> slave_nearby;  ///< by face of the master: a face of the slave near its penetration line
   Index last = -1;                     ///< face of the slave near the last penetration line, -1: none
   LineNodes open;
+  LineTrace trace;  ///< of a line that is to be remembered
 };
 
 /// The same results but for `first_met`, for up to four faces at once, by walks over the slave, each from the face
 /// found for a neighbour or, where there is none, for the last. Where clearances and thickness known beforehand say
 /// that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and receive their
-/// depths.
+/// depths. `memory`: of the lines at the last pose, or nullptr.
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
-                       PenetrationWalks& walks, std::array<Penetration, kElementLanes>& penetrations);
+                       PenetrationWalks& walks, LineMemory* memory,
+                       std::array<Penetration, kElementLanes>& penetrations);
 
 /// Whether the thickness computed beforehand already says that the face's penetration line meets no other face of the
 /// master as near as `distance`, in the rounded problem and in the exact one alike.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fast/base/fast_clear_array.h"
+#include "fast/crossings/tracked_pairs.h"
 #include "fast/posed/posed_pair.h"
 #include "fast/search/candidates.h"
 
@@ -103,6 +104,9 @@ struct CrossingOptions {
 /// in the plane of a face, faces in one plane and a face without area never cross. Each crossing pair of faces has
 /// exactly two crossings.
 bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingScratch& scratch, Crossings& crossings);
+
+/// The same, where it is known which pairs cross.
+bool find_crossings_among(const TrackedPairs& pairs, PosedPair& posed, CrossingScratch& scratch, Crossings& crossings);
 
 /// Computes the positions of all crossings: edge meets face plane. No edge crosses a face in whose plane it lies, nor a
 /// face without area: the tie rule moves all of E one way off such a plane, by more than anything of F. So positions

@@ -119,9 +119,27 @@ Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode
 
 namespace {
 
+/// Finds crossings, polygons where they are wanted, and active faces.
+void find_active_faces(const Wanted& wanted, Tracking::Known known, Tracking* tracking, const Savings& savings,
+                       Workspace::Data& data) {
+  if (known == Tracking::Known::nothing) {
+    find_crossings(data.posed, {false, wanted.bound, savings.filters}, data.crossing_scratch, data.crossings);
+  } else {
+    find_crossings_among(tracking->pairs(), data.posed, data.crossing_scratch, data.crossings);
+  }
+  data.polygons.clear();
+  if (wanted.polygons || wanted.areas) {
+    chain_polygons(data.crossings, data.polygon_scratch, data.polygons);
+    locate_crossings(data.posed, data.crossings);
+  }
+  list_crossings_by_edge(data.posed, data.polygons.crossing_order, data.crossings);
+  find_active_areas(data.posed, data.crossings, data.active_scratch, data.active);
+  if (known != Tracking::Known::nothing) tracking->keep_active_faces(data.crossings, data.active);
+}
+
 /// The steps, in their order.
 void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                     const Savings& savings, bool keep_found, Workspace::Data& data) {
+                     const Savings& savings, const Kept& kept, Workspace::Data& data) {
   Contact& contact = data.contact;
   data.elements.take_back_list(contact);
   contact.clear();
@@ -131,18 +149,20 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& v
   data.posed.place(surface_E, surface_F, pose, wanted.bound && pairing.scheme() == Scheme::clipped);
   if (!savings.lazy_vertices) data.posed[Side::F].transform_all(data.posed.work);
 
-  const bool only_touch = wants_only_touch(wanted);
-  const CrossingOptions options{only_touch && savings.first_crossing, wanted.bound, savings.filters};
-  contact.touching = find_crossings(data.posed, options, data.crossing_scratch, data.crossings);
-  if (only_touch) return;
-
-  data.polygons.clear();
-  if (wanted.polygons || wanted.areas) {
-    chain_polygons(data.crossings, data.polygon_scratch, data.polygons);
-    locate_crossings(data.posed, data.crossings);
+  if (wants_only_touch(wanted)) {
+    contact.touching = find_crossings(data.posed, {savings.first_crossing, wanted.bound, savings.filters},
+                                      data.crossing_scratch, data.crossings);
+    return;
   }
-  list_crossings_by_edge(data.posed, data.polygons.crossing_order, data.crossings);
-  find_active_areas(data.posed, data.crossings, data.active_scratch, data.active);
+  const Tracking::Known known = kept.tracking == nullptr
+                                    ? Tracking::Known::nothing
+                                    : kept.tracking->move_to(pose, data.posed, data.crossing_scratch.open);
+  if (known == Tracking::Known::active_faces && !wanted.polygons && !wanted.areas) {
+    kept.tracking->restore_active_faces(data.crossings, data.active);
+  } else {
+    find_active_faces(wanted, known, kept.tracking, savings, data);
+  }
+  contact.touching = !data.crossings.of(Side::E).intersected.empty();
   const Intersection found{data.posed, data.crossings, data.active};
   report_active_areas(found, contact);
   if (wanted.polygons) {
@@ -155,12 +175,13 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& v
   }
   if (wants_force(wanted)) {
     ForceProblem problem = force_problem(pairing, pose, velocity, wanted, savings);
-    problem.keep_found = keep_found;
+    problem.keep_found = kept.found;
+    LineMemories* const memories = known == Tracking::Known::nothing ? nullptr : &kept.tracking->lines();
     if (!savings.one_sided) {
       form_elements_of_slave(found, pairing.scheme(), pairing.mode(), problem, data.force_scratch);
     }
     const PairingForce force = compute_force(found, pairing.scheme(), pairing.mode(), problem, wanted.bound,
-                                             data.force_scratch, data.elements);
+                                             data.force_scratch, memories, data.elements);
     report_elements(problem, force.total, data.elements, contact);
     contact.bound = force.bound;
   }
@@ -169,19 +190,19 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& v
 [[gnu::noinline]] Contact& evaluate_in_default_environment(const Pairing& pairing, const Pose& pose,
                                                            const Velocity& velocity, const Wanted& wanted,
                                                            Workspace& workspace, const Savings& savings,
-                                                           bool keep_found) {
+                                                           const Kept& kept) {
   if (!savings.only_wanted) {
     Savings others = savings;
     others.only_wanted = true;
     Wanted all;
     all.bound = wanted.bound;  // a promise of its own, and all of its cost
-    evaluate_in_default_environment(pairing, pose, velocity, all, workspace, others, keep_found);
+    evaluate_in_default_environment(pairing, pose, velocity, all, workspace, others, kept);
     keep_only(wanted, workspace.data().contact);
     return workspace.data().contact;
   }
   require_valid(pose, velocity);
   Workspace::Data& data = workspace.data();
-  evaluate_wanted(pairing, pose, velocity, wanted, savings, keep_found, data);
+  evaluate_wanted(pairing, pose, velocity, wanted, savings, kept, data);
   data.contact.work = data.posed.work;
   return data.contact;
 }
@@ -195,15 +216,15 @@ ForceProblem force_problem(const Pairing& pairing, const Pose& pose, const Veloc
   return problem;
 }
 
-Contact& evaluate_and_keep_found(const Pairing& pairing, const Pose& pose, const Velocity& velocity,
-                                 const Wanted& wanted, Workspace& workspace, const Savings& savings) {
-  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings, true);
+Contact& evaluate_and_keep(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
+                           Workspace& workspace, const Savings& savings, const Kept& kept) {
+  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings, kept);
 }
 
 const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
                         Workspace& workspace, const Savings& savings) {
   const DefaultFloatingPoint environment;
-  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings, false);
+  return evaluate_in_default_environment(pairing, pose, velocity, wanted, workspace, savings, {});
 }
 
 }  // namespace pcm::fast

@@ -7,10 +7,10 @@ namespace pcm::fast {
 namespace {
 
 MasterForce sum_elements(const Intersection& intersection, Scheme scheme, Side master, const ForceProblem& problem,
-                         ForceScratch& scratch, ElementRecord& record) {
+                         ForceScratch& scratch, LineMemory* memory, ElementRecord& record) {
   return scheme == Scheme::clipped
              ? sum_clipped_elements(intersection, master, problem, scratch.clipped, record)
-             : sum_barycentric_elements(intersection, master, problem, scratch.barycentric, record);
+             : sum_barycentric_elements(intersection, master, problem, scratch.barycentric, memory, record);
 }
 
 PairingForce sum_bounded_elements(const Intersection& intersection, Scheme scheme, Side master,
@@ -43,11 +43,12 @@ PairingForce force_by_mode(Mode mode, const OfMaster& of_master) {
 }  // namespace
 
 PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
-                           bool with_bound, ForceScratch& scratch, ElementRecord& record) {
+                           bool with_bound, ForceScratch& scratch, LineMemories* memories, ElementRecord& record) {
   record.clear();
   return force_by_mode(mode, [&](Side master) -> PairingForce {
     if (with_bound) return sum_bounded_elements(intersection, scheme, master, problem, scratch, record);
-    return {sum_elements(intersection, scheme, master, problem, scratch, record), std::nullopt};
+    LineMemory* const memory = memories != nullptr ? &(*memories)[static_cast<std::size_t>(master)] : nullptr;
+    return {sum_elements(intersection, scheme, master, problem, scratch, memory, record), std::nullopt};
   });
 }
 
@@ -68,7 +69,7 @@ void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mod
   ForceProblem unheard = problem;
   unheard.keep_elements = unheard.with_statistics = false;
   ElementRecord none;
-  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, unheard, scratch, none);
+  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, unheard, scratch, nullptr, none);
 }
 
 }  // namespace pcm::fast

@@ -21,6 +21,9 @@ struct ForceScratch {
   ClippedBoundScratch clipped_bound;
 };
 
+/// Of either master.
+using LineMemories = std::array<LineMemory, 2>;
+
 /// Force and torque of a pairing (23), (24), with a bound where it is wanted.
 struct PairingForce {
   MasterForce total;
@@ -28,9 +31,9 @@ struct PairingForce {
 };
 
 /// Of the master's elements, in mode `both` the mean of both masters'. Records the elements. Throws BadInput where
-/// force or torque overflow.
+/// force or torque overflow. `memories`: of the penetration lines at the last pose, or nullptr.
 PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
-                           bool with_bound, ForceScratch& scratch, ElementRecord& record);
+                           bool with_bound, ForceScratch& scratch, LineMemories* memories, ElementRecord& record);
 
 /// Of elements that were found at the problem's pose and kept: the law, at another velocity, in the same order and to
 /// the bits of compute_force, which throws likewise. Records what velocities change.

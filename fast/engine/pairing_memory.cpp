@@ -29,8 +29,9 @@ struct PairingMemory::Data {
   Wanted wanted;
   FoundElements found;
   Contact contact;  ///< at the velocity asked for last
+  Tracking tracking;
 
-  explicit Data(Pairing p) : pairing(std::move(p)) {}
+  explicit Data(Pairing p) : pairing(std::move(p)), tracking(pairing.surface_E().data(), pairing.surface_F().data()) {}
 
   const Contact& answer(const Pose& asked_pose, const Velocity& velocity, const Wanted& asked, Workspace& workspace,
                         const Savings& savings);
@@ -55,7 +56,8 @@ struct PairingMemory::Data {
 void PairingMemory::Data::find(const Pose& asked_pose, const Velocity& velocity, const Wanted& asked,
                                Workspace& workspace, const Savings& savings) {
   known = false;
-  std::swap(contact, evaluate_and_keep_found(pairing, asked_pose, velocity, asked, workspace, savings));
+  const Kept kept{true, may_track(asked, savings) ? &tracking : nullptr};
+  std::swap(contact, evaluate_and_keep(pairing, asked_pose, velocity, asked, workspace, savings, kept));
   std::swap(found, workspace.data().elements.found);
   pose = asked_pose;
   wanted = asked;
@@ -76,7 +78,10 @@ void PairingMemory::Data::apply_law(const Velocity& velocity, const Savings& sav
   contact.work = work;
 }
 
-PairingMemory::PairingMemory(Pairing pairing) : data_(std::make_unique<Data>(std::move(pairing))) {}
+PairingMemory::PairingMemory(Pairing pairing) {
+  const DefaultFloatingPoint environment;
+  data_ = std::make_unique<Data>(std::move(pairing));
+}
 PairingMemory::~PairingMemory() = default;
 PairingMemory::PairingMemory(PairingMemory&&) noexcept = default;
 PairingMemory& PairingMemory::operator=(PairingMemory&&) noexcept = default;

@@ -13,7 +13,9 @@
 #include "fast/base/geometry.h"
 #include "fast/base/same_bits.h"
 #include "fast/base/thread_team.h"
+#include "fast/engine/engine.h"
 #include "fast/engine/separation.h"
+#include "fast/engine/tracking.h"
 #include "fast/engine/workspace.h"
 #include "fast/force/law_parameters.h"
 #include "fast/surface/prepared_surface.h"
@@ -107,6 +109,7 @@ struct ScenePairing {
   SeparationCertificate certificate;
   Patience patience;
   std::unique_ptr<RememberedPose> remembered;
+  std::unique_ptr<Tracking> tracking;  ///< once it was looked at
   // Since the last move, written by the one thread that has the pairing.
   Outcome outcome = Outcome::not_asked;
   bool sought = false;
@@ -193,7 +196,12 @@ const Contact& Scene::Data::evaluate_at(const Pose& pose, ScenePairing& pairing,
   const Velocity velocity = relative_velocity(pairing);
   RememberedPose* remembered = pairing.remembered.get();
   if (remembered == nullptr || !same_bits(pose, remembered->pose)) {
-    return fast::evaluate(pairing.pairing, pose, velocity, pairing.wanted, workspace, savings);
+    const bool track = may_track(pairing.wanted, savings);
+    if (track && !pairing.tracking)
+      pairing.tracking =
+          std::make_unique<Tracking>(pairing.pairing.surface_E().data(), pairing.pairing.surface_F().data());
+    return evaluate_and_keep(pairing.pairing, pose, velocity, pairing.wanted, workspace, savings,
+                             {false, track ? pairing.tracking.get() : nullptr});
   }
   if (!remembered->memory) remembered->memory.emplace(pairing.pairing);
   return remembered->memory->evaluate(pose, velocity, pairing.wanted, workspace, savings);
@@ -226,7 +234,7 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
     const PreparedSurface& F = pairing.pairing.surface_F().data();
     const double gap =
         distance_lower_bound(E, F, workspace.data().posed.placement, workspace.data().gaps, pairing.work);
-    pairing.certificate = SeparationCertificate(pose, pairing.ball_F, gap);
+    pairing.certificate = SeparationCertificate(pose, gap);
   }
   return &contact;
 }
@@ -261,6 +269,7 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
                        BoundingBall(F.data()),
                        {},
                        {},
+                       nullptr,
                        nullptr,
                        Outcome::not_asked,
                        false,

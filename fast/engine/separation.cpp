@@ -21,10 +21,6 @@ constexpr int kMostSplits = 512;
 /// 1 + 2 sqrt(3) / kFarApart times their gap.
 constexpr double kFarApart = 4;
 
-/// Covers the roundings of a norm, and that a rotation's columns are unit vectors to 1e-9 only.
-constexpr double kShorter = 1 - 0x1p-28;
-constexpr double kLonger = 1 + 0x1p-28;
-
 /// A lower bound of the distance between two boxes: in the axes of either frame the gaps along them are the legs of a
 /// distance.
 double gap_between(const Placement& placement, const Box& box_E, const Box& box_F) {
@@ -67,18 +63,7 @@ double size_of(const BoxNode& node) {
   return node.leaf() ? 0 : node.box.half.maxCoeff();
 }
 
-/// A norm that bounds |r| and |A x| for x in the ball.
-double norm_bound_of(const Pose& pose, const BoundingBall& ball) {
-  return pose.r.cwiseAbs().sum() + 2 * (ball.centre.cwiseAbs().sum() + ball.radius);
-}
-
 }  // namespace
-
-BoundingBall::BoundingBall(const PreparedSurface& surface)
-    : centre(surface.tree.root().box.centre), radius(kLonger * surface.tree.root().box.half.norm()) {
-  // Half widths are rounded to nearest, beside the last bit of the greatest coordinate.
-  radius += 4 * 0x1p-53 * surface.max_coordinates.sum();
-}
 
 double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurface& surface_F,
                             const Placement& placement, BoxPairs& open, WorkCounters& work) {
@@ -127,15 +112,12 @@ double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurf
   }
 }
 
-SeparationCertificate::SeparationCertificate(const Pose& pose, const BoundingBall& ball_F, double gap)
-    : pose_(pose), gap_(kShorter * gap - kPlacementError * norm_bound_of(pose, ball_F)) {}
+SeparationCertificate::SeparationCertificate(const Pose& pose, double gap) : pose_(pose), gap_(kShorter * gap) {}
 
 bool SeparationCertificate::holds(const Pose& pose, const BoundingBall& ball_F) const {
   if (!(gap_ > 0)) return false;
-  const Eigen::Matrix3d turn = pose.A - pose_.A;
-  const double way = (turn * ball_F.centre + (pose.r - pose_.r)).norm() + turn.norm() * ball_F.radius;
   // Written so that what is no number certifies nothing.
-  return kLonger * way + kPlacementError * norm_bound_of(pose, ball_F) < gap_;
+  return greatest_travel(pose_, pose, ball_F) < gap_;
 }
 
 }  // namespace pcm::fast

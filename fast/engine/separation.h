@@ -5,19 +5,11 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "fast/posed/motion.h"
 #include "fast/posed/placement.h"
 #include "pcm/work_counters.h"
 
 namespace pcm::fast {
-
-/// A ball about all points of a surface, in the surface's frame.
-struct BoundingBall {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< m
-  double radius = 0;                                 ///< m
-
-  BoundingBall() = default;
-  explicit BoundingBall(const PreparedSurface& surface);
-};
 
 /// Two nodes of box trees and how far apart their boxes are at least, m.
 struct BoxPair {
@@ -38,24 +30,22 @@ double distance_lower_bound(const PreparedSurface& surface_E, const PreparedSurf
 /// Tells that two surfaces found apart are apart still, however they have moved in between: a rigorous lower bound on
 /// the distance is spent by a bound on the relative motion.
 ///
-/// Points of F within the ball (c, radius) have moved by no more than |(A - A0) c + r - r0| + |A - A0| radius; spectral
-/// norms are bounded by Frobenius'. Where that is less than the distance, no point of F reaches E on the straight way
-/// from its old place to its new one, so the surfaces don't cross, and no winding number changes: what was not nested
-/// is not nested. Positions in the two poses, and what is computed here, are off by less than kPlacementError M with M
-/// the greatest |coordinate|, bounded by the sum of norms below.
+/// Where no point of F has moved by as much as that distance (greatest_travel), none reaches E on the straight way from
+/// its old place to its new one, so the surfaces don't cross, and no winding number changes: what was not nested is not
+/// nested.
 class SeparationCertificate {
  public:
   /// Certifies nothing.
   SeparationCertificate() = default;
   /// `gap`: a lower bound of the distance at `pose`, m.
-  SeparationCertificate(const Pose& pose, const BoundingBall& ball_F, double gap);
+  SeparationCertificate(const Pose& pose, double gap);
 
   /// Whether the surfaces are surely apart at `pose`. About 20 ns.
   bool holds(const Pose& pose, const BoundingBall& ball_F) const;
 
  private:
   Pose pose_;
-  double gap_ = 0;  ///< less the rounding of positions in this pose
+  double gap_ = 0;  ///< m
 };
 
 }  // namespace pcm::fast

@@ -72,10 +72,10 @@ struct Placement {
   }
 };
 
-/// False only where the boxes of E and F, grown by the position error, are apart along one of the six axes of the two
-/// frames; true for every pair of boxes that contain touching faces of the rounded problem. Closed tests. At most 36
-/// multiplications and additions of numbers that depend on both boxes.
-inline bool boxes_may_touch(const Placement& placement, const Box& box_E, const Box& box_F) {
+/// False only where the boxes of E and F, grown by the position error and the margin, m, are apart along one of the six
+/// axes of the two frames; true for every pair of boxes that contain touching faces of the rounded problem. Closed
+/// tests. At most 36 multiplications and additions of numbers that depend on both boxes.
+inline bool boxes_may_touch(const Placement& placement, const Box& box_E, const Box& box_F, double margin = 0) {
   const Eigen::Matrix3d& A = placement.A;
   const Eigen::Matrix3d& B = placement.A_absolute;
   double t[3];
@@ -83,12 +83,12 @@ inline bool boxes_may_touch(const Placement& placement, const Box& box_E, const 
     t[k] = A(k, 0) * box_F.centre[0] + A(k, 1) * box_F.centre[1] + A(k, 2) * box_F.centre[2] + placement.r_Me[k] -
            box_E.centre[k];
     const double width = B(k, 0) * box_F.half[0] + B(k, 1) * box_F.half[1] + B(k, 2) * box_F.half[2];
-    if (std::abs(t[k]) > box_E.half[k] + width + placement.position_error_E) return false;
+    if (std::abs(t[k]) > box_E.half[k] + width + (placement.position_error_E + margin)) return false;
   }
   for (int k = 0; k < 3; ++k) {
     const double distance = std::abs(A(0, k) * t[0] + A(1, k) * t[1] + A(2, k) * t[2]);
     const double width = B(0, k) * box_E.half[0] + B(1, k) * box_E.half[1] + B(2, k) * box_E.half[2];
-    if (distance > box_F.half[k] + width + placement.position_error_F) return false;
+    if (distance > box_F.half[k] + width + (placement.position_error_F + margin)) return false;
   }
   return true;
 }

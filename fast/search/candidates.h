@@ -19,15 +19,17 @@ using NodePairs = std::vector<std::pair<Index, Index>>;
 /// surely lies on one side of the other's plane (PCM section 3), until it returns false. From the root pair down, each
 /// pair of nodes that may touch is replaced by the pairs of its wider node's children with the other node, or of both
 /// nodes' children where they are about as wide. Every crossing pair of the rounded problem is among those visited, and
-/// of any problem whose F has its vertices within their rounding; each once; their order means nothing.
+/// of any problem whose F has its vertices within their rounding; each once; their order means nothing. With a margin,
+/// m, that and the signs hold for poses near by as well (WidePose).
 template <class Visit>
 void for_each_candidate(const PreparedSurface& surface_E, const PreparedSurface& surface_F, const Placement& placement,
-                        const WideTests& test, NodePairs& open, WorkCounters& work, const Visit& visit) {
+                        const WideTests& test, NodePairs& open, WorkCounters& work, const Visit& visit,
+                        double margin = 0) {
   ++work.box_tests;
-  if (!boxes_may_touch(placement, surface_E.tree.root().box, surface_F.tree.root().box)) return;
+  if (!boxes_may_touch(placement, surface_E.tree.root().box, surface_F.tree.root().box, margin)) return;
   const WideTree& tree_E = surface_E.wide_tree;
   const WideTree& tree_F = surface_F.wide_tree;
-  const WidePose pose(tree_E, tree_F, placement);
+  const WidePose pose(tree_E, tree_F, placement, margin);
   // Eight surface boxes are nearly three times narrower than the one around them.
   constexpr float kMuchWider = 2;
   open.assign(1, {0, 0});

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
 
 #include "fast/posed/transform.h"
+#include "fast/search/line_search.h"
 
 namespace pcm::fast {
 
@@ -48,6 +52,27 @@ class LineCoordinates {
   double error_per_width_;
   bool usable_;
 };
+
+/// What is sure of the line and a face: `unknown` where nothing is, no value where the line misses it.
+inline std::optional<Passage> passage_through(PosedSurface& posed, const LineCoordinates& line, Index face,
+                                              WorkCounters& work) {
+  if (!line.usable()) return Passage::unknown;
+  work.predicates += 3;
+  const Triangle& corners = posed.surface().face(face);
+  const std::array<LineCoordinates::Point, 3> x{line.see(posed.vertex_Me(corners[0], work)),
+                                                line.see(posed.vertex_Me(corners[1], work)),
+                                                line.see(posed.vertex_Me(corners[2], work))};
+  const double error = line.error(std::max({x[0].width, x[1].width, x[2].width}));
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const LineCoordinates::Point &from = x[k], &to = x[k == 2 ? 0 : k + 1];
+    const double D = from.x * to.y - from.y * to.x;
+    least = std::min(least, D);
+    greatest = std::max(greatest, D);
+  }
+  if (least < -error && greatest > error) return std::nullopt;
+  return greatest < -error ? Passage::leaving : least > error ? Passage::entering : Passage::unknown;
+}
 
 /// Walks over a surface from face to neighbouring face, each time over an edge that has the line on its far side, until
 /// the line surely passes through the face's interior, leaving the body there: that face. -1 where it can't be told,

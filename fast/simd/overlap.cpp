@@ -15,7 +15,7 @@ constexpr double kFarAway = 1024;
 
 }  // namespace
 
-WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placement) {
+WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placement, double margin) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       rotation[i][j] = static_cast<float>(placement.A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
@@ -34,12 +34,14 @@ WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placem
   constexpr double kUp = 1 + 0x1p-20;  // pays for rounding to single precision
   const double in_double_E = 2 * placement.position_error_E / E.unit(),
                in_double_F = 2 * placement.position_error_F / E.unit();
-  box_error_E = static_cast<float>(kUp * (kBoxRoundings * kV * radii + in_double_E));
-  box_error_F = static_cast<float>(kUp * (kBoxRoundings * kV * radii + in_double_F));
+  const double in_units = margin / E.unit();
+  box_error_E = static_cast<float>(kUp * (kBoxRoundings * kV * radii + in_double_E + in_units));
+  box_error_F = static_cast<float>(kUp * (kBoxRoundings * kV * radii + in_double_F + in_units));
   const double tilt = 2 * in_double_E / (WideTree::kLeastHeight * exact_scale) * 2 * radii;
-  plane_error = static_cast<float>(kUp * (kPlaneRoundings * kV * radii + 2 * in_double_E + tilt));
-  edge_error = exact_scale < 0x1p30 ? static_cast<float>(kUp * (kEdgeRoundings * kV * radii + 2 * in_double_E))
-                                    : std::numeric_limits<float>::infinity();
+  plane_error = static_cast<float>(kUp * (kPlaneRoundings * kV * radii + 2 * in_double_E + tilt + in_units));
+  edge_error = exact_scale < 0x1p30
+                   ? static_cast<float>(kUp * (kEdgeRoundings * kV * radii + 2 * in_double_E + 2 * in_units))
+                   : std::numeric_limits<float>::infinity();
 }
 
 WideRay::WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& ray_direction,

@@ -27,6 +27,9 @@ namespace pcm::fast {
 /// corner: with beta, gamma and zeta no less than |b|, |c| and |d|, 1-norms, vectors off by delta in each component
 /// cost at most delta (gamma zeta + beta zeta + beta gamma). b is off by 2 v G, c by 9 v G, d by 16 v G. Eight
 /// roundings take 8 v beta gamma zeta, at most a third of that sum times 8 v 3.5 G. So 32 v G covers both.
+///
+/// With a margin tests hold for all poses at which no point of F is farther than that from where it is here: a point
+/// that both faces have then is no farther from either here. c is off by as much and d by twice as much.
 struct WidePose {
   std::array<std::array<float, 3>, 3> rotation{};
   std::array<std::array<float, 3>, 3> rotation_absolute{};
@@ -38,7 +41,8 @@ struct WidePose {
   float edge_error = 0;   ///< delta above; infinite where products of three lengths might overflow
 
   WidePose() = default;
-  WidePose(const WideTree& E, const WideTree& F, const Placement& placement);
+  /// `margin` in m.
+  WidePose(const WideTree& E, const WideTree& F, const Placement& placement, double margin = 0);
 };
 
 /// A penetration line in the coordinates of a wide tree, in single precision. It stands for all lines whose points are

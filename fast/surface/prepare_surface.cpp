@@ -104,6 +104,30 @@ void find_components(PreparedSurface& surface) {
   }
 }
 
+double median_edge(const PreparedSurface& surface) {
+  std::vector<double> lengths;
+  for (const auto& [a, b] : surface.edges) lengths.push_back(length(surface.vertex(a) - surface.vertex(b)));
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+/// Of all components that with the fewest.
+Index vertices_of_least_component(const PreparedSurface& surface) {
+  std::vector<Index> last_seen_in(surface.mesh.vertices.size(), -1);
+  Index fewest = std::numeric_limits<Index>::max();
+  for (Index c = 0; c < static_cast<Index>(surface.component_faces.items()); ++c) {
+    Index count = 0;
+    for (const Index face : surface.component_faces[c]) {
+      for (const Index v : surface.face(face)) {
+        if (std::exchange(last_seen_in[static_cast<std::size_t>(v)], c) != c) ++count;
+      }
+    }
+    fewest = std::min(fewest, count);
+  }
+  return fewest;
+}
+
 [[noreturn]] void refuse(const TriangleMesh& mesh, const std::string& why) {
   throw BadInput((mesh.name.empty() ? std::string("surface") : mesh.name) + ": " + why);
 }
@@ -155,6 +179,8 @@ std::string out_of_range(double max_coordinate) {
     }
   });
   find_components(surface);
+  surface.usual_edge = median_edge(surface);
+  surface.fewest_vertices = vertices_of_least_component(surface);
   surface.tree = BoxTree(surface.mesh);
   surface.wide_tree = WideTree(surface.mesh, surface.tree);
   surface.thickness = lower_bounds_of_thickness(surface);

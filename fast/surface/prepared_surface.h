@@ -72,6 +72,8 @@ struct PreparedSurface {
   BoxTree tree;
   WideTree wide_tree;                                         ///< the same boxes, eight at once
   Eigen::Vector3d max_coordinates = Eigen::Vector3d::Zero();  ///< greatest |coordinate| along each axis, m
+  double usual_edge = 0;                                      ///< median length of an edge, m
+  Index fewest_vertices = 0;                                  ///< of a component
   /// Lower bound of the distance from each face's barycentre along its inward normal to the next face of the same
   /// surface, m; see fast/surface/thickness.h.
   std::vector<double> thickness;

@@ -85,7 +85,7 @@ PICKED = [
         "an edge shared by two faces that run through it in opposite directions",
     ),
     (
-        "fast/crossings/crossings.cpp",
+        "fast/crossings/pair_signs.h",
         "(has(signs.above_E, corner(lone_F)) ? 0b0100U : 0b1000U);",
         "(has(signs.above_E, corner(lone_F)) ? 0b1000U : 0b0100U);",
         "circulation on F: where a segment starts",
@@ -97,7 +97,7 @@ PICKED = [
         "an edge shared by two faces is entered as two crossings",
     ),
     (
-        "fast/crossings/crossings.cpp",
+        "fast/crossings/pair_signs.h",
         "(s[0][0] ^ s[1][0]) << 2 | (s[0][1] ^ s[1][1]) << 3;",
         "(s[0][1] ^ s[1][1]) << 2 | (s[0][0] ^ s[1][0]) << 3;",
         "which edge of F passes through E's face",
@@ -177,8 +177,8 @@ PICKED = [
     ),
     (
         "fast/posed/placement.h",
-        "if (std::abs(t[k]) > box_E.half[k] + width + placement.position_error_E) return false;",
-        "if (std::abs(t[k]) > box_E.half[k] + width) return false;",
+        "width + (placement.position_error_E + margin)) return false;",
+        "width + margin) return false;",
         "boxes without their rounding",
     ),
     (
@@ -422,9 +422,8 @@ PICKED = [
     ),
     (
         "fast/engine/engine.cpp",
-        "const CrossingOptions options{only_touch && savings.first_crossing, wanted.bound, savings.filters};",
-        "const CrossingOptions options{only_touch && savings.first_crossing, wanted.bound && wanted.areas,"
-        " savings.filters};",
+        "find_crossings(data.posed, {false, wanted.bound, savings.filters},",
+        "find_crossings(data.posed, {false, wanted.bound && wanted.areas, savings.filters},",
         "the candidates that a bound reads, where it is wanted without areas",
     ),
     (
@@ -452,10 +451,59 @@ PICKED = [
         "torque about the other marker, in a scene",
     ),
     (
-        "fast/engine/separation.cpp",
-        "turn.norm() * ball_F.radius;",
-        "0.5 * turn.norm() * ball_F.radius;",
-        "how far a turn may bring bodies that were apart",
+        "fast/posed/motion.h",
+        ".norm() + turn.norm() * ball_F.radius;",
+        ".norm() + 0.5 * turn.norm() * ball_F.radius;",
+        "how far a turn may bring bodies that were apart, or pairs that are followed",
+    ),
+    # From pose to pose.
+    (
+        "fast/crossings/tracked_pairs.cpp",
+        "return kShorter * pair_margin",
+        "return 2 * pair_margin",
+        "the way until a pair is looked at again, doubled",
+    ),
+    (
+        "fast/crossings/tracked_pairs.cpp",
+        "bool same = 3 * count < fewest_vertices;",
+        "bool same = 3 * count < 3 * count + fewest_vertices;",
+        "a component that passes through a surface between two poses",
+    ),
+    (
+        "fast/crossings/tracked_pairs.cpp",
+        "same = same && cross_alike(signs, signs_[i]);",
+        "same = same && (cross_alike(signs, signs_[i]) || count == 1);",
+        "a single pair that has begun to cross",
+    ),
+    (
+        "fast/crossings/tracked_pairs.h",
+        "return travelled < listed_until_;",
+        "return travelled < 2 * listed_until_;",
+        "pairs that come near after the list was made",
+    ),
+    (
+        "fast/simd/overlap.cpp",
+        "2 * in_double_E + tilt + in_units));",
+        "2 * in_double_E + tilt));",
+        "pairs that are followed: tests of planes without the margin",
+    ),
+    (
+        "fast/barycentric/line_memory.h",
+        "line.until -= travelled;",
+        "line.until -= 0 * travelled;",
+        "lines that are remembered too long",
+    ),
+    (
+        "fast/barycentric/penetration_line.cpp",
+        "if (!(first.distance.greatest <= searched)) return std::nullopt;",
+        "if (false) return std::nullopt;",
+        "a face beyond those that are remembered of a line",
+    ),
+    (
+        "fast/engine/tracking.cpp",
+        "for (LineMemory& lines : lines_) lines.clear();",
+        "",
+        "lines remembered over a jump",
     ),
     # Bounds.
     (

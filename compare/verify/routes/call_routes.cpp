@@ -38,7 +38,7 @@ std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) 
   return mixed(hash + static_cast<std::uint64_t>(purpose));
 }
 
-/// Fifteen switches from as many bits.
+/// Sixteen switches from as many bits.
 Ask drawn_ask(Route route, std::uint64_t bits) {
   Ask ask{route, {}, {}};
   const auto next = [&bits] {
@@ -49,9 +49,10 @@ Ask drawn_ask(Route route, std::uint64_t bits) {
   for (bool* wanted : {&ask.wanted.polygons, &ask.wanted.areas, &ask.wanted.force, &ask.wanted.elements,
                        &ask.wanted.bound, &ask.wanted.statistics})
     *wanted = next();
-  for (bool* saving : {&ask.savings.broad_phase, &ask.savings.certificates, &ask.savings.first_crossing,
-                       &ask.savings.lazy_vertices, &ask.savings.one_sided, &ask.savings.velocities,
-                       &ask.savings.only_wanted, &ask.savings.filters, &ask.savings.known_poses})
+  for (bool* saving :
+       {&ask.savings.broad_phase, &ask.savings.certificates, &ask.savings.first_crossing, &ask.savings.lazy_vertices,
+        &ask.savings.one_sided, &ask.savings.velocities, &ask.savings.only_wanted, &ask.savings.filters,
+        &ask.savings.known_poses, &ask.savings.coherence})
     *saving = next();
   return ask;
 }
@@ -89,14 +90,16 @@ void hold_law_only(Route route, bool expected, bool found, Checks& checks) {
   if (found != expected) checks.add(Kind::paths, "{}: the law alone was {}applied", name(route), found ? "" : "not ");
 }
 
-/// Asks beside the pose first, which leaves elements that are not those of the pose.
+/// Asks beside the pose first, twice, which leaves elements that are not those of the pose and pairs that are followed.
 void hold_known_pose(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                      const Ask& ask, const fast::Contact& whole, double step, fast::Workspace& workspace,
                      Checks& checks) {
   fast::PairingMemory memory(pairing);
-  Pose nearby = pose;
-  nearby.r.x() += step;
-  is_answered([&] { memory.evaluate(nearby, velocity, ask.wanted, workspace, ask.savings); });
+  for (const double away : {step, 0.5 * step}) {
+    Pose nearby = pose;
+    nearby.r.x() += away;
+    is_answered([&] { memory.evaluate(nearby, velocity, ask.wanted, workspace, ask.savings); });
+  }
   const bool answered =
       is_answered([&] { memory.evaluate(pose, another(velocity), ask.wanted, workspace, ask.savings); });
   const fast::Contact& answer = seam.evaluate_known(memory, pose, velocity, ask, workspace);
@@ -196,9 +199,12 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   scene.add_body(pairing.surface_F());
   scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), ask.wanted);
   const TwoBodies bodies(pose, velocity);
-  scene.move({bodies.E, stepped(bodies.F, pairing.surface_F().mesh(), step, bits_of(pose, velocity, Draw::turn))});
-  if (remembering) scene.remember_poses();
-  is_answered([&] { scene.evaluate(0, workspace); });
+  const std::uint64_t turn = bits_of(pose, velocity, Draw::turn);
+  for (const double away : {step, 0.5 * step}) {
+    scene.move({bodies.E, stepped(bodies.F, pairing.surface_F().mesh(), away, turn)});
+    if (remembering) scene.remember_poses();
+    is_answered([&] { scene.evaluate(0, workspace); });
+  }
   bool is_known = false;
   if (remembering) {
     scene.move({bodies.E, {bodies.F.pose, another(bodies.F.velocity)}});

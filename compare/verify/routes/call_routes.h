@@ -21,11 +21,12 @@ enum class Route : std::uint8_t {
   force,    ///< force and torque only
   touch,    ///< whether the surfaces cross only
   drawn,    ///< a choice of Wanted and Savings drawn from the pose's own bits, so that it is drawn again
-  /// A fast::PairingMemory that was asked about a place nearby, and then about another velocity there: by default or
+  /// A fast::PairingMemory that was asked about two places nearby, and then about another velocity there: by default or
   /// with drawn choices.
   known_pose,
-  /// Two bodies of a fast::Scene, after a step from a place nearby: by default, and with drawn choices; each at once,
-  /// or when it was asked about other velocities there and remembers the pose, and then what acts on either body too.
+  /// Two bodies of a fast::Scene, after two steps from a place nearby: by default, and with drawn choices; each at
+  /// once, or when it was asked about other velocities there and remembers the pose, and then what acts on either body
+  /// too.
   scene,
 };
 

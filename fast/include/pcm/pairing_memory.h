@@ -9,9 +9,11 @@
 namespace pcm::fast {
 
 /// A pairing, and what was found of it where it was asked last. Asked about the same pose, bit for bit, with another
-/// velocity, as difference quotients for a Jacobian do, it applies the law to the elements that it knows; the answer is
-/// that of `fast::evaluate`, to the last bit. It belongs to whoever has the pairing: any workspace will do, and may be
-/// used for anything in between.
+/// velocity, as difference quotients for a Jacobian do, it applies the law to the elements that it knows. Asked about a
+/// pose near by, as integrators do, it looks again only at what may have changed, where points of F have moved by less
+/// than 1/128 of a usual edge (Savings::coherence). The answer is that of `fast::evaluate`, to the last bit, whatever
+/// was asked before. It belongs to whoever has the pairing: any workspace will do, and may be used for anything in
+/// between.
 ///
 /// Its memory grows to what the poses need; then no more is allocated. For one caller at a time. One that was moved
 /// from can only be assigned to or destroyed.
@@ -23,8 +25,8 @@ class PairingMemory {
   PairingMemory& operator=(PairingMemory&&) noexcept;
 
   /// The answer lives until the next call with this object or with this workspace. Throws as `fast::evaluate` does,
-  /// and then knows no pose or the one that it knew before. Everything is found anew, and `WorkCounters::law_only` is
-  /// 0, where
+  /// and then knows no pose or the one that it knew before. More than the law is asked, and `WorkCounters::law_only` is 0,
+  /// where
   /// - the pose differs from that of the last answer it kept in any bit, the sign of a zero included, or `wanted` does;
   /// - a bound is wanted, for it hangs on more than the elements: such answers are not kept;
   /// - `savings` has `known_poses` or `only_wanted` switched off: likewise.

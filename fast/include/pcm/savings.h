@@ -27,9 +27,12 @@ struct Savings {
   /// PairingMemory, and scenes that remember poses: where only the velocity is another one, only the law is applied
   /// anew. Off: all is found anew.
   bool known_poses = true;
+  /// PairingMemory, and scenes: what crosses is followed from pose to pose as long as steps are short. Off: it is found
+  /// anew at each.
+  bool coherence = true;
 
   /// Everything switched off.
-  static constexpr Savings none() { return {false, false, false, false, false, false, false, false, false}; }
+  static constexpr Savings none() { return {false, false, false, false, false, false, false, false, false, false}; }
 };
 
 }  // namespace pcm::fast

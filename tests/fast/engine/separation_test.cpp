@@ -67,7 +67,7 @@ TEST(SeparationCertificate, HoldsWhileTheWayIsLessThanTheDistanceAndNotLonger) {
   const BoundingBall ball(box.data());
   Pose pose;
   pose.r = {3, 0, 0};
-  const SeparationCertificate certificate(pose, ball, distance_bound(box, box, pose));
+  const SeparationCertificate certificate(pose, distance_bound(box, box, pose));
   const auto moved = [&](double way) {
     Pose now = pose;
     now.r.x() -= way;
@@ -95,7 +95,7 @@ TEST(SeparationCertificate, ThatHoldsIsNeverContradictedByTheEngine) {
     const Pose start = test::turned(3 * unit(random), Vector3d(unit(random), unit(random), unit(random)));
     if (evaluate(pairing, start, {}, {}, workspace).touching) continue;
     const double gap = distance_bound(bubble, socket, start);
-    const SeparationCertificate certificate(start, ball, gap);
+    const SeparationCertificate certificate(start, gap);
     for (int step = 0; step < 20; ++step) {
       const double size = gap * std::abs(unit(random)) * 1.5;
       Pose now = test::turned(size * unit(random), size * Vector3d(unit(random), unit(random), unit(random)));

@@ -18,9 +18,9 @@ std::string switches(const Ask& ask) {
   const Wanted& w = ask.wanted;
   const fast::Savings& s = ask.savings;
   std::string text;
-  for (const bool x :
-       {w.polygons, w.areas, w.force, w.elements, w.bound, w.statistics, s.broad_phase, s.certificates,
-        s.first_crossing, s.lazy_vertices, s.one_sided, s.velocities, s.only_wanted, s.filters, s.known_poses})
+  for (const bool x : {w.polygons, w.areas, w.force, w.elements, w.bound, w.statistics, s.broad_phase, s.certificates,
+                       s.first_crossing, s.lazy_vertices, s.one_sided, s.velocities, s.only_wanted, s.filters,
+                       s.known_poses, s.coherence})
     text += x ? '1' : '0';
   return text;
 }
@@ -28,7 +28,7 @@ std::string switches(const Ask& ask) {
 TEST(CallRoutes, CoarseStatesAtRestDrawAllSwitchesBothWaysOnEachRouteThatDraws) {
   // Their doubles differ in few bits, all of them high ones.
   std::map<Route, std::set<std::string>> drawn;
-  std::map<Route, std::array<int, 15>> on;
+  std::map<Route, std::array<int, 16>> on;
   bool differ = false;
   constexpr int kStates = 512;
   for (int k = 0; k < kStates; ++k) {
@@ -51,7 +51,7 @@ TEST(CallRoutes, CoarseStatesAtRestDrawAllSwitchesBothWaysOnEachRouteThatDraws) 
   }
   EXPECT_TRUE(differ);
   for (const Route route : {Route::drawn, Route::known_pose, Route::scene}) {
-    // Of 2^15 choices: 512 draws meet some 4 of them twice.
+    // Of 2^16 choices: 512 draws meet some 2 of them twice.
     EXPECT_GE(drawn[route].size(), 490U) << name(route);
     // Five standard deviations.
     for (const int count : on[route]) EXPECT_NEAR(2 * count, kStates, 114) << name(route);

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "fast/prism/line_trace.h"
+
+namespace pcm::fast {
+
+/// What a master's penetration lines found at one pose, for those of the next pose near by: where walks over the slave
+/// may start, and the faces that a line may meet while F moves a little. To be asked about faces and told of them in
+/// their order, once a pose each. None of it decides anything: lines are followed anew, but not searched for.
+class LineMemory {
+ public:
+  /// Faces that a line may meet until F has travelled farther than `until`, m: all of the slave, and other ones of the
+  /// master, up to a distance along the line.
+  struct Line {
+    Index face = -1;
+    Index slave_nearby = -1;  ///< a face of the slave near the line, -1: none
+    double until = -std::numeric_limits<double>::infinity();
+    double slave_searched = 0, own_searched = 0;            ///< m
+    std::size_t first = 0, slave_count = 0, own_count = 0;  ///< in `faces`, the slave's before the master's
+  };
+
+  /// Knows of no line.
+  void clear() { past_.clear(), now_.clear(); }
+
+  /// At the next pose, to which points of F have travelled so far, m. What is searched for holds for `ahead` more;
+  /// then lines are no farther from where they are than `radius`, m.
+  void start(double travelled, double ahead, double radius) {
+    std::swap(past_, now_);
+    now_.clear();
+    next_ = 0;
+    travelled_ = travelled;
+    ahead_ = ahead;
+    radius_ = radius;
+  }
+
+  /// Travel is counted from here on.
+  void start_travel_anew(double travelled) {
+    for (Line& line : now_.lines) line.until -= travelled;
+  }
+
+  /// What is known of the line of a face; nullptr: nothing.
+  const Line* recall(Index face) {
+    while (next_ < past_.lines.size() && past_.lines[next_].face < face) ++next_;
+    const bool known = next_ < past_.lines.size() && past_.lines[next_].face == face;
+    return known ? &past_.lines[next_] : nullptr;
+  }
+  /// Whether the faces that it may meet are known.
+  bool holds(const Line& line) const { return travelled_ < line.until; }
+  const Index* slave_faces(const Line& line) const { return past_.faces.data() + line.first; }
+  const Index* own_faces(const Line& line) const { return slave_faces(line) + line.slave_count; }
+  double radius() const { return radius_; }
+
+  /// A line that was told by a walk.
+  void keep(Index face, Index slave_nearby) {
+    Line& line = now_.lines.emplace_back();
+    line.face = face;
+    line.slave_nearby = slave_nearby;
+  }
+  /// One for which those faces served that are known, and do so on.
+  void keep(const Line& known, Index slave_nearby) {
+    const Index* const faces = slave_faces(known);
+    Line line = known;
+    line.slave_nearby = slave_nearby;
+    line.first = now_.faces.size();
+    now_.faces.insert(now_.faces.end(), faces, faces + known.slave_count + known.own_count);
+    now_.lines.push_back(line);
+  }
+  /// One that was searched for, with all faces within the radius.
+  void keep(Index face, Index slave_nearby, const LineTrace& trace) {
+    keep(face, slave_nearby);
+    if (trace.slave_faces.size() + trace.own_faces.size() > kMostFaces) return;
+    Line& line = now_.lines.back();
+    line.until = travelled_ + ahead_;
+    line.slave_searched = trace.slave_searched;
+    line.own_searched = trace.own_listed ? trace.own_searched : -std::numeric_limits<double>::infinity();
+    line.first = now_.faces.size();
+    line.slave_count = trace.slave_faces.size();
+    line.own_count = trace.own_faces.size();
+    now_.faces.insert(now_.faces.end(), trace.slave_faces.begin(), trace.slave_faces.end());
+    now_.faces.insert(now_.faces.end(), trace.own_faces.begin(), trace.own_faces.end());
+  }
+
+ private:
+  /// More are as well searched for.
+  static constexpr std::size_t kMostFaces = 12;
+
+  struct Lines {
+    std::vector<Line> lines;  ///< by face, ascending
+    std::vector<Index> faces;
+
+    void clear() { lines.clear(), faces.clear(); }
+  };
+
+  Lines past_, now_;
+  std::size_t next_ = 0;
+  double travelled_ = 0, ahead_ = 0, radius_ = 0;
+};
+
+}  // namespace pcm::fast

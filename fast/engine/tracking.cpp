@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/engine/tracking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcm::fast {
+
+namespace {
+
+/// How long steps may be, relative to an edge: of those that are longer so many pairs would have to be looked at again
+/// that to find all anew costs less.
+constexpr double kLongestStep = 0x1p-7;
+/// How many steps as long as the last one a list of pairs is made for, and a line's faces are. Longer lists cost more
+/// at each.
+constexpr double kStepsAhead = 16, kLineStepsAhead = 8, kLineStepsAheadOfF = 2;
+
+/// Adds up ways, the sum rounded up.
+void add_way(double way, double& travelled) {
+  travelled = (1 + 0x1p-52) * (travelled + way);
+}
+
+}  // namespace
+
+// A line of F at a distance q from its origin is moved by what F's frame moves there, q over the ball's radius more
+// than in the ball, and turned by three times as much again where A is a rotation to 1e-9 only: its direction is that
+// of the carried face's normal. q is no more than twice the sum of both radii where surfaces touch. A third more pays
+// for roundings of the face's vertices (line_stays).
+Tracking::Tracking(const PreparedSurface& E, const PreparedSurface& F)
+    : ball_F_(F),
+      longest_step_(kLongestStep * std::min(E.usual_edge, F.usual_edge)),
+      spread_{1, 4.0 / 3 * (1 + 8 * (1 + BoundingBall(E).radius / ball_F_.radius))},
+      fewest_vertices_(static_cast<std::size_t>(std::min(E.fewest_vertices, F.fewest_vertices))) {}
+
+void Tracking::start_lines(double way) {
+  for (const Side master : {Side::E, Side::F}) {
+    const auto m = static_cast<std::size_t>(master);
+    const double ahead = (master == Side::E ? kLineStepsAhead : kLineStepsAheadOfF) * way;
+    lines_[m].start(travelled_, ahead, spread_[m] * ahead);
+  }
+}
+
+Tracking::Known Tracking::move_to(const Pose& pose, PosedPair& posed, NodePairs& open) {
+  if (!last_) {
+    last_ = pose;
+    pairs_.clear();
+    return Known::nothing;
+  }
+  const Pose last = *last_;
+  const double way = greatest_travel(last, pose, ball_F_);
+  last_ = pose;
+  if (!(way < longest_step_)) {
+    pairs_.clear();
+    for (LineMemory& lines : lines_) lines.clear();
+    return Known::nothing;
+  }
+  add_way(way, travelled_);
+  if (!pairs_.holds(travelled_)) {
+    pairs_.list(posed, kStepsAhead * way, open);
+    for (LineMemory& lines : lines_) lines.start_travel_anew(travelled_);
+    travelled_ = listed_travelled_ = 0;
+    start_lines(way);
+    has_kept_ = false;
+    return Known::crossing_pairs;
+  }
+  start_lines(way);
+  add_way(greatest_travel(last, pose, pairs_.ball_of_listed()), listed_travelled_);
+  const bool same = pairs_.update(posed, listed_travelled_, fewest_vertices_) == TrackedPairs::Outcome::same;
+  has_kept_ = has_kept_ && same;
+  return has_kept_ ? Known::active_faces : Known::crossing_pairs;
+}
+
+void Tracking::keep_active_faces(const Crossings& crossings, const ActiveAreas& areas) {
+  for (const Side side : {Side::E, Side::F}) {
+    KeptFaces& kept = kept_[static_cast<std::size_t>(side)];
+    kept.intersected = crossings.of(side).intersected;
+    kept.inner = areas.of(side).inner;
+    kept.pockets = areas.of(side).pockets;
+  }
+  nested_ = areas.nested;
+  ambiguous_ = areas.ambiguous;
+  has_kept_ = true;
+}
+
+void Tracking::restore_active_faces(Crossings& crossings, ActiveAreas& areas) const {
+  crossings.nodes.clear();
+  crossings.candidates.clear();
+  for (const Side side : {Side::E, Side::F}) {
+    const KeptFaces& kept = kept_[static_cast<std::size_t>(side)];
+    crossings.of(side).intersected = kept.intersected;
+    areas.of(side).inner = kept.inner;
+    areas.of(side).pockets = kept.pockets;
+  }
+  areas.nested = nested_;
+  areas.ambiguous = ambiguous_;
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/engine/tracking.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "pcm/pairing_memory.h"
+#include "pcm/scene.h"
+#include "tests/fast/engine/tracked_walks.h"
+#include "tests/fast/engine_support.h"
+
+namespace pcm::fast {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr Wanted kForce{false, false, true, false, false, false};
+
+TEST(Tracking, AnswersAlongAWalkAreThoseOfAnEngineWithoutAPast) {
+  const test::WalkTally tally = test::take_walks(20261126, 2, 40);
+  EXPECT_EQ(tally.different, 0) << tally.first_difference;
+  EXPECT_GT(tally.touching, tally.evaluations / 3);
+  EXPECT_GT(tally.followed, tally.touching / 4);
+}
+
+TEST(Tracking, ShortStepsNeedNoSearchFromTheRoots) {
+  const Surface bubble(generate::bubble());
+  const Pairing pairing(bubble, bubble, test::rough(1e5));
+  PairingMemory memory(pairing);
+  Workspace workspace;
+  Pose pose = test::turned(0.3, {0.05, 0.1, 0.12});
+  Savings off;
+  off.coherence = false;
+  std::int64_t searched = 0, searched_without = 0;
+  for (int i = 0; i < 100; ++i) {
+    pose.r.x() += 1e-6;
+    searched += memory.evaluate(pose, {}, kForce, workspace).work.candidate_pairs > 0 ? 1 : 0;
+  }
+  PairingMemory other(pairing);
+  for (int i = 0; i < 100; ++i) {
+    pose.r.x() += 1e-6;
+    searched_without += other.evaluate(pose, {}, kForce, workspace, off).work.candidate_pairs > 0 ? 1 : 0;
+  }
+  EXPECT_LT(searched, 12);
+  EXPECT_EQ(searched_without, 100);
+}
+
+/// A body and a speck far smaller than a step, each in one surface.
+TriangleMesh with_speck(const TriangleMesh& body, const Vector3d& at, double size) {
+  return degenerate::joined(body, translated(generate::icosphere(size, 0), at));
+}
+
+/// Nothing crosses before nor after it has gone in, but the speck lies within the other body.
+TEST(Tracking, SpeckThatPassesThroughASurfaceBetweenPosesIsFound) {
+  const TriangleMesh block = generate::gridded_box(1, 2);
+  for (const bool speck_on_E : {false, true}) {
+    const TriangleMesh large = with_speck(generate::gridded_box(1, 2), {0.8, 0.1, 0.2}, 1e-5);
+    const Surface with(large), without(block);
+    const Pairing pairing(speck_on_E ? with : without, speck_on_E ? without : with, test::stiffness(1), Mode::both);
+    const double sign = speck_on_E ? -1 : 1;
+    PairingMemory memory(pairing);
+    Workspace one, other;
+    int inside = 0;
+    for (int i = 0; i < 40; ++i) {
+      Pose pose;
+      pose.r = sign * Vector3d(-0.27 - 0.0013 * i, 0.013, 0.007);
+      const Contact& followed = memory.evaluate(pose, {}, kForce, one);
+      const Contact& anew = evaluate(pairing, pose, {}, kForce, other);
+      EXPECT_TRUE(test::same(followed, anew)) << i;
+      inside += anew.nested ? 1 : 0;
+    }
+    EXPECT_GT(inside, 5);
+    EXPECT_LT(inside, 35);
+  }
+}
+
+/// Three balls that roll on a plate, by all threads at once.
+TEST(Tracking, ScenesFollowTheirPairingsAndAnswerAlike) {
+  Savings off;
+  off.coherence = false;
+  Scene following, forgetful(off);
+  for (Scene* const scene : {&following, &forgetful}) {
+    const Index plate = scene->add_body(Surface(generate::plate(4, 4, 0.5, 8, 8)));
+    for (int b = 0; b < 3; ++b) {
+      const Index ball = scene->add_body(Surface(generate::icosphere(0.5, 3)));
+      scene->add_pairing(plate, ball, test::rough(1e5), Mode::both, b == 1 ? Scheme::clipped : Scheme::barycentric,
+                         kForce);
+    }
+  }
+  std::int64_t pairs_followed = 0, pairs_anew = 0;
+  for (int step = 0; step < 60; ++step) {
+    std::vector<BodyState> states(4);
+    const double way = step < 30 ? 1e-4 * step : 3e-3 + 1e-9 * step;
+    for (int b = 0; b < 3; ++b) {
+      BodyState& state = states[static_cast<std::size_t>(1 + b)];
+      state.pose.r = Vector3d(-1.2 + 1.2 * b + way, 0.1 * b, 0.49 - 0.01 * b);
+      state.pose.A = Eigen::AngleAxisd(2 * way + b, Vector3d::UnitY()).toRotationMatrix();
+      state.velocity.v = Vector3d(0.1, 0, -0.2);
+    }
+    for (Scene* const scene : {&following, &forgetful}) {
+      scene->move(states);
+      scene->evaluate_all(2, {});
+    }
+    for (Index p = 0; p < 3; ++p) {
+      EXPECT_TRUE(following.load(p).touching);
+      EXPECT_TRUE(test::same(following.load(p).force_Me, forgetful.load(p).force_Me)) << step;
+      EXPECT_TRUE(test::same(following.load(p).torque_Me, forgetful.load(p).torque_Me)) << step;
+    }
+    pairs_followed += following.counters().work.candidate_pairs;
+    pairs_anew += forgetful.counters().work.candidate_pairs;
+  }
+  EXPECT_LT(2 * pairs_followed, pairs_anew);
+}
+
+}  // namespace
+}  // namespace pcm::fast
