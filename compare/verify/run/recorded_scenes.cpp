@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/run/recorded_scenes.h"
 
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 
