@@ -11,6 +11,18 @@
 /// Random numbers of the verification poses: the same bits on every machine, compiler and thread (DESIGN section 4).
 namespace pcm::compare {
 
+/// The rotation of the quaternion w + x i + y j + z k of any length but 0, in a fixed order of operations; orthogonal
+/// to a few 1e-16.
+inline Eigen::Matrix3d ordered_rotation(double w, double x, double y, double z) {
+  // Dividing by the squared length once spares the normalisation, and with it two roundings.
+  const double s = 2 / (w * w + x * x + y * y + z * z);
+  Eigen::Matrix3d A;
+  A << 1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y),  //
+      s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x),   //
+      s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y);
+  return A;
+}
+
 /// What random numbers of a pose are for: each purpose has a stream of its own, so that drawing more for one changes
 /// nothing in the others.
 enum class Purpose : std::uint64_t { pose, law, velocity };
@@ -71,19 +83,13 @@ class PoseRandom {
     }
   }
 
-  /// Uniform rotation, by a quaternion drawn from the 4-ball by rejection; orthogonal to a few 1e-16.
+  /// Uniform rotation, by a quaternion drawn from the 4-ball by rejection.
   Eigen::Matrix3d rotation() {
     for (;;) {
       const double w = uniform(-1, 1), x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
       const double square = w * w + x * x + y * y + z * z;
       if (square > 1 || square < 0x1p-20) continue;
-      // Dividing by the squared length once spares the normalisation, and with it two roundings.
-      const double s = 2 / square;
-      Eigen::Matrix3d A;
-      A << 1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y),  //
-          s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x),   //
-          s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y);
-      return A;
+      return ordered_rotation(w, x, y, z);
     }
   }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/poses/recorded_motion.h"
 #include "compare/poses/strata.h"
 #include "pcm/inputs.h"
 #include "pcm/triangle_mesh.h"
@@ -32,6 +33,8 @@ struct SurfacePair {
   /// Further surfaces E and F of the same kind: with n of them pose i is that of number i modulo n + 1, the pair's own
   /// surfaces being number 0. Hard strata only.
   std::vector<std::array<TriangleMesh, 2>> variants;
+  /// What a simulation took it through: with that, the pair has a part in the stratum trajectory and in no other.
+  std::vector<RecordedStretch> motion;
   std::filesystem::path file_E;  ///< where it was read from; empty where it was generated
   std::filesystem::path file_F;
   ContactLaw law;

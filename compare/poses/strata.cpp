@@ -49,10 +49,10 @@ constexpr std::array kRows = {
     Row{Stratum::adversarial, "adversarial", true, detail::draw_adversarial},
     Row{Stratum::trajectory, "trajectory", false,
         [](const FeaturePair&, PoseRandom&) -> DrawnPose {
-          throw std::logic_error("poses of a trajectory are recorded, not drawn");
+          throw std::logic_error("poses of a trajectory are drawn along what was recorded");
         }},
 };
-static_assert(kStrata.size() + 1 == kRows.size(), "all but `trajectory` are drawn");
+static_assert(kStrata.size() + 1 == kRows.size(), "all but `trajectory` are drawn for any surfaces");
 
 constexpr bool are_in_order() {
   for (std::size_t i = 0; i < kRows.size(); ++i)
@@ -73,16 +73,16 @@ std::string_view name(Stratum stratum) {
 
 std::string strata_names() {
   std::string names;
-  for (const Stratum stratum : kStrata) {
+  for (const Row& row : kRows) {
     if (!names.empty()) names += ", ";
-    names += name(stratum);
+    names += row.name;
   }
   return names;
 }
 
 std::optional<Stratum> stratum_named(std::string_view word) {
-  for (const Stratum stratum : kStrata)
-    if (name(stratum) == word) return stratum;
+  for (const Row& row : kRows)
+    if (row.name == word) return row.stratum;
   return std::nullopt;
 }
 

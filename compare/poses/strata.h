@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compare/io/random.h"
 #include "compare/poses/surface_features.h"
@@ -30,10 +31,11 @@ enum class Stratum : std::uint8_t {
   near_degenerate,  ///< degenerate, then moved by 1 to 8 ulps
   extreme,          ///< surfaces taken to the ends of what doubles hold (extreme_meshes.h), in poses of all these kinds
   adversarial,      ///< several features within roundings of each other, in no special place, and not onto each other
-  trajectory,       ///< not drawn: recorded by a simulation (compare/verify/run/trajectory.h)
+  trajectory,       ///< along what a simulation went through (recorded_motion.h), or just as one recorded it
+                    ///< (compare/verify/run/trajectory.h)
 };
 
-/// Those that poses are drawn from.
+/// Those that poses of any two surfaces are drawn from.
 inline constexpr std::array kStrata = {Stratum::generic, Stratum::grazing,    Stratum::separated,
                                        Stratum::nested,  Stratum::degenerate, Stratum::near_degenerate,
                                        Stratum::extreme, Stratum::adversarial};
@@ -45,12 +47,18 @@ inline constexpr std::array kUsualStrata = {Stratum::generic, Stratum::grazing, 
 
 /// The word of DESIGN section 4, e.g. "near-degenerate".
 std::string_view name(Stratum stratum);
-/// Those that poses are drawn from: "generic, grazing, ...".
+/// Of all: "generic, grazing, ...".
 std::string strata_names();
 std::optional<Stratum> stratum_named(std::string_view word);
 
 /// True of the strata whose poses are made to hurt, so that small surfaces show as much as large ones.
 bool hard(Stratum stratum);
+
+/// Where F is, seen from E, and how it moves.
+struct MovingPose {
+  Pose pose;
+  Velocity velocity;
+};
 
 /// A pose and how it came about.
 struct DrawnPose {
@@ -59,6 +67,7 @@ struct DrawnPose {
   std::string_view construction;  ///< e.g. "vertex on edge"
   /// Degenerate poses: the features coincide in both problems without rounding (`false`: only nearly so).
   bool exact = false;
+  std::vector<MovingPose> before;  ///< stratum trajectory: how F came here, in the order of time
 };
 
 /// A pair made fit for the stratum nested: the guest is scaled by a power of two, hence exactly, until it fits into a
@@ -88,7 +97,7 @@ struct FeaturePair {
 
 /// Draws one pose. `random` must be fresh. Stratum nested asks for a pair made of `NestedMeshes`, extreme
 /// for one of `extreme_meshes`.
-/// Throws std::logic_error for `trajectory`.
+/// Throws std::logic_error for `trajectory`, which wants a recording (recorded_motion.h).
 /// Cost: O(n) in the number of vertices.
 DrawnPose draw_pose(Stratum stratum, const FeaturePair& pair, PoseRandom random);
 

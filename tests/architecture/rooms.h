@@ -54,6 +54,7 @@ inline const std::vector<Part>& parts() {
         "verify/routes",
         "verify/run",
         "verify/tables",
+        "hard_poses",
         "published",
         "wrong_answers",
         "explain",

@@ -175,7 +175,8 @@ Exit replay(const std::string& file) {
   const Case posed = read_case(file);
   const HeldPairing held(posed.E, posed.F, posed.law, posed.mode, posed.scheme);
   fast::Workspace workspace;
-  const PoseOutcome outcome = held.hold(posed.pose, posed.velocity, workspace).front();
+  const PoseOutcome outcome =
+      held.hold({posed.pose, posed.velocity, posed.law, posed.scheme, posed.before}, workspace).front();
   std::cout << posed.origin << '\n';
   for (const Disagreement& d : outcome.disagreements) std::cout << name(d.kind) << ": " << d.text << '\n';
   const bool agrees = outcome.disagreements.empty();

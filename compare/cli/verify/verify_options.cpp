@@ -45,8 +45,12 @@ void add_plan_options(CLI::App& command, VerifyOptions& options) {
   command
       .add_option(
           "--strata", options.strata,
-          "Of " + strata_names() + " (default: all" +
-              (options.usual_strata ? " but extreme and adversarial, beyond what most engines say they can do)" : ")"))
+          "Of " + strata_names() +
+              (options.usual_strata
+                   ? " (default: all but extreme and adversarial, beyond what most engines say they can do, and "
+                     "trajectory)"
+                   : " (default: all but trajectory, which has pairs of its own: those of the scenes of `pcm "
+                     "simulate`)"))
       ->type_name("NAME,...")
       ->delimiter(',');
   command
@@ -101,6 +105,7 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "  pcm verify --poses 1000000 --part 2/5 --out second\n"
       "  pcm verify --poses 1000000 --merge first second third fourth fifth --out results\n"
       "  pcm verify --pair bolt.obj nut.obj --strata generic,degenerate\n"
+      "  pcm verify --strata degenerate,near-degenerate,extreme,adversarial,trajectory --scheme both\n"
       "  pcm verify --engine fast,published-2003,published-2023\n"
       "  pcm verify --known-answers --out answers\n"
       "  pcm verify --error-budget --out budget\n"

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "compare/cli/frame/launcher.h"
 #include "compare/cli/frame/surface_warnings.h"
 #include "compare/io/names.h"
+#include "compare/verify/run/recorded_scenes.h"
 #include "compare/verify/run/trajectory.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -114,8 +116,9 @@ void note_warnings(const std::vector<SurfacePair>& pairs, std::vector<std::strin
     }
 }
 
-/// Those of the command line, or else the built-in ones.
-std::vector<SurfacePair> pairs_of(const VerifyOptions& options, std::vector<std::string>& notices) {
+/// Those of the command line, or else the built-in ones of these strata.
+std::vector<SurfacePair> pairs_of(const VerifyOptions& options, const std::vector<Stratum>& strata,
+                                  std::vector<std::string>& notices) {
   std::vector<SurfacePair> pairs;
   for (const std::vector<std::string>& files : options.pairs)
     pairs.push_back(pair_from_files(files.at(0), files.at(1)));
@@ -125,10 +128,12 @@ std::vector<SurfacePair> pairs_of(const VerifyOptions& options, std::vector<std:
     return pairs;
   }
   std::vector<std::string> missing;
-  pairs = built_in_pairs(installed_real_surfaces(), missing);
+  const bool wants_trajectory = std::find(strata.begin(), strata.end(), Stratum::trajectory) != strata.end();
+  if (!wants_trajectory || strata.size() > 1) pairs = built_in_pairs(installed_real_surfaces(), missing);
   if (!missing.empty())
     notices.push_back(
         fmt::format("skipped for want of the real surfaces of libcgal-demo: {}", fmt::join(missing, ", ")));
+  if (wants_trajectory) std::ranges::move(recorded_pairs(), std::back_inserter(pairs));
   return pairs;
 }
 
@@ -197,7 +202,7 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
     require_within_bounds(*plan.law);
     leave_out_extreme(*plan.law, plan, notices);
   }
-  plan.pairs = pairs_of(options, notices);
+  plan.pairs = pairs_of(options, plan.strata, notices);
   for (SurfacePair& pair : plan.pairs)
     if (plan.law) pair.law = *plan.law;
   return plan;

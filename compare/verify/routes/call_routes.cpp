@@ -125,10 +125,12 @@ struct TwoBodies {
   fast::BodyState E, F;
   Eigen::Vector3d carried_W = Eigen::Vector3d::Zero();  ///< velocity at F's marker by E's spin, m/s
 
-  TwoBodies(const Pose& pose, const Velocity& velocity) {
-    const std::uint64_t bits = bits_of(pose, velocity, Draw::bodies);
-    const Eigen::Matrix3d Q = turn_of_axes(bits % 24);
-    const bool spins = bits / 24 % 2 == 0;
+  TwoBodies(const Pose& pose, const Velocity& velocity)
+      : TwoBodies(pose, velocity, bits_of(pose, velocity, Draw::bodies) % 24,
+                  bits_of(pose, velocity, Draw::bodies) / 24 % 2 == 0) {}
+
+  TwoBodies(const Pose& pose, const Velocity& velocity, std::uint64_t turn, bool spins) {
+    const Eigen::Matrix3d Q = turn_of_axes(turn);
     E.pose = {Q, -0.5 * (Q * pose.r)};
     F.pose = {Q * pose.A, 0.5 * (Q * pose.r)};
     E.velocity.v = -0.5 * (Q * velocity.v);
@@ -188,6 +190,24 @@ void hold_loads(const EngineSeam& seam, fast::Scene& scene, const Eigen::Matrix3
     checks.add(Kind::paths, "{}: force or torque on a body is not that of its pairing", name(Route::scene));
 }
 
+/// Holds where the scene says that F is to E. `carried_W`: what E's spin adds to F's velocity.
+bool hold_relative_state(const fast::Scene& scene, const Pose& pose, const Velocity& velocity,
+                         const Eigen::Vector3d& carried_W, Checks& checks) {
+  const Pose relative = scene.relative_pose(0);
+  const Velocity motion = scene.relative_velocity(0);
+  // Halves of the smallest doubles are rounded. Each of three sums rounds the velocity where E spins.
+  constexpr double kLeast = 2 * std::numeric_limits<double>::denorm_min();
+  const double carried = carried_W.cwiseAbs().maxCoeff();
+  const double rounding = carried == 0 ? 0 : 4 * kRoundoff * (velocity.v.cwiseAbs().maxCoeff() + carried);
+  if (relative.A != pose.A || !((relative.r - pose.r).cwiseAbs().maxCoeff() <= kLeast) ||
+      !((motion.v - velocity.v).cwiseAbs().maxCoeff() <= rounding + kLeast) ||
+      !((motion.w - velocity.w).cwiseAbs().maxCoeff() <= kLeast)) {
+    checks.add(Kind::paths, "{}: relative pose or velocity of two moving bodies is another", name(Route::scene));
+    return false;
+  }
+  return true;
+}
+
 /// Holds a scene's answer against `whole`, the one to everything and a bound. A step on the way makes the scene look
 /// for a certificate where the bodies are apart, and use it where it still holds. With `remembering` F then has another
 /// velocity first where it is asked for, and loads, which cost little there, are held too.
@@ -212,18 +232,9 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
     is_known = is_answered([&] { scene.evaluate(0, workspace); }) && keeps_poses(ask);
   }
   scene.move({bodies.E, bodies.F});
+  if (!hold_relative_state(scene, pose, velocity, bodies.carried_W, checks)) return;
   const Pose relative = scene.relative_pose(0);
   const Velocity motion = scene.relative_velocity(0);
-  // Halves of the smallest doubles are rounded. Each of three sums rounds the velocity where E spins.
-  constexpr double kLeast = 2 * std::numeric_limits<double>::denorm_min();
-  const double carried = bodies.carried_W.cwiseAbs().maxCoeff();
-  const double rounding = carried == 0 ? 0 : 4 * kRoundoff * (velocity.v.cwiseAbs().maxCoeff() + carried);
-  if (relative.A != pose.A || !((relative.r - pose.r).cwiseAbs().maxCoeff() <= kLeast) ||
-      !((motion.v - velocity.v).cwiseAbs().maxCoeff() <= rounding + kLeast) ||
-      !((motion.w - velocity.w).cwiseAbs().maxCoeff() <= kLeast)) {
-    checks.add(Kind::paths, "{}: relative pose or velocity of two moving bodies is another", name(Route::scene));
-    return;
-  }
   if (fast::same_bits(relative, pose) && fast::same_bits(motion, velocity)) {
     const fast::Contact& answer = seam.evaluate_in(scene, workspace);
     hold_route(Route::scene, whole, answer, ask.wanted, checks);
@@ -245,8 +256,8 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
 }  // namespace
 
 std::string_view name(Route route) {
-  constexpr std::array<std::string_view, 7> kNames = {"plain", "bounded",    "force", "touch",
-                                                      "drawn", "known pose", "scene"};
+  constexpr std::array<std::string_view, 8> kNames = {"plain", "bounded",    "force", "touch",
+                                                      "drawn", "known pose", "scene", "motion"};
   return kNames[static_cast<std::size_t>(route)];
 }
 
@@ -328,6 +339,51 @@ void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pos
   const std::vector<Ask> asks = scene_asks_at(pose, velocity);
   for (std::size_t k = 0; k < asks.size(); ++k)
     hold_scene(seam, pairing, pose, velocity, asks[k], (ways >> (k + 1) & 1) != 0, expected, step, workspace, checks);
+}
+
+void hold_motion(const EngineSeam& seam, const fast::Pairing& pairing, const std::vector<MovingPose>& before,
+                 const Pose& pose, const Velocity& velocity, const fast::Contact& whole, double step,
+                 fast::Workspace& workspace, Checks& checks) {
+  if (!is_pose_for_scenes(pose)) return;
+  fast::Scene scene;
+  scene.add_body(pairing.surface_E());
+  scene.add_body(pairing.surface_F());
+  scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme());
+  const std::uint64_t turn = bits_of(pose, velocity, Draw::bodies) % 24;
+  const auto ask_at = [&](const fast::BodyState& E, const fast::BodyState& F) {
+    scene.move({E, F});
+    return is_answered([&] { seam.evaluate_in(scene, workspace); });
+  };
+  const auto arrive = [&](const TwoBodies& bodies) {
+    scene.move({bodies.E, bodies.F});
+    scene.remember_poses();
+  };
+  // Each step as an implicit integrator takes it: the load, then difference quotients over velocity and place.
+  for (const MovingPose& state : before) {
+    const TwoBodies bodies(state.pose, state.velocity, turn, false);
+    arrive(bodies);
+    ask_at(bodies.E, bodies.F);
+    ask_at(bodies.E, {bodies.F.pose, another(bodies.F.velocity)});
+    ask_at(bodies.E, stepped(bodies.F, pairing.surface_F().mesh(), step, turn));
+  }
+  const TwoBodies bodies(pose, velocity, turn, false);
+  arrive(bodies);
+  if (!hold_relative_state(scene, pose, velocity, bodies.carried_W, checks)) return;
+  const Pose relative = scene.relative_pose(0);
+  const Velocity motion = scene.relative_velocity(0);
+  const Wanted everything;
+  fast::Contact there = whole;
+  if (!fast::same_bits(relative, pose) || !fast::same_bits(motion, velocity))
+    there = seam.evaluate(pairing, relative, motion, {Route::plain, {}, {}}, workspace);
+  const fast::Contact& at_once = seam.evaluate_in(scene, workspace);
+  hold_route(Route::motion, there, at_once, everything, checks);
+  hold_counters(seam.counters_of(scene), at_once.work, checks);
+  const bool is_known = ask_at(bodies.E, {bodies.F.pose, another(bodies.F.velocity)});
+  scene.move({bodies.E, bodies.F});
+  hold_route(Route::motion, there, seam.evaluate_in(scene, workspace), everything, checks);
+  const fast::SceneCounters counters = seam.counters_of(scene);
+  if (counters.evaluated == 1) hold_law_only(Route::motion, is_known, counters.work.law_only == 1, checks);
+  hold_loads(seam, scene, bodies.E.pose.A, relative.r, there.force_Me, there.torque_Me, checks);
 }
 
 }  // namespace pcm::compare

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/poses/strata.h"
 #include "compare/verify/verdict/checks.h"
 #include "pcm/engine.h"
 #include "pcm/pairing_memory.h"
@@ -28,6 +29,10 @@ enum class Route : std::uint8_t {
   /// once, or when it was asked about other velocities there and remembers the pose, and then what acts on either body
   /// too.
   scene,
+  /// Two bodies of a fast::Scene that has followed them along what went before, as an integrator does, and remembers
+  /// every pose: by default, at once and again when it was asked about another velocity there. Only where that is
+  /// given.
+  motion,
 };
 
 std::string_view name(Route route);
@@ -81,11 +86,16 @@ class EngineSeam {
   static const EngineSeam& none();
 };
 
-/// Asks by every route but the plain one and holds each answer against the plain one, `whole`, bit by bit; `on_bound`
-/// hears of the answer that has a bound. `step`: a length by which F is moved first, m; in scenes it
-/// is turned besides, or turned in place.
+/// Asks by every route but the plain one and `motion`, and holds each answer against the plain one, `whole`, bit by
+/// bit; `on_bound` hears of the answer that has a bound. `step`: a length by which F is moved first, m; in scenes it is
+/// turned besides, or turned in place.
 void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                  const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
                  const std::function<void(const fast::Contact&)>& on_bound);
+
+/// The same for the route `motion`; `step` as there.
+void hold_motion(const EngineSeam& seam, const fast::Pairing& pairing, const std::vector<MovingPose>& before,
+                 const Pose& pose, const Velocity& velocity, const fast::Contact& whole, double step,
+                 fast::Workspace& workspace, Checks& checks);
 
 }  // namespace pcm::compare

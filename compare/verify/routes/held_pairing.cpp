@@ -130,6 +130,8 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
     }
 
     who = "engine on another path";
+    if (!state.before.empty())
+      hold_motion(seam, engine, state.before, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks);
     hold_routes(seam, engine, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks,
                 [&](const fast::Contact& bounded) {
                   outcome.unbounded =

@@ -41,7 +41,7 @@ class HeldPairing {
   /// becomes a disagreement of kind `failure`.
   std::vector<PoseOutcome> hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace,
                                 const EngineSeam& seam = EngineSeam::none()) const {
-    return hold({pose, velocity, law_, engine().scheme()}, workspace, seam);
+    return hold({pose, velocity, law_, engine().scheme(), {}}, workspace, seam);
   }
 
   /// A state, and law and scheme in place of those it was made with.
@@ -50,6 +50,7 @@ class HeldPairing {
     Velocity velocity;
     ContactLaw law;
     Scheme scheme = Scheme::barycentric;
+    std::vector<MovingPose> before{};  ///< how F came there: then a scene is led along that, too
   };
   std::vector<PoseOutcome> hold(const State& state, fast::Workspace& workspace,
                                 const EngineSeam& seam = EngineSeam::none()) const;

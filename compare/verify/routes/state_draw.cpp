@@ -39,7 +39,7 @@ Figures figures_at(const EngineSeam& seam, const HeldPairing& held, const HeldPa
 
 HeldPairing::State state_under_law(const HeldPairing& held, Stratum stratum, const DrawnPose& drawn, Scheme scheme,
                                    const ContactLaw& law, PoseRandom for_velocity) {
-  HeldPairing::State state{drawn.pose, drawn.velocity, law, scheme};
+  HeldPairing::State state{drawn.pose, drawn.velocity, law, scheme, {}};
   if (hard(stratum)) state.velocity = draw_velocity(for_velocity, held.features(), drawn.pose);
   return state;
 }

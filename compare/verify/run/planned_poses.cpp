@@ -89,6 +89,7 @@ void PlannedPoses::prepare_pairings() {
       };
       held_pairings_[i].usual.push_back(held(pair.E, pair.F));
       for (const auto& [mesh_E, mesh_F] : pair.variants) held_pairings_[i].usual.push_back(held(mesh_E, mesh_F));
+      if (!pair.motion.empty()) return;
       if (wants_extreme && pair.for_hard_strata && !pair.made_to_hurt && pair.faces() <= kMostExtremeFaces) {
         for (std::size_t k = 0; k < kExtremes; ++k) {
           const auto [mesh_E, mesh_F] = extreme_meshes(pair.E, pair.F, k);
@@ -106,8 +107,10 @@ void PlannedPoses::prepare_pairings() {
   });
 }
 
-/// Whether it has the surfaces that the stratum asks for.
+/// Whether it has the surfaces, or the recording, that the stratum asks for.
 bool PlannedPoses::takes_part(std::size_t pair, Stratum stratum) const {
+  const bool is_recorded = !plan_.pairs[pair].motion.empty();
+  if (is_recorded != (stratum == Stratum::trajectory)) return false;
   if (stratum == Stratum::nested) return held_pairings_[pair].nested != nullptr;
   if (stratum == Stratum::extreme) return !held_pairings_[pair].extreme.empty();
   return true;
@@ -156,7 +159,7 @@ void PlannedPoses::add_drawn_cells() {
           small.push_back(i);
         else if (pair.for_all_strata)
           general.push_back(i);
-      } else if (stratum == Stratum::nested && pair.for_all_strata) {
+      } else if (stratum == Stratum::nested && pair.for_all_strata && pair.motion.empty()) {
         omissions_.push_back("nested: left out for " + pair.name +
                              " (no room inside either surface, or too many faces)");
       }
@@ -247,15 +250,23 @@ const RecordedState* PlannedPoses::recorded(const PlannedCell& cell, std::int64_
 }
 
 DrawnPose PlannedPoses::draw(const PlannedCell& cell, std::int64_t pose) const {
-  if (const RecordedState* const state = recorded(cell, pose)) return {state->pose, state->velocity, "recorded"};
-  return draw_pose(cell.stratum, held_pairing(cell, pose).features(),
-                   PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum),
-                              stream_of(plan_.pairs[cell.pair].name), static_cast<std::uint64_t>(pose)));
+  if (const RecordedState* const state = recorded(cell, pose))
+    return {state->pose, state->velocity, "recorded", false, {}};
+  const SurfacePair& pair = plan_.pairs[cell.pair];
+  const PoseRandom random(plan_.seed, static_cast<std::uint64_t>(cell.stratum), stream_of(pair.name),
+                          static_cast<std::uint64_t>(pose));
+  const FeaturePair& features = held_pairing(cell, pose).features();
+  return cell.stratum == Stratum::trajectory ? draw_along(pair.motion, features.size(), random)
+                                             : draw_pose(cell.stratum, features, random);
 }
 
 HeldPairing::State PlannedPoses::asked(const PlannedCell& cell, std::int64_t pose) const {
   if (const RecordedState* const state = recorded(cell, pose))
-    return {state->pose, state->velocity, plan_.pairs[cell.pair].law, cell.scheme};
+    return {state->pose, state->velocity, plan_.pairs[cell.pair].law, cell.scheme, {}};
+  if (cell.stratum == Stratum::trajectory) {
+    DrawnPose drawn = draw(cell, pose);
+    return {drawn.pose, drawn.velocity, plan_.pairs[cell.pair].law, cell.scheme, std::move(drawn.before)};
+  }
   const auto random = [&](Purpose purpose) {
     return PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum), stream_of(plan_.pairs[cell.pair].name),
                       static_cast<std::uint64_t>(pose), purpose);
@@ -286,6 +297,7 @@ Case PlannedPoses::as_case(const PlannedCell& cell, std::int64_t pose) const {
   const auto set = [&posed](const HeldPairing::State& state, Mode mode) {
     posed.pose = state.pose;
     posed.velocity = state.velocity;
+    posed.before = state.before;
     posed.law = state.law;
     posed.mode = mode;
     posed.scheme = state.scheme;

@@ -28,6 +28,27 @@ Eigen::Vector3d vector(const Json& json) {
   return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
 }
 
+Json to_json(const MovingPose& state) {
+  Json json;
+  json["A"] = Json::array();
+  for (int k = 0; k < 9; ++k) json["A"].push_back(hexadecimal(state.pose.A(k / 3, k % 3)));
+  json["r"] = to_json(state.pose.r);
+  json["v"] = to_json(state.velocity.v);
+  json["w"] = to_json(state.velocity.w);
+  return json;
+}
+
+MovingPose moving_pose(const Json& json) {
+  MovingPose state;
+  for (int k = 0; k < 9; ++k) state.pose.A(k / 3, k % 3) = number_from(json.at("A").at(static_cast<std::size_t>(k)));
+  state.pose.r = vector(json.at("r"));
+  state.velocity = {vector(json.at("v")), vector(json.at("w"))};
+  if (!is_rotation(state.pose.A)) throw BadInput("A of the pose is not a rotation to 1e-9");
+  if (!state.pose.r.allFinite() || !state.velocity.v.allFinite() || !state.velocity.w.allFinite())
+    throw BadInput("r, v or w of the pose is not finite");
+  return state;
+}
+
 std::string hash_of_mesh(const std::filesystem::path& file) {
   if (const std::optional<std::string> hash = sha256_of_file(file)) return *hash;
   throw BadInput("cannot read the mesh " + file.string());
@@ -146,13 +167,8 @@ std::string format_case(const Case& posed, const Json& engine, const Json& oracl
   Json json;
   json["format"] = "pcm case 1";
   json["origin"] = posed.origin;
-  Json pose;
-  pose["A"] = Json::array();
-  for (int k = 0; k < 9; ++k) pose["A"].push_back(hexadecimal(posed.pose.A(k / 3, k % 3)));
-  pose["r"] = to_json(posed.pose.r);
-  pose["v"] = to_json(posed.velocity.v);
-  pose["w"] = to_json(posed.velocity.w);
-  json["pose"] = pose;
+  json["pose"] = to_json(MovingPose{posed.pose, posed.velocity});
+  for (const MovingPose& state : posed.before) json["before"].push_back(to_json(state));
   json["law"] = law_json(posed.law);
   json["scheme"] = std::string(name(posed.scheme));
   json["mode"] = std::string(name(posed.mode));
@@ -191,14 +207,10 @@ Case read_case(const std::filesystem::path& path) {
       throw BadInput("this is no case file of pcm (\"format\": \"pcm case 1\" is missing)");
     Case posed;
     posed.origin = json.at("origin").get<std::string>();
-    for (int k = 0; k < 9; ++k)
-      posed.pose.A(k / 3, k % 3) = number_from(json.at("pose").at("A").at(static_cast<std::size_t>(k)));
-    posed.pose.r = vector(json.at("pose").at("r"));
-    posed.velocity.v = vector(json.at("pose").at("v"));
-    posed.velocity.w = vector(json.at("pose").at("w"));
-    if (!is_rotation(posed.pose.A)) throw BadInput("A of the pose is not a rotation to 1e-9");
-    if (!posed.pose.r.allFinite() || !posed.velocity.v.allFinite() || !posed.velocity.w.allFinite())
-      throw BadInput("r, v or w of the pose is not finite");
+    const MovingPose state = moving_pose(json.at("pose"));
+    posed.pose = state.pose;
+    posed.velocity = state.velocity;
+    for (const Json& earlier : json.value("before", Json::array())) posed.before.push_back(moving_pose(earlier));
     posed.law = law_from(json.at("law"));
     posed.scheme = scheme_from(json.at("scheme"));
     posed.mode = mode_from(json.at("mode"));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/poses/strata.h"
 #include "compare/verify/verdict/verdict.h"
 #include "pcm/contact.h"
 #include "pcm/inputs.h"
@@ -29,6 +30,7 @@ struct Case {
   ContactLaw law;
   Mode mode = Mode::E;
   Scheme scheme = Scheme::barycentric;
+  std::vector<MovingPose> before;  ///< how F came there, of poses that have that
   /// What disagreed: of each its kind, and in words what either side says. A replay does not look at it.
   std::vector<std::array<std::string, 2>> disagreements;
 };

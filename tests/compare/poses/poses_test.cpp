@@ -96,7 +96,8 @@ TEST(PoseRandom, RotationsAreOrthogonalToRoundingAndDirectionsUnit) {
 
 TEST(Strata, NamesReadBack) {
   for (const Stratum stratum : kStrata) EXPECT_EQ(stratum_named(name(stratum)), stratum);
-  EXPECT_EQ(stratum_named("trajectory"), std::nullopt);
+  EXPECT_EQ(stratum_named("trajectory"), Stratum::trajectory);
+  EXPECT_EQ(stratum_named("all"), std::nullopt);
 }
 
 TEST(Strata, PosesAreTheSameBitsOnEveryMachine) {

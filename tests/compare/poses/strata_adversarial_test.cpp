@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "compare/poses/orientation_margin.h"
-#include "compare/poses/rounded_vertices.h"
 #include "compare/poses/strata.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/round.h"
+#include "tests/compare/least_margins.h"
 
 namespace pcm::compare {
 namespace {
@@ -36,31 +36,6 @@ TEST(OrientationMargin, SeesWhatRoundingLoses) {
 TEST(OrientationMargin, OfFourEqualPointsIsZero) {
   const Vector3d x(0.5, 0.25, 2);
   EXPECT_EQ(orientation_margin({x, x, x, x}), 0);
-}
-
-/// The least margins above 0 of all decisions about faces and vertices at a pose, ascending.
-std::vector<double> least_margins(const FeaturePair& pair, const Pose& pose) {
-  const std::vector<Vector3d> F = rounded_vertices(pair.F.mesh, pose);
-  const std::vector<Vector3d>& E = pair.E.mesh.vertices;
-  std::vector<double> margins;
-  const auto add = [&margins](const std::vector<Vector3d>& faces_of, const Triangle& face, const Vector3d& x) {
-    const auto at = [&](std::size_t k) { return faces_of[static_cast<std::size_t>(face[k])]; };
-    const double margin = orientation_margin({at(0), at(1), at(2), x});
-    if (margin > 0) margins.push_back(margin);
-  };
-  for (const Triangle& face : pair.E.mesh.faces)
-    for (const Vector3d& x : F) add(E, face, x);
-  for (const Triangle& face : pair.F.mesh.faces)
-    for (const Vector3d& x : E) add(F, face, x);
-  for (const FeatureEdge& e : pair.E.edges)
-    for (const FeatureEdge& f : pair.F.edges) {
-      const double margin =
-          orientation_margin({vertex(pair.E, e.ends[0]), vertex(pair.E, e.ends[1]),
-                              F[static_cast<std::size_t>(f.ends[0])], F[static_cast<std::size_t>(f.ends[1])]});
-      if (margin > 0) margins.push_back(margin);
-    }
-  std::sort(margins.begin(), margins.end());
-  return margins;
 }
 
 /// Margin number k (0: the least) of each of the poses, ascending.

@@ -146,5 +146,27 @@ TEST_F(VerifyTrajectory, RefusesFilesThatAreMissingOrMalformed) {
   expect_refused(trajectory_.file() + ": no such file");
 }
 
+TEST_F(VerifyTrajectory, StratumOfThatNameIsDrawnAlongTheBuiltInScenesAndKept) {
+  const std::string out = trajectory_.folder().path("out");
+  const Words words{"verify", "--strata", "degenerate,trajectory", "--scheme", "both", "--poses", "200", "--out", out};
+  const Outcome outcome = run_pcm(words);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(lines_of(outcome.out).back().starts_with("verified: 200 poses, ")) << outcome.out;
+  EXPECT_NE(outcome.out.find("\ntrajectory                     100 "), std::string::npos) << outcome.out;
+  const std::string table = read_text_file(out + "/verification.csv");
+  EXPECT_NE(table.find("\nhead_and_neck-car,trajectory,clipped,both,"), std::string::npos) << table;
+  EXPECT_EQ(table.find("\nhead_and_neck-car,degenerate,"), std::string::npos) << table;
+  EXPECT_NE(run_pcm(words).out.find("nothing evaluated now"), std::string::npos);
+}
+
+TEST_F(VerifyTrajectory, StratumOfThatNameIsNotToBeHadOfOtherSurfaces) {
+  const std::string surface = trajectory_.folder().path("first.obj");
+  const Outcome outcome = run_pcm({"verify", "--strata", "generic,trajectory", "--pair", surface, surface});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("stratum trajectory gets no pose: it is not to be had with these pairs"),
+            std::string::npos)
+      << outcome.err;
+}
+
 }  // namespace
 }  // namespace pcm::compare

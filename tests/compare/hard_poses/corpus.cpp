@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/compare/hard_poses/corpus.h"
+
+#include <algorithm>
+
+#include "compare/io/json_file.h"
+#include "compare/io/names.h"
+#include "compare/io/question_json.h"
+
+namespace pcm::compare::hard_poses_test {
+namespace {
+
+template <class Numbers>
+Json array_of(const Numbers& numbers) {
+  Json array = Json::array();
+  for (const double x : numbers) array.push_back(hexadecimal(x));
+  return array;
+}
+
+Eigen::Vector3d vector_from(const Json& json) {
+  return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
+}
+
+}  // namespace
+
+const std::vector<std::string>& searched_pairs() {
+  static const std::vector<std::string> names{"cube-cube",        "slab-gridded cube",  "wedges",
+                                              "small icospheres", "lattice tetrahedra", "spike-thin plate",
+                                              "thin plate-spike", "cube-tray",          "beam-folded sheet"};
+  return names;
+}
+
+CorpusPairs::CorpusPairs() {
+  std::vector<std::string> missing;
+  for (const SurfacePair& pair : built_in_pairs("", missing)) {
+    if (std::ranges::find(searched_pairs(), pair.name) == searched_pairs().end()) continue;
+    for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped})
+      held_[{pair.name, scheme}] = std::make_unique<HeldPairing>(pair.E, pair.F, ContactLaw{}, Mode::E, scheme);
+  }
+}
+
+const HeldPairing& CorpusPairs::held(const std::string& pair, Scheme scheme) const {
+  return *held_.at({pair, scheme});
+}
+
+std::string corpus_text(const std::vector<CorpusPose>& poses) {
+  std::string text = "[\n";
+  for (const CorpusPose& pose : poses) {
+    Json json;
+    json["pair"] = pose.pair;
+    json["scheme"] = std::string(name(pose.scheme));
+    json["hard_for"] = pose.hard_for;
+    json["A"] = array_of(pose.pose.A.transpose().reshaped());
+    json["r"] = array_of(pose.pose.r);
+    json["force"] = array_of(pose.true_force_Me);
+    json["torque"] = array_of(pose.true_torque_Me);
+    json["margin"] = hexadecimal(pose.margin);
+    json["error_over_bound"] = hexadecimal(pose.error_over_bound);
+    text += json_line(json) + (&pose == &poses.back() ? "\n" : ",\n");
+  }
+  return text + "]\n";
+}
+
+std::vector<CorpusPose> corpus_from(const std::string& text) {
+  std::vector<CorpusPose> poses;
+  for (const Json& json : Json::parse(text)) {
+    CorpusPose& pose = poses.emplace_back();
+    pose.pair = json.at("pair");
+    pose.scheme = scheme_from(json.at("scheme"));
+    pose.hard_for = json.at("hard_for");
+    for (int k = 0; k < 9; ++k) pose.pose.A(k / 3, k % 3) = number_from(json.at("A").at(static_cast<std::size_t>(k)));
+    pose.pose.r = vector_from(json.at("r"));
+    pose.true_force_Me = vector_from(json.at("force"));
+    pose.true_torque_Me = vector_from(json.at("torque"));
+    pose.margin = number_from(json.at("margin"));
+    pose.error_over_bound = number_from(json.at("error_over_bound"));
+  }
+  return poses;
+}
+
+}  // namespace pcm::compare::hard_poses_test
