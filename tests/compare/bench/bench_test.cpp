@@ -144,13 +144,14 @@ TEST(BenchSkip, NothingSkippedChangesNoBitAndEachSavingSparesWork) {
   const Json all = Json::parse(bench.table("skip.json"));
   EXPECT_EQ(all["bubbles"], 8);
   EXPECT_EQ(all["pairings"], 36);
-  // Four steps, seven settings beside the first.
-  EXPECT_EQ(all["answers_compared"], 36 * 4 * 7);
+  // Four steps, eight settings beside the first.
+  EXPECT_EQ(all["answers_compared"], 36 * 4 * 8);
   EXPECT_EQ(all["answers_different"], 0);
-  ASSERT_EQ(all["scene"].size(), 8U);
-  EXPECT_EQ(all["scene"][7]["evaluated"], 36);
+  ASSERT_EQ(all["scene"].size(), 9U);
+  EXPECT_EQ(all["scene"][8]["evaluated"], 36);
   EXPECT_LT(all["scene"][0]["evaluated"], 36);
-  ASSERT_EQ(all["savings"].size(), 13U);  // four of them another velocity at a known pose
+  // Four of them another velocity at a known pose, six of them short steps.
+  ASSERT_EQ(all["savings"].size(), 19U);
   for (const Json& saving : all["savings"]) {
     const double on = saving["work_on"], off = saving["work_off"];
     EXPECT_LE(on, 0.5 * off) << saving;
