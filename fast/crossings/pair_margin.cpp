@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/base/geometry.h"
+
 namespace pcm::fast {
 
 namespace {
@@ -16,6 +18,8 @@ using Points = std::array<Eigen::Vector3d, 3>;
 /// Roundings of a product of two or three differences of points, in units of the product of their lengths: 16 u would
 /// do.
 constexpr double kProductRoundings = 0x1p-48;
+/// Products that are no greater may have lost digits to underflow, and tell nothing.
+constexpr double kLeastProductOfLengths = 0x1p-960;
 
 /// The gap between two faces along a direction, less its roundings; not positive where they overlap there, m.
 double gap_along(const Eigen::Vector3d& direction, const Points& e, const Points& f) {
@@ -25,12 +29,12 @@ double gap_along(const Eigen::Vector3d& direction, const Points& e, const Points
   double farthest = 0;
   for (std::size_t k = 0; k < 6; ++k) {
     along[k] = direction.dot(x[k]);
-    farthest = std::max(farthest, x[k].squaredNorm());
+    farthest = std::max(farthest, length(x[k]));
   }
   const double low_e = std::min({along[0], along[1], along[2]}), high_e = std::max({along[0], along[1], along[2]});
   const double low_f = std::min({along[3], along[4], along[5]}), high_f = std::max({along[3], along[4], along[5]});
-  const double gap = std::max(low_f - high_e, low_e - high_f), length = direction.norm();
-  return length > 0 ? gap / length - kProductRoundings * std::sqrt(farthest) : 0;
+  const double gap = std::max(low_f - high_e, low_e - high_f);
+  return gap > kLeastProductOfLengths ? gap / length(direction) - kProductRoundings * farthest : 0;
 }
 
 /// A lower bound of the distance between two faces that do not cross, m.
@@ -49,22 +53,27 @@ double distance_between(const Points& e, const Points& f, const PairSigns& signs
   return distance;
 }
 
+/// A height or a distance as the quotient of a product of three lengths and one of two, less their roundings, m.
+double quotient(double product, double roundings, double divisor) {
+  return product > kLeastProductOfLengths ? (product - roundings) / divisor : 0;
+}
+
 /// Of the line from `from` to `to`, which passes through a face: the least distance of its ends from the face's plane
 /// and of itself from the lines of the face's sides, m.
 double margin_of_edge(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Points& face) {
   const Eigen::Vector3d edge = to - from;
-  const double length = edge.norm();
+  const double edge_length = length(edge);
   const Eigen::Vector3d a = face[1] - face[0], b = face[2] - face[0], N = a.cross(b);
-  const double area_roundings = kProductRoundings * a.norm() * b.norm(), twice_area = N.norm() + area_roundings;
+  const double area_roundings = kProductRoundings * length(a) * length(b), twice_area = length(N) + area_roundings;
   double least = std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3d* const end : {&from, &to}) {
     const Eigen::Vector3d x = *end - face[0];
-    least = std::min(least, (std::abs(N.dot(x)) - area_roundings * x.norm()) / twice_area);
+    least = std::min(least, quotient(std::abs(N.dot(x)), area_roundings * length(x), twice_area));
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d side = face[(k + 1) % 3] - face[k], across = edge.cross(side), x = face[k] - from;
-    const double roundings = kProductRoundings * length * side.norm();
-    least = std::min(least, (std::abs(across.dot(x)) - roundings * x.norm()) / (across.norm() + roundings));
+    const double roundings = kProductRoundings * edge_length * length(side);
+    least = std::min(least, quotient(std::abs(across.dot(x)), roundings * length(x), length(across) + roundings));
   }
   return least;
 }

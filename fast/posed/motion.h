@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "fast/base/geometry.h"
 #include "fast/posed/placement.h"
 #include "fast/surface/prepared_surface.h"
 #include "pcm/inputs.h"
@@ -21,7 +22,7 @@ struct BoundingBall {
 
   BoundingBall() = default;
   explicit BoundingBall(const PreparedSurface& surface)
-      : centre(surface.tree.root().box.centre), radius(kLonger * surface.tree.root().box.half.norm()) {
+      : centre(surface.tree.root().box.centre), radius(kLonger * length(surface.tree.root().box.half)) {
     // Half widths are rounded to nearest, beside the last bit of the greatest coordinate.
     radius += 4 * 0x1p-53 * surface.max_coordinates.sum();
   }
@@ -32,7 +33,7 @@ struct BoundingBall {
 inline BoundingBall ball_about(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   // Halves are exact; their sum and their difference are rounded.
   return {0.5 * low + 0.5 * high,
-          kLonger * ((0.5 * high - 0.5 * low).norm() + 4 * 0x1p-53 * (low.cwiseAbs() + high.cwiseAbs()).sum())};
+          kLonger * (length(0.5 * high - 0.5 * low) + 4 * 0x1p-53 * (low.cwiseAbs() + high.cwiseAbs()).sum())};
 }
 
 /// No |coordinate| of r or of A x, x in the ball, exceeds it, m.
@@ -46,7 +47,7 @@ inline double norm_bound_of(const Pose& pose, const BoundingBall& ball) {
 /// which the last terms pay for: it holds for rounded vertices as well.
 inline double greatest_travel(const Pose& from, const Pose& to, const BoundingBall& ball_F) {
   const Eigen::Matrix3d turn = to.A - from.A;
-  const double way = (turn * ball_F.centre + (to.r - from.r)).norm() + turn.norm() * ball_F.radius;
+  const double way = length(turn * ball_F.centre + (to.r - from.r)) + turn.norm() * ball_F.radius;
   return kLonger * (way + kPlacementError * (norm_bound_of(from, ball_F) + norm_bound_of(to, ball_F)));
 }
 

@@ -452,8 +452,8 @@ PICKED = [
     ),
     (
         "fast/posed/motion.h",
-        ".norm() + turn.norm() * ball_F.radius;",
-        ".norm() + 0.5 * turn.norm() * ball_F.radius;",
+        "(to.r - from.r)) + turn.norm() * ball_F.radius;",
+        "(to.r - from.r)) + 0.5 * turn.norm() * ball_F.radius;",
         "how far a turn may bring bodies that were apart, or pairs that are followed",
     ),
     # From pose to pose.

@@ -48,6 +48,29 @@ TEST(Tracking, ShortStepsNeedNoSearchFromTheRoots) {
   EXPECT_EQ(searched_without, 100);
 }
 
+/// Where squares of areas leave the range of doubles, too.
+TEST(Tracking, AnswersAlikeAtAllScales) {
+  for (const int exponent : {-297, -280, -269, 0, 250}) {
+    const double scale = std::ldexp(1.0, exponent);
+    TriangleMesh mesh = generate::bubble();
+    for (Vector3d& x : mesh.vertices) x *= scale;
+    const Surface bubble(mesh);
+    const Pairing pairing(bubble, bubble, test::stiffness(1), Mode::both);
+    PairingMemory memory(pairing);
+    Workspace one, other;
+    int followed = 0;
+    for (int i = 0; i < 150; ++i) {
+      const double step = i < 100 ? 1e-5 : 1e-4;
+      Pose pose = test::turned(0.3 + step * (i % 100), {0.05, 0.1, 0.12 + step * (i % 100)});
+      pose.r *= scale;
+      const Contact& answer = memory.evaluate(pose, {}, kForce, one);
+      followed += answer.touching && answer.work.candidate_pairs == 0 ? 1 : 0;
+      ASSERT_TRUE(test::same(answer, evaluate(pairing, pose, {}, kForce, other))) << exponent << ' ' << i;
+    }
+    EXPECT_GT(followed, 100) << exponent;
+  }
+}
+
 /// A body and a speck far smaller than a step, each in one surface.
 TriangleMesh with_speck(const TriangleMesh& body, const Vector3d& at, double size) {
   return degenerate::joined(body, translated(generate::icosphere(size, 0), at));
