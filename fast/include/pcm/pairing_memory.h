@@ -25,8 +25,8 @@ class PairingMemory {
   PairingMemory& operator=(PairingMemory&&) noexcept;
 
   /// The answer lives until the next call with this object or with this workspace. Throws as `fast::evaluate` does,
-  /// and then knows no pose or the one that it knew before. More than the law is asked, and `WorkCounters::law_only` is 0,
-  /// where
+  /// and then knows no pose or the one that it knew before. More than the law is asked, and `WorkCounters::law_only` is
+  /// 0, where
   /// - the pose differs from that of the last answer it kept in any bit, the sign of a zero included, or `wanted` does;
   /// - a bound is wanted, for it hangs on more than the elements: such answers are not kept;
   /// - `savings` has `known_poses` or `only_wanted` switched off: likewise.
