@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fast/active/intersection.h"
-#include "fast/barycentric/penetration_line.h"
+#include "fast/barycentric/penetration_walks.h"
 #include "fast/force/element_sum.h"
 
 namespace pcm::fast {

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast/barycentric/line_memory.h"
+#include <cstdint>
+#include <optional>
+#include <span>
+
 #include "fast/base/geometry.h"
 #include "fast/posed/posed_pair.h"
 #include "fast/prism/line_trace.h"
 #include "fast/search/line_search.h"
-#include "fast/simd/face_lanes.h"
+#include "fast/search/line_walk.h"
 
 namespace pcm::fast {
 
@@ -26,25 +29,26 @@ struct Penetration {
 
 /// Follows the penetration line of face `face` of side `master`. Every decision is exact on the rounded problem; the
 /// depth is off by a few ulps of the distance between the faces over |n_e . n_f|. Near O(log n). `open` is scratch.
-/// Fills `trace` where one is given, without any change of the result.
+/// Fills `trace` where one is given, without any change of the result. `left`: a face that the line surely leaves the
+/// slave through, at a distance greater than 0; or -1.
 Penetration find_penetration(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, LineNodes& open,
-                             LineTrace* trace = nullptr);
+                             LineTrace* trace = nullptr, Index left = -1);
 
-/// Where walks over the slave start, and scratch memory.
-struct PenetrationWalks {
-  FastClearArray<Index> slave_nearby;  ///< by face of the master: a face of the slave near its penetration line
-  Index last = -1;                     ///< face of the slave near the last penetration line, -1: none
-  LineNodes open;
-  LineTrace trace;  ///< of a line that is to be remembered
+/// All faces that a line may meet up to a distance along it, m.
+struct FacesAlongLine {
+  const LineCoordinates& line;
+  std::span<const Index> faces;
+  double searched = 0;
 };
 
-/// The same results but for `first_met`, for up to four faces at once, by walks over the slave, each from the face
-/// found for a neighbour or, where there is none, for the last. Where clearances and thickness known beforehand say
-/// that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and receive their
-/// depths. `memory`: of the lines at the last pose, or nullptr.
-void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
-                       PenetrationWalks& walks, LineMemory* memory,
-                       std::array<Penetration, kElementLanes>& penetrations);
+/// All faces that a line may meet, as far as they are known.
+struct KnownFaces {
+  FacesAlongLine slave, own;
+};
+
+/// The same result but for `first_met`, without a search; nothing where what is known of the faces does not suffice.
+std::optional<Penetration> find_penetration_among(PosedPair& posed, Side master, Index face,
+                                                  const FaceGeometry& geometry, const KnownFaces& known);
 
 /// Whether the thickness computed beforehand already says that the face's penetration line meets no other face of the
 /// master as near as `distance`, in the rounded problem and in the exact one alike.

@@ -122,14 +122,13 @@ bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingSc
   return found;
 }
 
-bool find_crossings_among(const TrackedPairs& pairs, PosedPair& posed, CrossingScratch& scratch, Crossings& crossings) {
+void find_crossings_among(const TrackedPairs& pairs, PosedPair& posed, CrossingScratch& scratch, Crossings& crossings) {
   start_crossings(posed, scratch, crossings);
   pairs.for_each_crossing([&](Index face_E, Index face_F, const PairSigns& signs) {
     ++posed.work.crossing_pairs;
     enter_pair(posed, face_E, face_F, signs, scratch, crossings);
   });
   sort_intersected(scratch, crossings);
-  return !crossings.nodes.empty();
 }
 
 void list_crossings_by_edge(const PosedPair& posed, const std::vector<Index>& order, Crossings& crossings) {

@@ -106,7 +106,7 @@ struct CrossingOptions {
 bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingScratch& scratch, Crossings& crossings);
 
 /// The same, where it is known which pairs cross.
-bool find_crossings_among(const TrackedPairs& pairs, PosedPair& posed, CrossingScratch& scratch, Crossings& crossings);
+void find_crossings_among(const TrackedPairs& pairs, PosedPair& posed, CrossingScratch& scratch, Crossings& crossings);
 
 /// Computes the positions of all crossings: edge meets face plane. No edge crosses a face in whose plane it lies, nor a
 /// face without area: the tie rule moves all of E one way off such a plane, by more than anything of F. So positions

@@ -31,10 +31,7 @@ PairSigns find_signs_of(PosedPair& posed, const std::pair<Index, Index>& faces, 
 }  // namespace
 
 void TrackedPairs::list(PosedPair& posed, double margin, NodePairs& open) {
-  listed_until_ = kShorter * margin;
-  faces_.clear();
-  signs_.clear();
-  until_.clear();
+  clear();  // Until the list is whole.
   const PreparedSurface& F = posed.surface(Side::F);
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   const auto visit = [&](Index face_E, Index face_F, const SureSigns& known) {
@@ -46,7 +43,7 @@ void TrackedPairs::list(PosedPair& posed, double margin, NodePairs& open) {
     faces_.push_back(faces);
     if (known.of_passing()) {
       signs_.push_back({known.above_of_E(), known.above_of_F(), known.passing()});
-      until_.push_back(listed_until_);
+      until_.push_back(kShorter * margin);
     } else {
       signs_.push_back(find_signs_of(posed, faces, known));
       until_.push_back(margin_of(posed, faces, signs_.back()));
@@ -56,6 +53,7 @@ void TrackedPairs::list(PosedPair& posed, double margin, NodePairs& open) {
   for_each_candidate(posed.surface(Side::E), posed.surface(Side::F), posed.placement, fastest_wide_tests(), open,
                      posed.work, visit, margin);
   if (!faces_.empty()) ball_of_listed_ = ball_about(low, high);
+  listed_until_ = kShorter * margin;
 }
 
 // Winding numbers of the vertices of a component differ by what its edges cross, so that with the same crossings they

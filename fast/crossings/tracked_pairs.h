@@ -28,7 +28,7 @@ class TrackedPairs {
   };
 
   /// Nothing is tracked.
-  void clear() { faces_.clear(), listed_until_ = -1; }
+  void clear() { faces_.clear(), signs_.clear(), until_.clear(), listed_until_ = -1; }
 
   /// Lists all pairs that may cross at poses to which no point of F travels by more than `margin`, m.
   void list(PosedPair& posed, double margin, NodePairs& open);

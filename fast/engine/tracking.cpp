@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcm::fast {
 
@@ -43,14 +44,9 @@ void Tracking::start_lines(double way) {
 }
 
 Tracking::Known Tracking::move_to(const Pose& pose, PosedPair& posed, NodePairs& open) {
-  if (!last_) {
-    last_ = pose;
-    pairs_.clear();
-    return Known::nothing;
-  }
-  const Pose last = *last_;
-  const double way = greatest_travel(last, pose, ball_F_);
-  last_ = pose;
+  const std::optional<Pose> last = std::exchange(last_, pose);
+  const bool had_kept = std::exchange(has_kept_, false);
+  const double way = last ? greatest_travel(*last, pose, ball_F_) : std::numeric_limits<double>::infinity();
   if (!(way < longest_step_)) {
     pairs_.clear();
     for (LineMemory& lines : lines_) lines.clear();
@@ -62,13 +58,12 @@ Tracking::Known Tracking::move_to(const Pose& pose, PosedPair& posed, NodePairs&
     for (LineMemory& lines : lines_) lines.start_travel_anew(travelled_);
     travelled_ = listed_travelled_ = 0;
     start_lines(way);
-    has_kept_ = false;
     return Known::crossing_pairs;
   }
   start_lines(way);
-  add_way(greatest_travel(last, pose, pairs_.ball_of_listed()), listed_travelled_);
+  add_way(greatest_travel(*last, pose, pairs_.ball_of_listed()), listed_travelled_);
   const bool same = pairs_.update(posed, listed_travelled_, fewest_vertices_) == TrackedPairs::Outcome::same;
-  has_kept_ = has_kept_ && same;
+  has_kept_ = had_kept && same;
   return has_kept_ ? Known::active_faces : Known::crossing_pairs;
 }
 

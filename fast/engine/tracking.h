@@ -36,7 +36,6 @@ class Tracking {
   void keep_active_faces(const Crossings& crossings, const ActiveAreas& areas);
   /// Writes those kept; of crossings and areas nothing else is known.
   void restore_active_faces(Crossings& crossings, ActiveAreas& areas) const;
-  void forget() { last_.reset(); }
   LineMemories& lines() { return lines_; }
 
  private:
@@ -51,8 +50,9 @@ class Tracking {
   std::array<double, 2> spread_;  ///< how far lines of a master are from where they were, over what F has travelled
   std::size_t fewest_vertices_;   ///< of a component of either surface
   std::optional<Pose> last_;
-  double listed_travelled_ = 0;  ///< by those of the faces listed, m
-  double travelled_ = 0;         ///< by points of F since pairs were listed, at most, m
+  // How far points have travelled since pairs were listed, at most, m:
+  double travelled_ = 0;         ///< those of F
+  double listed_travelled_ = 0;  ///< those of the faces listed alone
   TrackedPairs pairs_;
   LineMemories lines_;
   bool has_kept_ = false;

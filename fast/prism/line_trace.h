@@ -16,7 +16,7 @@ struct LineTrace {
   double slave_searched = 0;       ///< m
   std::vector<Index> own_faces;    ///< the same for the master's other faces
   double own_searched = 0;         ///< m
-  bool own_listed = false;         ///< false: the master's thickness told that there are none
+  bool own_listed = false;  ///< looked for, all up to `own_searched`; else only what the thickness tells is known
 
   void clear() {
     slave_faces.clear();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 
 #include "fast/posed/transform.h"
@@ -53,6 +52,11 @@ class LineCoordinates {
   bool usable_;
 };
 
+/// The side test D of an edge from one point to another.
+inline double side_of_edge(const LineCoordinates::Point& from, const LineCoordinates::Point& to) {
+  return from.x * to.y - from.y * to.x;
+}
+
 /// What is sure of the line and a face: `unknown` where nothing is, no value where the line misses it.
 inline std::optional<Passage> passage_through(PosedSurface& posed, const LineCoordinates& line, Index face,
                                               WorkCounters& work) {
@@ -63,13 +67,8 @@ inline std::optional<Passage> passage_through(PosedSurface& posed, const LineCoo
                                                 line.see(posed.vertex_Me(corners[1], work)),
                                                 line.see(posed.vertex_Me(corners[2], work))};
   const double error = line.error(std::max({x[0].width, x[1].width, x[2].width}));
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const LineCoordinates::Point &from = x[k], &to = x[k == 2 ? 0 : k + 1];
-    const double D = from.x * to.y - from.y * to.x;
-    least = std::min(least, D);
-    greatest = std::max(greatest, D);
-  }
+  const std::array<double, 3> D{side_of_edge(x[0], x[1]), side_of_edge(x[1], x[2]), side_of_edge(x[2], x[0])};
+  const double least = std::min({D[0], D[1], D[2]}), greatest = std::max({D[0], D[1], D[2]});
   if (least < -error && greatest > error) return std::nullopt;
   return greatest < -error ? Passage::leaving : least > error ? Passage::entering : Passage::unknown;
 }
@@ -82,13 +81,10 @@ inline Index walk_to_face_left(PosedSurface& posed, const LineCoordinates& line,
   constexpr int kMostSteps = 32;
   const PreparedSurface& surface = posed.surface();
   const auto see = [&](Index v) { return line.see(posed.vertex_Me(v, work)); };
-  const auto side = [](const LineCoordinates::Point& from, const LineCoordinates::Point& to) {
-    return from.x * to.y - from.y * to.x;
-  };
   const Triangle& corners = surface.face(start);
   // Edge k runs from corner k on; corner 0 is the face's corner `first`.
   std::array<LineCoordinates::Point, 3> x{see(corners[0]), see(corners[1]), see(corners[2])};
-  std::array<double, 3> D{side(x[0], x[1]), side(x[1], x[2]), side(x[2], x[0])};
+  std::array<double, 3> D{side_of_edge(x[0], x[1]), side_of_edge(x[1], x[2]), side_of_edge(x[2], x[0])};
   Index face = start;
   std::size_t first = 0;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -107,7 +103,7 @@ inline Index walk_to_face_left(PosedSurface& posed, const LineCoordinates& line,
     const std::array<Index, 3>& edges = surface.edges_of(face);
     first = edges[0] == edge ? 0 : edges[1] == edge ? 1 : 2;
     x = {x[(worst + 1) % 3], x[worst], see(surface.face(face)[(first + 2) % 3])};
-    D = {-D[worst], side(x[1], x[2]), side(x[2], x[0])};
+    D = {-D[worst], side_of_edge(x[1], x[2]), side_of_edge(x[2], x[0])};
   }
   return -1;
 }

@@ -106,6 +106,7 @@ void find_components(PreparedSurface& surface) {
 
 double median_edge(const PreparedSurface& surface) {
   std::vector<double> lengths;
+  lengths.reserve(surface.edges.size());
   for (const auto& [a, b] : surface.edges) lengths.push_back(length(surface.vertex(a) - surface.vertex(b)));
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());

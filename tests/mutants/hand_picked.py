@@ -274,13 +274,13 @@ PICKED = [
         "a line that leaves its own body first",
     ),
     (
-        "fast/barycentric/penetration_line.cpp",
+        "fast/barycentric/penetration_walks.cpp",
         "constexpr double kDistanceError = 0x1p-30;",
         "constexpr double kDistanceError = 0x1p-50;",
         "the error of a distance that four lanes decide by",
     ),
     (
-        "fast/barycentric/penetration_line.cpp",
+        "fast/barycentric/penetration_walks.cpp",
         "limits.thick_area = kThicknessTolerance * max_coordinate - line_error;",
         "limits.thick_area = 2 * kThicknessTolerance * max_coordinate - line_error;",
         "when a face's thickness holds at a pose",
@@ -495,8 +495,8 @@ PICKED = [
     ),
     (
         "fast/barycentric/penetration_line.cpp",
-        "if (!(first.distance.greatest <= searched)) return std::nullopt;",
-        "if (false) return std::nullopt;",
+        "if (known != nullptr && !(first.distance.greatest <= searched)) return std::nullopt;",
+        "",
         "a face beyond those that are remembered of a line",
     ),
     (

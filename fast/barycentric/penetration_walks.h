@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fast/barycentric/line_memory.h"
+#include "fast/barycentric/penetration_line.h"
+#include "fast/simd/face_lanes.h"
+
+namespace pcm::fast {
+
+/// Where walks over the slave start, and scratch memory.
+struct PenetrationWalks {
+  FastClearArray<Index> slave_nearby;  ///< by face of the master: a face of the slave near its penetration line
+  Index last = -1;                     ///< face of the slave near the last penetration line, -1: none
+  LineNodes open;
+  LineTrace trace;  ///< of a line that is to be remembered
+};
+
+/// The results of find_penetration but for `first_met`, for up to four faces at once, by walks over the slave, each from the face
+/// found for a neighbour or, where there is none, for the last. Where clearances and thickness known beforehand say
+/// that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and receive their
+/// depths. `memory`: of the lines at the last pose, or nullptr.
+void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
+                       PenetrationWalks& walks, LineMemory* memory,
+                       std::array<Penetration, kElementLanes>& penetrations);
+
+}  // namespace pcm::fast
