@@ -228,38 +228,27 @@ struct Way {
 
 /// F moves along a line and turns about another, or to where difference quotients ask.
 Pose pose_on_way(const Way& way, const Pose& start, double size, int number) {
-  const double sign = number % 2 == 0 ? 1 : -1;
-  const int coordinate = way.back_and_forth ? number / 2 % 6 : -1;
-  Eigen::Vector3d move = way.step * 0.7 * number * Eigen::Vector3d(0.48, -0.6, 0.64);
-  double angle = way.step * 0.3 * number / size;
-  Eigen::Vector3d axis(0.6, 0.64, -0.48);
-  if (coordinate >= 0) {
-    move = coordinate < 3 ? Eigen::Vector3d(sign * way.step * Eigen::Vector3d::Unit(coordinate))
-                          : Eigen::Vector3d(0, 0, 0);
-    angle = coordinate < 3 ? 0 : sign * way.step / size;
-    axis = Eigen::Vector3d::Unit(coordinate % 3);
+  Eigen::Vector3d move = Eigen::Vector3d::Zero(), turn = move;
+  if (way.back_and_forth) {
+    const int coordinate = number / 2 % 6;
+    const double step = number % 2 == 0 ? way.step : -way.step;
+    (coordinate < 3 ? move : turn)[coordinate % 3] = coordinate < 3 ? step : step / size;
+  } else {
+    move = 0.7 * number * way.step * Eigen::Vector3d(0.48, -0.6, 0.64);
+    turn = 0.3 * number * way.step / size * Eigen::Vector3d(0.6, 0.64, -0.48);
   }
-  Pose pose = start;
-  pose.r += move;
-  pose.A = Eigen::AngleAxisd(angle, axis) * start.A;
-  return pose;
+  return {Eigen::AngleAxisd(turn.norm(), turn.normalized()) * start.A, start.r + move};
 }
 
 /// What is known of the last pose, and nothing.
-SavingResult measure_way(const std::string& bodies, const TriangleMesh& mesh, double touching, Scheme scheme,
-                         const Way& way, std::int64_t poses) {
+SavingResult measure_way(const std::string& bodies, const TriangleMesh& mesh, double touching, const Way& way,
+                         std::int64_t poses) {
   constexpr int kFirst = 3, kSteps = 15;
   const fast::Surface surface(mesh);
-  const fast::Pairing pairing(surface, surface, bench_law(), Mode::E, scheme);
+  const fast::Pairing pairing(surface, surface, bench_law());
   fast::Workspace workspace, other;
   SavingResult result{
-      "coherence",
-      fmt::format("force on two {}, 5 % deep, {}{}", bodies, way.name, scheme == Scheme::clipped ? ", clipped" : ""),
-      0,
-      0,
-      "candidate pairs",
-      0,
-      0};
+      "coherence", fmt::format("force on two {}, 5 % deep, {}", bodies, way.name), 0, 0, "candidate pairs", 0, 0};
   std::vector<double> on, off;
   for (std::int64_t p = 0; p < poses; ++p) {
     const Pose start = drawn_pose(touching, 0.05 * touching, p);
@@ -286,9 +275,8 @@ SavingResult measure_way(const std::string& bodies, const TriangleMesh& mesh, do
 void measure_coherence(std::int64_t poses, SkipResult& result) {
   for (const Way& way : {Way{"steps of 0.1 mm", 1e-4, false}, Way{"steps of 0.01 mm", 1e-5, false},
                          Way{"differences by 10 nm", 1e-8, true}}) {
-    result.savings.push_back(measure_way("bubbles", generate::bubble(), 0.4, Scheme::barycentric, way, poses));
-    result.savings.push_back(
-        measure_way("spheres of 20,480 faces", generate::icosphere(1, 5), 2, Scheme::barycentric, way, poses));
+    result.savings.push_back(measure_way("bubbles", generate::bubble(), 0.4, way, poses));
+    result.savings.push_back(measure_way("spheres of 20,480 faces", generate::icosphere(1, 5), 2, way, poses));
   }
 }
 

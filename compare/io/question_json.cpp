@@ -58,6 +58,22 @@ double number_from(const Json& json) {
   return *value;
 }
 
+Eigen::Vector3d vector_from(const Json& json) {
+  return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
+}
+
+Json matrix_json(const Eigen::Matrix3d& A) {
+  Json rows = Json::array();
+  for (int k = 0; k < 9; ++k) rows.push_back(hexadecimal(A(k / 3, k % 3)));
+  return rows;
+}
+
+Eigen::Matrix3d matrix_from(const Json& json) {
+  Eigen::Matrix3d A;
+  for (int k = 0; k < 9; ++k) A(k / 3, k % 3) = number_from(json.at(static_cast<std::size_t>(k)));
+  return A;
+}
+
 Json number_json(double x, Notation notation) {
   return notation == Notation::decimal && std::isfinite(x) ? Json(x) : Json(hexadecimal(x));
 }

@@ -20,6 +20,11 @@ std::string hexadecimal(double x);
 /// A finite number or "inf", in quotes.
 double number_from(const Json& json);
 
+/// Three of them, and nine by rows; written as `hexadecimal` writes.
+Eigen::Vector3d vector_from(const Json& json);
+Json matrix_json(const Eigen::Matrix3d& A);
+Eigen::Matrix3d matrix_from(const Json& json);
+
 /// How a file writes its doubles: as JSON numbers, or in quotes as above. Both read back bit for bit, and infinity is
 /// "inf" in both.
 enum class Notation : std::uint8_t { decimal, hexadecimal };

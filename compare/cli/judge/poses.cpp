@@ -73,9 +73,8 @@ void add_poses_command(CLI::App& program, Run& run) {
   command->footer(
       "The folder gets poses.jsonl, whose first line names the surfaces and whose others are a pose each, and the\n"
       "surfaces as OBJ files. docs/judge.md says what stands there and which conventions hold; 'pcm judge --schema\n"
-      "poses' prints the schema of a line. The poses are those that 'pcm verify' with the same arguments and strata "
-      "asks\n"
-      "about, each with the law, the scheme and the mode that it asks with, under the name that its tables have.\n"
+      "poses' prints the schema of a line. The poses are those that 'pcm verify' with the same arguments and strata\n"
+      "asks about, each with the law, the scheme and the mode that it asks with, under the name that its tables have.\n"
       "Examples:\n"
       "  pcm poses --out poses --poses 2000\n"
       "  pcm poses --out poses --pair bolt.obj nut.obj --strata generic,degenerate --scheme barycentric");

@@ -118,6 +118,15 @@ Eigen::Matrix3d turn_of_axes(std::uint64_t which) {
   return A;
 }
 
+/// The pairing's two bodies, E before F.
+fast::Scene scene_of(const fast::Pairing& pairing, const Wanted& wanted, const fast::Savings& savings) {
+  fast::Scene scene(savings);
+  scene.add_body(pairing.surface_E());
+  scene.add_body(pairing.surface_F());
+  scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), wanted);
+  return scene;
+}
+
 /// Both bodies where they are to each other at the given state, each moving by half of it: E turned by turns of the
 /// axes Q, at -Q r / 2 with velocity -Q v / 2, F at Q r / 2 with Q v / 2. Differences of these are exact. Where E
 /// spins, too, by -Q w / 2, F's velocity is that at its marker besides.
@@ -214,10 +223,7 @@ bool hold_relative_state(const fast::Scene& scene, const Pose& pose, const Veloc
 void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                 const Ask& ask, bool remembering, const fast::Contact& whole, double step, fast::Workspace& workspace,
                 Checks& checks) {
-  fast::Scene scene(ask.savings);
-  scene.add_body(pairing.surface_E());
-  scene.add_body(pairing.surface_F());
-  scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme(), ask.wanted);
+  fast::Scene scene = scene_of(pairing, ask.wanted, ask.savings);
   const TwoBodies bodies(pose, velocity);
   const std::uint64_t turn = bits_of(pose, velocity, Draw::turn);
   for (const double away : {step, 0.5 * step}) {
@@ -345,10 +351,7 @@ void hold_motion(const EngineSeam& seam, const fast::Pairing& pairing, const std
                  const Pose& pose, const Velocity& velocity, const fast::Contact& whole, double step,
                  fast::Workspace& workspace, Checks& checks) {
   if (!is_pose_for_scenes(pose)) return;
-  fast::Scene scene;
-  scene.add_body(pairing.surface_E());
-  scene.add_body(pairing.surface_F());
-  scene.add_pairing(0, 1, pairing.law(), pairing.mode(), pairing.scheme());
+  fast::Scene scene = scene_of(pairing, {}, {});
   const std::uint64_t turn = bits_of(pose, velocity, Draw::bodies) % 24;
   const auto ask_at = [&](const fast::BodyState& E, const fast::BodyState& F) {
     scene.move({E, F});

@@ -249,14 +249,17 @@ const RecordedState* PlannedPoses::recorded(const PlannedCell& cell, std::int64_
   return plan_.recorded.empty() ? nullptr : &plan_.recorded[cell.pair].states[static_cast<std::size_t>(pose)];
 }
 
+PoseRandom PlannedPoses::random_of(const PlannedCell& cell, std::int64_t pose, Purpose purpose) const {
+  return {plan_.seed, static_cast<std::uint64_t>(cell.stratum), stream_of(plan_.pairs[cell.pair].name),
+          static_cast<std::uint64_t>(pose), purpose};
+}
+
 DrawnPose PlannedPoses::draw(const PlannedCell& cell, std::int64_t pose) const {
   if (const RecordedState* const state = recorded(cell, pose))
     return {state->pose, state->velocity, "recorded", false, {}};
-  const SurfacePair& pair = plan_.pairs[cell.pair];
-  const PoseRandom random(plan_.seed, static_cast<std::uint64_t>(cell.stratum), stream_of(pair.name),
-                          static_cast<std::uint64_t>(pose));
+  const PoseRandom random = random_of(cell, pose, Purpose::pose);
   const FeaturePair& features = held_pairing(cell, pose).features();
-  return cell.stratum == Stratum::trajectory ? draw_along(pair.motion, features.size(), random)
+  return cell.stratum == Stratum::trajectory ? draw_along(plan_.pairs[cell.pair].motion, features.size(), random)
                                              : draw_pose(cell.stratum, features, random);
 }
 
@@ -267,15 +270,11 @@ HeldPairing::State PlannedPoses::asked(const PlannedCell& cell, std::int64_t pos
     DrawnPose drawn = draw(cell, pose);
     return {drawn.pose, drawn.velocity, plan_.pairs[cell.pair].law, cell.scheme, std::move(drawn.before)};
   }
-  const auto random = [&](Purpose purpose) {
-    return PoseRandom(plan_.seed, static_cast<std::uint64_t>(cell.stratum), stream_of(plan_.pairs[cell.pair].name),
-                      static_cast<std::uint64_t>(pose), purpose);
-  };
   if (plan_.law)
     return state_under_law(held_pairing(cell, pose), cell.stratum, draw(cell, pose), cell.scheme, *plan_.law,
-                           random(Purpose::velocity));
-  return draw_state(held_pairing(cell, pose), cell.stratum, draw(cell, pose), cell.scheme, random(Purpose::law),
-                    random(Purpose::velocity), *seam_);
+                           random_of(cell, pose, Purpose::velocity));
+  return draw_state(held_pairing(cell, pose), cell.stratum, draw(cell, pose), cell.scheme,
+                    random_of(cell, pose, Purpose::law), random_of(cell, pose, Purpose::velocity), *seam_);
 }
 
 std::string PlannedPoses::origin(const PlannedCell& cell, std::int64_t pose) const {

@@ -24,14 +24,9 @@ Json to_json(const Eigen::Vector3d& x) {
   return {hexadecimal(x.x()), hexadecimal(x.y()), hexadecimal(x.z())};
 }
 
-Eigen::Vector3d vector(const Json& json) {
-  return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
-}
-
 Json to_json(const MovingPose& state) {
   Json json;
-  json["A"] = Json::array();
-  for (int k = 0; k < 9; ++k) json["A"].push_back(hexadecimal(state.pose.A(k / 3, k % 3)));
+  json["A"] = matrix_json(state.pose.A);
   json["r"] = to_json(state.pose.r);
   json["v"] = to_json(state.velocity.v);
   json["w"] = to_json(state.velocity.w);
@@ -40,9 +35,8 @@ Json to_json(const MovingPose& state) {
 
 MovingPose moving_pose(const Json& json) {
   MovingPose state;
-  for (int k = 0; k < 9; ++k) state.pose.A(k / 3, k % 3) = number_from(json.at("A").at(static_cast<std::size_t>(k)));
-  state.pose.r = vector(json.at("r"));
-  state.velocity = {vector(json.at("v")), vector(json.at("w"))};
+  state.pose = {matrix_from(json.at("A")), vector_from(json.at("r"))};
+  state.velocity = {vector_from(json.at("v")), vector_from(json.at("w"))};
   if (!is_rotation(state.pose.A)) throw BadInput("A of the pose is not a rotation to 1e-9");
   if (!state.pose.r.allFinite() || !state.velocity.v.allFinite() || !state.velocity.w.allFinite())
     throw BadInput("r, v or w of the pose is not finite");

@@ -11,15 +11,8 @@
 namespace pcm::compare::hard_poses_test {
 namespace {
 
-template <class Numbers>
-Json array_of(const Numbers& numbers) {
-  Json array = Json::array();
-  for (const double x : numbers) array.push_back(hexadecimal(x));
-  return array;
-}
-
-Eigen::Vector3d vector_from(const Json& json) {
-  return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
+Json vector_in_hexadecimal(const Eigen::Vector3d& x) {
+  return vector_json(x, Notation::hexadecimal);
 }
 
 }  // namespace
@@ -51,10 +44,10 @@ std::string corpus_text(const std::vector<CorpusPose>& poses) {
     json["pair"] = pose.pair;
     json["scheme"] = std::string(name(pose.scheme));
     json["hard_for"] = pose.hard_for;
-    json["A"] = array_of(pose.pose.A.transpose().reshaped());
-    json["r"] = array_of(pose.pose.r);
-    json["force"] = array_of(pose.true_force_Me);
-    json["torque"] = array_of(pose.true_torque_Me);
+    json["A"] = matrix_json(pose.pose.A);
+    json["r"] = vector_in_hexadecimal(pose.pose.r);
+    json["force"] = vector_in_hexadecimal(pose.true_force_Me);
+    json["torque"] = vector_in_hexadecimal(pose.true_torque_Me);
     json["margin"] = hexadecimal(pose.margin);
     json["error_over_bound"] = hexadecimal(pose.error_over_bound);
     text += json_line(json) + (&pose == &poses.back() ? "\n" : ",\n");
@@ -69,8 +62,7 @@ std::vector<CorpusPose> corpus_from(const std::string& text) {
     pose.pair = json.at("pair");
     pose.scheme = scheme_from(json.at("scheme"));
     pose.hard_for = json.at("hard_for");
-    for (int k = 0; k < 9; ++k) pose.pose.A(k / 3, k % 3) = number_from(json.at("A").at(static_cast<std::size_t>(k)));
-    pose.pose.r = vector_from(json.at("r"));
+    pose.pose = {matrix_from(json.at("A")), vector_from(json.at("r"))};
     pose.true_force_Me = vector_from(json.at("force"));
     pose.true_torque_Me = vector_from(json.at("torque"));
     pose.margin = number_from(json.at("margin"));

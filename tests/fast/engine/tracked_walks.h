@@ -5,12 +5,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "compare/io/random.h"
 #include "compare/poses/pairs.h"
+#include "compare/verify/routes/wanted_presets.h"
 #include "pcm/engine.h"
 #include "pcm/pairing_memory.h"
 #include "tests/fast/same_answer.h"
@@ -60,7 +60,7 @@ class Walk {
         axis_ = -axis_;
         break;
       case 3:
-        velocity_.v = direction();
+        velocity_.v = random_.direction();
         return;
       case 4: {
         double& x = pose_.r[static_cast<Eigen::Index>(random_.below(3))];
@@ -76,16 +76,10 @@ class Walk {
   }
 
  private:
-  Eigen::Vector3d direction() {
-    Eigen::Vector3d d;
-    do d = Eigen::Vector3d(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
-    while (!(d.norm() > 0.1));
-    return d.normalized();
-  }
   void choose_length() {
     length_ = size_ * std::exp2(random_.uniform(-54, -6));
-    way_ = direction();
-    axis_ = direction();
+    way_ = random_.direction();
+    axis_ = random_.direction();
   }
 
   compare::PoseRandom& random_;
@@ -98,8 +92,7 @@ class Walk {
 
 /// What is asked along a walk: the same for a while, as memories are, mostly force alone.
 inline Wanted wanted_on_walk(compare::PoseRandom& random) {
-  const Wanted force{false, false, true, false, false, false};
-  return random.below(3) != 0 ? force : wanted_by_number(random.below(kAllWanted));
+  return random.below(3) != 0 ? compare::kForceOnly : wanted_by_number(random.below(kAllWanted));
 }
 
 /// `number` of a walk of a pair: each has its own random numbers.

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr Wanted kForce{false, false, true, false, false, false};
+using compare::kForceOnly;
 
 TEST(Tracking, AnswersAlongAWalkAreThoseOfAnEngineWithoutAPast) {
   const test::WalkTally tally = test::take_walks(20261126, 2, 40);
@@ -37,12 +37,12 @@ TEST(Tracking, ShortStepsNeedNoSearchFromTheRoots) {
   std::int64_t searched = 0, searched_without = 0;
   for (int i = 0; i < 100; ++i) {
     pose.r.x() += 1e-6;
-    searched += memory.evaluate(pose, {}, kForce, workspace).work.candidate_pairs > 0 ? 1 : 0;
+    searched += memory.evaluate(pose, {}, kForceOnly, workspace).work.candidate_pairs > 0 ? 1 : 0;
   }
   PairingMemory other(pairing);
   for (int i = 0; i < 100; ++i) {
     pose.r.x() += 1e-6;
-    searched_without += other.evaluate(pose, {}, kForce, workspace, off).work.candidate_pairs > 0 ? 1 : 0;
+    searched_without += other.evaluate(pose, {}, kForceOnly, workspace, off).work.candidate_pairs > 0 ? 1 : 0;
   }
   EXPECT_LT(searched, 12);
   EXPECT_EQ(searched_without, 100);
@@ -63,9 +63,9 @@ TEST(Tracking, AnswersAlikeAtAllScales) {
       const double step = i < 100 ? 1e-5 : 1e-4;
       Pose pose = test::turned(0.3 + step * (i % 100), {0.05, 0.1, 0.12 + step * (i % 100)});
       pose.r *= scale;
-      const Contact& answer = memory.evaluate(pose, {}, kForce, one);
+      const Contact& answer = memory.evaluate(pose, {}, kForceOnly, one);
       followed += answer.touching && answer.work.candidate_pairs == 0 ? 1 : 0;
-      ASSERT_TRUE(test::same(answer, evaluate(pairing, pose, {}, kForce, other))) << exponent << ' ' << i;
+      ASSERT_TRUE(test::same(answer, evaluate(pairing, pose, {}, kForceOnly, other))) << exponent << ' ' << i;
     }
     EXPECT_GT(followed, 100) << exponent;
   }
@@ -90,8 +90,8 @@ TEST(Tracking, SpeckThatPassesThroughASurfaceBetweenPosesIsFound) {
     for (int i = 0; i < 40; ++i) {
       Pose pose;
       pose.r = sign * Vector3d(-0.27 - 0.0013 * i, 0.013, 0.007);
-      const Contact& followed = memory.evaluate(pose, {}, kForce, one);
-      const Contact& anew = evaluate(pairing, pose, {}, kForce, other);
+      const Contact& followed = memory.evaluate(pose, {}, kForceOnly, one);
+      const Contact& anew = evaluate(pairing, pose, {}, kForceOnly, other);
       EXPECT_TRUE(test::same(followed, anew)) << i;
       inside += anew.nested ? 1 : 0;
     }
@@ -110,7 +110,7 @@ TEST(Tracking, ScenesFollowTheirPairingsAndAnswerAlike) {
     for (int b = 0; b < 3; ++b) {
       const Index ball = scene->add_body(Surface(generate::icosphere(0.5, 3)));
       scene->add_pairing(plate, ball, test::rough(1e5), Mode::both, b == 1 ? Scheme::clipped : Scheme::barycentric,
-                         kForce);
+                         kForceOnly);
     }
   }
   std::int64_t pairs_followed = 0, pairs_anew = 0;
