@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 #include <tuple>
@@ -221,6 +222,50 @@ TEST(EngineAgainstBruteForce, FarFromTheOriginWhereVerticesCoincide) {
     expect_same(big, generate::icosphere(size, 1), turned(0.3, {1e12, 0.3e12, 0.5e12}), workspace);
     expect_same(big, generate::icosphere(size, 1), turned(0.3, {1e12, 1e12, 0}), workspace);
     expect_same(big, generate::box({size, size, size}), shifted(1e12, 1e12, 1e12), workspace);
+  }
+}
+
+/// A body of two boxes, one upon the other: where they touch, a line leaves one and enters the other at one point, and
+/// the smaller index decides.
+TEST(EngineAgainstBruteForce, FacesThatCoincideInWhateverOrder) {
+  const unsigned seed = 33;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  const TriangleMesh E = generate::gridded_box({-0.3125, -0.3125, -1}, {0.3125, 0.3125, 1}, {3, 3, 1});
+  TriangleMesh F = generate::gridded_box({-1, -1, 0.5}, {1, 1, 0.75}, {4, 4, 1});
+  const TriangleMesh upper = generate::gridded_box({-1, -1, 0.75}, {1, 1, 1.5}, {4, 4, 1});
+  const auto first = static_cast<Index>(F.vertices.size());
+  F.vertices.insert(F.vertices.end(), upper.vertices.begin(), upper.vertices.end());
+  for (const Triangle& t : upper.faces) F.faces.push_back({t[0] + first, t[1] + first, t[2] + first});
+  Workspace workspace;
+  for (int i = 0; i < 20; ++i) {
+    std::shuffle(F.faces.begin(), F.faces.end(), random);
+    expect_same(E, F, {}, workspace);
+    if (HasFailure()) FAIL() << "order " << i;
+  }
+}
+
+/// Narrow faces of a body, rotated so that their corners are rounded, through the barycentres of a row of another's:
+/// what rounding makes of a distance is many times greater than the distance.
+TEST(EngineAgainstBruteForce, NarrowFacesWithinRoundingsOfBarycentres) {
+  const unsigned seed = 47;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const TriangleMesh plain_E = generate::gridded_box({2, 2, 2}, {3, 12, 1});
+  const TriangleMesh plain_F = generate::gridded_box({3, 3, 3}, {1, 200, 1});
+  Workspace workspace;
+  for (int i = 0; i < 12; ++i) {
+    const Eigen::Matrix3d any = turned(3 * uniform(random), {}).A *
+                                Eigen::AngleAxisd(uniform(random), Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.9 * uniform(random), Eigen::Vector3d::UnitY()).toRotationMatrix();
+    // Through the barycentres of the first faces in each cell of the middle column of E's top.
+    const Eigen::Vector3d row(i % 2 == 0 ? 1.0 / 9 : -1.0 / 9, 0, 1);
+    TriangleMesh E = plain_E, F = plain_F;
+    for (Eigen::Vector3d& x : E.vertices) x = any * x;
+    for (Eigen::Vector3d& x : F.vertices) x = any * (tilt * (x + Eigen::Vector3d(0, 0, 1.5)) + row);
+    expect_same(E, F, {}, workspace);
+    if (HasFailure()) FAIL() << "pose " << i;
   }
 }
 

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/barycentric/line_memory.h"
+
+#include <gtest/gtest.h>
+
+namespace pcm::fast {
+namespace {
+
+LineTrace trace_of(std::vector<Index> slave_faces, std::vector<Index> own_faces) {
+  LineTrace trace;
+  trace.slave_faces = std::move(slave_faces);
+  trace.own_faces = std::move(own_faces);
+  trace.slave_searched = 3;
+  trace.own_searched = 2;
+  trace.own_listed = true;
+  return trace;
+}
+
+std::vector<Index> slave_faces_of(const LineMemory& memory, const LineMemory::Line& line) {
+  return {memory.slave_faces(line), memory.slave_faces(line) + line.slave_count};
+}
+std::vector<Index> own_faces_of(const LineMemory& memory, const LineMemory::Line& line) {
+  return {memory.own_faces(line), memory.own_faces(line) + line.own_count};
+}
+
+TEST(LineMemory, KnowsOfThoseLinesThatItWasToldOfAtThePoseBefore) {
+  LineMemory memory;
+  memory.start(0, 1, 0.5);
+  EXPECT_EQ(memory.recall(2), nullptr);
+  memory.keep(2, 20);
+  memory.keep(5, 50);
+  memory.keep(9, -1);
+  memory.start(0.25, 1, 0.5);
+  EXPECT_EQ(memory.recall(1), nullptr);
+  // The line of 2 isn't asked about.
+  const LineMemory::Line* const line = memory.recall(5);
+  ASSERT_NE(line, nullptr);
+  EXPECT_EQ(line->slave_nearby, 50);
+  EXPECT_FALSE(memory.holds(*line));
+  EXPECT_EQ(memory.recall(6), nullptr);
+  EXPECT_EQ(memory.recall(9)->slave_nearby, -1);
+  EXPECT_EQ(memory.recall(10), nullptr);
+  memory.start(0.5, 1, 0.5);
+  EXPECT_EQ(memory.recall(5), nullptr) << "nothing was kept";
+}
+
+TEST(LineMemory, FacesThatWereSearchedForHoldUntilAllIsTravelled) {
+  LineMemory memory;
+  memory.start(4, 1, 0.5);
+  memory.keep(0, 8, trace_of({1}, {}));
+  memory.keep(3, 7, trace_of({7, 8}, {1, 4, 6}));
+  for (const double travelled : {4.0, 4.5, 0x1.3ffffffffffffp2}) {
+    SCOPED_TRACE(travelled);
+    memory.start(travelled, 100, 50);
+    const LineMemory::Line* const line = memory.recall(3);
+    ASSERT_NE(line, nullptr);
+    EXPECT_TRUE(memory.holds(*line));
+    EXPECT_EQ(slave_faces_of(memory, *line), (std::vector<Index>{7, 8}));
+    EXPECT_EQ(own_faces_of(memory, *line), (std::vector<Index>{1, 4, 6}));
+    EXPECT_EQ(line->slave_searched, 3);
+    EXPECT_EQ(line->own_searched, 2);
+    memory.keep(2, 1);
+    memory.keep(*line, 11);
+  }
+  memory.start(5, 1, 0.5);
+  const LineMemory::Line* const line = memory.recall(3);
+  ASSERT_NE(line, nullptr);
+  EXPECT_EQ(line->slave_nearby, 11);
+  EXPECT_FALSE(memory.holds(*line));
+}
+
+TEST(LineMemory, HoldsAsLongAfterTravelIsCountedAnew) {
+  LineMemory memory;
+  memory.start(4, 1, 0.5);
+  memory.keep(3, 7, trace_of({7}, {}));
+  memory.start_travel_anew(4.5);
+  memory.start(0.25, 1, 0.5);
+  EXPECT_TRUE(memory.holds(*memory.recall(3)));
+  memory.keep(*memory.recall(3), 7);
+  memory.start(0.5, 1, 0.5);
+  EXPECT_FALSE(memory.holds(*memory.recall(3)));
+}
+
+TEST(LineMemory, OtherFacesOfTheMasterThatAreNotListedHoldNowhere) {
+  LineMemory memory;
+  memory.start(0, 1, 0.5);
+  LineTrace trace = trace_of({7}, {1});
+  trace.own_listed = false;
+  memory.keep(3, 7, trace);
+  memory.start(0, 1, 0.5);
+  EXPECT_EQ(memory.recall(3)->own_searched, -std::numeric_limits<double>::infinity());
+}
+
+TEST(LineMemory, ALineAmongManyFacesIsToBeSearchedForAgain) {
+  LineMemory memory;
+  memory.start(0, 1, 0.5);
+  memory.keep(3, 7, trace_of(std::vector<Index>(6, 7), std::vector<Index>(6, 1)));
+  memory.keep(4, 8, trace_of(std::vector<Index>(6, 7), std::vector<Index>(7, 1)));
+  memory.start(0, 1, 0.5);
+  EXPECT_TRUE(memory.holds(*memory.recall(3)));
+  const LineMemory::Line* const among_many = memory.recall(4);
+  ASSERT_NE(among_many, nullptr);
+  EXPECT_FALSE(memory.holds(*among_many));
+  EXPECT_EQ(among_many->slave_nearby, 8);
+  EXPECT_EQ(among_many->slave_count + among_many->own_count, 0u);
+}
+
+TEST(LineMemory, KnowsOfNothingWhenCleared) {
+  LineMemory memory;
+  memory.start(0, 1, 0.5);
+  memory.keep(3, 7, trace_of({7}, {1}));
+  memory.clear();
+  memory.start(0, 1, 0.5);
+  EXPECT_EQ(memory.recall(3), nullptr);
+}
+
+}  // namespace
+}  // namespace pcm::fast
