@@ -233,7 +233,7 @@ TEST(EngineAgainstBruteForce, FacesThatCoincideInWhateverOrder) {
   std::mt19937 random(seed);
   const TriangleMesh E = generate::gridded_box({-0.3125, -0.3125, -1}, {0.3125, 0.3125, 1}, {3, 3, 1});
   TriangleMesh F = generate::gridded_box({-1, -1, 0.5}, {1, 1, 0.75}, {4, 4, 1});
-  const TriangleMesh upper = generate::gridded_box({-1, -1, 0.75}, {1, 1, 1.5}, {4, 4, 1});
+  const TriangleMesh upper = generate::gridded_box({-1.25, -1.5, 0.75}, {1.5, 1.25, 1.5}, {3, 5, 1});
   const auto first = static_cast<Index>(F.vertices.size());
   F.vertices.insert(F.vertices.end(), upper.vertices.begin(), upper.vertices.end());
   for (const Triangle& t : upper.faces) F.faces.push_back({t[0] + first, t[1] + first, t[2] + first});
