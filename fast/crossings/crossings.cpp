@@ -25,7 +25,7 @@ Index enter_crossing(const PosedPair& posed, const PairSigns& signs, const EdgeP
   node.edge_side = passage.edge_side;
   node.edge = surface.edges_of(edge_face)[corner];
   node.face = of_E ? face_F : face_E;
-  node.from_above = has(above, corner) == surface.runs_forwards(edge_face, corner);
+  node.from_above = is_above(above, corner) == surface.runs_forwards(edge_face, corner);
   const auto fresh = static_cast<Index>(nodes.size());
   const Index found = index.find_or_insert(node.key(), fresh);
   if (found == fresh) nodes.push_back(node);

@@ -46,9 +46,9 @@ double distance_between(const Points& e, const Points& f, const PairSigns& signs
   const int lone_F = lone_corner(signs.above_E);
   if (lone_F < 0) return distance;
   for (int i = 1; i < 3; ++i) {
-    const Eigen::Vector3d b = e[corner(lone_E + i)] - e[corner(lone_E)];
+    const Eigen::Vector3d b = e[cyclic_corner(lone_E + i)] - e[cyclic_corner(lone_E)];
     for (int j = 1; j < 3; ++j)
-      distance = std::max(distance, gap_along(b.cross(f[corner(lone_F + j)] - f[corner(lone_F)]), e, f));
+      distance = std::max(distance, gap_along(b.cross(f[cyclic_corner(lone_F + j)] - f[cyclic_corner(lone_F)]), e, f));
   }
   return distance;
 }
@@ -88,9 +88,9 @@ double pair_margin(const Points& e, const Points& f, const PairSigns& signs) {
     // As SureSigns numbers them: from the lone corner, and to it.
     const int other = 1 + i;
     if ((signs.passing >> i & 1U) != 0)
-      least = std::min(least, margin_of_edge(e[corner(lone_E)], e[corner(lone_E + other)], f));
+      least = std::min(least, margin_of_edge(e[cyclic_corner(lone_E)], e[cyclic_corner(lone_E + other)], f));
     if ((signs.passing >> (2 + i) & 1U) != 0)
-      least = std::min(least, margin_of_edge(f[corner(lone_F)], f[corner(lone_F + other)], e));
+      least = std::min(least, margin_of_edge(f[cyclic_corner(lone_F)], f[cyclic_corner(lone_F + other)], e));
   }
   return least;
 }

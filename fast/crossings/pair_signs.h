@@ -22,19 +22,19 @@ inline int lone_corner(Corners above) {
   return kLone[above];
 }
 
-inline bool has(Corners corners, std::size_t corner) {
+inline bool is_above(Corners corners, std::size_t corner) {
   return (corners >> corner & 1U) != 0;
 }
 
-inline Corners above(const std::array<RankedPoint, 3>& plane, const std::array<RankedPoint, 3>& points, double sure,
-                     WorkCounters& work) {
+inline Corners find_corners_above(const std::array<RankedPoint, 3>& plane, const std::array<RankedPoint, 3>& points,
+                                  double sure, WorkCounters& work) {
   const OrientedPlane oriented(plane[0], plane[1], plane[2], sure);
   Corners corners = 0;
   for (std::size_t k = 0; k < 3; ++k) corners |= static_cast<Corners>(oriented.above(points[k], work)) << k;
   return corners;
 }
 
-inline std::size_t corner(int k) {
+inline std::size_t cyclic_corner(int k) {
   return static_cast<std::size_t>(k < 3 ? k : k - 3);
 }
 
@@ -52,19 +52,19 @@ struct PairSigns {
 inline PairSigns find_signs(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f,
                             const SureSigns& known, double sure, WorkCounters& work) {
   PairSigns result;
-  result.above_F = known.of_E() ? known.above_of_E() : above(f, e, sure, work);
+  result.above_F = known.of_E() ? known.above_of_E() : find_corners_above(f, e, sure, work);
   const int lone_E = lone_corner(result.above_F);
   if (lone_E < 0) return result;
-  result.above_E = known.of_F() ? known.above_of_F() : above(e, f, sure, work);
+  result.above_E = known.of_F() ? known.above_of_F() : find_corners_above(e, f, sure, work);
   const int lone_F = lone_corner(result.above_E);
   if (lone_F < 0) return result;
 
-  const RankedPoint& a = e[corner(lone_E)];
-  const RankedPoint& p = f[corner(lone_F)];
+  const RankedPoint& a = e[cyclic_corner(lone_E)];
+  const RankedPoint& p = f[cyclic_corner(lone_F)];
   unsigned s[2][2];
   for (int i = 0; i < 2; ++i) {
-    const OrientedPlane through_p(a, e[corner(lone_E + 1 + i)], p, sure);
-    for (int j = 0; j < 2; ++j) s[i][j] = through_p.above(f[corner(lone_F + 1 + j)], work) ? 1 : 0;
+    const OrientedPlane through_p(a, e[cyclic_corner(lone_E + 1 + i)], p, sure);
+    for (int j = 0; j < 2; ++j) s[i][j] = through_p.above(f[cyclic_corner(lone_F + 1 + j)], work) ? 1 : 0;
   }
   result.passing = (s[0][0] ^ s[0][1]) | (s[1][0] ^ s[1][1]) << 1 | (s[0][0] ^ s[1][0]) << 2 | (s[0][1] ^ s[1][1]) << 3;
   return result;
@@ -89,13 +89,13 @@ struct PairCrossing {
 /// below f ends the segment, one of f that does so starts it.
 inline PairCrossing pair_crossing(const PairSigns& signs) {
   const int lone_E = lone_corner(signs.above_F), lone_F = lone_corner(signs.above_E);
-  const unsigned starting = (has(signs.above_F, corner(lone_E)) ? 0b0010U : 0b0001U) |
-                            (has(signs.above_E, corner(lone_F)) ? 0b0100U : 0b1000U);
+  const unsigned starting = (is_above(signs.above_F, cyclic_corner(lone_E)) ? 0b0010U : 0b0001U) |
+                            (is_above(signs.above_E, cyclic_corner(lone_F)) ? 0b0100U : 0b1000U);
   assert(std::popcount(signs.passing & starting) == 1 && std::popcount(signs.passing & ~starting) == 1);
   const auto passage = [&](unsigned edge) -> EdgePassage {
     const int number = std::countr_zero(edge);
     const int lone = number < 2 ? lone_E : lone_F;
-    return {number < 2 ? Side::E : Side::F, number % 2 == 0 ? lone : static_cast<int>(corner(lone + 2))};
+    return {number < 2 ? Side::E : Side::F, number % 2 == 0 ? lone : static_cast<int>(cyclic_corner(lone + 2))};
   };
   return {passage(signs.passing & starting), passage(signs.passing & ~starting)};
 }

@@ -86,8 +86,8 @@ PICKED = [
     ),
     (
         "fast/crossings/pair_signs.h",
-        "(has(signs.above_E, corner(lone_F)) ? 0b0100U : 0b1000U);",
-        "(has(signs.above_E, corner(lone_F)) ? 0b1000U : 0b0100U);",
+        "(is_above(signs.above_E, cyclic_corner(lone_F)) ? 0b0100U : 0b1000U);",
+        "(is_above(signs.above_E, cyclic_corner(lone_F)) ? 0b1000U : 0b0100U);",
         "circulation on F: where a segment starts",
     ),
     (

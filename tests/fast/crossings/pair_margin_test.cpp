@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+#include <string>
 
 namespace pcm::fast {
 namespace {
@@ -60,6 +62,32 @@ TEST(PairMargin, FacesCrossAsTheyDidUntilCornersHaveMovedByAsMuch) {
   }
   EXPECT_GT(crossing, 300);
   EXPECT_GT(apart, 1000);
+}
+
+/// Until products of lengths come near the least doubles, where nothing is told.
+TEST(PairMargin, ScalesWithAllLengths) {
+  constexpr unsigned kSeed = 23;
+  RandomFaces random(kSeed);
+  for (int k = 0; k < 500; ++k) {
+    const Points e = random.face(), f = random.face();
+    const double margin = pair_margin(e, f, signs_of(e, f));
+    for (const int exponent : {-400, -300, -240, 240, 300}) {
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", pair " + std::to_string(k) + ", 2^" + std::to_string(exponent));
+      const double scale = std::ldexp(1.0, exponent);
+      Points large_e = e, large_f = f;
+      for (Points* const face : {&large_e, &large_f}) {
+        for (Vector3d& x : *face) x *= scale;
+      }
+      const double scaled_margin = pair_margin(large_e, large_f, signs_of(large_e, large_f));
+      if (exponent < -300) {
+        ASSERT_LE(scaled_margin, 0);
+      } else if (exponent > -300) {
+        ASSERT_EQ(scaled_margin, margin * scale);
+      } else {
+        ASSERT_LE(scaled_margin, margin * scale);
+      }
+    }
+  }
 }
 
 /// A corner of f a hair above the middle of e, and a long edge that passes there.
