@@ -16,6 +16,7 @@ from pathlib import Path
 TEST_PROGRAMS = {
     "fast": [
         "fast/test_fast_scene",
+        "fast/test_fast_tracking",
         "fast/test_fast_predicates",
         "fast/test_fast_against_twin",
         "fast/test_clipped_against_twin",
