@@ -80,7 +80,7 @@ PICKED = [
     # Crossings and polygons.
     (
         "fast/crossings/crossings.cpp",
-        "node.from_above = has(above, corner) == surface.runs_forwards(edge_face, corner);",
+        "node.from_above = is_above(above, corner) == surface.runs_forwards(edge_face, corner);",
         "node.from_above = has(above, corner);",
         "an edge shared by two faces that run through it in opposite directions",
     ),
