@@ -4,11 +4,16 @@
 // within a bound derived from the pose.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <span>
+#include <string>
 
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/degenerate/bodies.h"
 #include "pcm/engine.h"
 #include "tests/reference/brute_force/combinatorics.h"
 #include "tests/reference/brute_force/twin_comparison.h"
@@ -100,6 +105,31 @@ Answer compare(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose) {
 
 TEST(FastAgainstTwin, AgreesOnTheDegenerateCatalogue) {
   compare_on_catalogue(compare);
+}
+
+/// Open strips stand in a closed body's top: what it has beside them is on neither side. Their borders end within faces
+/// whose corners hang together all around.
+TEST(FastAgainstTwin, AgreesWhereOpenStripsLeaveFacesAmbiguous) {
+  constexpr unsigned kSeed = 5;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const TriangleMesh E = generate::gridded_box({2, 2, 2}, {6, 6, 1});
+  int ambiguous = 0;
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", pose " + std::to_string(i));
+    TriangleMesh strips;
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::Matrix3d upright =
+          Eigen::AngleAxisd(3 * uniform(random), Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+          Eigen::AngleAxisd(1.5 + 0.3 * uniform(random), Eigen::Vector3d::UnitX()).toRotationMatrix();
+      const Eigen::Vector3d middle(0.7 * uniform(random), 0.7 * uniform(random), 1);
+      TriangleMesh strip = generate::rectangle(0.4 + 0.2 * uniform(random), 0.5);
+      for (Eigen::Vector3d& x : strip.vertices) x = upright * x + middle;
+      strips = k == 0 ? strip : degenerate::joined(strips, strip);
+    }
+    ambiguous += compare(E, strips, {}).ambiguous ? 1 : 0;
+  }
+  EXPECT_GT(ambiguous, 10);
 }
 
 class FastAgainstTwinPoses : public testing::TestWithParam<Series> {};
