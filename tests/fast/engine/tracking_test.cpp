@@ -118,7 +118,7 @@ TEST(Tracking, ScenesFollowTheirPairingsAndAnswerAlike) {
     std::vector<BodyState> states(4);
     const double way = step < 30 ? 1e-4 * step : 3e-3 + 1e-9 * step;
     for (int b = 0; b < 3; ++b) {
-      BodyState& state = states[static_cast<std::size_t>(1 + b)];
+      BodyState& state = states[static_cast<std::size_t>(b) + 1];
       state.pose.r = Vector3d(-1.2 + 1.2 * b + way, 0.1 * b, 0.49 - 0.01 * b);
       state.pose.A = Eigen::AngleAxisd(2 * way + b, Vector3d::UnitY()).toRotationMatrix();
       state.velocity.v = Vector3d(0.1, 0, -0.2);
