@@ -222,7 +222,7 @@ Figure work_precision_figure(const WorkPrecisionResult& result, const Machine& m
       "bodies' force, {}; the meshes' vertices lie on the smooth bodies, or (equal volume) the meshes are scaled to "
       "enclose the same volume. Right: reference is the integral of the elastic foundation over the same triangles. "
       "Time: median over the orientations of the least of up to five evaluations, one thread, on {} ({}). pcm: this "
-      "project's engine. Methods are left out where an evaluation takes more than {:.0f} ms.",
+      "project's engine. But for their first point methods are left out where an evaluation takes more than {:.0f} ms.",
       result.problem, faces, result.orientations, result.reference, machine.processor, machine.compiler,
       kLongestEvaluation_ms);
   return figure;
