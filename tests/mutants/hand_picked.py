@@ -81,7 +81,7 @@ PICKED = [
     (
         "fast/crossings/crossings.cpp",
         "node.from_above = is_above(above, corner) == surface.runs_forwards(edge_face, corner);",
-        "node.from_above = has(above, corner);",
+        "node.from_above = is_above(above, corner);",
         "an edge shared by two faces that run through it in opposite directions",
     ),
     (
