@@ -4,7 +4,7 @@
 function(pcm_embed_text output function file)
   get_filename_component(file ${file} ABSOLUTE)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-  # Character by character: a literal may be 64 KiB long by the standard, and no more.
+  # Character by character: compilers need not take literals longer than 64 KiB.
   file(READ ${file} digits HEX)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," characters "${digits}")
   string(REGEX MATCH "^(.*)::([^:]+)$" unused ${function})

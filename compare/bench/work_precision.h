@@ -91,7 +91,7 @@ std::optional<EqualTime> errors_at_equal_time(const WorkPrecisionCurve& over, co
 /// all cores.
 std::vector<WorkPrecisionProblem> work_precision_problems(Extent extent);
 
-/// From where an evaluation takes longer a method is left out, but for its first meshes.
+/// A method is left out of meshes on which an evaluation takes longer, but never of the coarsest.
 inline constexpr double kLongestEvaluation_ms = 100;
 
 /// All levels of the pair, methods taking turns at every pose.

@@ -73,11 +73,10 @@ std::string left_out(const std::vector<WorkPrecisionResult>& results) {
   for (const WorkPrecisionResult& result : results)
     for (const WorkPrecisionCurve& curve : result.curves)
       if (curve.stopped_by_ms)
-        lines += fmt::format("Left out, for an evaluation took {:.0f} ms: {}, {}, from the meshes {} on.\n",
-                             *curve.stopped_by_ms, result.title, curve.method.name,
-                             curve.points.empty()
-                                 ? "that are coarsest"
-                                 : fmt::format("next finer than those of {} faces", curve.points.back().faces));
+        lines += fmt::format(
+            "Left out, for an evaluation took {:.0f} ms: {}, {}, from the meshes next finer than those of {} faces "
+            "on.\n",
+            *curve.stopped_by_ms, result.title, curve.method.name, curve.points.back().faces);
   return lines;
 }
 
@@ -222,7 +221,8 @@ Figure work_precision_figure(const WorkPrecisionResult& result, const Machine& m
       "bodies' force, {}; the meshes' vertices lie on the smooth bodies, or (equal volume) the meshes are scaled to "
       "enclose the same volume. Right: reference is the integral of the elastic foundation over the same triangles. "
       "Time: median over the orientations of the least of up to five evaluations, one thread, on {} ({}). pcm: this "
-      "project's engine. But for their first point methods are left out where an evaluation takes more than {:.0f} ms.",
+      "project's engine. Methods are left out where an evaluation takes more than {:.0f} ms, except on the coarsest "
+      "meshes.",
       result.problem, faces, result.orientations, result.reference, machine.processor, machine.compiler,
       kLongestEvaluation_ms);
   return figure;

@@ -29,7 +29,7 @@ Eigen::Matrix3d matrix_from(const Json& json);
 /// "inf" in both.
 enum class Notation : std::uint8_t { decimal, hexadecimal };
 Json number_json(double x, Notation notation);
-Json vector_json(const Eigen::Vector3d& x, Notation notation);
+Json vector_json(const Eigen::Vector3d& x, Notation notation = Notation::hexadecimal);
 /// A number in either notation.
 double number_in_either_notation(const Json& json);
 

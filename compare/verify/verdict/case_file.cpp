@@ -20,16 +20,12 @@
 namespace pcm::compare {
 namespace {
 
-Json to_json(const Eigen::Vector3d& x) {
-  return {hexadecimal(x.x()), hexadecimal(x.y()), hexadecimal(x.z())};
-}
-
 Json to_json(const MovingPose& state) {
   Json json;
   json["A"] = matrix_json(state.pose.A);
-  json["r"] = to_json(state.pose.r);
-  json["v"] = to_json(state.velocity.v);
-  json["w"] = to_json(state.velocity.w);
+  json["r"] = vector_json(state.pose.r);
+  json["v"] = vector_json(state.velocity.v);
+  json["w"] = vector_json(state.velocity.w);
   return json;
 }
 
@@ -90,7 +86,7 @@ TriangleMesh mesh_from(const Json& json, const std::filesystem::path& folder, st
 
 template <typename Crossing>
 Json crossing_json(const Crossing& x) {
-  return {x.edge_side == Side::E ? "E" : "F", x.edge[0], x.edge[1], x.face, to_json(x.position_Me)};
+  return {x.edge_side == Side::E ? "E" : "F", x.edge[0], x.edge[1], x.face, vector_json(x.position_Me)};
 }
 
 /// What both result types name alike.
@@ -106,7 +102,7 @@ Json common_facts(const Answer& answer) {
     side["intersected"] = area.intersected;
     side["inner"] = area.inner;
     side["area"] = hexadecimal(area.area);
-    side["vector_area"] = to_json(area.vector_area_Me);
+    side["vector_area"] = vector_json(area.vector_area_Me);
     return side;
   };
   json["E"] = active(answer.E);
@@ -114,12 +110,12 @@ Json common_facts(const Answer& answer) {
   json["elements"] = Json::array();
   for (const auto& e : answer.elements)
     json["elements"].push_back({e.master == Side::E ? "E" : "F", e.master_face, e.slave_face, hexadecimal(e.area),
-                                hexadecimal(e.penetration), to_json(e.position_Me), to_json(e.force_Me)});
+                                hexadecimal(e.penetration), vector_json(e.position_Me), vector_json(e.force_Me)});
   json["too_deep"] = answer.too_deep;
   json["max_penetration"] = hexadecimal(answer.max_penetration);
   json["penetration_exceeded"] = answer.penetration_exceeded;
-  json["force"] = to_json(answer.force_Me);
-  json["torque"] = to_json(answer.torque_Me);
+  json["force"] = vector_json(answer.force_Me);
+  json["torque"] = vector_json(answer.torque_Me);
   return json;
 }
 

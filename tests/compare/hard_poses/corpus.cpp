@@ -9,13 +9,6 @@
 #include "compare/io/question_json.h"
 
 namespace pcm::compare::hard_poses_test {
-namespace {
-
-Json vector_in_hexadecimal(const Eigen::Vector3d& x) {
-  return vector_json(x, Notation::hexadecimal);
-}
-
-}  // namespace
 
 const std::vector<std::string>& searched_pairs() {
   static const std::vector<std::string> names{"cube-cube",        "slab-gridded cube",  "wedges",
@@ -45,9 +38,9 @@ std::string corpus_text(const std::vector<CorpusPose>& poses) {
     json["scheme"] = std::string(name(pose.scheme));
     json["hard_for"] = pose.hard_for;
     json["A"] = matrix_json(pose.pose.A);
-    json["r"] = vector_in_hexadecimal(pose.pose.r);
-    json["force"] = vector_in_hexadecimal(pose.true_force_Me);
-    json["torque"] = vector_in_hexadecimal(pose.true_torque_Me);
+    json["r"] = vector_json(pose.pose.r);
+    json["force"] = vector_json(pose.true_force_Me);
+    json["torque"] = vector_json(pose.true_torque_Me);
     json["margin"] = hexadecimal(pose.margin);
     json["error_over_bound"] = hexadecimal(pose.error_over_bound);
     text += json_line(json) + (&pose == &poses.back() ? "\n" : ",\n");

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <utility>
+#include <vector>
+
 namespace pcm::fast {
 namespace {
 
@@ -15,6 +19,12 @@ LineTrace trace_of(std::vector<Index> slave_faces, std::vector<Index> own_faces)
   trace.own_searched = 2;
   trace.own_listed = true;
   return trace;
+}
+
+/// Whether the faces that the line of a face may meet are known; asked about faces in their order.
+bool holds(LineMemory& memory, Index face) {
+  const LineMemory::Line* const line = memory.recall(face);
+  return line != nullptr && memory.holds(*line);
 }
 
 std::vector<Index> slave_faces_of(const LineMemory& memory, const LineMemory::Line& line) {
@@ -39,7 +49,9 @@ TEST(LineMemory, KnowsOfThoseLinesThatItWasToldOfAtThePoseBefore) {
   EXPECT_EQ(line->slave_nearby, 50);
   EXPECT_FALSE(memory.holds(*line));
   EXPECT_EQ(memory.recall(6), nullptr);
-  EXPECT_EQ(memory.recall(9)->slave_nearby, -1);
+  const LineMemory::Line* const beside_none = memory.recall(9);
+  ASSERT_NE(beside_none, nullptr);
+  EXPECT_EQ(beside_none->slave_nearby, -1);
   EXPECT_EQ(memory.recall(10), nullptr);
   memory.start(0.5, 1, 0.5);
   EXPECT_EQ(memory.recall(5), nullptr) << "nothing was kept";
@@ -76,10 +88,14 @@ TEST(LineMemory, HoldsAsLongAfterTravelIsCountedAnew) {
   memory.keep(3, 7, trace_of({7}, {}));
   memory.start_travel_anew(4.5);
   memory.start(0.25, 1, 0.5);
-  EXPECT_TRUE(memory.holds(*memory.recall(3)));
-  memory.keep(*memory.recall(3), 7);
+  EXPECT_TRUE(holds(memory, 3));
+  const LineMemory::Line* const line = memory.recall(3);
+  ASSERT_NE(line, nullptr);
+  memory.keep(*line, 7);
   memory.start(0.5, 1, 0.5);
-  EXPECT_FALSE(memory.holds(*memory.recall(3)));
+  const LineMemory::Line* const later = memory.recall(3);
+  ASSERT_NE(later, nullptr);
+  EXPECT_FALSE(memory.holds(*later));
 }
 
 TEST(LineMemory, OtherFacesOfTheMasterThatAreNotListedHoldNowhere) {
@@ -89,7 +105,9 @@ TEST(LineMemory, OtherFacesOfTheMasterThatAreNotListedHoldNowhere) {
   trace.own_listed = false;
   memory.keep(3, 7, trace);
   memory.start(0, 1, 0.5);
-  EXPECT_EQ(memory.recall(3)->own_searched, -std::numeric_limits<double>::infinity());
+  const LineMemory::Line* const line = memory.recall(3);
+  ASSERT_NE(line, nullptr);
+  EXPECT_EQ(line->own_searched, -std::numeric_limits<double>::infinity());
 }
 
 TEST(LineMemory, ALineAmongManyFacesIsToBeSearchedForAgain) {
@@ -98,7 +116,7 @@ TEST(LineMemory, ALineAmongManyFacesIsToBeSearchedForAgain) {
   memory.keep(3, 7, trace_of(std::vector<Index>(6, 7), std::vector<Index>(6, 1)));
   memory.keep(4, 8, trace_of(std::vector<Index>(6, 7), std::vector<Index>(7, 1)));
   memory.start(0, 1, 0.5);
-  EXPECT_TRUE(memory.holds(*memory.recall(3)));
+  EXPECT_TRUE(holds(memory, 3));
   const LineMemory::Line* const among_many = memory.recall(4);
   ASSERT_NE(among_many, nullptr);
   EXPECT_FALSE(memory.holds(*among_many));

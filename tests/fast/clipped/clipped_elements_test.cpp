@@ -13,6 +13,7 @@ namespace pcm::fast::clipped_elements_test {
 namespace {
 
 using namespace test;
+using degenerate::joined;
 using Eigen::Vector3d;
 
 constexpr double kPi = 3.14159265358979323846;
@@ -20,14 +21,6 @@ constexpr double kPi = 3.14159265358979323846;
 Contact clipped(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose = {},
                 const ContactLaw& law = stiffness(1), Mode mode = Mode::E, const Velocity& velocity = {}) {
   return answer(E, F, pose, law, mode, velocity, {}, Scheme::clipped);
-}
-
-/// One surface of two components.
-TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
-  const auto first = static_cast<Index>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const Triangle& t : b.faces) a.faces.push_back({t[0] + first, t[1] + first, t[2] + first});
-  return a;
 }
 
 void expect_near(const Vector3d& a, const Vector3d& b, double tolerance) {
@@ -173,7 +166,7 @@ TEST(ClippedElements, PlateUnderALargeFaceFeelsNothingOfThePinBesideIt) {
   const TriangleMesh plate = generate::box(Vector3d(-1, -1, -0.125), Vector3d(1, 1, 1));
   const auto force = [&](double pin_bottom, Mode mode) {
     const TriangleMesh pin = generate::box(Vector3d(2, 0, pin_bottom), Vector3d(2.5, 0.5, 1));
-    return clipped(together(plate, pin), floor, {}, stiffness(1), mode).force_Me.z();
+    return clipped(joined(plate, pin), floor, {}, stiffness(1), mode).force_Me.z();
   };
   for (const Mode mode : {Mode::E, Mode::F}) {
     EXPECT_NEAR(force(0.25, mode), 0.125 * 4, 1e-15);
@@ -211,11 +204,11 @@ TEST(ClippedElements, FacesWhoseBarycentreIsTooDeepAreCountedAsInTheBarycentricS
 TEST(ClippedElements, SecondSheetBehindTheFirstCarriesNothing) {
   // Two boxes pushed into a floor at different depths, and a third one wholly inside, beneath both.
   const TriangleMesh floor = generate::box(Vector3d(-8, -8, -4), Vector3d(8, 8, 0));
-  const TriangleMesh two = together(generate::box(Vector3d(-2, -1, -0.25), Vector3d(-0.5, 1, 1)),
-                                    generate::box(Vector3d(0.5, -1, -0.5), Vector3d(1, 1, 1)));
+  const TriangleMesh two = joined(generate::box(Vector3d(-2, -1, -0.25), Vector3d(-0.5, 1, 1)),
+                                  generate::box(Vector3d(0.5, -1, -0.5), Vector3d(1, 1, 1)));
   const double expected = -(0.25 * 3 + 0.5 * 1);
   EXPECT_NEAR(clipped(floor, two).force_Me.z(), expected, 1e-14);
-  const TriangleMesh three = together(two, generate::box(Vector3d(-3, -2, -2), Vector3d(3, 2, -1)));
+  const TriangleMesh three = joined(two, generate::box(Vector3d(-3, -2, -2), Vector3d(3, 2, -1)));
   EXPECT_NEAR(clipped(floor, three).force_Me.z(), expected, 1e-14);
 }
 

@@ -232,11 +232,8 @@ TEST(EngineAgainstBruteForce, FacesThatCoincideInWhateverOrder) {
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
   const TriangleMesh E = generate::gridded_box({-0.3125, -0.3125, -1}, {0.3125, 0.3125, 1}, {3, 3, 1});
-  TriangleMesh F = generate::gridded_box({-1, -1, 0.5}, {1, 1, 0.75}, {4, 4, 1});
-  const TriangleMesh upper = generate::gridded_box({-1.25, -1.5, 0.75}, {1.5, 1.25, 1.5}, {3, 5, 1});
-  const auto first = static_cast<Index>(F.vertices.size());
-  F.vertices.insert(F.vertices.end(), upper.vertices.begin(), upper.vertices.end());
-  for (const Triangle& t : upper.faces) F.faces.push_back({t[0] + first, t[1] + first, t[2] + first});
+  TriangleMesh F = degenerate::joined(generate::gridded_box({-1, -1, 0.5}, {1, 1, 0.75}, {4, 4, 1}),
+                                      generate::gridded_box({-1.25, -1.5, 0.75}, {1.5, 1.25, 1.5}, {3, 5, 1}));
   Workspace workspace;
   for (int i = 0; i < 20; ++i) {
     std::shuffle(F.faces.begin(), F.faces.end(), random);
@@ -259,7 +256,7 @@ TEST(EngineAgainstBruteForce, NarrowFacesWithinRoundingsOfBarycentres) {
     const Eigen::Matrix3d any = turned(3 * uniform(random), {}).A *
                                 Eigen::AngleAxisd(uniform(random), Eigen::Vector3d::UnitX()).toRotationMatrix();
     const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.9 * uniform(random), Eigen::Vector3d::UnitY()).toRotationMatrix();
-    // Through the barycentres of the first faces in each cell of the middle column of E's top.
+    // Through the barycentres of one of the two faces in each cell of the middle column of E's top, by turns.
     const Eigen::Vector3d row(i % 2 == 0 ? 1.0 / 9 : -1.0 / 9, 0, 1);
     TriangleMesh E = plain_E, F = plain_F;
     for (Eigen::Vector3d& x : E.vertices) x = any * x;

@@ -11,6 +11,7 @@
 #include <random>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/bodies.h"
@@ -125,7 +126,7 @@ TEST(FastAgainstTwin, AgreesWhereOpenStripsLeaveFacesAmbiguous) {
       const Eigen::Vector3d middle(0.7 * uniform(random), 0.7 * uniform(random), 1);
       TriangleMesh strip = generate::rectangle(0.4 + 0.2 * uniform(random), 0.5);
       for (Eigen::Vector3d& x : strip.vertices) x = upright * x + middle;
-      strips = k == 0 ? strip : degenerate::joined(strips, strip);
+      strips = degenerate::joined(std::move(strips), strip);
     }
     ambiguous += compare(E, strips, {}).ambiguous ? 1 : 0;
   }
