@@ -63,6 +63,15 @@ def planted_mutant(read, room):
     return by_hand(file, before, after, why, read(file))
 
 
+def refuse_no_program_by_hand(mutant, entry):
+    """One that is drawn is replaced by the next; one chosen by hand that compiles no more is to be written anew."""
+    if mutant.kind == "by hand" and entry["state"] == NO_PROGRAM:
+        raise Refused(
+            f"hand_picked.py: {mutant.file} does not compile with {mutant.after!r} in place of {mutant.before!r} "
+            f"({mutant.why}):\n{entry['message']}"
+        )
+
+
 class Campaign:
     """`names` of checks; with `all_checks` each of them is asked of every mutant, otherwise until one has caught it.
     `ladder`: numbers of poses of verify."""
@@ -142,7 +151,7 @@ class Campaign:
     def _is_known(self, mutant):
         """Whether nothing would be learnt by trying it again."""
         entry = self._results.get(mutant.id)
-        if entry is None:
+        if entry is None or (mutant.kind == "by hand" and entry["state"] == NO_PROGRAM):
             return False
         found = self._found_before(mutant)
         caught = any(one["by"] for one in found.values())
@@ -174,6 +183,7 @@ class Campaign:
         begin = time.monotonic()
         entry = self._try(mutant, self._names, self._all_checks, self._found_before(mutant))
         entry["clock_seconds"] = round(time.monotonic() - begin, 1)
+        refuse_no_program_by_hand(mutant, entry)
         self._results.add(entry)
         by = ", ".join(f"{name}: {found['by'] or 'passed'}" for name, found in entry["checks"].items())
         self._say(f"{entry['state']:<13} {entry['file']}:{entry['line']} {mutant.kind}  {by}")

@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 import checks
 import draw
 import report
-from campaign import Results, picked_mutants, planted_mutant
+from campaign import NO_PROGRAM, Refused, Results, picked_mutants, planted_mutant, refuse_no_program_by_hand
 from draw import first_drawn
 from hand_picked import PICKED
 from mutant import BadMutant, Mutant, by_hand
@@ -129,6 +129,12 @@ class Picked(unittest.TestCase):
         for before in ("b", "x"):
             with self.assertRaises(BadMutant):
                 by_hand("fast/a.cpp", before, "c", "why", "a b b")
+
+    def test_that_do_not_compile_are_refused_where_a_drawn_one_is_replaced(self):
+        entry = {"state": NO_PROGRAM, "message": "no such name"}
+        with self.assertRaisesRegex(Refused, "fast/a.cpp.*why.*\n.*no such name"):
+            refuse_no_program_by_hand(by_hand("fast/a.cpp", "b", "c", "why", "a b"), entry)
+        refuse_no_program_by_hand(Mutant("fast", "fast/a.cpp", 2, "b", "c", "call"), entry)
 
     def test_are_known_again_where_lines_have_moved(self):
         one = by_hand("fast/a.cpp", "b", "c", "why", "a b")

@@ -160,9 +160,10 @@ TEST(ClippedClamp, OnAPlateTakesAwayWhatTheBodyLiftedByItWouldFeel) {
   const Eigen::Matrix3d corner_down =
       Eigen::Quaterniond::FromTwoVectors(Vector3d(1.1, 1, 0.9), Vector3d(0, 0, 1)).toRotationMatrix();
   const Eigen::Matrix3d apex_down = Eigen::AngleAxisd(3, Vector3d::UnitX()).toRotationMatrix();
-  const std::pair<TriangleMesh, Eigen::Matrix3d> bodies[] = {{generate::icosphere(1, 2), turned(0.8, {}).A},
-                                                             {generate::box(Vector3d(1, 0.8, 1.2)), corner_down},
-                                                             {generate::cone(0.7, 1.5, 24), apex_down}};
+  const std::pair<TriangleMesh, Eigen::Matrix3d> bodies[] = {
+      {generate::icosphere(1, 2), turned(0.8, Eigen::Vector3d::Zero()).A},
+      {generate::box(Vector3d(1, 0.8, 1.2)), corner_down},
+      {generate::cone(0.7, 1.5, 24), apex_down}};
   for (const auto& [body, A] : bodies) {
     for (const double angle : {0.4, 1.3, 2.9}) {
       Pose pose;

@@ -51,7 +51,7 @@ TEST(ClippedElements, PlateAsMasterFeelsTheImmersedVolumeThroughItsCentroid) {
   const Eigen::Matrix3d corner_down =
       Eigen::Quaterniond::FromTwoVectors(Vector3d(1.1, 1, 0.9), Vector3d(0, 0, 1)).toRotationMatrix();
   const Eigen::Matrix3d apex_down = Eigen::AngleAxisd(kPi - 0.2, Vector3d::UnitX()).toRotationMatrix();
-  const Eigen::Matrix3d any = turned(0.8, {}).A;
+  const Eigen::Matrix3d any = turned(0.8, Eigen::Vector3d::Zero()).A;
   const std::pair<TriangleMesh, Eigen::Matrix3d> bodies[] = {
       {generate::icosphere(1, 3), any},
       {generate::cone(0.7, 1.5, 24), apex_down},

@@ -253,7 +253,7 @@ TEST(EngineAgainstBruteForce, NarrowFacesWithinRoundingsOfBarycentres) {
   const TriangleMesh plain_F = generate::gridded_box({3, 3, 3}, {1, 200, 1});
   Workspace workspace;
   for (int i = 0; i < 12; ++i) {
-    const Eigen::Matrix3d any = turned(3 * uniform(random), {}).A *
+    const Eigen::Matrix3d any = turned(3 * uniform(random), Eigen::Vector3d::Zero()).A *
                                 Eigen::AngleAxisd(uniform(random), Eigen::Vector3d::UnitX()).toRotationMatrix();
     const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.9 * uniform(random), Eigen::Vector3d::UnitY()).toRotationMatrix();
     // Through the barycentres of one of the two faces in each cell of the middle column of E's top, by turns.

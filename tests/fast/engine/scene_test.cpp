@@ -174,7 +174,7 @@ TEST(Scene, FarFromTheOriginBoxesOfTouchingBodiesStillTouch) {
       s->add_pairing(0, 1);
       BodyState E, F;
       E.pose.r = {0x1p40, 0x1p40, 0x1p40};
-      E.pose.A = test::turned(0.3, {}).A;
+      E.pose.A = test::turned(0.3, Eigen::Vector3d::Zero()).A;
       F.pose.A = E.pose.A;
       F.pose.r = E.pose.r + E.pose.A.col(0) + Vector3d::Constant(k * 0x1p-13);
       s->move({E, F});
