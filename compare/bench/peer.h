@@ -18,7 +18,7 @@
 /// too (compare/contestants/contestant.h).
 namespace pcm::compare {
 
-/// One that is timed in the table, ours included, set up for two surfaces. Setting it up is not measured.
+/// One that is timed in the table, ours included, set up for two surfaces.
 class Peer {
  public:
   Peer() = default;

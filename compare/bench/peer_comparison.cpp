@@ -21,8 +21,10 @@ PeerComparison run_body(const BenchBody& body, Distance distance, std::int64_t n
   std::vector<std::unique_ptr<Peer>> running;
   for (PeerEntry& entry : all_peers()) {
     if (distance == Distance::separated && !entry.separated_too) continue;
-    running.push_back(entry.make ? entry.make(body.mesh, body.mesh) : nullptr);
-    result.peers.push_back({std::move(entry), {}, 0});
+    running.emplace_back();
+    double setup_us = 0;
+    if (entry.make) setup_us = least_time_us([&] { running.back() = entry.make(body.mesh, body.mesh); });
+    result.peers.push_back({std::move(entry), 1e-3 * setup_us, {}, 0});
   }
   for (const Pose& pose : bench_poses(body.mesh, distance, number))
     for (std::size_t c = 0; c < running.size(); ++c) {

@@ -18,6 +18,7 @@ namespace pcm::compare {
 /// What a peer needed over all poses of a body.
 struct PeerResult {
   PeerEntry entry;
+  double setup_ms = 0;          ///< of both surfaces
   std::vector<Timing> timings;  ///< by pose
   double found = 0;             ///< mean over the poses
 
@@ -39,7 +40,7 @@ std::vector<PeerComparison> compare_peers(const std::vector<BenchBody>& bodies, 
                                           const std::function<void(const std::string&)>& progress);
 
 /// All results in one table. Ratios are of medians, to `everything` and to `force and torque` of the barycentric
-/// engine; preparation is not in them.
+/// engine; setup and preparation are not in them.
 Table peers_table(const std::vector<PeerComparison>& results);
 /// For a screen, bodies side by side; and in Markdown, with all there is to know.
 std::string peers_screen(const std::vector<PeerComparison>& results, const Machine& machine);

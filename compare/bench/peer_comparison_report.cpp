@@ -14,8 +14,8 @@ std::string name(Distance distance) {
 std::string protocol(const std::vector<PeerComparison>& results) {
   return fmt::format(
       "{} poses a body, each peer at each pose in turn, the least of up to five times after one unmeasured, one\n"
-      "thread. Setting up is not counted, nor what must happen before each query (moving the second mesh for CGAL,\n"
-      "refitting its tree for Embree). Ratios of medians to the whole barycentric evaluation.\n",
+      "thread. Ratios of medians to the whole barycentric evaluation; in none of these times is setting up, nor what\n"
+      "must happen before each query (moving the second mesh for CGAL, refitting its tree for Embree).\n",
       results.front().peers.front().timings.size());
 }
 
@@ -32,7 +32,7 @@ std::vector<TableCell> row(const PeerComparison& result, const PeerResult& peer)
   std::vector<TableCell> cells{result.body, name(result.distance), entry.who};
   if (peer.timings.empty()) {
     cells.emplace_back("not in this build: " + entry.debian_package);
-    while (cells.size() < 11) cells.push_back(empty_cell());
+    while (cells.size() < 12) cells.push_back(empty_cell());
     return cells;
   }
   const double preparation = peer.median_preparation_us();
@@ -48,6 +48,7 @@ std::vector<TableCell> row(const PeerComparison& result, const PeerResult& peer)
   cells.push_back(ratio_to(1));
   cells.push_back({fmt::format("{:.1f}", peer.found), peer.found});
   cells.emplace_back(entry.finds);
+  cells.push_back(number_cell(peer.setup_ms, 3));
   return cells;
 }
 
@@ -62,7 +63,8 @@ Table table_of(const PeerComparison& result) {
                {"to all", "ratio_to_all"},
                {"to force", "ratio_to_force"},
                {"found", "found"},
-               {"of what", "finds", false}},
+               {"of what", "finds", false},
+               {"setup ms", "setup_ms"}},
               {}};
   for (const PeerResult& peer : result.peers) table.rows.push_back(row(result, peer));
   return table;
@@ -119,8 +121,7 @@ std::string peers_markdown(const std::vector<PeerComparison>& results, const Mac
   std::string text = fmt::format(
       "# pcm bench peers\n\n{}\n\n{}\n`before us`: median time of what must happen before each query. `to all`, `to "
       "force`: ratio of medians to everything and to force and torque of the barycentric engine. `found`: mean over "
-      "the "
-      "poses.\n",
+      "the poses. `setup ms`: of both surfaces; whatever a peer leaves to its first queries is in these.\n",
       describe(machine), protocol(results));
   for (const PeerComparison& result : results)
     text += fmt::format("\n## {}\n\n{}", title(result), markdown(without_body(table_of(result))));

@@ -60,7 +60,19 @@ fast::Surface prepared_sphere(Index level, SetupResult& setup) {
   std::optional<fast::Surface> surface;
   setup.setup_ms = 1e-3 * time_us([&] { surface.emplace(std::move(mesh)); });
   setup.bytes_a_face = std::max(0.0, heap_bytes() - heap_before) / static_cast<double>(setup.faces);
+  setup.rest_ms = 1e-3 * time_us([&] { surface->prepare_all_faces(); });
   return *surface;
+}
+
+/// Milliseconds that FCL takes to build its tree for one surface; 0 where it is not there.
+double time_of_fcl_ms(const TriangleMesh& mesh) {
+  const std::vector<PeerEntry> all = all_peers();
+  const auto fcl = std::find_if(all.begin(), all.end(), [](const PeerEntry& entry) {
+    return entry.make && entry.debian_package == "libfcl-dev";
+  });
+  if (fcl == all.end()) return 0;
+  // It sets two up.
+  return 0.5 * 1e-3 * time_us([&] { fcl->make(mesh, mesh); });
 }
 
 Pose pose_at(double depth, std::uint64_t number) {
@@ -154,6 +166,7 @@ ScalingResult run_scaling(Index finest, std::int64_t poses, const std::function<
       for (const double depth : {1e-4, 3e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3})
         patch.points.push_back(measure(spheres, depth, poses));
     setup.peak_megabytes = peak_megabytes();
+    setup.fcl_ms = time_of_fcl_ms(E.mesh());
     result.setups.push_back(setup);
   }
   // A pose in which nothing touches has no place on a logarithmic scale.

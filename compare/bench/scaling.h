@@ -24,6 +24,8 @@ inline constexpr std::size_t kAsked = 5;
 struct SetupResult {
   std::int64_t faces = 0;     ///< of each surface
   double setup_ms = 0;        ///< of one surface
+  double rest_ms = 0;         ///< of what is left to contacts, were it computed for all faces
+  double fcl_ms = 0;          ///< of FCL's tree for the same surface; 0 where the program was built without it
   double bytes_a_face = 0;    ///< what a prepared surface holds; 0 where the allocator doesn't tell
   double peak_megabytes = 0;  ///< greatest resident set of the program so far, two surfaces of this size in it
 };

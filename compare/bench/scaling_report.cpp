@@ -64,12 +64,17 @@ Table setup_table(const ScalingResult& result) {
   Table table{{{"faces of each surface", "faces"},
                {"setup ms", "setup_ms"},
                {"setup us/face", "setup_us_a_face"},
+               {"all faces ms", "rest_ms"},
+               {"FCL's tree ms", "fcl_ms"},
+               {"setup/FCL's", "setup_over_fcl"},
                {"bytes/face", "bytes_a_face"},
                {"peak MB", "peak_megabytes"}},
               {}};
   for (const SetupResult& s : result.setups)
     table.rows.push_back({count_cell(s.faces), number_cell(s.setup_ms, 3),
-                          number_cell(1e3 * s.setup_ms / static_cast<double>(s.faces), 2),
+                          number_cell(1e3 * s.setup_ms / static_cast<double>(s.faces), 2), number_cell(s.rest_ms, 3),
+                          s.fcl_ms > 0 ? number_cell(s.fcl_ms, 3) : empty_cell(),
+                          s.fcl_ms > 0 ? number_cell(s.setup_ms / s.fcl_ms, 2) : empty_cell(),
                           s.bytes_a_face > 0 ? number_cell(s.bytes_a_face, 3) : empty_cell(),
                           number_cell(s.peak_megabytes, 3)});
   return table;
@@ -120,9 +125,12 @@ std::string scaling_markdown(const ScalingResult& result, const Machine& machine
     text += fmt::format("\n## {}\n\n{}.\n\n{}", series.name, series.explanation,
                         markdown(without_series(table_of(series))));
   return text + "\n## Exponents\n\n" + markdown(exponents_table(result)) +
-         "\n## Setup and memory\n\n`bytes/face`: what a prepared surface holds, its mesh included; `peak MB`: "
-         "resident, "
-         "two surfaces of that size and their workspace.\n\n" +
+         "\n## Setup and memory\n\n`setup`: of one surface; `all faces`: what waits until a contact first asks for a "
+         "face, "
+         "were it computed for all of them at once; `FCL's tree`: its OBBRSS for the same surface; `bytes/face`: what "
+         "a "
+         "prepared surface holds, its mesh included; `peak MB`: resident, two surfaces of that size and their "
+         "workspace.\n\n" +
          markdown(setup_table(result));
 }
 

@@ -27,6 +27,10 @@ struct Timing {
 /// least time of each counts: whatever disturbs a machine adds time.
 Timing least_time(const std::function<void()>& prepare, const std::function<void()>& query);
 
+/// The least of up to five times, no more asked for once 50 ms are spent, of work that is done anew each time: the
+/// first counts too.
+double least_time_us(const std::function<void()>& work);
+
 /// The value below which this part of the values lies, by the nearest rank; 0 where there are none.
 double quantile(std::vector<double> values, double part);
 

@@ -230,7 +230,7 @@ std::optional<Penetration> follow_line(PosedPair& posed, Side master, Index face
 
 bool thicker_than(const PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, double distance) {
   const PreparedSurface& surface = posed.surface(master);
-  return distance < surface.thickness[static_cast<std::size_t>(face)] &&
+  return distance < thickness(surface, face) &&
          thickness_holds(surface, posed.placement.vertex_error(master), geometry);
 }
 

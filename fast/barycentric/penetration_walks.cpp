@@ -55,8 +55,8 @@ Index walk_from_neighbour(PosedPair& posed, Side master, const ElementLanes& lan
 /// What `decide` needs to know of a lane's master face and of the slave's face that a walk came to.
 void enter_match(PosedPair& posed, Side master, Index face, Index met, ElementLanes& lanes, std::size_t lane) {
   enter_corners(posed, opposite(master), met, lanes.slave_corners, lane);
-  lanes.thickness[lane] = &posed.surface(master).thickness[static_cast<std::size_t>(face)];
-  lanes.clearance[lane] = &posed.surface(opposite(master)).clearance[static_cast<std::size_t>(met)];
+  lanes.thickness.value[lane] = thickness(posed.surface(master), face);
+  lanes.clearance[lane] = clearance(posed.surface(opposite(master)), met);
 }
 
 DecisionLimits decision_limits(const PosedPair& posed, Side master) {

@@ -162,13 +162,12 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
 OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,
                                 double deepest) {
   const PreparedSurface& surface = posed.surface(master);
-  const auto i = static_cast<std::size_t>(face);
-  const ThicknessEverywhere& thickness = surface.thickness_everywhere;
+  const ThicknessEverywhere thickness = thickness_everywhere(surface, face);
   // F's parts are seen through roundings of its vertices, which may differ by more than the vertices do.
   const double vertex_error = master == Side::E ? 0 : posed.placement.position_error_F;
-  const double known = master == Side::E ? thickness.exact[i] : thickness.rounded[i];
+  const double known = master == Side::E ? thickness.exact : thickness.rounded;
   if (!(deepest < known && thickness_holds(surface, vertex_error, geometry))) return OwnFacesBefore::some;
-  if (surface.clear_of_neighbours[i] && deepest < thickness.tolerant[i]) return OwnFacesBefore::none;
+  if (thickness.clear_of_neighbours && deepest < thickness.tolerant) return OwnFacesBefore::none;
   if (master == Side::E) return OwnFacesBefore::none;
   return posed.placement.skew > kGreatestSkew ? OwnFacesBefore::some : OwnFacesBefore::leaning;
 }
@@ -200,7 +199,7 @@ void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& 
   // Where nothing lies before any listed face it need not be known which of them the barycentre's line meets.
   bool thick = surely_thick(depths.any());
   // A face that touches the master's plane from above hides nothing, but the barycentre's line meets it.
-  const double thickness_at_barycentre = posed.surface(master).thickness[static_cast<std::size_t>(face)];
+  const double thickness_at_barycentre = thickness(posed.surface(master), face);
   const bool thick_at_barycentre = thick && depths.any() < thickness_at_barycentre;
   if (!thick_at_barycentre) look_along_barycentre(posed.surface(opposite(master)), prism, scratch, view, depths);
   if (!thick) thick = surely_thick(depths.deepest);

@@ -107,6 +107,11 @@ bool Surface::closed() const {
   return data_->closed;
 }
 
+void Surface::prepare_all_faces() const {
+  const DefaultFloatingPoint environment;
+  look_around_all_faces(*data_);
+}
+
 Pairing::Pairing(Surface surface_E, Surface surface_F, ContactLaw law, Mode mode, Scheme scheme)
     : surface_E_(std::move(surface_E)),
       surface_F_(std::move(surface_F)),

@@ -121,18 +121,18 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   };
   const auto beneath = [&lanes](std::size_t cone) {
     const auto& c = lanes.clearance;
-    return Double4{c[0]->beneath[cone], c[1]->beneath[cone], c[2]->beneath[cone], c[3]->beneath[cone]};
+    return Double4{c[0].beneath[cone], c[1].beneath[cone], c[2].beneath[cone], c[3].beneath[cone]};
   };
   const auto above = [&lanes](std::size_t cone) {
-    const auto of = [&](std::size_t lane) { return lanes.clearance[lane]->above[cone] ? 1.0 : 0.0; };
+    const auto of = [&](std::size_t lane) { return lanes.clearance[lane].above[cone] ? 1.0 : 0.0; };
     return Double4{of(0), of(1), of(2), of(3)};
   };
-  const Double4 thickness{*lanes.thickness[0], *lanes.thickness[1], *lanes.thickness[2], *lanes.thickness[3]};
   const Double4 farthest = distance + four(limits.error);
   const Long4 left = fair & (distance > four(limits.error));
   const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_max_coordinate);
-  const Long4 thick = (farthest < thickness) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
-                                                four(limits.thick_area) * load(lanes.area));
+  const Long4 thick =
+      (farthest < load(lanes.thickness)) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
+                                            four(limits.thick_area) * load(lanes.area));
   DecidedLanes decided;
   decided.nothing = lanes_of(fair & (distance < four(-limits.error)) & (by_cone(above) > four(0)));
   decided.left = lanes_of(left);

@@ -55,8 +55,8 @@ struct ElementLanes : FoundLanes {
   std::array<DoubleLanes, 2> side;  ///< 1-norms of p1 - p0 and p2 - p0, m
   // For `decide`.
   CornerLanes slave_corners{};
-  std::array<const double*, kElementLanes> thickness{};     ///< PreparedSurface::thickness of the master faces, m
-  std::array<const Clearance*, kElementLanes> clearance{};  ///< of the slave faces
+  DoubleLanes thickness;                             ///< of the master faces, fast/surface/thickness.h, m
+  std::array<Clearance, kElementLanes> clearance{};  ///< of the slave faces
   // `decide` fills depth.
   // What `force` fills: see Element; the torque is about Mf.
   DoubleLanes normal_velocity, tangential_velocity, normal_force, tangential_force;

@@ -10,6 +10,8 @@
 #include <limits>
 #include <utility>
 
+#include "fast/surface/open_nodes.h"
+
 namespace pcm::fast {
 
 namespace {
@@ -140,14 +142,13 @@ double least_depth(const Region& region, const PreparedSurface& surface, const T
 
 /// A lower bound of the depth at which another face reaches into K of `face`. Looks no further once it is known to be
 /// less than `enough`, nor closely where it exceeds `far`.
-double least_depth_in(const Region& region, const PreparedSurface& surface, Index face, double enough, double far,
-                      std::vector<std::pair<double, Index>>& open) {
+double least_depth_in(const Region& region, const PreparedSurface& surface, Index face, double enough, double far) {
   const Triangle& triangle = surface.face(face);
   double nearest = kInfinity;
-  open.assign(1, {0, 0});
+  OpenNodes<std::pair<double, Index>> open;
+  open.push({0, 0});
   while (!open.empty() && nearest >= enough && nearest > 0) {
-    const auto [depth, index] = open.back();
-    open.pop_back();
+    const auto [depth, index] = open.pop();
     if (depth >= nearest) continue;
     const BoxNode& node = surface.tree.node(index);
     // A box that is small beside its depth, or far, stands for its faces.
@@ -161,7 +162,7 @@ double least_depth_in(const Region& region, const PreparedSurface& surface, Inde
       // The nearer one on top.
       if (children[0].first < children[1].first) std::swap(children[0], children[1]);
       for (const auto& child : children) {
-        if (child.first < nearest) open.push_back(child);
+        if (child.first < nearest) open.push(child);
       }
     } else if (node.face != face) {
       nearest = std::min(nearest, least_depth(region, surface, triangle, surface.face(node.face)));
@@ -177,34 +178,30 @@ float rounded_down(double x) {
 
 }  // namespace
 
-std::vector<Clearance> clearances(const PreparedSurface& surface) {
+Clearance find_clearance(const PreparedSurface& surface, Index face) {
   const double max_coordinate = surface.max_coordinates.maxCoeff();
   const double position_error = kPositionError * max_coordinate;
-  std::vector<Clearance> result(surface.mesh.faces.size());
-  std::vector<std::pair<double, Index>> open;
-  for (Index face = 0; face < static_cast<Index>(result.size()); ++face) {
-    const Triangle& triangle = surface.face(face);
-    const std::array<Eigen::Vector3d, 3> p{surface.vertex(triangle[0]), surface.vertex(triangle[1]),
-                                           surface.vertex(triangle[2])};
-    const double longest = std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
-    const Eigen::Vector3d N = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double turn = 2 * position_error * longest / N.norm();
-    if (!(turn < kGreatestTurn)) continue;
-    const Eigen::Vector3d n = N.normalized();
-    const auto least_depth_of = [&](const Eigen::Vector3d& down, std::size_t cone, double enough) {
-      return least_depth_in({p, down, kTangent[cone], position_error + turn * longest, turn}, surface, face, enough,
-                            kFar * max_coordinate, open);
-    };
-    Clearance& clearance = result[static_cast<std::size_t>(face)];
-    // What is clear of the wide cone is clear of the narrow one; where that is far, the difference hardly counts.
-    double depth = least_depth_of(-n, 1, 0);
-    clearance.beneath[1] = rounded_down(depth / max_coordinate);
-    if (depth < kFar * max_coordinate) depth = least_depth_of(-n, 0, 0);
-    clearance.beneath[0] = rounded_down(depth / max_coordinate);
-    clearance.above[1] = least_depth_of(n, 1, kInfinity) == kInfinity;
-    clearance.above[0] = clearance.above[1] || least_depth_of(n, 0, kInfinity) == kInfinity;
-  }
-  return result;
+  const Triangle& triangle = surface.face(face);
+  const std::array<Eigen::Vector3d, 3> p{surface.vertex(triangle[0]), surface.vertex(triangle[1]),
+                                         surface.vertex(triangle[2])};
+  const double longest = std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
+  const Eigen::Vector3d N = (p[1] - p[0]).cross(p[2] - p[0]);
+  const double turn = 2 * position_error * longest / N.norm();
+  if (!(turn < kGreatestTurn)) return {};
+  const Eigen::Vector3d n = N.normalized();
+  const auto least_depth_of = [&](const Eigen::Vector3d& down, std::size_t cone, double enough) {
+    return least_depth_in({p, down, kTangent[cone], position_error + turn * longest, turn}, surface, face, enough,
+                          kFar * max_coordinate);
+  };
+  Clearance clearance;
+  // What is clear of the wide cone is clear of the narrow one; where that is far, the difference hardly counts.
+  double depth = least_depth_of(-n, 1, 0);
+  clearance.beneath[1] = rounded_down(depth / max_coordinate);
+  if (depth < kFar * max_coordinate) depth = least_depth_of(-n, 0, 0);
+  clearance.beneath[0] = rounded_down(depth / max_coordinate);
+  clearance.above[1] = least_depth_of(n, 1, kInfinity) == kInfinity;
+  clearance.above[0] = clearance.above[1] || least_depth_of(n, 0, kInfinity) == kInfinity;
+  return clearance;
 }
 
 }  // namespace pcm::fast

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "fast/surface/prepared_surface.h"
 
@@ -17,10 +16,14 @@ inline constexpr std::array<double, 2> kConeCosine{0.79, 0.652};
 /// true.
 inline constexpr double kClearanceTolerance = 0x1p-30;
 
-/// The clearances of all faces. A steep line through a face stays within a cone about the normal, over all of the
-/// face's points: in the region K of the points at a depth h >= 0 whose feet are at most T h from the face, T somewhat
-/// greater than the tangent of the steepest angle. The least depth at which another face reaches into K bounds how near
-/// it may be met. Nothing is known of needles; infinite where no face is beneath. O(n log n).
-std::vector<Clearance> clearances(const PreparedSurface& surface);
+Clearance find_clearance(const PreparedSurface& surface, Index face);
+
+/// The face's clearance. A steep line through a face stays within a cone about the normal, over all of the face's
+/// points: in the region K of the points at a depth h >= 0 whose feet are at most T h from the face, T somewhat greater
+/// than the tangent of the steepest angle. The least depth at which another face reaches into K bounds how near it may
+/// be met. Nothing is known of needles; infinite where no face is beneath. Computed when first asked for.
+inline Clearance clearance(const PreparedSurface& surface, Index face) {
+  return surface.known_clearance.get(face, [&] { return find_clearance(surface, face); });
+}
 
 }  // namespace pcm::fast

@@ -184,11 +184,19 @@ std::string out_of_range(double max_coordinate) {
   surface.fewest_vertices = vertices_of_least_component(surface);
   surface.tree = BoxTree(surface.mesh);
   surface.wide_tree = WideTree(surface.mesh, surface.tree);
-  surface.thickness = lower_bounds_of_thickness(surface);
-  surface.thickness_everywhere = lower_bounds_of_thickness_everywhere(surface);
-  surface.clearance = clearances(surface);
-  surface.clear_of_neighbours = faces_clear_of_neighbours(surface);
+  const std::size_t faces = surface.mesh.faces.size();
+  surface.known_thickness = OnDemand<double>(faces);
+  surface.known_thickness_everywhere = OnDemand<ThicknessEverywhere>(faces);
+  surface.known_clearance = OnDemand<Clearance>(faces);
   return surface;
+}
+
+void look_around_all_faces(const PreparedSurface& surface) {
+  for (Index face = 0; face < static_cast<Index>(surface.mesh.faces.size()); ++face) {
+    thickness(surface, face);
+    thickness_everywhere(surface, face);
+    clearance(surface, face);
+  }
 }
 
 }  // namespace pcm::fast

@@ -12,6 +12,9 @@ namespace pcm::fast {
 /// (PCM section 2), out of range or has more faces than can be counted. O(n log n) in the number of faces.
 PreparedSurface prepare_surface(TriangleMesh mesh);
 
+/// Computes what else is computed for each face when a contact first asks for it. O(n log n).
+void look_around_all_faces(const PreparedSurface& surface);
+
 /// Greatest |coordinate| of the faces' vertices along each axis, m.
 Eigen::Vector3d max_coordinates_of(const TriangleMesh& mesh);
 

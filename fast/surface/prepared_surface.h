@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fast/base/box_tree.h"
+#include "fast/base/on_demand.h"
 #include "fast/surface/wide_tree.h"
 #include "pcm/triangle_mesh.h"
 
@@ -39,23 +40,27 @@ struct Clearance {
 };
 
 /// Lower bounds of the distance from any point of a face along its inward normal to the next face of the same surface
-/// (fast/surface/thickness.h), by face, m; infinite where nothing lies beneath.
+/// (fast/surface/thickness.h), m; infinite where nothing lies beneath.
 struct ThicknessEverywhere {
   /// What lies beneath the face is no nearer, but for slivers of rounding size beside faces that share a vertex with it
   /// and stand upright on it. 0 where a neighbour folds back beneath the face. Holds for lines that are a little off.
   /// At most `exact`.
-  std::vector<double> tolerant;
+  double tolerant = 0;
   /// No other face has a point strictly within the prism beneath the face, and nearer, exactly in the surface's own
   /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face
   /// by however little.
-  std::vector<double> exact;
+  double exact = 0;
   /// The same for the surface as a pose rounds its vertices (F's). Faces that touch the master's plane from above count
   /// as beneath it, for rounding may fold them under; what stands upright on the prism's sides does not count, though
   /// it may reach in by a rounding. At most `exact`.
-  std::vector<double> rounded;
+  double rounded = 0;
+  /// No face that shares a vertex with it reaches beneath it, by more than the tolerance: at each of its corners either
+  /// all faces look its way, or each lies beside one of its sides. False where it stands upright.
+  bool clear_of_neighbours = false;
 };
 
-/// What is derived from a mesh once, in the surface's own frame; read by every step of the evaluation.
+/// What is derived from a mesh once, in the surface's own frame; read by every step of the evaluation. What costs most,
+/// what each face has of its own surface near it, waits until a contact asks for that face.
 struct PreparedSurface {
   TriangleMesh mesh;
   /// Edges as pairs (smaller, greater vertex), in lexicographic order: comparing edge indices compares the pairs.
@@ -74,12 +79,10 @@ struct PreparedSurface {
   Eigen::Vector3d max_coordinates = Eigen::Vector3d::Zero();  ///< greatest |coordinate| along each axis, m
   double usual_edge = 0;                                      ///< median length of an edge, m
   Index fewest_vertices = 0;                                  ///< of a component
-  /// Lower bound of the distance from each face's barycentre along its inward normal to the next face of the same
-  /// surface, m; see fast/surface/thickness.h.
-  std::vector<double> thickness;
-  ThicknessEverywhere thickness_everywhere;  ///< the same over all points of each face
-  std::vector<bool> clear_of_neighbours;     ///< by face; see fast/surface/thickness.h
-  std::vector<Clearance> clearance;          ///< by face
+  // By face, on demand: thickness, thickness_everywhere and clearance of fast/surface read them.
+  OnDemand<double> known_thickness;
+  OnDemand<ThicknessEverywhere> known_thickness_everywhere;
+  OnDemand<Clearance> known_clearance;
 
   const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }
   const Eigen::Vector3d& vertex(Index v) const { return mesh.vertices[static_cast<std::size_t>(v)]; }

@@ -9,6 +9,7 @@
 
 #include "fast/predicates/penetration_predicates.h"
 #include "fast/prism/master_prism.h"
+#include "fast/surface/open_nodes.h"
 
 namespace pcm::fast {
 
@@ -94,33 +95,30 @@ double least_depth_of_neighbour(const Triangle& vertices, const std::array<Prism
   return at_border && moments.area < 0x1p-50 ? kInfinity : least;
 }
 
-/// The vertices as one master face sees them, each looked at once: faces that share them ask for it again and again,
-/// and depths in one plane are exact numbers' work.
+/// The vertices as one master face sees them, most of them looked at once: faces that share them ask for it again and
+/// again, and depths in one plane are exact numbers' work.
 class VertexSights {
  public:
-  explicit VertexSights(const PreparedSurface& surface)
-      : surface_(surface), sights_(surface.mesh.vertices.size()), seen_by_(sights_.size(), -1) {}
-
-  /// From now on those of this prism, which is the face's and has to outlive that.
-  void start(const MasterPrism& prism, Index face) {
-    prism_ = &prism;
-    face_ = face;
+  /// Both have to outlive it.
+  VertexSights(const PreparedSurface& surface, const MasterPrism& prism) : surface_(surface), prism_(prism) {
+    seen_.fill(-1);
   }
+
   const PrismPoint& operator()(Index vertex) {
-    const auto i = static_cast<std::size_t>(vertex);
-    if (seen_by_[i] != face_) {
-      sights_[i] = prism_->see(surface_.vertex(vertex), work_);
-      seen_by_[i] = face_;
+    const std::size_t i = static_cast<std::size_t>(vertex) % kPlaces;
+    if (seen_[i] != vertex) {
+      sights_[i] = prism_.see(surface_.vertex(vertex), work_);
+      seen_[i] = vertex;
     }
     return sights_[i];
   }
 
  private:
+  static constexpr std::size_t kPlaces = 64;  ///< two vertices that would be kept in one place are looked at again
   const PreparedSurface& surface_;
-  const MasterPrism* prism_ = nullptr;
-  Index face_ = -1;
-  std::vector<PrismPoint> sights_;  ///< by vertex
-  std::vector<Index> seen_by_;      ///< the face that did so last
+  const MasterPrism& prism_;
+  std::array<PrismPoint, kPlaces> sights_;
+  std::array<Index, kPlaces> seen_;  ///< the vertex that is kept there, or -1
   WorkCounters work_;
 };
 
@@ -232,100 +230,76 @@ bool is_beside_at_corners(const MasterPrism& prism, const PreparedSurface& surfa
 
 }  // namespace
 
-std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface) {
+double lower_bound_of_thickness(const PreparedSurface& surface, Index face) {
   const double tolerance = kThicknessTolerance * surface.max_coordinates.maxCoeff();
-  std::vector<double> bounds(surface.mesh.faces.size(), 0.0);
-  std::vector<Index> open;
-  for (Index face = 0; face < static_cast<Index>(bounds.size()); ++face) {
-    const FaceGeometry geometry(points_of(surface, face));
-    const Ray ray(geometry, geometry.barycentre_Me());
-    if (!(8 * surface.max_coordinates.maxCoeff() * ray.direction_error < tolerance)) continue;
-    const TreeRay tree_ray(ray.origin, ray.direction, 2 * tolerance);
-    double nearest = kInfinity;
-    open.assign(1, 0);
-    while (!open.empty() && nearest > 0) {
-      const BoxNode& node = surface.tree.node(open.back());
-      open.pop_back();
-      const double entry = tree_ray.entry(node.box);
-      if (entry == kInfinity || entry - 2 * tolerance > nearest) continue;
-      if (!node.leaf()) {
-        open.push_back(node.child);
-        open.push_back(node.child + 1);
-      } else if (node.face != face) {
-        nearest = std::min(nearest, least_distance(ray, FaceGeometry(points_of(surface, node.face)), tolerance));
-      }
+  const FaceGeometry geometry(points_of(surface, face));
+  const Ray ray(geometry, geometry.barycentre_Me());
+  if (!(8 * surface.max_coordinates.maxCoeff() * ray.direction_error < tolerance)) return 0;
+  const TreeRay tree_ray(ray.origin, ray.direction, 2 * tolerance);
+  double nearest = kInfinity;
+  OpenNodes<Index> open;
+  open.push(0);
+  while (!open.empty() && nearest > 0) {
+    const BoxNode& node = surface.tree.node(open.pop());
+    const double entry = tree_ray.entry(node.box);
+    if (entry == kInfinity || entry - 2 * tolerance > nearest) continue;
+    if (!node.leaf()) {
+      open.push(node.child);
+      open.push(node.child + 1);
+    } else if (node.face != face) {
+      nearest = std::min(nearest, least_distance(ray, FaceGeometry(points_of(surface, node.face)), tolerance));
     }
-    bounds[static_cast<std::size_t>(face)] = std::max(nearest, 0.0);
   }
-  return bounds;
+  return std::max(nearest, 0.0);
 }
 
-ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface) {
+ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface, Index face) {
   const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
-  const std::vector<double> zeros(surface.mesh.faces.size(), 0.0);
-  ThicknessEverywhere bounds{zeros, zeros, zeros};
-  std::vector<Index> open;
-  VertexSights sights(surface);
+  const Triangle& master = surface.face(face);
+  const FaceGeometry geometry(points_of(surface, face));
+  if (!thickness_holds(surface, 0, geometry)) return {};
+  const MasterPrism prism(geometry);
+  VertexSights sights(surface, prism);
   WorkCounters work;
-  for (Index face = 0; face < static_cast<Index>(bounds.exact.size()); ++face) {
-    const Triangle& master = surface.face(face);
-    const FaceGeometry geometry(points_of(surface, face));
-    if (!thickness_holds(surface, 0, geometry)) continue;
-    const MasterPrism prism(geometry);
-    sights.start(prism, face);
-    const TreePrism tree_prism(prism, 2 * tolerance);
-    double nearest = kInfinity, nearest_within = kInfinity, nearest_rounded = kInfinity;
-    open.assign(1, 0);
-    // Once nearest_within is 0, so are all three bounds.
-    while (!open.empty() && nearest_within > 0) {
-      const BoxNode& node = surface.tree.node(open.back());
-      open.pop_back();
-      if (!tree_prism.may_meet(node.box, nearest_within)) continue;
-      if (!node.leaf()) {
-        open.push_back(node.child);
-        open.push_back(node.child + 1);
-        continue;
-      }
-      if (node.face == face) continue;
-      const SeenFace seen(sights, surface, master, node.face);
-      const double least = seen.is_neighbour() ? least_depth_of_neighbour(seen.vertices, seen.corners)
-                                               : least_depth(prism, seen.corners, tolerance);
-      nearest = std::min(nearest, least);
-      // Only where something is near is it asked whether it is within the prism.
-      const bool above = seen.lies_above();
-      if (seen.is_neighbour() || least < (above ? nearest_rounded : nearest_within)) {
-        if (above && seen.surely_lies_above(tolerance)) continue;
-        if (seen.lies_beside(prism, surface, work)) continue;
-        if (is_beside_at_corners(prism, surface, seen, tolerance)) continue;
-        const double within = seen.is_neighbour() ? 0 : least;
-        nearest_rounded = std::min(nearest_rounded, within);
-        if (!above) nearest_within = std::min(nearest_within, within);
-      }
+  const TreePrism tree_prism(prism, 2 * tolerance);
+  double nearest = kInfinity, nearest_within = kInfinity, nearest_rounded = kInfinity;
+  OpenNodes<Index> open;
+  open.push(0);
+  // Once nearest_within is 0, so are all three bounds.
+  while (!open.empty() && nearest_within > 0) {
+    const BoxNode& node = surface.tree.node(open.pop());
+    if (!tree_prism.may_meet(node.box, nearest_within)) continue;
+    if (!node.leaf()) {
+      open.push(node.child);
+      open.push(node.child + 1);
+      continue;
     }
-    // What is cut short by a neighbour within the prism is not known.
-    bounds.tolerant[static_cast<std::size_t>(face)] = std::max(std::min(nearest, nearest_within), 0.0);
-    bounds.exact[static_cast<std::size_t>(face)] = std::max(nearest_within, 0.0);
-    bounds.rounded[static_cast<std::size_t>(face)] = std::max(std::min(nearest_within, nearest_rounded), 0.0);
+    if (node.face == face) continue;
+    const SeenFace seen(sights, surface, master, node.face);
+    const double least = seen.is_neighbour() ? least_depth_of_neighbour(seen.vertices, seen.corners)
+                                             : least_depth(prism, seen.corners, tolerance);
+    nearest = std::min(nearest, least);
+    // Only where something is near is it asked whether it is within the prism.
+    const bool above = seen.lies_above();
+    if (seen.is_neighbour() || least < (above ? nearest_rounded : nearest_within)) {
+      if (above && seen.surely_lies_above(tolerance)) continue;
+      if (seen.lies_beside(prism, surface, work)) continue;
+      if (is_beside_at_corners(prism, surface, seen, tolerance)) continue;
+      const double within = seen.is_neighbour() ? 0 : least;
+      nearest_rounded = std::min(nearest_rounded, within);
+      if (!above) nearest_within = std::min(nearest_within, within);
+    }
   }
+  ThicknessEverywhere bounds;
+  // What is cut short by a neighbour within the prism is not known.
+  bounds.tolerant = std::max(std::min(nearest, nearest_within), 0.0);
+  bounds.exact = std::max(nearest_within, 0.0);
+  bounds.rounded = std::max(std::min(nearest_within, nearest_rounded), 0.0);
+  bounds.clear_of_neighbours = std::all_of(master.begin(), master.end(), [&](Index corner) {
+    return is_spread_out(prism, surface, corner, tolerance) ||
+           all_lie_beside(prism, sights, surface, face, corner, tolerance);
+  });
   return bounds;
-}
-
-std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface) {
-  const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
-  std::vector<bool> clear(surface.mesh.faces.size(), false);
-  VertexSights sights(surface);
-  for (Index face = 0; face < static_cast<Index>(clear.size()); ++face) {
-    const FaceGeometry geometry(points_of(surface, face));
-    if (!thickness_holds(surface, 0, geometry)) continue;
-    const MasterPrism prism(geometry);
-    sights.start(prism, face);
-    const Triangle& corners = surface.face(face);
-    clear[static_cast<std::size_t>(face)] = std::all_of(corners.begin(), corners.end(), [&](Index corner) {
-      return is_spread_out(prism, surface, corner, tolerance) ||
-             all_lie_beside(prism, sights, surface, face, corner, tolerance);
-    });
-  }
-  return clear;
 }
 
 }  // namespace pcm::fast

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "fast/base/geometry.h"
 #include "fast/prism/ray.h"
 #include "fast/surface/prepared_surface.h"
@@ -14,19 +12,23 @@ namespace pcm::fast {
 /// still a lower bound: the filter allows for poses that are rounded up to this.
 inline constexpr double kThicknessTolerance = 0x1p-30;
 
-/// For each face a lower bound of the distance from its barycentre along its inward normal to the next face of the same
+double lower_bound_of_thickness(const PreparedSurface& surface, Index face);
+ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface, Index face);
+
+/// A lower bound of the distance from the face's barycentre along its inward normal to the next face of the same
 /// surface, m; infinite where there is none (PCM section 6). It holds for every line off the true one by less than
 /// kThicknessTolerance times the greatest coordinate, 0 where that can't be told. It serves as a filter only: a
-/// penetration below it needs no search of the master's own faces. O(n log n).
-std::vector<double> lower_bounds_of_thickness(const PreparedSurface& surface);
+/// penetration below it needs no search of the master's own faces. Computed when first asked for, in O(log n) where the
+/// surface is well shaped.
+inline double thickness(const PreparedSurface& surface, Index face) {
+  return surface.known_thickness.get(face, [&] { return lower_bound_of_thickness(surface, face); });
+}
 
-/// Lower bounds of the same distance over all points of each face. O(n log n).
-ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface);
-
-/// The faces beneath which no face that shares a vertex with them reaches, by more than the tolerance: at each of their
-/// corners either all faces look their way, or each lies beside one of their sides. Not where a face stands upright.
-/// O(n).
-std::vector<bool> faces_clear_of_neighbours(const PreparedSurface& surface);
+/// Lower bounds of the same distance over all points of the face. Computed when first asked for.
+inline ThicknessEverywhere thickness_everywhere(const PreparedSurface& surface, Index face) {
+  return surface.known_thickness_everywhere.get(face,
+                                                [&] { return lower_bounds_of_thickness_everywhere(surface, face); });
+}
 
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for
 /// `vertex_error`, m, which turns its normal by at most twice that over its edges' heights.

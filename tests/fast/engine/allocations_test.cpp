@@ -111,6 +111,15 @@ TEST(Allocations, NoneInAMemoryThatHasGrown) {
   }
 }
 
+TEST(Allocations, NoneWhereSurfacesMeetFacesForTheFirstTime) {
+  for (const TriangleMesh& mesh : {generate::bubble(), generate::spur_gear(20, 0.1, 0.5, 4, 2)}) {
+    const Surface surface(mesh);
+    const long before = allocations;
+    surface.prepare_all_faces();
+    EXPECT_EQ(allocations - before, 0);
+  }
+}
+
 TEST(Allocations, NoneInASceneThatHasSeenItsContacts) {
   const Surface bubble(generate::bubble());
   Scene scene;

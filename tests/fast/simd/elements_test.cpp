@@ -36,17 +36,15 @@ class WideElementsAt : public testing::TestWithParam<double> {
       const FaceGeometry face(master_points[lane]);
       const Eigen::Vector3d below = -0.5 * GetParam() * number(random) * face.n_Me;
       for (std::size_t k = 0; k < 3; ++k) slave_points[lane][k] = face.points_Me[k] + below + 0.1 * draw();
-      thickness[lane] = 4 * GetParam() * number(random);
+      lanes.thickness.value[lane] = 4 * GetParam() * number(random);
       for (std::size_t cone = 0; cone < 2; ++cone) {
-        clearance[lane].beneath[cone] = static_cast<float>(number(random));
-        clearance[lane].above[cone] = number(random) > 0;
+        lanes.clearance[lane].beneath[cone] = static_cast<float>(number(random));
+        lanes.clearance[lane].above[cone] = number(random) > 0;
       }
       for (std::size_t k = 0; k < 3; ++k) {
         lanes.master_corners[k][lane] = master_points[lane][k].data();
         lanes.slave_corners[k][lane] = slave_points[lane][k].data();
       }
-      lanes.thickness[lane] = &thickness[lane];
-      lanes.clearance[lane] = &clearance[lane];
     }
   }
   DecisionLimits limits() const {
@@ -62,8 +60,6 @@ class WideElementsAt : public testing::TestWithParam<double> {
 
   // What the lanes last drawn refer to.
   std::array<std::array<Eigen::Vector3d, 3>, kElementLanes> master_points, slave_points;
-  std::array<double, kElementLanes> thickness{};
-  std::array<Clearance, kElementLanes> clearance;
   std::mt19937_64 random{20047};
   std::uniform_real_distribution<double> number{-1, 1};
 };

@@ -48,7 +48,7 @@ double exact_distance(const TriangleMesh& mesh, std::size_t face) {
 
 /// No bound above the exact distance; true where a line meets another face and the bound tells something.
 bool expect_no_greater(const TriangleMesh& mesh, std::size_t face, const std::string& what) {
-  const double bound = prepare_surface(mesh).thickness[face], truth = exact_distance(mesh, face);
+  const double bound = thickness(prepare_surface(mesh), static_cast<Index>(face)), truth = exact_distance(mesh, face);
   EXPECT_LE(bound, truth * (1 + 1e-14)) << what << ", face " << face;
   return truth < kInfinity && bound > truth / 8;
 }

@@ -57,13 +57,13 @@ void expect_lines_clear(const TriangleMesh& mesh, unsigned seed) {
     const Eigen::Vector3d tilted =
         Eigen::AngleAxisd(6.283 * uniform(random), n) * (Eigen::AngleAxisd(angle, across) * n).eval();
     const Line up((1 - s) * p[0] + s * ((1 - t) * p[1] + t * p[2]), tilted);
-    const Clearance& clearance = data.clearance[static_cast<std::size_t>(face)];
-    const double beneath = static_cast<double>(clearance.beneath[cone]) * max_coordinate;
+    const Clearance clear = clearance(data, face);
+    const double beneath = static_cast<double>(clear.beneath[cone]) * max_coordinate;
     for (Index other = 0; other < static_cast<Index>(mesh.faces.size()); ++other) {
       if (other == face) continue;
       const double met = passage(up, points_of(data, other));
       ASSERT_FALSE(met <= 0 && -met < beneath) << face << " " << other << " " << met << " " << beneath;
-      ASSERT_FALSE(met >= 0 && clearance.above[cone]) << face << " " << other << " " << met;
+      ASSERT_FALSE(met >= 0 && clear.above[cone]) << face << " " << other << " " << met;
     }
   }
 }
@@ -78,19 +78,21 @@ TEST(Clearance, LinesWithinAConeMeetNothingNearer) {
 
 TEST(Clearance, SphereIsClearFarBeneathAndEverywhereAbove) {
   const Surface sphere(generate::icosphere(2, 4));
-  for (const Clearance& clearance : sphere.data().clearance) {
-    EXPECT_GT(clearance.beneath[1], 0.15);
-    EXPECT_LT(clearance.beneath[1], 0.5);
-    EXPECT_GE(clearance.beneath[0], clearance.beneath[1]);
-    EXPECT_TRUE(clearance.above[0] && clearance.above[1]);
+  for (Index face = 0; face < static_cast<Index>(sphere.mesh().faces.size()); ++face) {
+    const Clearance clear = clearance(sphere.data(), face);
+    EXPECT_GT(clear.beneath[1], 0.15);
+    EXPECT_LT(clear.beneath[1], 0.5);
+    EXPECT_GE(clear.beneath[0], clear.beneath[1]);
+    EXPECT_TRUE(clear.above[0] && clear.above[1]);
   }
 }
 
 TEST(Clearance, BoxIsNotClearBesideItsEdges) {
   const Surface box(generate::box({1, 1, 1}));
-  for (const Clearance& clearance : box.data().clearance) {
-    EXPECT_EQ(clearance.beneath[1], 0);
-    EXPECT_TRUE(clearance.above[1]);
+  for (Index face = 0; face < static_cast<Index>(box.mesh().faces.size()); ++face) {
+    const Clearance clear = clearance(box.data(), face);
+    EXPECT_EQ(clear.beneath[1], 0);
+    EXPECT_TRUE(clear.above[1]);
   }
 }
 

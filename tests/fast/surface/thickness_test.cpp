@@ -124,10 +124,9 @@ bool is_fit(const TriangleMesh& mesh) {
 /// No bound above the exact thickness; counts those that are nearly it.
 Count expect_no_greater(const TriangleMesh& mesh) {
   const PreparedSurface surface = prepare_surface(mesh);
-  const ThicknessEverywhere bounds = lower_bounds_of_thickness_everywhere(surface);
   Count count;
   for (Index face = 0; face < static_cast<Index>(mesh.faces.size()); ++face) {
-    const double bound = bounds.exact[static_cast<std::size_t>(face)], truth = exact_thickness(surface, face);
+    const double bound = thickness_everywhere(surface, face).exact, truth = exact_thickness(surface, face);
     EXPECT_LE(bound, truth * (1 + 1e-14)) << mesh.name << ", face " << face;
     ++count.faces;
     count.known += truth > 0 ? 1 : 0;
@@ -229,7 +228,7 @@ TEST(ThicknessEverywhere, UprightWallsOfABoxDoNotCount) {
           const auto p = points_of(surface, face);
           const Eigen::Vector3d n = (p[1] - p[0]).cross(p[2] - p[0]).cwiseAbs().normalized();
           const double width = n.dot(scale * Eigen::Vector3d(1, 2, 3));
-          const double bound = surface.thickness_everywhere.exact[static_cast<std::size_t>(face)];
+          const double bound = thickness_everywhere(surface, face).exact;
           EXPECT_GE(bound, width * (1 - 1e-6));
           EXPECT_LE(bound, width * (1 + 1e-14));
         }
@@ -245,7 +244,7 @@ double thickness_over_wall(double x_wall, double wall_top) {
                                     {{{1, -1, wall_top}, {1, 2, wall_top}, {x_wall, 0.5, -2}}},
                                     {{{-5, -5, -3}, {-5, 9, -3}, {9, -5, -3}}}});
   const PreparedSurface surface = prepare_surface(mesh);
-  return surface.thickness_everywhere.exact[0];
+  return thickness_everywhere(surface, 0).exact;
 }
 
 TEST(ThicknessEverywhere, AFarWallFlushWithThePrismCountsOnlyWhereItLeansInward) {
@@ -267,7 +266,7 @@ TEST(ThicknessEverywhere, WallsOfABoxThatLeanInwardByAnUlpCount) {
     for (Index face = 0; face < static_cast<Index>(box.faces.size()); ++face) {
       const auto p = points_of(surface, face);
       if (!(p[0][2] == 1 && p[1][2] == 1 && p[2][2] == 1)) continue;
-      const double bound = surface.thickness_everywhere.exact[static_cast<std::size_t>(face)];
+      const double bound = thickness_everywhere(surface, face).exact;
       EXPECT_LE(bound, exact_thickness(surface, face) * (1 + 1e-14));
       leant_over += bound == 0 ? 1 : 0;
       whole += std::abs(bound - 1) < 1e-6 ? 1 : 0;
@@ -284,7 +283,7 @@ TEST(ThicknessEverywhere, NeighbourThatFoldsBackLeavesNothing) {
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {x, 0.5, z}};
     mesh.faces = {{0, 1, 2}, {0, 2, 3}};
     const PreparedSurface surface = prepare_surface(mesh);
-    return surface.thickness_everywhere.exact[0];
+    return thickness_everywhere(surface, 0).exact;
   };
   EXPECT_EQ(folded(0.5, -0.5), 0);
   EXPECT_EQ(folded(0x1p-50, -0.5), 0);
@@ -299,7 +298,7 @@ TEST(ThicknessEverywhere, SheetInTheFacesPlaneLiesAtDepthZeroUnlessBesideIt) {
   const auto beside = [](double x) {
     const TriangleMesh mesh =
         sheets({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}, {{{x, 0.25, 0}, {x + 1, 0.25, 0}, {x, 0.75, 0}}}});
-    return prepare_surface(mesh).thickness_everywhere.exact[0];
+    return thickness_everywhere(prepare_surface(mesh), 0).exact;
   };
   EXPECT_EQ(beside(0.5), 0);
   EXPECT_EQ(beside(std::nextafter(1.0, 0.0)), 0);
