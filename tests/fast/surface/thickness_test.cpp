@@ -247,6 +247,24 @@ double thickness_over_wall(double x_wall, double wall_top) {
   return thickness_everywhere(surface, 0).exact;
 }
 
+TEST(ThicknessEverywhere, SheetsWhoseVerticesAreNumbered192ApartAreToldApart) {
+  // VertexSights keeps them in the same place. Whichever of the two sheets is looked at first: the near one counts.
+  for (const double down : {1.0, -1.0}) {
+    for (const auto& [first, last] : {std::pair(1.0, 3.0), std::pair(3.0, 1.0)}) {
+      const auto sheet = [down](double depth) {
+        const double z = -down * depth;
+        return std::array<Eigen::Vector3d, 3>{{{-5, -5, z}, {-5, 9, z}, {9, -5, z}}};
+      };
+      std::vector<std::array<Eigen::Vector3d, 3>> triangles{{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}, sheet(first)};
+      if (down < 0) std::swap(triangles[0][1], triangles[0][2]);
+      for (int i = 0; i < 63; ++i) triangles.push_back({{{100.0 + i, 0, 0}, {100.5 + i, 0, 0}, {100.5 + i, 0.5, 0}}});
+      triangles.push_back(sheet(last));
+      const PreparedSurface surface = prepare_surface(sheets(triangles));
+      EXPECT_NEAR(thickness_everywhere(surface, 0).exact, 1, 1e-6) << down << ' ' << first;
+    }
+  }
+}
+
 TEST(ThicknessEverywhere, AFarWallFlushWithThePrismCountsOnlyWhereItLeansInward) {
   for (const double top : {0.0, -1.0}) {
     EXPECT_NEAR(thickness_over_wall(1, top), 3, 1e-6);
