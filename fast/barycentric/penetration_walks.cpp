@@ -37,7 +37,8 @@ Index slave_face_near(const PreparedSurface& master, Index face, const Penetrati
   return walks.last;
 }
 
-LineCoordinates line_coordinates(const PosedPair& posed, const ElementLanes& lanes, std::size_t lane) {
+[[gnu::always_inline]] inline LineCoordinates line_coordinates(const PosedPair& posed, const ElementLanes& lanes,
+                                                               std::size_t lane) {
   const FacePoints p{lanes.p_Me[0][lane], lanes.p_Me[1][lane], lanes.p_Me[2][lane]};
   return {p, lanes.barycentre_Me[lane], lanes.side[0].value[lane], lanes.side[1].value[lane],
           posed.placement.max_coordinate};
@@ -88,8 +89,9 @@ bool line_stays(const Placement& placement, Side master, const FaceGeometry& geo
 }
 
 /// Follows the line of a face where no walk could tell, and remembers what it may meet.
-Penetration search_and_remember(PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, Index left,
-                                PenetrationWalks& walks, LineMemory& memory) {
+[[gnu::noinline]] Penetration search_and_remember(PosedPair& posed, Side master, Index face,
+                                                  const FaceGeometry& geometry, Index left, PenetrationWalks& walks,
+                                                  LineMemory& memory) {
   LineTrace& trace = walks.trace;
   trace.radius = memory.radius();
   trace.beyond = 2 * memory.radius();
@@ -103,8 +105,9 @@ Penetration search_and_remember(PosedPair& posed, Side master, Index face, const
 }
 
 /// Follows a line among the faces that it may meet, where these are remembered.
-std::optional<Penetration> recall_penetration(PosedPair& posed, Side master, const LineMemory::Line& line,
-                                              const ElementLanes& lanes, std::size_t lane, const LineMemory& memory) {
+[[gnu::noinline]] std::optional<Penetration> recall_penetration(PosedPair& posed, Side master,
+                                                                const LineMemory::Line& line, const ElementLanes& lanes,
+                                                                std::size_t lane, const LineMemory& memory) {
   if (!memory.holds(line)) return std::nullopt;
   if (line.slave_count == 0 && line.slave_searched == kInfinity) return Penetration();
   const LineCoordinates coordinates = line_coordinates(posed, lanes, lane);

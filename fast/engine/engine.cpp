@@ -143,15 +143,16 @@ void find_active_faces(const Wanted& wanted, Tracking::Known known, Tracking* tr
 }
 
 /// The steps, in their order.
-void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
-                     const Savings& savings, const Kept& kept, Workspace::Data& data) {
+void evaluate_wanted(const Pairing& pairing, const Pose& pose, double orthogonality_error, const Velocity& velocity,
+                     const Wanted& wanted, const Savings& savings, const Kept& kept, Workspace::Data& data) {
   Contact& contact = data.contact;
   data.elements.take_back_list(contact);
   contact.clear();
   const PreparedSurface& surface_E = pairing.surface_E().data();
   const PreparedSurface& surface_F = pairing.surface_F().data();
   // The barycentric scheme's bound asks no vertex of its rounding.
-  data.posed.place(surface_E, surface_F, pose, wanted.bound && pairing.scheme() == Scheme::clipped);
+  data.posed.place(surface_E, surface_F, pose, orthogonality_error,
+                   wanted.bound && pairing.scheme() == Scheme::clipped);
   if (!savings.lazy_vertices) data.posed[Side::F].transform_all(data.posed.work);
 
   if (wants_only_touch(wanted)) {
@@ -205,9 +206,9 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, const Velocity& v
     keep_only(wanted, workspace.data().contact);
     return workspace.data().contact;
   }
-  require_valid(pose, velocity);
+  const double orthogonality_error = require_valid(pose, velocity);
   Workspace::Data& data = workspace.data();
-  evaluate_wanted(pairing, pose, velocity, wanted, savings, kept, data);
+  evaluate_wanted(pairing, pose, orthogonality_error, velocity, wanted, savings, kept, data);
   data.contact.work = data.posed.work;
   return data.contact;
 }

@@ -64,15 +64,17 @@ void require_valid(const Velocity& velocity) {
   if (!velocity.v.allFinite() || !velocity.w.allFinite()) throw BadInput("velocity: v and w must be finite");
 }
 
-void require_valid(const Pose& pose, const Velocity& velocity) {
-  if (!pose.A.allFinite() || !pose.r.allFinite()) throw BadInput("pose: A and r must be finite");
+double require_valid(const Pose& pose, const Velocity& velocity) {
+  const double skew = orthogonality_error(pose.A);
+  const bool is_orthogonal = skew <= 1e-9;  // of finite entries alone
+  if (!pose.r.allFinite() || !(is_orthogonal || pose.A.allFinite())) throw BadInput("pose: A and r must be finite");
   if (pose.r.cwiseAbs().maxCoeff() > kGreatestCoordinate) {
     refuse("pose: greatest |r|", pose.r.cwiseAbs().maxCoeff(), "at most 2^300 m; choose a larger unit of length");
   }
   require_valid(velocity);
-  const double skew = orthogonality_error(pose.A);
-  if (!(skew <= 1e-9)) refuse("pose: A is no rotation, max |A^T A - I|", skew, "at most 1e-9");
+  if (!is_orthogonal) refuse("pose: A is no rotation, max |A^T A - I|", skew, "at most 1e-9");
   if (!(pose.A.determinant() > 0)) throw BadInput("pose: A is a reflection (its determinant is negative), no rotation");
+  return skew;
 }
 
 namespace {

@@ -18,8 +18,8 @@ void require_valid(const ContactLaw& law);
 void require_valid(const Velocity& velocity);
 
 /// Throws BadInput where the pose is no rotation to 1e-9, where anything is not finite or r is beyond
-/// kGreatestCoordinate.
-void require_valid(const Pose& pose, const Velocity& velocity);
+/// kGreatestCoordinate. Returns the pose's orthogonality error (fast/base/geometry.h).
+double require_valid(const Pose& pose, const Velocity& velocity);
 
 /// Stiffness of an elastic layer c = K / b (3), N/m^3, with the layer modulus (2)
 /// K = (1 - nu) / ((1 + nu) (1 - 2 nu)) young. `young` > 0 in Pa, -1 < `poisson` < 0.45 (a layer nearer to

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "fast/base/geometry.h"
@@ -37,12 +38,15 @@ struct Placement {
 
   Placement() = default;
   Placement(const PreparedSurface& surface_E, const PreparedSurface& surface_F, const Pose& pose)
-      : A(pose.A), r_Me(pose.r), A_absolute(pose.A.cwiseAbs()) {
+      : Placement(surface_E, surface_F, pose, orthogonality_error(pose.A)) {}
+  /// Where the pose's orthogonality error is known.
+  Placement(const PreparedSurface& surface_E, const PreparedSurface& surface_F, const Pose& pose,
+            double known_orthogonality_error)
+      : A(pose.A), r_Me(pose.r), A_absolute(pose.A.cwiseAbs()), skew(known_orthogonality_error) {
     const Eigen::Vector3d max_coordinates_F = A_absolute * surface_F.max_coordinates + pose.r.cwiseAbs();
-    max_coordinate = std::fmax(max_coordinates_F.maxCoeff(), surface_E.max_coordinates.maxCoeff());
-    // Three entries of A^T A - I meet a point's coordinates, or a box's half widths.
-    skew = orthogonality_error(pose.A);
+    max_coordinate = std::max(max_coordinates_F.maxCoeff(), surface_E.max_coordinates.maxCoeff());
     position_error_E = kPlacementError * max_coordinate;
+    // Three entries of A^T A - I meet a point's coordinates, or a box's half widths.
     position_error_F = 4 * position_error_E + 12 * skew * surface_F.max_coordinates.maxCoeff();
     vertex_error_F = 16 * 0x1p-53 * max_coordinate + 12 * skew * surface_F.max_coordinates.maxCoeff();
     extent = 2 * (1 + 0x1p-20) * (surface_E.tree.root().box.half.sum() + surface_F.tree.root().box.half.sum()) +

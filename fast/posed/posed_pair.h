@@ -25,10 +25,11 @@ struct PosedPair {
   const Eigen::Vector3d& vertex_Me(Side side, Index v) { return (*this)[side].vertex_Me(v, work); }
   std::array<Eigen::Vector3d, 3> face_Me(Side side, Index face) { return (*this)[side].face_Me(face, work); }
 
-  /// `with_roundings`: whether sharp roundings of F's vertices will be asked for.
-  void place(const PreparedSurface& E, const PreparedSurface& F, const Pose& pose, bool with_roundings) {
+  /// `orthogonality_error`: the pose's. `with_roundings`: whether sharp roundings of F's vertices will be asked for.
+  void place(const PreparedSurface& E, const PreparedSurface& F, const Pose& pose, double orthogonality_error,
+             bool with_roundings) {
     work = {};
-    placement = Placement(E, F, pose);
+    placement = Placement(E, F, pose, orthogonality_error);
     (*this)[Side::E].place_E(E);
     (*this)[Side::F].place_F(F, pose, E.mesh.vertices.size(), with_roundings);
   }
