@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/bounds/clipped_bound.h"
 
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -112,15 +111,15 @@ void FaceBound::find_sights(ClippedBoundScratch& scratch) {
 }
 
 void FaceBound::see_slave(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
-  constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
+  const double deepest = seen_.view.listed_to_depth;
   const Side slave = opposite(seen_.master);
   const PreparedSurface& surface = posed_.surface(slave);
   const FastClearArray<PrismPoint>& sights = seen_.view.slave_sights;
   const TreePrism prism = prism_in_tree(posed_, slave, *seen_.prism, position_error);
   const bool is_listed = position_error <= seen_.view.listed_wider_by;
-  if (!is_listed) list_faces_in_prism(posed_, slave, prism, kAnyDepth, scratch.open, scratch.listed);
+  if (!is_listed) list_faces_in_prism(posed_, slave, prism, deepest, scratch.open, scratch.listed);
   for (const Index face : is_listed ? seen_.view.slave_listed : scratch.listed) {
-    if (!may_be_seen(prism, surface.mesh, face, kAnyDepth)) continue;
+    if (!may_be_seen(prism, surface.mesh, face, deepest)) continue;
     SeenCorners corners;
     const Triangle& vertices = surface.face(face);
     for (std::size_t k = 0; k < 3; ++k) {

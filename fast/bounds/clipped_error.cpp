@@ -46,6 +46,12 @@ double rounding_of_crossing(const FaceEnclosure& f, const FaceEnclosure& g, cons
   return g.crossing_rounding * farthest + f.relative_rounding * highest;
 }
 
+/// The face is nowhere seen less deep over the box, in both problems.
+double least_depth(const FaceEnclosure& f, const BoxST& box) {
+  const double at_corners = std::min({f.corners[0][kDepth], f.corners[1][kDepth], f.corners[2][kDepth]});
+  return std::max(at_corners - f.position_error.depth, f.depth.middle(box) - f.depth.half_range(box) - f.depth_error);
+}
+
 struct AreaAndVolume {
   double area, volume;
 };
@@ -281,6 +287,8 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
     if (outline.apart) return;
     const CertainOrder order = certain_order(g, f);
     if (order == CertainOrder::after) return;
+    const bool was_left_out = g.of_master && hider.projected == nullptr;
+    if (was_left_out && least_depth(g, box) > greatest) return;
     const double beside_error = 4 * hider.sheet_error;  // Near sides beyond which the sheet goes on.
     std::array<bool, 3> inner;
     for (std::size_t k = 0; k < 3; ++k) inner[k] = !hider.outline[k];
@@ -313,7 +321,7 @@ void ViewError::charge(FaceInView& sight, const FaceInView& hider, const BoxST& 
     }
     area = std::min(outline.area + one_depth.area + zero.area, overlap);
     volume = std::min(outline.volume + one_depth.volume + zero.volume, area * greatest);
-    if (g.of_master && hider.projected == nullptr) {
+    if (was_left_out) {
       // The elements were made without it, the master being thick enough, or it lying after all they see: whatever it
       // may hide is missing.
       area = std::min(greatest_area(g), overlap);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/prism/depths_in_prism.h"
 #include "fast/search/prism_search.h"
+#include "fast/surface/exit_depth.h"
 #include "fast/surface/thickness.h"
 
 namespace pcm::fast {
@@ -21,6 +23,9 @@ constexpr double kGreatestSkew = 0x1p-48;
 /// The slave's faces are listed in a prism wider by this share of the greatest coordinate, so that they need not be
 /// listed anew for the bound. It is less than what single precision makes the search list anyway.
 constexpr double kListedWider = 0x1p-40;
+
+/// More of the slave's faces than this are worth asking how deep the lines may go in the master.
+constexpr std::size_t kManyFaces = 8;
 
 /// How deep the slave is seen, m; -1 where it is not.
 struct Depths {
@@ -46,11 +51,10 @@ bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& 
   return true;
 }
 
-/// Looks at each of the faces' vertices once.
+/// Looks at each of the faces' vertices that was not looked at yet.
 void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const std::vector<Index>& faces,
                   FastClearArray<PrismPoint>& sights) {
   const PreparedSurface& surface = posed.surface(slave);
-  sights.start(surface.mesh.vertices.size());
   for (const Index face : faces) {
     for (const Index v : surface.face(face)) {
       if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(slave, v), posed.work));
@@ -86,13 +90,48 @@ bool surely_has_area(const MasterPrism& prism, double max_coordinate, const Unce
          certain(area, width_s, width_t, prism.uncertainty(face.corners, max_coordinate));
 }
 
+/// Whether the bounds of the face's thickness and exit depth hold at this pose. F's parts are seen through roundings of
+/// its vertices, which may differ by more than the vertices do.
+bool own_bounds_hold(const PosedPair& posed, Side master, const FaceGeometry& geometry) {
+  const double vertex_error = master == Side::E ? 0 : posed.placement.position_error_F;
+  return thickness_holds(posed.surface(master), vertex_error, geometry);
+}
+
+/// By which depth the lines have surely left the master, m, where they meet the slave nowhere before; else infinite.
+double exit_before_slave(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism,
+                         const TreePrism& in_tree, FaceViewScratch& scratch, FaceView& view) {
+  if (!own_bounds_hold(posed, master, prism.face())) return kInfinity;
+  const double exit = exit_depth(posed.surface(master), master_face) + farthest_off(prism, posed.placement);
+  if (exit == kInfinity) return kInfinity;
+  const Side slave = opposite(master);
+  list_faces_in_prism(posed, slave, in_tree, exit, scratch.open, scratch.over);
+  see_vertices(posed, slave, prism, scratch.over, view.slave_sights);
+  for (const Index face : scratch.over) {
+    const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, posed.surface(slave).face(face));
+    const DepthsInPrism depths = depths_in_prism(prism, corners, in_tree.box_error());
+    if (depths.least - in_tree.box_error() <= exit && depths.greatest + in_tree.box_error() >= 0) return kInfinity;
+  }
+  return exit;
+}
+
+/// Lists the slave's faces, none where the lines surely leave the master before they meet any.
+void list_slave(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, FaceViewScratch& scratch,
+                FaceView& view) {
+  const Side slave = opposite(master);
+  view.listed_wider_by = kListedWider * posed.placement.max_coordinate;
+  view.listed_to_depth = kInfinity;
+  view.slave_sights.start(posed.surface(slave).mesh.vertices.size());
+  const TreePrism in_tree = prism_in_tree(posed, slave, prism, view.listed_wider_by);
+  list_faces_in_prism(posed, slave, in_tree, kInfinity, scratch.open, view.slave_listed);
+  if (view.slave_listed.size() <= kManyFaces) return;
+  view.listed_to_depth = exit_before_slave(posed, master, master_face, prism, in_tree, scratch, view);
+  if (view.listed_to_depth < kInfinity) view.slave_listed.clear();
+}
+
 /// Some steps are done for all faces before the next, though one loop would do: what a processor guesses wrong of
 /// a face is then known soon, not only after all that was computed for it.
 Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, FaceViewScratch& scratch, FaceView& view) {
   const PreparedSurface& surface = posed.surface(slave);
-  view.listed_wider_by = kListedWider * posed.placement.max_coordinate;
-  list_faces_in_prism(posed, slave, prism_in_tree(posed, slave, prism, view.listed_wider_by), kInfinity, scratch.open,
-                      view.slave_listed);
   see_vertices(posed, slave, prism, view.slave_listed, view.slave_sights);
   Depths depths;
   scratch.over.resize(view.slave_listed.size());
@@ -163,10 +202,8 @@ OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceG
                                 double deepest) {
   const PreparedSurface& surface = posed.surface(master);
   const ThicknessEverywhere thickness = thickness_everywhere(surface, face);
-  // F's parts are seen through roundings of its vertices, which may differ by more than the vertices do.
-  const double vertex_error = master == Side::E ? 0 : posed.placement.position_error_F;
   const double known = master == Side::E ? thickness.exact : thickness.rounded;
-  if (!(deepest < known && thickness_holds(surface, vertex_error, geometry))) return OwnFacesBefore::some;
+  if (!(deepest < known && own_bounds_hold(posed, master, geometry))) return OwnFacesBefore::some;
   if (thickness.clear_of_neighbours && deepest < thickness.tolerant) return OwnFacesBefore::none;
   if (master == Side::E) return OwnFacesBefore::none;
   return posed.placement.skew > kGreatestSkew ? OwnFacesBefore::some : OwnFacesBefore::leaning;
@@ -191,6 +228,11 @@ void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& 
   view.faces.clear();
   view.own_depth = -1;
   view.slave_at_barycentre = view.own_at_barycentre = false;
+  list_slave(posed, master, face, prism, scratch, view);
+  if (view.listed_to_depth < kInfinity) {
+    view.slave_at_barycentre = view.own_at_barycentre = true;
+    return;
+  }
   Depths depths = project_slave(posed, opposite(master), prism, scratch, view);
   const auto surely_thick = [&](double deepest) {
     const double farthest = deepest + farthest_off(prism, posed.placement);

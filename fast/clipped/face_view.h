@@ -13,9 +13,11 @@ namespace pcm::fast {
 
 /// What the penetration lines of one master face meet. Its memory is kept from face to face.
 struct FaceView {
-  /// Faces of the slave, ascending: all that a prism may meet which is wider by `listed_wider_by`, m.
+  /// Faces of the slave, ascending: all that a prism may meet which is wider by `listed_wider_by`, m. Where there is
+  /// none down to a depth by which the lines surely have left the master, deeper ones are not listed.
   std::vector<Index> slave_listed;
   double listed_wider_by = 0;
+  double listed_to_depth = 0;               ///< m; infinite but there
   FastClearArray<PrismPoint> slave_sights;  ///< by vertex of the slave: of all faces listed
   /// The slave's faces, then other ones of the master where these may lie before, ascending.
   std::vector<ProjectedFace> faces;

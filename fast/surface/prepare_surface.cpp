@@ -10,6 +10,7 @@
 
 #include "fast/base/geometry.h"
 #include "fast/surface/clearance.h"
+#include "fast/surface/exit_depth.h"
 #include "fast/surface/thickness.h"
 #include "pcm/bad_input.h"
 #include "pcm/check.h"
@@ -187,6 +188,7 @@ std::string out_of_range(double max_coordinate) {
   const std::size_t faces = surface.mesh.faces.size();
   surface.known_thickness = OnDemand<double>(faces);
   surface.known_thickness_everywhere = OnDemand<ThicknessEverywhere>(faces);
+  surface.known_exit_depth = OnDemand<double>(faces);
   surface.known_clearance = OnDemand<Clearance>(faces);
   return surface;
 }
@@ -195,6 +197,7 @@ void look_around_all_faces(const PreparedSurface& surface) {
   for (Index face = 0; face < static_cast<Index>(surface.mesh.faces.size()); ++face) {
     thickness(surface, face);
     thickness_everywhere(surface, face);
+    exit_depth(surface, face);
     clearance(surface, face);
   }
 }

@@ -79,9 +79,10 @@ struct PreparedSurface {
   Eigen::Vector3d max_coordinates = Eigen::Vector3d::Zero();  ///< greatest |coordinate| along each axis, m
   double usual_edge = 0;                                      ///< median length of an edge, m
   Index fewest_vertices = 0;                                  ///< of a component
-  // By face, on demand: thickness, thickness_everywhere and clearance of fast/surface read them.
+  // By face, on demand: thickness, thickness_everywhere, exit_depth and clearance of fast/surface read them.
   OnDemand<double> known_thickness;
   OnDemand<ThicknessEverywhere> known_thickness_everywhere;
+  OnDemand<double> known_exit_depth;
   OnDemand<Clearance> known_clearance;
 
   const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }

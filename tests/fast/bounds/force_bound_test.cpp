@@ -76,6 +76,22 @@ TEST(ForceBound, OfTheClippedSchemeIsFiniteAndFlippedOnlyWhereFacesLieFlush) {
   }
 }
 
+TEST(ForceBound, OfTheClippedSchemeIsNarrowWhereTheMastersOtherFacesLieBeneathAllThatAFaceSees) {
+  // As deep as they are: the engine leaves those faces out, and the planes of some of them cut what is seen.
+  const Surface bubble(generate::bubble());
+  const Pairing pairing(bubble, bubble, stiffness(1000), Mode::both, Scheme::clipped);
+  Workspace workspace;
+  int touching = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Pose pose = turned(0.7 * i, {0.2 * std::sin(2.0 * i), 0.2 * std::sin(3.0 * i), 0.2 * std::sin(5.0 * i)});
+    const Contact& contact = evaluate(pairing, pose, {}, with_bound(), workspace);
+    if (!contact.touching || contact.bound->flipped) continue;
+    ++touching;
+    EXPECT_LT(contact.bound->force_Me.norm(), 1e-9 * 1000 * contact.volume) << i;
+  }
+  EXPECT_GE(touching, 150);
+}
+
 TEST(ForceBound, ImpliesTheForce) {
   Wanted only_bound{false, false, false, false, true};
   const TriangleMesh box = generate::box({2, 2, 2}), ball = generate::icosphere(1, 2);

@@ -201,6 +201,22 @@ TEST(ClippedElements, FacesWhoseBarycentreIsTooDeepAreCountedAsInTheBarycentricS
   EXPECT_EQ(contact.too_deep, expected.too_deep);
 }
 
+TEST(ClippedElements, GuestFarFromItsHostIsTooDeepAndLooksAtNoFaceOfTheHostButWhereALineLeavesIt) {
+  // Under each face of the guest lie some 40 faces of the host, with as many vertices to look at.
+  const TriangleMesh host = generate::icosphere(1, 4), guest = generate::box({0.3, 0.3, 0.3});
+  const Pose pose = turned(0.7, {0.1, 0.2, -0.1});
+  for (const bool with_bound : {false, true}) {
+    Wanted wanted;
+    wanted.bound = with_bound;
+    const Contact contact = answer(host, guest, pose, stiffness(1), Mode::both, {}, wanted, Scheme::clipped);
+    EXPECT_TRUE(contact.nested);
+    EXPECT_EQ(contact.element_count, 0);
+    EXPECT_EQ(contact.too_deep, 12);
+    EXPECT_LT(contact.work.predicates, 12 * 20);
+    EXPECT_EQ(contact.bound.value_or(ForceBound{}).force_Me, Eigen::Vector3d::Zero());
+  }
+}
+
 TEST(ClippedElements, SecondSheetBehindTheFirstCarriesNothing) {
   // Two boxes pushed into a floor at different depths, and a third one wholly inside, beneath both.
   const TriangleMesh floor = generate::box(Vector3d(-8, -8, -4), Vector3d(8, 8, 0));

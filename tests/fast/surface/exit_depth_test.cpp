@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/surface/exit_depth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fast/surface/prepare_surface.h"
+#include "fast/surface/thickness.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/bubbles.h"
+#include "meshes/generate/degenerate/bodies.h"
+#include "meshes/generate/parts.h"
+#include "meshes/generate/round.h"
+#include "tests/fast/exact_numbers.h"
+
+/// By which depth the lines of a face have met another face of their own body, exactly, against rational numbers.
+namespace pcm::fast::exit_depth_test {
+namespace {
+
+using degenerate::inverted;
+using degenerate::joined;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::array<RationalVector, 3> points_of(const TriangleMesh& mesh, Index face) {
+  const Triangle& t = mesh.faces[static_cast<std::size_t>(face)];
+  const auto x = [&](std::size_t k) { return rational(mesh.vertices[static_cast<std::size_t>(t[k])]); };
+  return {x(0), x(1), x(2)};
+}
+
+/// Where the line of the point (s, t) of a face first meets another one, m; a face that it only touches counts not.
+double first_met(const TriangleMesh& mesh, Index face, const mpq_class& s, const mpq_class& t) {
+  const std::array<RationalVector, 3> p = points_of(mesh, face);
+  const RationalVector a = minus(p[1], p[0]), b = minus(p[2], p[0]), N = cross(a, b);
+  RationalVector x;
+  for (std::size_t k = 0; k < 3; ++k) x[k] = p[0][k] + s * a[k] + t * b[k];
+  std::optional<mpq_class> least;
+  for (Index other = 0; other < static_cast<Index>(mesh.faces.size()); ++other) {
+    if (other == face) continue;
+    const std::array<RationalVector, 3> g = points_of(mesh, other);
+    const std::array<RationalVector, 3> c{minus(g[0], x), minus(g[1], x), minus(g[2], x)};
+    const int side = sgn(dot(N, cross(c[0], c[1])));
+    if (side == 0 || sgn(dot(N, cross(c[1], c[2]))) != side || sgn(dot(N, cross(c[2], c[0]))) != side) continue;
+    const RationalVector N_g = cross(minus(g[1], g[0]), minus(g[2], g[0]));
+    const mpq_class share = -dot(N_g, c[0]) / dot(N_g, N);  // of -N
+    if (share >= 0 && !(least && *least <= share)) least = share;
+  }
+  return least ? mpf_class(sqrt(mpf_class(dot(N, N), 400)) * mpf_class(*least, 400)).get_d() : kInfinity;
+}
+
+struct Count {
+  int faces = 0, known = 0, tight = 0;
+
+  void print() const { std::printf("  of %d faces %d are known, %d nearly exactly\n", faces, known, tight); }
+};
+
+/// The deepest exit of a face's lines that was found, for lines drawn all over it.
+double deepest_found(const TriangleMesh& mesh, Index face, Doubles& random) {
+  constexpr long kParts = 10007;  // A prime: no line passes through an edge between small integers.
+  double deepest = 0;
+  for (int i = 0; i < 12; ++i) {
+    mpq_class s(static_cast<long>(random.integer(1, kParts - 1)), kParts),
+        t(static_cast<long>(random.integer(1, kParts - 1)), kParts);
+    if (s + t >= 1) {
+      s = 1 - s;
+      t = 1 - t;
+    }
+    // Near the border every third time.
+    if (i % 3 == 0) t /= 100000;
+    if (s + t < 1) deepest = std::max(deepest, first_met(mesh, face, s, t));
+  }
+  return deepest;
+}
+
+/// No line of `moved`, the same body with its vertices moved by up to `vertex_error`, m, goes deeper than what is known
+/// of `mesh`.
+void expect_no_deeper(const TriangleMesh& mesh, const TriangleMesh& moved, double vertex_error, Doubles& random,
+                      Count& count) {
+  const PreparedSurface surface = prepare_surface(mesh);
+  for (Index face = 0; face < static_cast<Index>(mesh.faces.size()); ++face) {
+    const double bound = exit_depth(surface, face);
+    ++count.faces;
+    const Triangle& t = mesh.faces[static_cast<std::size_t>(face)];
+    const auto vertex = [&](std::size_t k) { return moved.vertices[static_cast<std::size_t>(t[k])]; };
+    if (bound == kInfinity || !thickness_holds(surface, vertex_error, FaceGeometry({vertex(0), vertex(1), vertex(2)})))
+      continue;
+    ++count.known;
+    const double found = deepest_found(moved, face, random);
+    EXPECT_LE(found, bound) << mesh.name << ", face " << face;
+    count.tight += found > 0.9 * bound ? 1 : 0;
+  }
+}
+
+/// Whether no face has area 0.
+bool is_fit(const TriangleMesh& mesh) {
+  return std::all_of(mesh.faces.begin(), mesh.faces.end(), [&mesh](const Triangle& t) {
+    const auto x = [&](std::size_t k) { return rational(mesh.vertices[static_cast<std::size_t>(t[k])]); };
+    const RationalVector N = cross(minus(x(1), x(0)), minus(x(2), x(0)));
+    return dot(N, N) != 0;
+  });
+}
+
+TriangleMesh turned(TriangleMesh mesh) {
+  const Eigen::Vector3d by(0.3, -2, 1);
+  const Eigen::Matrix3d Q = Eigen::AngleAxisd(0.7, by.normalized()).toRotationMatrix();
+  for (Eigen::Vector3d& x : mesh.vertices) x = Q * x + by;
+  return mesh;
+}
+
+/// A box of 2 x 2 x 2 m with a hole in its middle, and one with two boxes that pass through each other's faces.
+std::vector<TriangleMesh> bodies() {
+  const Eigen::Vector3d one(1, 1, 1);
+  std::vector<TriangleMesh> meshes{generate::box({1, 2, 0.1}),
+                                   generate::gridded_box({1, 0.7, 0.3}, {2, 3, 2}),
+                                   generate::wedge(17, 1, 0.3),
+                                   generate::icosphere(1, 1),
+                                   generate::cylinder(0.3, 1, 7),
+                                   generate::cone(0.3, 1, 6),
+                                   generate::tube(0.2, 0.3, 1, 6),
+                                   generate::torus(1, 0.3, 6, 5),
+                                   generate::socket(1, 0.5, 6, 3),
+                                   joined(generate::box(-one, one), inverted(generate::box(-0.25 * one, 0.25 * one))),
+                                   joined(generate::box(-one, one), generate::box({0.1, -0.3, -0.2}, {1.7, 0.4, 0.3}))};
+  const std::size_t as_made = meshes.size();
+  for (std::size_t i = 0; i < as_made; ++i) meshes.push_back(turned(meshes[i]));
+  return meshes;
+}
+
+TEST(ExitDepth, NoLineOfABodyGoesDeeper) {
+  Doubles random(41);
+  Count count;
+  for (const TriangleMesh& mesh : bodies()) expect_no_deeper(mesh, mesh, 0, random, count);
+  count.print();
+  EXPECT_GE(count.known, count.faces / 2);
+  EXPECT_GE(count.tight, count.known / 4);
+}
+
+TEST(ExitDepth, NoLineOfABodyThatPassesThroughItselfGoesDeeper) {
+  // Where a sheet rises through the face it lies beneath, some of its lines may meet nothing.
+  Doubles random(43);
+  Count count;
+  for (int trial = 0; trial < 300; ++trial) {
+    TriangleMesh mesh = trial % 2 == 0 ? generate::box({4, 4, 4}) : generate::icosphere(4, 0);
+    mesh.name += ' ' + std::to_string(trial);
+    const auto move = [&] { return trial % 4 < 2 ? random.small_integer(3) : 3 * random.unit(); };
+    for (Eigen::Vector3d& x : mesh.vertices) {
+      if (random.integer(0, 2) == 0) x += Doubles::point(move);
+    }
+    if (is_fit(mesh)) expect_no_deeper(mesh, mesh, 0, random, count);
+  }
+  count.print();
+  EXPECT_GE(count.known, count.faces / 4);
+}
+
+TEST(ExitDepth, HoldsForVerticesMovedLessThanItsTolerance) {
+  Doubles random(42);
+  Count count;
+  for (const TriangleMesh& mesh : bodies()) {
+    TriangleMesh moved = mesh;
+    const double most = 0x1p-10 * kThicknessTolerance * prepare_surface(mesh).max_coordinates.maxCoeff();
+    for (Eigen::Vector3d& x : moved.vertices) x += most * Doubles::point([&random] { return random.unit(); });
+    expect_no_deeper(mesh, moved, 2 * most, random, count);
+  }
+  EXPECT_GE(count.known, count.faces / 2);
+}
+
+TEST(ExitDepth, OfABoxIsItsWidth) {
+  const Eigen::Vector3d width(1, 2, 3);
+  const TriangleMesh box = generate::box(width);
+  const PreparedSurface surface = prepare_surface(box);
+  for (Index face = 0; face < static_cast<Index>(box.faces.size()); ++face) {
+    const Triangle& t = surface.face(face);
+    const Eigen::Vector3d N =
+        (surface.vertex(t[1]) - surface.vertex(t[0])).cross(surface.vertex(t[2]) - surface.vertex(t[0]));
+    EXPECT_NEAR(exit_depth(surface, face), N.normalized().cwiseAbs().dot(width), 1e-7);
+  }
+}
+
+TEST(ExitDepth, IsOpenWhereTheSurfaceIs) {
+  TriangleMesh box = generate::box({1, 1, 1});
+  box.faces.pop_back();
+  const PreparedSurface surface = prepare_surface(box);
+  for (Index face = 0; face < static_cast<Index>(box.faces.size()); ++face)
+    EXPECT_EQ(exit_depth(surface, face), kInfinity);
+}
+
+TEST(ExitDepth, ASheetThatEndsBeneathTheFaceIsNotAllThatIsThere) {
+  // What is nearest beneath a face of the outer box is a hole, or a box that stands in it from below.
+  const Eigen::Vector3d one(1, 1, 1);
+  const TriangleMesh outer = generate::box(-one, one);
+  for (const TriangleMesh& inner :
+       {inverted(generate::box({-0.9, -0.9, 0}, {0.9, 0.9, 0.5})), generate::box({-0.9, -0.9, -2}, {0.9, 0.9, 0})}) {
+    const TriangleMesh mesh = joined(outer, inner);
+    const PreparedSurface surface = prepare_surface(mesh);
+    int looking_down = 0;
+    for (Index face = 0; face < static_cast<Index>(outer.faces.size()); ++face) {
+      const Triangle& t = surface.face(face);
+      if (surface.vertex(t[0])[2] < 1 || surface.vertex(t[1])[2] < 1 || surface.vertex(t[2])[2] < 1) continue;
+      ++looking_down;
+      EXPECT_GE(exit_depth(surface, face), 2);
+    }
+    EXPECT_EQ(looking_down, 2);
+  }
+}
+
+}  // namespace
+}  // namespace pcm::fast::exit_depth_test
