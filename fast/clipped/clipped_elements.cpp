@@ -85,7 +85,9 @@ bool underflows(const FaceGeometry& geometry) {
 
 }  // namespace
 
-ClippedFace clip_face(PosedPair& posed, Side master, Index face, const ContactLaw& law, ClippedFaceScratch& scratch) {
+ClippedFace clip_face(const Intersection& intersection, Side master, Index face, const ContactLaw& law,
+                      ClippedFaceScratch& scratch) {
+  PosedPair& posed = intersection.posed;
   ClippedFace seen(master, face, face_with_sure_normal(posed.face_Me(master, face)), scratch.view, scratch.parts);
   scratch.parts.clear();
   scratch.view.faces.clear();
@@ -98,7 +100,7 @@ ClippedFace clip_face(PosedPair& posed, Side master, Index face, const ContactLa
   if (only_line_tells) seen.too_deep = line_is_too_deep();
   if (!(seen.geometry.area > 0)) return seen;
   seen.prism.emplace(seen.geometry);
-  look_through(posed, master, face, *seen.prism, scratch.looking, scratch.view);
+  look_through(posed, master, face, *seen.prism, intersection.active.nested, scratch.looking, scratch.view);
   if (!only_line_tells && seen.view.slave_at_barycentre && seen.view.own_at_barycentre) {
     seen.too_deep = line_is_too_deep();
   }
@@ -119,7 +121,7 @@ MasterForce sum_clipped_elements(const Intersection& intersection, Side master, 
   PosedPair& posed = intersection.posed;
   ElementQueue queue(problem, master, record, posed.work, scratch.lanes);
   for_each_active_face(intersection, master, [&](Index face) {
-    const ClippedFace seen = clip_face(posed, master, face, problem.law, scratch.face);
+    const ClippedFace seen = clip_face(intersection, master, face, problem.law, scratch.face);
     record_beside_elements(seen, problem.law, record);
     for (const VisiblePart& part : seen.parts) {
       if (!part.is_element()) continue;

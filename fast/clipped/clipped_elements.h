@@ -71,7 +71,8 @@ struct ClippedFaceScratch {
 };
 
 /// Finds what a master face sees, and the parts that its elements are made of.
-ClippedFace clip_face(PosedPair& posed, Side master, Index face, const ContactLaw& law, ClippedFaceScratch& scratch);
+ClippedFace clip_face(const Intersection& intersection, Side master, Index face, const ContactLaw& law,
+                      ClippedFaceScratch& scratch);
 
 /// Records what the face has beside elements.
 void record_beside_elements(const ClippedFace& face, const ContactLaw& law, ElementRecord& record);

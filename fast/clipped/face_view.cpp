@@ -24,9 +24,6 @@ constexpr double kGreatestSkew = 0x1p-48;
 /// listed anew for the bound. It is less than what single precision makes the search list anyway.
 constexpr double kListedWider = 0x1p-40;
 
-/// More of the slave's faces than this are worth asking how deep the lines may go in the master.
-constexpr std::size_t kManyFaces = 8;
-
 /// How deep the slave is seen, m; -1 where it is not.
 struct Depths {
   double deepest = -1;         ///< greatest depth at which the slave may be left, whatever lies before
@@ -115,15 +112,16 @@ double exit_before_slave(PosedPair& posed, Side master, Index master_face, const
 }
 
 /// Lists the slave's faces, none where the lines surely leave the master before they meet any.
-void list_slave(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, FaceViewScratch& scratch,
-                FaceView& view) {
+void list_slave(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, bool nested,
+                FaceViewScratch& scratch, FaceView& view) {
   const Side slave = opposite(master);
   view.listed_wider_by = kListedWider * posed.placement.max_coordinate;
   view.listed_to_depth = kInfinity;
   view.slave_sights.start(posed.surface(slave).mesh.vertices.size());
   const TreePrism in_tree = prism_in_tree(posed, slave, prism, view.listed_wider_by);
   list_faces_in_prism(posed, slave, in_tree, kInfinity, scratch.open, view.slave_listed);
-  if (view.slave_listed.size() <= kManyFaces) return;
+  // Where surfaces cross, lines mostly meet the slave, and it would cost more to ask than it spares.
+  if (!nested || view.slave_listed.empty()) return;
   view.listed_to_depth = exit_before_slave(posed, master, master_face, prism, in_tree, scratch, view);
   if (view.listed_to_depth < kInfinity) view.slave_listed.clear();
 }
@@ -223,12 +221,12 @@ SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, co
   return corners;
 }
 
-void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, FaceViewScratch& scratch,
-                  FaceView& view) {
+void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, bool nested,
+                  FaceViewScratch& scratch, FaceView& view) {
   view.faces.clear();
   view.own_depth = -1;
   view.slave_at_barycentre = view.own_at_barycentre = false;
-  list_slave(posed, master, face, prism, scratch, view);
+  list_slave(posed, master, face, prism, nested, scratch, view);
   if (view.listed_to_depth < kInfinity) {
     view.slave_at_barycentre = view.own_at_barycentre = true;
     return;

@@ -36,9 +36,10 @@ struct FaceViewScratch {
   std::vector<Index> entered;     ///< faces of the slave that the lines certainly enter
 };
 
-/// Looks through the prism of a master face.
-void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, FaceViewScratch& scratch,
-                  FaceView& view);
+/// Looks through the prism of a master face. `nested`: a component of one surface lies in the other without crossing,
+/// so that whole bodies may see nothing; whether that is said changes no bit of an answer.
+void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, bool nested,
+                  FaceViewScratch& scratch, FaceView& view);
 
 /// Whether other faces of the master may lie before what one of its faces sees.
 enum class OwnFacesBefore : std::uint8_t {
