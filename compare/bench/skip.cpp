@@ -245,6 +245,7 @@ SavingResult measure_way(const std::string& bodies, const TriangleMesh& mesh, do
                          std::int64_t poses) {
   constexpr int kFirst = 3, kSteps = 15;
   const fast::Surface surface(mesh);
+  surface.prepare_all_faces();  // Or whoever is asked first would pay for both.
   const fast::Pairing pairing(surface, surface, bench_law());
   fast::Workspace workspace, other;
   SavingResult result{

@@ -50,7 +50,7 @@ struct KnownFaces {
 std::optional<Penetration> find_penetration_among(PosedPair& posed, Side master, Index face,
                                                   const FaceGeometry& geometry, const KnownFaces& known);
 
-/// Whether the thickness computed beforehand already says that the face's penetration line meets no other face of the
+/// Whether the thickness of the face already says that the face's penetration line meets no other face of the
 /// master as near as `distance`, in the rounded problem and in the exact one alike.
 bool thicker_than(const PosedPair& posed, Side master, Index face, const FaceGeometry& geometry, double distance);
 

@@ -20,8 +20,8 @@ struct PenetrationWalks {
 };
 
 /// The results of find_penetration but for `first_met`, for up to four faces at once, by walks over the slave, each
-/// from the face found for a neighbour or, where there is none, for the last. Where clearances and thickness known
-/// beforehand say that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and
+/// from the face found for a neighbour or, where there is none, for the last. Where the faces' clearance and thickness
+/// say that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and
 /// receive their depths. `memory`: of the lines at the last pose, or nullptr.
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
                        PenetrationWalks& walks, LineMemory* memory,

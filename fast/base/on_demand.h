@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 
 #include "pcm/triangle_mesh.h"
 
@@ -16,6 +17,8 @@ namespace pcm::fast {
 /// time.
 template <class Value>
 class OnDemand {
+  static_assert(std::is_trivially_copyable_v<Value>, "a copy that throws would leave its item unknown for good");
+
  public:
   OnDemand() = default;
   explicit OnDemand(std::size_t items) : items_(std::make_unique<Item[]>(items)) {}

@@ -48,7 +48,7 @@ enum class OwnFacesBefore : std::uint8_t {
   some
 };
 
-/// As the thickness computed beforehand says it, for whatever is seen no deeper than this, m: in the rounded problem
+/// As the face's thickness says it, for whatever is seen no deeper than this, m: in the rounded problem
 /// and in the exact one.
 OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,
                                 double deepest);

@@ -193,7 +193,7 @@ std::string out_of_range(double max_coordinate) {
   return surface;
 }
 
-void look_around_all_faces(const PreparedSurface& surface) {
+[[gnu::noinline]] void look_around_all_faces(const PreparedSurface& surface) {
   for (Index face = 0; face < static_cast<Index>(surface.mesh.faces.size()); ++face) {
     thickness(surface, face);
     thickness_everywhere(surface, face);

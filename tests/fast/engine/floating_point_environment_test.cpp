@@ -166,7 +166,6 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfAnAnswerAndIsLeftAsItWas) {
 }
 
 TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
-  const Surface ball(generate::icosphere(1, 2)), cube(generate::gridded_box(2, 2));
   std::vector<BodyState> states(4);
   for (int b = 0; b < 4; ++b) {
     states[static_cast<std::size_t>(b)].pose = turned(0.7 * b, {0.3 * b, 0.5 * b, kThirds * b});
@@ -179,7 +178,13 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
     Velocity velocity;
     Contact contact;
   };
-  const auto run = [&] {
+  // Surfaces of its own, so that what faces have near them is computed in the host's environment too.
+  const auto run = [&](bool all_faces_first) {
+    const Surface ball(generate::icosphere(1, 2)), cube(generate::gridded_box(2, 2));
+    if (all_faces_first) {
+      ball.prepare_all_faces();
+      cube.prepare_all_faces();
+    }
     Scene scene;
     for (int b = 0; b < 4; ++b) scene.add_body(b % 2 == 0 ? ball : cube);
     for (Index E = 0; E < 4; ++E)
@@ -197,30 +202,32 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
     all.contact = scene.evaluate(0, workspace);
     return all;
   };
-  const Loads expected = run();
-  Loads found;
-  bool as_before = false;
-  {
-    const Host host(GetParam());
-    found = run();
-    as_before = host.as_before();
+  const Loads expected = run(false);
+  for (const bool all_faces_first : {false, true}) {
+    Loads found;
+    bool as_before = false;
+    {
+      const Host host(GetParam());
+      found = run(all_faces_first);
+      as_before = host.as_before();
+    }
+    EXPECT_TRUE(as_before);
+    ASSERT_EQ(found.loads.size(), expected.loads.size());
+    for (std::size_t p = 0; p < found.loads.size(); ++p) {
+      EXPECT_TRUE(same(found.loads[p].force_Me, expected.loads[p].force_Me));
+      EXPECT_TRUE(same(found.loads[p].torque_Me, expected.loads[p].torque_Me));
+    }
+    for (std::size_t b = 0; b < 4; ++b) {
+      EXPECT_TRUE(same(found.body_loads[b].force_W, expected.body_loads[b].force_W));
+      EXPECT_TRUE(same(found.body_loads[b].torque_W, expected.body_loads[b].torque_W));
+    }
+    for (Eigen::Index k = 0; k < 3; ++k)
+      EXPECT_TRUE(same(Eigen::Vector3d(found.pose.A.col(k)), Eigen::Vector3d(expected.pose.A.col(k))));
+    EXPECT_TRUE(same(found.pose.r, expected.pose.r));
+    EXPECT_TRUE(same(found.velocity.v, expected.velocity.v));
+    EXPECT_TRUE(same(found.velocity.w, expected.velocity.w));
+    expect_same_answer(found.contact, expected.contact);
   }
-  EXPECT_TRUE(as_before);
-  ASSERT_EQ(found.loads.size(), expected.loads.size());
-  for (std::size_t p = 0; p < found.loads.size(); ++p) {
-    EXPECT_TRUE(same(found.loads[p].force_Me, expected.loads[p].force_Me));
-    EXPECT_TRUE(same(found.loads[p].torque_Me, expected.loads[p].torque_Me));
-  }
-  for (std::size_t b = 0; b < 4; ++b) {
-    EXPECT_TRUE(same(found.body_loads[b].force_W, expected.body_loads[b].force_W));
-    EXPECT_TRUE(same(found.body_loads[b].torque_W, expected.body_loads[b].torque_W));
-  }
-  for (Eigen::Index k = 0; k < 3; ++k)
-    EXPECT_TRUE(same(Eigen::Vector3d(found.pose.A.col(k)), Eigen::Vector3d(expected.pose.A.col(k))));
-  EXPECT_TRUE(same(found.pose.r, expected.pose.r));
-  EXPECT_TRUE(same(found.velocity.v, expected.velocity.v));
-  EXPECT_TRUE(same(found.velocity.w, expected.velocity.w));
-  expect_same_answer(found.contact, expected.contact);
 }
 
 TEST_P(EnvironmentOfAHost, IsLeftAsItWasWhereInputIsRefused) {
