@@ -166,6 +166,7 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfAnAnswerAndIsLeftAsItWas) {
 }
 
 TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
+  const TriangleMesh ball_mesh = generate::icosphere(1, 2), cube_mesh = generate::gridded_box(2, 2);
   std::vector<BodyState> states(4);
   for (int b = 0; b < 4; ++b) {
     states[static_cast<std::size_t>(b)].pose = turned(0.7 * b, {0.3 * b, 0.5 * b, kThirds * b});
@@ -180,7 +181,7 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
   };
   // Surfaces of its own, so that what faces have near them is computed in the host's environment too.
   const auto run = [&](bool all_faces_first) {
-    const Surface ball(generate::icosphere(1, 2)), cube(generate::gridded_box(2, 2));
+    const Surface ball(ball_mesh), cube(cube_mesh);
     if (all_faces_first) {
       ball.prepare_all_faces();
       cube.prepare_all_faces();
