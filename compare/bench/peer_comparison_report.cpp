@@ -122,8 +122,7 @@ std::string peers_markdown(const std::vector<PeerComparison>& results, const Mac
       "# pcm bench peers\n\n{}\n\n{}\n`before us`: median time of what must happen before each query. `to all`, `to "
       "force`: ratio of medians to everything and to force and torque of the barycentric engine. `found`: mean over "
       "the poses. `setup ms`: of both surfaces; what is left to the first queries (of this engine: what faces have "
-      "near them of their "
-      "own surface) is in none of the times.\n",
+      "near them of their own surface) is in none of the times.\n",
       describe(machine), protocol(results));
   for (const PeerComparison& result : results)
     text += fmt::format("\n## {}\n\n{}", title(result), markdown(without_body(table_of(result))));

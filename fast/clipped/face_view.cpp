@@ -213,10 +213,10 @@ SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, co
   const Triangle& vertices = surface.face(face);
   SeenCorners corners;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto shared = std::find(master_vertices.begin(), master_vertices.end(), vertices[k]);
-    corners.is_shared[k] = shared != master_vertices.end();
-    corners.points[k] = corners.is_shared[k] ? MasterPrism::corner(static_cast<int>(shared - master_vertices.begin()))
-                                             : prism.see(posed.vertex_Me(master, vertices[k]), posed.work);
+    const int shared = corner_at(master_vertices, vertices[k]);
+    corners.is_shared[k] = shared >= 0;
+    corners.points[k] =
+        shared >= 0 ? MasterPrism::corner(shared) : prism.see(posed.vertex_Me(master, vertices[k]), posed.work);
   }
   return corners;
 }

@@ -181,9 +181,7 @@ float rounded_down(double x) {
 Clearance find_clearance(const PreparedSurface& surface, Index face) {
   const double max_coordinate = surface.max_coordinates.maxCoeff();
   const double position_error = kPositionError * max_coordinate;
-  const Triangle& triangle = surface.face(face);
-  const std::array<Eigen::Vector3d, 3> p{surface.vertex(triangle[0]), surface.vertex(triangle[1]),
-                                         surface.vertex(triangle[2])};
+  const std::array<Eigen::Vector3d, 3> p = surface.points_of(face);
   const double longest = std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
   const Eigen::Vector3d N = (p[1] - p[0]).cross(p[2] - p[0]);
   const double turn = 2 * position_error * longest / N.norm();

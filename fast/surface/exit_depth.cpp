@@ -71,8 +71,7 @@ class SheetBeneath {
     const Triangle& vertices = surface_.face(face);
     WorkCounters work;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto found = std::find(master.begin(), master.end(), vertices[k]);
-      seen.shared[k] = found != master.end() ? static_cast<int>(found - master.begin()) : -1;
+      seen.shared[k] = corner_at(master, vertices[k]);
       seen.corners[k] =
           seen.shared[k] >= 0 ? MasterPrism::corner(seen.shared[k]) : prism_.see(surface_.vertex(vertices[k]), work);
     }
@@ -193,8 +192,7 @@ class SheetBeneath {
   bool add_neighbours(const SeenFace& seen) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index neighbour = surface_.neighbours_of(seen.face)[k];
-      if (neighbour == master_ || is_beside(seen, k)) continue;
-      if (has(neighbour)) continue;
+      if (neighbour == master_ || is_beside(seen, k) || has(neighbour)) continue;
       if (count_ == kMostFaces) return false;
       faces_[count_++] = neighbour;
     }
@@ -213,8 +211,7 @@ class SheetBeneath {
 
 double upper_bound_of_exit_depth(const PreparedSurface& surface, Index face) {
   if (!surface.closed) return kInfinity;
-  const Triangle& corners = surface.face(face);
-  const FaceGeometry geometry({surface.vertex(corners[0]), surface.vertex(corners[1]), surface.vertex(corners[2])});
+  const FaceGeometry geometry(surface.points_of(face));
   if (!thickness_holds(surface, 0, geometry)) return kInfinity;
   // Half of it for roundings of what is computed here, half for a pose's.
   const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();

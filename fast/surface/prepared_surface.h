@@ -31,6 +31,14 @@ struct Incidence {
   }
 };
 
+/// Which corner of a face a vertex is, or -1.
+inline int corner_at(const Triangle& face, Index vertex) {
+  for (int k = 0; k < 3; ++k) {
+    if (face[static_cast<std::size_t>(k)] == vertex) return k;
+  }
+  return -1;
+}
+
 /// What surely is free of other faces of the same surface on either side of a face (fast/surface/clearance.h): a line
 /// that passes through the face's interior, within one of two cones about its normal, meets no other face nearer than
 /// that.
@@ -87,6 +95,9 @@ struct PreparedSurface {
 
   const Triangle& face(Index f) const { return mesh.faces[static_cast<std::size_t>(f)]; }
   const Eigen::Vector3d& vertex(Index v) const { return mesh.vertices[static_cast<std::size_t>(v)]; }
+  std::array<Eigen::Vector3d, 3> points_of(Index f) const {
+    return {vertex(face(f)[0]), vertex(face(f)[1]), vertex(face(f)[2])};
+  }
   const std::array<Index, 2>& edge(Index e) const { return edges[static_cast<std::size_t>(e)]; }
   const std::array<Index, 3>& edges_of(Index f) const { return face_edges[static_cast<std::size_t>(f)]; }
   const std::array<Index, 3>& neighbours_of(Index f) const { return face_neighbours[static_cast<std::size_t>(f)]; }

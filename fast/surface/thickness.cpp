@@ -20,11 +20,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Steeper than this the distance to a face's plane follows the line's error by at most a factor of 2^8.
 constexpr double kSteep = 0x1p-8;
 
-std::array<Eigen::Vector3d, 3> points_of(const PreparedSurface& surface, Index face) {
-  const Triangle& triangle = surface.face(face);
-  return {surface.vertex(triangle[0]), surface.vertex(triangle[1]), surface.vertex(triangle[2])};
-}
-
 /// A lower bound of the distance at which a line within `tolerance` of the ray meets f; infinite where none does.
 ///
 /// With u = 2^-53 and 1-norms: on which side of an edge e the ray passes, seen from its corner a, is told by
@@ -131,8 +126,7 @@ struct SeenFace {
   SeenFace(VertexSights& sights, const PreparedSurface& surface, const Triangle& master, Index face)
       : vertices(surface.face(face)) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto found = std::find(master.begin(), master.end(), vertices[k]);
-      shared[k] = found != master.end() ? static_cast<int>(found - master.begin()) : -1;
+      shared[k] = corner_at(master, vertices[k]);
       corners[k] = shared[k] >= 0 ? MasterPrism::corner(shared[k]) : sights(vertices[k]);
     }
   }
@@ -232,7 +226,7 @@ bool is_beside_at_corners(const MasterPrism& prism, const PreparedSurface& surfa
 
 double lower_bound_of_thickness(const PreparedSurface& surface, Index face) {
   const double tolerance = kThicknessTolerance * surface.max_coordinates.maxCoeff();
-  const FaceGeometry geometry(points_of(surface, face));
+  const FaceGeometry geometry(surface.points_of(face));
   const Ray ray(geometry, geometry.barycentre_Me());
   if (!(8 * surface.max_coordinates.maxCoeff() * ray.direction_error < tolerance)) return 0;
   const TreeRay tree_ray(ray.origin, ray.direction, 2 * tolerance);
@@ -247,7 +241,7 @@ double lower_bound_of_thickness(const PreparedSurface& surface, Index face) {
       open.push(node.child);
       open.push(node.child + 1);
     } else if (node.face != face) {
-      nearest = std::min(nearest, least_distance(ray, FaceGeometry(points_of(surface, node.face)), tolerance));
+      nearest = std::min(nearest, least_distance(ray, FaceGeometry(surface.points_of(node.face)), tolerance));
     }
   }
   return std::max(nearest, 0.0);
@@ -256,7 +250,7 @@ double lower_bound_of_thickness(const PreparedSurface& surface, Index face) {
 ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface, Index face) {
   const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
   const Triangle& master = surface.face(face);
-  const FaceGeometry geometry(points_of(surface, face));
+  const FaceGeometry geometry(surface.points_of(face));
   if (!thickness_holds(surface, 0, geometry)) return {};
   const MasterPrism prism(geometry);
   VertexSights sights(surface, prism);

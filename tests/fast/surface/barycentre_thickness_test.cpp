@@ -6,12 +6,11 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "fast/surface/prepare_surface.h"
 #include "fast/surface/thickness.h"
-#include "tests/fast/exact_numbers.h"
+#include "tests/fast/exact_mesh.h"
 #include "tests/spike.h"
 
 /// How far the line of a face's barycentre stays in its own body, exactly, against rational numbers: in front of faces
@@ -21,29 +20,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::array<RationalVector, 3> points_of(const TriangleMesh& mesh, std::size_t face) {
-  const auto x = [&](std::size_t k) { return rational(mesh.vertices[static_cast<std::size_t>(mesh.faces[face][k])]); };
-  return {x(0), x(1), x(2)};
-}
-
 /// Where the line from the barycentre of `face` along its inward normal first passes through another one, m.
 double exact_distance(const TriangleMesh& mesh, std::size_t face) {
-  const std::array<RationalVector, 3> p = points_of(mesh, face);
-  const RationalVector N = cross(minus(p[1], p[0]), minus(p[2], p[0]));
-  RationalVector C;
-  for (std::size_t k = 0; k < 3; ++k) C[k] = (p[0][k] + p[1][k] + p[2][k]) / 3;
-  std::optional<mpq_class> least;
-  for (std::size_t other = 0; other < mesh.faces.size(); ++other) {
-    if (other == face) continue;
-    const std::array<RationalVector, 3> g = points_of(mesh, other);
-    const std::array<RationalVector, 3> a{minus(g[0], C), minus(g[1], C), minus(g[2], C)};
-    const int side = sgn(dot(N, cross(a[0], a[1])));
-    if (side == 0 || sgn(dot(N, cross(a[1], a[2]))) != side || sgn(dot(N, cross(a[2], a[0]))) != side) continue;
-    const RationalVector N_g = cross(minus(g[1], g[0]), minus(g[2], g[0]));
-    const mpq_class share = -dot(N_g, a[0]) / dot(N_g, N);  // of -N
-    if (share > 0 && !(least && *least <= share)) least = share;
-  }
-  return least ? mpf_class(sqrt(mpf_class(dot(N, N), 400)) * mpf_class(*least, 400)).get_d() : kInfinity;
+  const mpq_class third(1, 3);
+  return exact_first_met(mesh, static_cast<Index>(face), third, third);
 }
 
 /// No bound above the exact distance; true where a line meets another face and the bound tells something.

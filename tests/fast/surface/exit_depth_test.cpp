@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,7 @@
 #include "meshes/generate/degenerate/bodies.h"
 #include "meshes/generate/parts.h"
 #include "meshes/generate/round.h"
-#include "tests/fast/exact_numbers.h"
+#include "tests/fast/exact_mesh.h"
 
 /// By which depth the lines of a face have met another face of their own body, exactly, against rational numbers.
 namespace pcm::fast::exit_depth_test {
@@ -29,32 +28,6 @@ using degenerate::inverted;
 using degenerate::joined;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::array<RationalVector, 3> points_of(const TriangleMesh& mesh, Index face) {
-  const Triangle& t = mesh.faces[static_cast<std::size_t>(face)];
-  const auto x = [&](std::size_t k) { return rational(mesh.vertices[static_cast<std::size_t>(t[k])]); };
-  return {x(0), x(1), x(2)};
-}
-
-/// Where the line of the point (s, t) of a face first meets another one, m; a face that it only touches counts not.
-double first_met(const TriangleMesh& mesh, Index face, const mpq_class& s, const mpq_class& t) {
-  const std::array<RationalVector, 3> p = points_of(mesh, face);
-  const RationalVector a = minus(p[1], p[0]), b = minus(p[2], p[0]), N = cross(a, b);
-  RationalVector x;
-  for (std::size_t k = 0; k < 3; ++k) x[k] = p[0][k] + s * a[k] + t * b[k];
-  std::optional<mpq_class> least;
-  for (Index other = 0; other < static_cast<Index>(mesh.faces.size()); ++other) {
-    if (other == face) continue;
-    const std::array<RationalVector, 3> g = points_of(mesh, other);
-    const std::array<RationalVector, 3> c{minus(g[0], x), minus(g[1], x), minus(g[2], x)};
-    const int side = sgn(dot(N, cross(c[0], c[1])));
-    if (side == 0 || sgn(dot(N, cross(c[1], c[2]))) != side || sgn(dot(N, cross(c[2], c[0]))) != side) continue;
-    const RationalVector N_g = cross(minus(g[1], g[0]), minus(g[2], g[0]));
-    const mpq_class share = -dot(N_g, c[0]) / dot(N_g, N);  // of -N
-    if (share >= 0 && !(least && *least <= share)) least = share;
-  }
-  return least ? mpf_class(sqrt(mpf_class(dot(N, N), 400)) * mpf_class(*least, 400)).get_d() : kInfinity;
-}
 
 struct Count {
   int faces = 0, known = 0, tight = 0;
@@ -75,7 +48,7 @@ double deepest_found(const TriangleMesh& mesh, Index face, Doubles& random) {
     }
     // Near the border every third time.
     if (i % 3 == 0) t /= 100000;
-    if (s + t < 1) deepest = std::max(deepest, first_met(mesh, face, s, t));
+    if (s + t < 1) deepest = std::max(deepest, exact_first_met(mesh, face, s, t));
   }
   return deepest;
 }
@@ -97,15 +70,6 @@ void expect_no_deeper(const TriangleMesh& mesh, const TriangleMesh& moved, doubl
     EXPECT_LE(found, bound) << mesh.name << ", face " << face;
     count.tight += found > 0.9 * bound ? 1 : 0;
   }
-}
-
-/// Whether no face has area 0.
-bool is_fit(const TriangleMesh& mesh) {
-  return std::all_of(mesh.faces.begin(), mesh.faces.end(), [&mesh](const Triangle& t) {
-    const auto x = [&](std::size_t k) { return rational(mesh.vertices[static_cast<std::size_t>(t[k])]); };
-    const RationalVector N = cross(minus(x(1), x(0)), minus(x(2), x(0)));
-    return dot(N, N) != 0;
-  });
 }
 
 TriangleMesh turned(TriangleMesh mesh) {
@@ -154,7 +118,7 @@ TEST(ExitDepth, NoLineOfABodyThatPassesThroughItselfGoesDeeper) {
     for (Eigen::Vector3d& x : mesh.vertices) {
       if (random.integer(0, 2) == 0) x += Doubles::point(move);
     }
-    if (is_fit(mesh)) expect_no_deeper(mesh, mesh, 0, random, count);
+    if (no_face_has_area_0(mesh)) expect_no_deeper(mesh, mesh, 0, random, count);
   }
   count.print();
   EXPECT_GE(count.known, count.faces / 4);

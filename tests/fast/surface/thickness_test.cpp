@@ -18,7 +18,7 @@
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/parts.h"
 #include "meshes/generate/round.h"
-#include "tests/fast/exact_numbers.h"
+#include "tests/fast/exact_mesh.h"
 
 /// How deep beneath each face the prism under it is free of other faces, exactly, against rational numbers.
 namespace pcm::fast::thickness_test {
@@ -79,17 +79,12 @@ std::optional<mpq_class> begins_at(std::vector<Seen> polygon) {
   return std::min_element(polygon.begin(), polygon.end(), depth_less)->at(3);
 }
 
-std::array<Eigen::Vector3d, 3> points_of(const PreparedSurface& surface, Index face) {
-  const Triangle& t = surface.face(face);
-  return {surface.vertex(t[0]), surface.vertex(t[1]), surface.vertex(t[2])};
-}
-
 double exact_thickness(const PreparedSurface& surface, Index face) {
-  const ExactPrism prism(points_of(surface, face));
+  const ExactPrism prism(surface.points_of(face));
   std::optional<mpq_class> least;
   for (Index other = 0; other < static_cast<Index>(surface.mesh.faces.size()); ++other) {
     if (other == face) continue;
-    const auto g = points_of(surface, other);
+    const auto g = surface.points_of(other);
     const std::optional<mpq_class> depth = begins_at({prism.see(g[0]), prism.see(g[1]), prism.see(g[2])});
     if (depth && !(least && *least <= *depth)) least = depth;
   }
@@ -114,11 +109,7 @@ bool is_fit(const TriangleMesh& mesh) {
       if (mesh.vertices[i] == mesh.vertices[j]) return false;
     }
   }
-  return std::all_of(mesh.faces.begin(), mesh.faces.end(), [&mesh](const Triangle& t) {
-    const auto x = [&](std::size_t k) { return rational(mesh.vertices[static_cast<std::size_t>(t[k])]); };
-    const RationalVector N = cross(minus(x(1), x(0)), minus(x(2), x(0)));
-    return dot(N, N) != 0;
-  });
+  return no_face_has_area_0(mesh);
 }
 
 /// No bound above the exact thickness; counts those that are nearly it.
@@ -225,7 +216,7 @@ TEST(ThicknessEverywhere, UprightWallsOfABoxDoNotCount) {
         for (Eigen::Vector3d& x : mesh->vertices) x += Eigen::Vector3d::Constant(shift * scale);
         const PreparedSurface surface = prepare_surface(*mesh);
         for (Index face = 0; face < static_cast<Index>(mesh->faces.size()); ++face) {
-          const auto p = points_of(surface, face);
+          const auto p = surface.points_of(face);
           const Eigen::Vector3d n = (p[1] - p[0]).cross(p[2] - p[0]).cwiseAbs().normalized();
           const double width = n.dot(scale * Eigen::Vector3d(1, 2, 3));
           const double bound = thickness_everywhere(surface, face).exact;
@@ -282,7 +273,7 @@ TEST(ThicknessEverywhere, WallsOfABoxThatLeanInwardByAnUlpCount) {
     const PreparedSurface surface = prepare_surface(box);
     int leant_over = 0, whole = 0;
     for (Index face = 0; face < static_cast<Index>(box.faces.size()); ++face) {
-      const auto p = points_of(surface, face);
+      const auto p = surface.points_of(face);
       if (!(p[0][2] == 1 && p[1][2] == 1 && p[2][2] == 1)) continue;
       const double bound = thickness_everywhere(surface, face).exact;
       EXPECT_LE(bound, exact_thickness(surface, face) * (1 + 1e-14));
