@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/bounds/clipped_bound.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "fast/bounds/verified_line.h"
 #include "fast/clipped/face_view.h"
 #include "fast/posed/vertex_rounding.h"
+#include "fast/prism/depths_in_prism.h"
 #include "fast/search/prism_search.h"
 
 namespace pcm::fast {
@@ -126,6 +128,9 @@ void FaceBound::see_slave(double position_error, ProjectedWalk& projected, Clipp
       const Index v = vertices[k];
       corners.points[k] = sights.contains(v) ? sights.at(v) : seen_.prism->see(posed_.vertex_Me(slave, v), posed_.work);
     }
+    // Boxes of large faces say little of what lies before lines that have left the master.
+    const bool leaves = std::isfinite(deepest);
+    if (leaves && !may_be_met_before(deepest, *seen_.prism, corners.points, prism.box_error())) continue;
     sight_->see(posed_[slave], face, false, corners, projected.at(false, face), posed_.work);
   }
 }

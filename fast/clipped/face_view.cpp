@@ -105,8 +105,7 @@ double exit_before_slave(PosedPair& posed, Side master, Index master_face, const
   see_vertices(posed, slave, prism, scratch.over, view.slave_sights);
   for (const Index face : scratch.over) {
     const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, posed.surface(slave).face(face));
-    const DepthsInPrism depths = depths_in_prism(prism, corners, in_tree.box_error());
-    if (depths.least - in_tree.box_error() <= exit && depths.greatest + in_tree.box_error() >= 0) return kInfinity;
+    if (may_be_met_before(exit, prism, corners, in_tree.box_error())) return kInfinity;
   }
   return exit;
 }

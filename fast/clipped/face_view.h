@@ -17,7 +17,7 @@ struct FaceView {
   /// none down to a depth by which the lines surely have left the master, deeper ones are not listed.
   std::vector<Index> slave_listed;
   double listed_wider_by = 0;
-  double listed_to_depth = 0;               ///< m; infinite but there
+  double listed_to_depth = 0;               ///< that depth, m; infinite where all are listed
   FastClearArray<PrismPoint> slave_sights;  ///< by vertex of the slave: of all faces listed
   /// The slave's faces, then other ones of the master where these may lie before, ascending.
   std::vector<ProjectedFace> faces;
@@ -37,7 +37,9 @@ struct FaceViewScratch {
 };
 
 /// Looks through the prism of a master face. `nested`: a component of one surface lies in the other without crossing,
-/// so that whole bodies may see nothing; whether that is said changes no bit of an answer.
+/// so that whole bodies may see nothing. Said or not, the answer is the same but for bounds, and for strips of rounding
+/// size that several slivers of the master's own sheet hide from it together: where lines surely have left, there are
+/// none.
 void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, bool nested,
                   FaceViewScratch& scratch, FaceView& view);
 

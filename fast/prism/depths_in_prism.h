@@ -37,4 +37,12 @@ inline DepthsInPrism depths_in_prism(const MasterPrism& prism, const std::array<
   return depths;
 }
 
+/// Whether the prism's lines may meet the triangle between the master face and a depth, m; prism and depths are wider
+/// by `error`.
+inline bool may_be_met_before(double depth, const MasterPrism& prism, const std::array<PrismPoint, 3>& corners,
+                              double error) {
+  const DepthsInPrism depths = depths_in_prism(prism, corners, error);
+  return depths.least - error <= depth && depths.greatest + error >= 0;
+}
+
 }  // namespace pcm::fast

@@ -108,7 +108,8 @@ class SheetBeneath {
     for (int weight = 0; weight < 3; ++weight) {
       if (weight == seen.shared[corner]) continue;
       const double w_a = a[weight] + off(weight), w_b = b[weight] + off(weight);
-      const bool a_beside = h_a > 0 || w_a<0, b_beside = h_b> 0 || w_b < 0;
+      const bool a_beside = h_a > 0 || w_a < 0;
+      const bool b_beside = h_b > 0 || w_b < 0;
       const bool between_beside = h_a > 0 ? h_a * w_b - h_b * w_a < 0 : h_b > 0 ? h_b * w_a - h_a * w_b < 0 : true;
       if (a_beside && b_beside && between_beside) return true;
     }
@@ -209,12 +210,21 @@ class SheetBeneath {
 
 }  // namespace
 
+namespace {
+
+/// Heights over the face times its area are rounded to multiples of 2^-1074 m^3: here that is no more of a depth than
+/// 2^-53 of the tolerance.
+constexpr double kLeastVolume = 0x1p-1020;
+
+}  // namespace
+
 double upper_bound_of_exit_depth(const PreparedSurface& surface, Index face) {
   if (!surface.closed) return kInfinity;
   const FaceGeometry geometry(surface.points_of(face));
   if (!thickness_holds(surface, 0, geometry)) return kInfinity;
   // Half of it for roundings of what is computed here, half for a pose's.
   const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
+  if (!(geometry.area * tolerance > kLeastVolume)) return kInfinity;
   return SheetBeneath(surface, face, MasterPrism(geometry), tolerance).depth();
 }
 
