@@ -16,6 +16,7 @@
 #include "reference/elements/barycentric_elements.h"
 #include "reference/elements/clipped_elements.h"
 #include "reference/force/contact_force.h"
+#include "reference/force/tangent.h"
 #include "reference/pose/exact_pose.h"
 #include "reference/pose/surface.h"
 #include "reference/report.h"
@@ -115,6 +116,7 @@ struct Inquiry::Data {
   Solution& solve(Problem problem);
   const ElementPairs& pairs(Problem problem, Side master);
   MasterElements& elements(Problem problem, Side master);
+  ForceQuestion question(Problem problem, Side master);
 };
 
 Inquiry::Inquiry(const Oracle& oracle, const Pose& pose, const Velocity& velocity, const Wanted& wanted)
@@ -193,6 +195,11 @@ MasterElements& Inquiry::Data::elements(Problem problem, Side master) {
   return *elements;
 }
 
+ForceQuestion Inquiry::Data::question(Problem problem, Side master) {
+  const ElementSource& source = *elements(problem, master).source;
+  return {solve(problem).pose, source, law, velocity};
+}
+
 Answer Inquiry::answer(Problem problem) {
   return answer(problem, data_->oracle.mode);
 }
@@ -221,7 +228,15 @@ Answer Inquiry::answer(Problem problem, Mode mode) {
   std::vector<MasterLoads*> loads;
   for (const Side master : masters_of(mode)) loads.push_back(data_->elements(problem, master).loads.get());
   report_force(loads, data_->wanted, answer);
+  if (data_->wanted.tangent) answer.tangent = tangent(problem, mode);
   return answer;
+}
+
+Tangent Inquiry::tangent(Problem problem, Mode mode) {
+  const DefaultFloatingPoint environment;
+  std::vector<ForceQuestion> masters;
+  for (const Side master : masters_of(mode)) masters.push_back(data_->question(problem, master));
+  return tangent_of(masters);
 }
 
 }  // namespace pcm::reference

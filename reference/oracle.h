@@ -53,6 +53,8 @@ class Inquiry {
   Answer answer(Problem problem, Mode mode);
   /// The same but for the elements and all that is summed over them; of these only how many lines are too deep.
   Answer facts(Problem problem, Mode mode);
+  /// The derivatives of force and torque, whether wanted or not; also of the clipped scheme's.
+  Tangent tangent(Problem problem, Mode mode);
   /// How many pairs of faces got an exact look for crossings.
   std::size_t candidate_pairs(Problem problem);
 

@@ -105,9 +105,9 @@ Side side_from(std::int32_t side) {
 
 Wanted wanted_from(std::uint32_t flags) {
   constexpr std::uint32_t kAll = PCM_WANTED_POLYGONS | PCM_WANTED_AREAS | PCM_WANTED_FORCE | PCM_WANTED_ELEMENTS |
-                                 PCM_WANTED_BOUND | PCM_WANTED_STATISTICS;
+                                 PCM_WANTED_BOUND | PCM_WANTED_STATISTICS | PCM_WANTED_TANGENT;
   if ((flags & ~kAll) != 0)
-    refuse("wanted", flags, "a sum of PCM_WANTED_POLYGONS, PCM_WANTED_AREAS, ..., PCM_WANTED_STATISTICS");
+    refuse("wanted", flags, "a sum of PCM_WANTED_POLYGONS, PCM_WANTED_AREAS, ..., PCM_WANTED_TANGENT");
   const auto has = [flags](std::uint32_t flag) { return (flags & flag) != 0; };
   Wanted wanted;
   wanted.polygons = has(PCM_WANTED_POLYGONS);
@@ -116,6 +116,7 @@ Wanted wanted_from(std::uint32_t flags) {
   wanted.elements = has(PCM_WANTED_ELEMENTS);
   wanted.bound = has(PCM_WANTED_BOUND);
   wanted.statistics = has(PCM_WANTED_STATISTICS);
+  wanted.tangent = has(PCM_WANTED_TANGENT);
   return wanted;
 }
 

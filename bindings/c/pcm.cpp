@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bindings/c/answers.h"
@@ -194,5 +195,14 @@ pcm_status pcm_copy_faces(const pcm_workspace* workspace, int32_t side, int32_t 
   return guarded(error, [&] {
     const pcm::fast::Contact& contact = last_answer(workspace);
     copy_out("faces", active_faces(contact, pcm::c::side_from(side), kind), faces, capacity);
+  });
+}
+
+pcm_status pcm_copy_tangent(const pcm_workspace* workspace, double* tangent, size_t capacity, pcm_error* error) {
+  return guarded(error, [&] {
+    const std::optional<pcm::fast::Tangent>& answered = last_answer(workspace).tangent;
+    if (!answered) throw BadCall("the answer has no tangent: it was not asked for PCM_WANTED_TANGENT");
+    require_room("numbers of a tangent", static_cast<std::size_t>(answered->size()), capacity);
+    Eigen::Map<Eigen::Matrix<double, 6, 12, Eigen::RowMajor>>(&given(tangent, "tangent")) = *answered;
   });
 }

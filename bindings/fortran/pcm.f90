@@ -23,13 +23,13 @@ module pcm
   public :: pcm_E, pcm_F, pcm_mode_E, pcm_mode_F, pcm_mode_both, pcm_barycentric, pcm_clipped
   public :: pcm_damping_no_tension, pcm_damping_full, pcm_damping_compression
   public :: pcm_wanted_polygons, pcm_wanted_areas, pcm_wanted_force, pcm_wanted_elements, pcm_wanted_bound, &
-    pcm_wanted_statistics
+    pcm_wanted_statistics, pcm_wanted_tangent
   public :: pcm_intersected, pcm_inner, pcm_infinity
   public :: pcm_law, pcm_answer, pcm_active_area, pcm_bound, pcm_statistics
   public :: pcm_element, pcm_polygon, pcm_crossing
   public :: pcm_surface, pcm_pairing, pcm_workspace
   public :: pcm_default_law, pcm_read, pcm_define, pcm_evaluate, pcm_dispose
-  public :: pcm_get_mesh, pcm_get_elements, pcm_get_polygons, pcm_get_crossings, pcm_get_faces
+  public :: pcm_get_mesh, pcm_get_elements, pcm_get_polygons, pcm_get_crossings, pcm_get_faces, pcm_get_tangent
 
   type :: pcm_surface
     private
@@ -124,7 +124,8 @@ contains
     call finish(c_pairing_define(E%handle, F%handle, law, mode, scheme, pairing%handle, error), error, stat, errmsg)
   end subroutine
 
-  !> F's points lie at matmul(A, x_F) + r. Without v and w nothing moves; without `wanted` everything but bounds is.
+  !> F's points lie at matmul(A, x_F) + r. Without v and w nothing moves; without `wanted` everything but
+  !> bounds and tangents is.
   subroutine pcm_evaluate(pairing, A, r, workspace, answer, v, w, wanted, stat, errmsg)
     type(pcm_pairing), intent(in) :: pairing
     real(c_double), intent(in) :: A(3, 3), r(3)
@@ -176,6 +177,21 @@ contains
       elements%master_face = elements%master_face + 1
       elements%slave_face = elements%slave_face + 1
     end if
+    call finish(status, error, stat, errmsg)
+  end subroutine
+
+  !> The derivatives of force and torque, the rows, by r, by a turn of F about Mf, by v and by w, three columns each.
+  subroutine pcm_get_tangent(workspace, tangent, stat, errmsg)
+    type(pcm_workspace), intent(in) :: workspace
+    real(c_double), intent(out) :: tangent(6, 12)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(pcm_error) :: error
+    real(c_double) :: by_rows(12, 6)
+    integer(c_int32_t) :: status
+    by_rows = 0
+    status = c_copy_tangent(workspace%handle, by_rows, bytes(size(by_rows)), error)
+    tangent = transpose(by_rows)
     call finish(status, error, stat, errmsg)
   end subroutine
 

@@ -16,7 +16,7 @@ module pcm_c
   integer(c_int32_t), parameter :: pcm_damping_no_tension = 0, pcm_damping_full = 1, pcm_damping_compression = 2
   !> What is wanted: a sum of these.
   integer(c_int32_t), parameter :: pcm_wanted_polygons = 1, pcm_wanted_areas = 2, pcm_wanted_force = 4, &
-    pcm_wanted_elements = 8, pcm_wanted_bound = 16, pcm_wanted_statistics = 32
+    pcm_wanted_elements = 8, pcm_wanted_bound = 16, pcm_wanted_statistics = 32, pcm_wanted_tangent = 64
   integer(c_int32_t), parameter :: pcm_intersected = 0, pcm_inner = 1
   !> The stiffness of a rigid body's layer, and the greatest penetration of a law that has none.
   real(c_double), parameter :: pcm_infinity = transfer(int(z'7FF0000000000000', c_int64_t), 1.0_c_double)
@@ -202,6 +202,15 @@ module pcm_c
       type(c_ptr), value :: workspace
       integer(c_int32_t), value :: side, kind
       integer(c_int32_t), intent(out) :: faces(*)
+      integer(c_size_t), value :: capacity
+      type(pcm_error), intent(out) :: error
+      integer(c_int32_t) :: status
+    end function
+
+    function c_copy_tangent(workspace, tangent, capacity, error) bind(c, name="pcm_copy_tangent") result(status)
+      import :: c_double, c_int32_t, c_ptr, c_size_t, pcm_error
+      type(c_ptr), value :: workspace
+      real(c_double), intent(out) :: tangent(*)
       integer(c_size_t), value :: capacity
       type(pcm_error), intent(out) :: error
       integer(c_int32_t) :: status

@@ -31,6 +31,13 @@ auto rows(List T::*member) {
   return [member](const T& object) { return array_of_rows(object.*member); };
 }
 
+py::object tangent_of(const Contact& contact) {
+  if (!contact.tangent) return py::none();
+  py::array_t<double> array({6, 12});
+  Eigen::Map<Eigen::Matrix<double, 6, 12, Eigen::RowMajor>>(array.mutable_data()) = *contact.tangent;
+  return array;
+}
+
 std::string text_of(const Contact& contact) {
   return std::string("<pcm.Contact: ") + (contact.touching ? "touching, " : "not touching, ") +
          std::to_string(contact.element_count) + " elements>";
@@ -107,6 +114,10 @@ void bind_contact(py::module_& module) {
       .def_property_readonly("force_Me", vector(&Contact::force_Me), "On body E, N.")
       .def_property_readonly("torque_Me", vector(&Contact::torque_Me), "On body E about the origin of Mf, N m.")
       .def_readonly("bound", &Contact::bound, "ForceBound, or None.")
+      .def_property_readonly(
+          "tangent", &tangent_of,
+          "Derivatives of force_Me and torque_Me, the six rows, by r, by a turn of F about Mf, by v\n"
+          "and by w, three columns each, or None. Discrete facts stay as they are.")
       .def_readonly("statistics", &Contact::statistics, "Statistics over the elements.")
       .def("__repr__", &text_of);
 }

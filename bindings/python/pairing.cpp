@@ -74,11 +74,11 @@ std::optional<py::array_t<double>> optional_doubles(const py::object& value, con
 
 fast::Contact evaluate(PooledPairing& self, const py::object& A, const py::object& r, const py::object& v,
                        const py::object& w, bool polygons, bool areas, bool force, bool elements, bool bound,
-                       bool statistics) {
+                       bool statistics, bool tangent) {
   const py::array_t<double> A_array = doubles(A, "A", {3, 3}), r_array = doubles(r, "r", {3});
   const auto v_array = optional_doubles(v, "v", {3}), w_array = optional_doubles(w, "w", {3});
   const States state{1, A_array.data(), r_array.data(), data_or_null(v_array), data_or_null(w_array)};
-  const Wanted wanted{polygons, areas, force, elements, bound, statistics};
+  const Wanted wanted{polygons, areas, force, elements, bound, statistics, tangent};
   const py::gil_scoped_release others_may_run;
   std::unique_ptr<fast::Workspace> workspace = self.workspaces.take();
   fast::Contact contact = fast::evaluate(self.pairing, state.pose(0), state.velocity(0), wanted, *workspace);
@@ -95,7 +95,7 @@ py::array_t<AnswerRow> evaluate_many_states(PooledPairing& self, const py::objec
   const auto v_array = optional_doubles(v, "v", {count, 3}), w_array = optional_doubles(w, "w", {count, 3});
   const States states{static_cast<std::size_t>(count), A_array.data(), r_array.data(), data_or_null(v_array),
                       data_or_null(w_array)};
-  const Wanted wanted{false, areas, force, false, bound, statistics};
+  const Wanted wanted{false, areas, force, false, bound, statistics, false};
   py::array_t<AnswerRow> rows(count);
   AnswerRow* to = rows.mutable_data();
   const py::gil_scoped_release others_may_run;
@@ -133,11 +133,13 @@ void bind_pairing(py::module_& module) {
           "evaluate", &evaluate, py::arg("A"), py::arg("r"), py::arg("v") = py::none(), py::arg("w") = py::none(),
           py::kw_only(), py::arg("polygons") = true, py::arg("areas") = true, py::arg("force") = true,
           py::arg("elements") = true, py::arg("bound") = false, py::arg("statistics") = false,
+          py::arg("tangent") = false,
           "The Contact at one state. F's points lie at x_E = A x_F + r: A, shape (3, 3), is a rotation to 1e-9 and is\n"
           "used as given; r, shape (3,), m. v = dr/dt seen in Me, m/s, and w, the angular velocity of F relative to "
           "E,\n"
           "rad/s, are resolved in Me; None is 0. The rest says what is wanted; nothing else is computed. `elements`\n"
-          "and `statistics` need the force and have it computed, so does `bound`.")
+          "and `statistics` need the force and have it computed, so do `bound` and `tangent`, which only the\n"
+          "barycentric scheme has.")
       .def(
           "evaluate_many", &evaluate_many_states, py::arg("A"), py::arg("r"), py::arg("v") = py::none(),
           py::arg("w") = py::none(), py::kw_only(), py::arg("areas") = true, py::arg("force") = true,

@@ -59,6 +59,7 @@ PeerEntry oracle(const char* who, reference::Problem problem) {
 std::vector<PeerEntry> engine_peers() {
   return {engine("pcm barycentric", "everything", Scheme::barycentric, kEverything),
           engine("pcm barycentric", "force and torque", Scheme::barycentric, kForceOnly),
+          engine("pcm barycentric", "force, torque, their derivatives", Scheme::barycentric, kForceAndTangent),
           engine("pcm clipped", "everything", Scheme::clipped, kEverything),
           engine("pcm clipped", "force and torque", Scheme::clipped, kForceOnly),
           engine("pcm", "polygons, patches", Scheme::barycentric, kPolygonsOnly),

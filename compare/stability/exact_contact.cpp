@@ -116,9 +116,10 @@ const ExactContact::Computed& ExactContact::computed(mpfr_prec_t precision) {
   const Ball zero = field(0.0);
   Computed sum{{pose.zero(), pose.zero(), zero, zero}, {zero, zero}};
   const ContactLaw law = stability_law();
+  const reference::State<Ball> state = reference::state_of(pose_.pose(), Velocity{}, field);
   for (std::size_t i = 0; i < source_->size(); ++i) {
     const reference::ElementLoad<Ball> load =
-        reference::load_of(source_->geometry(i, pose), Side::E, law, pose_.pose(), Velocity{}, field);
+        reference::load_of(source_->geometry(i, pose), Side::E, law, state, field);
     const Ball size = length_of(load.force);
     sum.values.force_Me = sum.values.force_Me + load.force;
     sum.values.torque_Me = sum.values.torque_Me + cross(load.arm, load.force);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace pcm::fast {
 
@@ -58,8 +59,23 @@ class ElementBatch {
       lanes.depth.value[lane] = std::min(found[lane].depth, problem_.law.max_penetration);
       queue_.set_faces(lane, faces_[lane], found[lane].slave_face, found[lane].depth);
     }
+    if (problem_.with_tangent && elements != 0) find_gradients(found, elements);
     queue_.add_lanes(elements);
     count_ = 0;
+  }
+
+  void find_gradients(const std::array<Penetration, kElementLanes>& found, LaneBits elements) {
+    ElementLanes& lanes = scratch_.lanes;
+    const auto some = static_cast<std::size_t>(std::countr_zero(elements));
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      const std::size_t from = has_lane(elements, lane) ? lane : some;
+      enter_corners(posed_, opposite(master_), found[from].slave_face, lanes.slave_corners, lane);
+    }
+    fastest_wide_elements().gradient(lanes);
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      const bool clamped = found[lane].depth >= problem_.law.max_penetration;
+      if (has_lane(elements, lane) && clamped) lanes.depth_gradient_Me.set(lane, Eigen::Vector3d::Zero());
+    }
   }
 
   PosedPair& posed_;

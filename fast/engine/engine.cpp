@@ -76,6 +76,7 @@ void keep_only(const Wanted& wanted, Contact& contact) {
   if (!wanted.elements) contact.elements.clear();
   if (!wanted.elements && !wanted.statistics) contact.statistics = {};
   if (!wanted.bound) contact.bound.reset();
+  if (!wanted.tangent) contact.tangent.reset();
   if (!force) {
     contact.element_count = contact.too_deep = 0;
     contact.max_penetration = 0;
@@ -202,11 +203,13 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, double orthogonal
     others.only_wanted = true;
     Wanted all;
     all.bound = wanted.bound;  // a promise of its own, and all of its cost
+    all.tangent = wanted.tangent;
     evaluate_in_default_environment(pairing, pose, velocity, all, workspace, others, kept);
     keep_only(wanted, workspace.data().contact);
     return workspace.data().contact;
   }
   const double orthogonality_error = require_valid(pose, velocity);
+  require_valid(wanted, pairing.scheme());
   Workspace::Data& data = workspace.data();
   evaluate_wanted(pairing, pose, orthogonality_error, velocity, wanted, savings, kept, data);
   data.contact.work = data.posed.work;

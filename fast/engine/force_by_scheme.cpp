@@ -13,14 +13,26 @@ MasterForce sum_elements(const Intersection& intersection, Scheme scheme, Side m
              : sum_barycentric_elements(intersection, master, problem, scratch.barycentric, memory, record);
 }
 
+/// Where nobody hears of the elements.
+ForceProblem unheard(const ForceProblem& problem) {
+  ForceProblem result = problem;
+  result.keep_elements = result.with_statistics = result.keep_found = false;
+  return result;
+}
+
 PairingForce sum_bounded_elements(const Intersection& intersection, Scheme scheme, Side master,
                                   const ForceProblem& problem, ForceScratch& scratch, ElementRecord& record) {
   MasterBound bound(intersection, master, problem, scratch.undecided);
-  const MasterForce total =
+  MasterForce total =
       scheme == Scheme::clipped
           ? sum_bounded_clipped_elements(intersection, problem, scratch.clipped.face, scratch.clipped_bound, bound,
                                          record)
           : sum_bounded_barycentric_elements(intersection, problem, scratch.barycentric_bound, bound, record);
+  if (problem.with_tangent) {
+    ElementRecord none;
+    const ForceProblem once_more = unheard(problem);
+    total.tangent = sum_elements(intersection, scheme, master, once_more, scratch, nullptr, none).tangent;
+  }
   return {total, bound.result()};
 }
 
@@ -66,10 +78,8 @@ MasterForce repeat_force(const FoundElements& found, Mode mode, const ForceProbl
 void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
                             ForceScratch& scratch) {
   if (mode == Mode::both) return;
-  ForceProblem unheard = problem;
-  unheard.keep_elements = unheard.with_statistics = false;
   ElementRecord none;
-  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, unheard, scratch, nullptr, none);
+  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, unheard(problem), scratch, nullptr, none);
 }
 
 }  // namespace pcm::fast

@@ -16,7 +16,7 @@ namespace {
 
 bool is_same(const Wanted& a, const Wanted& b) {
   return a.polygons == b.polygons && a.areas == b.areas && a.force == b.force && a.elements == b.elements &&
-         a.bound == b.bound && a.statistics == b.statistics;
+         a.bound == b.bound && a.statistics == b.statistics && a.tangent == b.tangent;
 }
 
 }  // namespace

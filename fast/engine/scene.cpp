@@ -260,6 +260,7 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
     }
   }
   if (body_E == body_F) throw BadInput("pairing: body " + std::to_string(body_E) + " with itself");
+  require_valid(wanted, scheme);
   const DefaultFloatingPoint environment;
   const Surface& F = data_->body(body_F).surface;
   ScenePairing pairing{body_E,
@@ -336,6 +337,8 @@ const Contact& Scene::evaluate(Index pairing, Workspace& workspace) {
   // The only things said of what is apart.
   Contact& apart = workspace.data().apart;
   apart.has_volume = asked.wanted.areas && asked.pairing.surface_E().closed() && asked.pairing.surface_F().closed();
+  apart.tangent.reset();
+  if (asked.wanted.tangent) apart.tangent = Tangent::Zero();
   return apart;
 }
 

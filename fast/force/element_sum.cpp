@@ -39,17 +39,23 @@ void ElementRecord::take_back_list(Contact& contact) {
 }
 
 MasterForce mean(const MasterForce& on_E, const MasterForce& on_F) {
-  return {0.5 * (on_E.force_Me + on_F.force_Me), 0.5 * (on_E.torque_Me + on_F.torque_Me)};
+  MasterForce mean{0.5 * (on_E.force_Me + on_F.force_Me), 0.5 * (on_E.torque_Me + on_F.torque_Me), std::nullopt};
+  if (on_E.tangent) mean.tangent = 0.5 * (*on_E.tangent + *on_F.tangent);
+  return mean;
 }
 
 void require_finite(const MasterForce& total) {
-  if (total.force_Me.allFinite() && total.torque_Me.allFinite()) return;
+  const bool finite = total.force_Me.allFinite() && total.torque_Me.allFinite();
+  if (finite && total.tangent && !total.tangent->allFinite())
+    throw BadInput("a tangent exceeds the range of doubles; choose units in which the numbers are smaller");
+  if (finite) return;
   throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
 }
 
 void report_forces(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact) {
   contact.force_Me = total.force_Me;
   contact.torque_Me = total.torque_Me;
+  contact.tangent = total.tangent;
   contact.elements.swap(record.elements);
   if (problem.with_statistics) contact.statistics = record.statistics.result();
 }
@@ -89,7 +95,9 @@ ElementQueue::ElementQueue(const ForceProblem& problem, Side master, ElementReco
       lanes_(lanes),
       limits_(force_limits(problem, master)),
       kept_(problem.keep_found ? &record.found.of(master) : nullptr),
-      sum_(problem, record, work) {}
+      sum_(problem, record, work) {
+  if (problem.with_tangent) tangent_.emplace();
+}
 
 void ElementQueue::add(const ElementFaces& faces, double area, double penetration, const Eigen::Vector3d& n_Me,
                        const Eigen::Vector3d& foot_Me) {
@@ -111,6 +119,14 @@ void ElementQueue::add_lanes(LaneBits which) {
     sum_.count(faces_[lane].greatest_penetration);
     add_lane(lane, has_lane(forced, lane));
   }
+  if (tangent_ && which != 0) tangent_->add(lanes_, limits_, which);
+}
+
+MasterForce ElementQueue::total() {
+  form_waiting();
+  MasterForce total = sum_.total();
+  if (tangent_) total.tangent = tangent_->total(limits_, total.force_Me, total.torque_Me);
+  return total;
 }
 
 void ElementQueue::form_waiting() {
@@ -138,6 +154,10 @@ void ElementQueue::add_lane(std::size_t lane, bool forced) {
   } else {
     apply_force(problem_, lanes_.barycentre_Me[lane], element);
     sum_.add_forced(element, torque_Me(problem_, element));
+    lanes_.normal_velocity.value[lane] = element.normal_velocity;
+    lanes_.tangential_velocity.value[lane] = element.tangential_velocity;
+    lanes_.position_Me.set(lane, element.position_Me);
+    lanes_.force_Me.set(lane, element.force_Me);
   }
 }
 

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "fast/force/force_problem.h"
 #include "fast/force/found_elements.h"
 #include "fast/force/statistics_sum.h"
+#include "fast/force/tangent_sum.h"
 #include "fast/simd/elements.h"
 #include "pcm/contact.h"
 #include "pcm/work_counters.h"
@@ -18,6 +20,7 @@ namespace pcm::fast {
 struct MasterForce {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m
+  std::optional<Tangent> tangent;                       ///< where the problem has one
 };
 
 /// What is told of the elements of all masters beside their force and torque: see Contact.
@@ -42,7 +45,7 @@ struct ElementRecord {
 /// Of the elements of both masters.
 MasterForce mean(const MasterForce& on_E, const MasterForce& on_F);
 
-/// Throws BadInput where the force or its torque overflowed.
+/// Throws BadInput where the force, its torque or the tangent overflowed.
 void require_finite(const MasterForce& total);
 
 /// Writes force and torque, elements and statistics, all that velocities change, into the answer, which gets the list
@@ -74,7 +77,8 @@ class ElementSum {
   MasterForce total_;
 };
 
-/// The same, with forces computed kElementLanes at a time, to the same bits.
+/// The same, with forces computed kElementLanes at a time, to the same bits; and their derivatives where the problem
+/// has a tangent, which needs the elements' depth_gradient_Me.
 class ElementQueue {
  public:
   /// `lanes`: scratch, or where `add_lanes` finds elements.
@@ -97,10 +101,7 @@ class ElementQueue {
     faces_[lane] = {master_face, slave_face, greatest_penetration};
   }
   /// After the last element.
-  const MasterForce& total() {
-    form_waiting();
-    return sum_.total();
-  }
+  MasterForce total();
 
  private:
   void form_waiting();
@@ -114,6 +115,7 @@ class ElementQueue {
   std::vector<KeptLanes>* kept_;  ///< null where the problem keeps none
   std::size_t waiting_ = 0;
   ElementSum sum_;
+  std::optional<TangentSum> tangent_;  ///< where the problem has one
 };
 
 }  // namespace pcm::fast

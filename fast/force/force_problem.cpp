@@ -13,6 +13,7 @@ ForceProblem::ForceProblem(const ContactLaw& contact_law, const Pose& pose_F, co
     : law(contact_law), stiffness(contact_law), pose(pose_F), velocity(velocity_F) {
   keep_elements = wanted.elements;
   with_statistics = wanted.elements || wanted.statistics;
+  with_tangent = wanted.tangent;
   with_velocities = law.damping != 0 || law.friction != 0 || with_statistics;
 }
 

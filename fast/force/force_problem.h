@@ -17,6 +17,7 @@ struct ForceProblem {
   bool with_velocities = false;  ///< some result depends on them
   bool keep_elements = false;    ///< in the answer
   bool with_statistics = false;
+  bool with_tangent = false;
   bool keep_found = false;  ///< elements before the law, in the record, for another velocity
 
   /// The problem that answers what is wanted, and no more. All that is given must outlive it.

@@ -41,10 +41,12 @@ inline bool has_lane(LaneBits bits, std::size_t lane) {
   return (bits >> lane & 1U) != 0;
 }
 
-/// Four elements as they were found: all of them that `force` reads.
+/// Four elements as they were found: all of them that `force` and `tangent` read.
 struct FoundLanes {
   VectorLanes n_Me, barycentre_Me;  ///< of the master faces; in the clipped scheme the centre of pressure
   DoubleLanes area, depth;
+  /// How the depth grows as the slave's face moves, 0 where it is clamped; where a tangent is wanted.
+  VectorLanes depth_gradient_Me;
 };
 
 /// Four master faces of the barycentric scheme, the slave faces that they were matched with, and their elements.
@@ -61,6 +63,15 @@ struct ElementLanes : FoundLanes {
   // What `force` fills: see Element; the torque is about Mf.
   DoubleLanes normal_velocity, tangential_velocity, normal_force, tangential_force;
   VectorLanes position_Me, force_Me, torque_Me;
+};
+
+/// Four matrices, entry (i, j) at 3 i + j.
+using MatrixLanes = std::array<DoubleLanes, 9>;
+
+/// Sums over elements, lane by lane, of which a tangent is made: fast/force/tangent_sum.h.
+struct TangentLanes {
+  MatrixLanes force_by_position, force_by_rotation, force_by_velocity, force_by_lever;
+  MatrixLanes torque_by_position, torque_by_rotation, torque_by_velocity, torque_by_lever;
 };
 
 /// What `decide` compares with.
@@ -94,11 +105,14 @@ struct ForceLimits {
 /// The steps from faces to forces, compiled for one set of instructions, in the order of operations of FaceGeometry,
 /// DepthBelow and apply_force: never fused, so that all sets give the bits of these. `geometry` finds barycentres and
 /// sides in all lanes and returns those whose area and normal it found; `force` returns the lanes it filled. The
-/// numbers in others are too large or too small for them.
+/// numbers in others are too large or too small for them. `gradient` fills depth_gradient_Me, of slave faces at
+/// slave_corners, in all lanes; `tangent` adds what elements with their forces make of it, in those asked for.
 struct WideElements {
   LaneBits (*geometry)(ElementLanes& lanes);
   DecidedLanes (*decide)(ElementLanes& lanes, const DecisionLimits& limits);
   LaneBits (*force)(ElementLanes& lanes, const ForceLimits& limits);
+  void (*gradient)(ElementLanes& lanes);
+  void (*tangent)(const ElementLanes& lanes, const ForceLimits& limits, LaneBits which, TangentLanes& sums);
 };
 
 }  // namespace pcm::fast

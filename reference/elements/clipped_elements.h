@@ -58,6 +58,8 @@ class ClippedElements final : public ElementSource {
   ElementGeometry<DoubleDouble> geometry(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
   ElementGeometry<Ball> geometry(std::size_t i, ConvertedPose<Ball>& pose) const override;
   ElementGeometry<Quadratic> geometry(std::size_t i, ConvertedPose<Rational>& pose) const override;
+  ElementGeometry<Dual<DoubleDouble>> geometry(std::size_t i, ConvertedPose<Dual<DoubleDouble>>& pose) const override;
+  ElementGeometry<Dual<Ball>> geometry(std::size_t i, ConvertedPose<Dual<Ball>>& pose) const override;
   DoubleDouble perimeter(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
   Ball perimeter(std::size_t i, ConvertedPose<Ball>& pose) const override;
   RadicalSum perimeter(std::size_t i, ConvertedPose<Rational>& pose) const override;

@@ -10,6 +10,11 @@
 namespace pcm::reference {
 namespace {
 
+template <class T>
+inline constexpr bool kIsDual = false;
+template <class T>
+inline constexpr bool kIsDual<Dual<T>> = true;
+
 /// A point of the master's plane.
 template <class T>
 struct PlanePoint {
@@ -73,6 +78,7 @@ struct Moments {
 /// polygon min(d, q_max) is at least the mean of min(d_i, q_max) with that point's weights, and at most that of d_i and
 /// at most q_max; and s and t are not negative. So to enclose both d_i and q_max at such corners encloses the moments.
 /// Where there are corners on both sides as well, d_i and min(d_i, q_max) at all of them do, if not tightly.
+/// Derivatives are not enclosed by that: of them nothing is known then.
 template <class T>
 void add_clamped(const std::vector<Sample<T>>& polygon, const T& q_max, Moments<T>& sum) {
   std::vector<std::optional<int>> signs;
@@ -87,6 +93,11 @@ void add_clamped(const std::vector<Sample<T>>& polygon, const T& q_max, Moments<
   std::vector<Sample<T>> before, beyond;
   if (!any_before || !any_beyond || in_doubt != nullptr) {
     const bool both = any_before && any_beyond;
+    if constexpr (kIsDual<T>)
+      if (in_doubt != nullptr) {
+        const T zero = q_max - q_max;
+        sum.d6 = sum.d6 + zero / zero;
+      }
     for (const Sample<T>& x : polygon)
       before.push_back({x.s, x.t,
                         both ? where_negative(T(*in_doubt - q_max), x.d, min(x.d, q_max))
@@ -282,6 +293,15 @@ ElementGeometry<DoubleDouble> ClippedElements::geometry(std::size_t i, Converted
 }
 
 ElementGeometry<Ball> ClippedElements::geometry(std::size_t i, ConvertedPose<Ball>& pose) const {
+  return enclosed_geometry(pose, elements_[i], max_penetration_);
+}
+
+ElementGeometry<Dual<DoubleDouble>> ClippedElements::geometry(std::size_t i,
+                                                              ConvertedPose<Dual<DoubleDouble>>& pose) const {
+  return enclosed_geometry(pose, elements_[i], max_penetration_);
+}
+
+ElementGeometry<Dual<Ball>> ClippedElements::geometry(std::size_t i, ConvertedPose<Dual<Ball>>& pose) const {
   return enclosed_geometry(pose, elements_[i], max_penetration_);
 }
 

@@ -25,6 +25,15 @@ ElementGeometry<Ball> BarycentricElements::geometry(std::size_t i, ConvertedPose
   return geometry_of(pose, pairs_[i]);
 }
 
+ElementGeometry<Dual<DoubleDouble>> BarycentricElements::geometry(std::size_t i,
+                                                                  ConvertedPose<Dual<DoubleDouble>>& pose) const {
+  return geometry_of(pose, pairs_[i]);
+}
+
+ElementGeometry<Dual<Ball>> BarycentricElements::geometry(std::size_t i, ConvertedPose<Dual<Ball>>& pose) const {
+  return geometry_of(pose, pairs_[i]);
+}
+
 ElementGeometry<Quadratic> BarycentricElements::geometry(std::size_t i, ConvertedPose<Rational>& pose) const {
   return converted(geometry_of(pose, pairs_[i]));
 }

@@ -9,6 +9,7 @@
 #include "reference/elements/element_geometry.h"
 #include "reference/numbers/ball.h"
 #include "reference/numbers/double_double.h"
+#include "reference/numbers/dual.h"
 #include "reference/numbers/radical_sum.h"
 #include "reference/pose/converted_pose.h"
 
@@ -24,6 +25,10 @@ class ElementSource {
   virtual ElementGeometry<DoubleDouble> geometry(std::size_t i, ConvertedPose<DoubleDouble>& pose) const = 0;
   virtual ElementGeometry<Ball> geometry(std::size_t i, ConvertedPose<Ball>& pose) const = 0;
   virtual ElementGeometry<Quadratic> geometry(std::size_t i, ConvertedPose<Rational>& pose) const = 0;
+  /// With its derivative by the coordinate of the pose's field.
+  virtual ElementGeometry<Dual<DoubleDouble>> geometry(std::size_t i,
+                                                       ConvertedPose<Dual<DoubleDouble>>& pose) const = 0;
+  virtual ElementGeometry<Dual<Ball>> geometry(std::size_t i, ConvertedPose<Dual<Ball>>& pose) const = 0;
   /// The length of the border of the part of the master face that is the element, m; 0 for the barycentre's.
   virtual DoubleDouble perimeter(std::size_t i, ConvertedPose<DoubleDouble>& pose) const = 0;
   virtual Ball perimeter(std::size_t i, ConvertedPose<Ball>& pose) const = 0;
@@ -40,6 +45,8 @@ class BarycentricElements final : public ElementSource {
   ElementGeometry<DoubleDouble> geometry(std::size_t i, ConvertedPose<DoubleDouble>& pose) const override;
   ElementGeometry<Ball> geometry(std::size_t i, ConvertedPose<Ball>& pose) const override;
   ElementGeometry<Quadratic> geometry(std::size_t i, ConvertedPose<Rational>& pose) const override;
+  ElementGeometry<Dual<DoubleDouble>> geometry(std::size_t i, ConvertedPose<Dual<DoubleDouble>>& pose) const override;
+  ElementGeometry<Dual<Ball>> geometry(std::size_t i, ConvertedPose<Dual<Ball>>& pose) const override;
   DoubleDouble perimeter(std::size_t, ConvertedPose<DoubleDouble>& pose) const override { return pose.number(0.0); }
   Ball perimeter(std::size_t, ConvertedPose<Ball>& pose) const override { return pose.number(0.0); }
   RadicalSum perimeter(std::size_t, ConvertedPose<Rational>&) const override { return {}; }

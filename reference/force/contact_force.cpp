@@ -33,7 +33,10 @@ template <class T>
 class EnclosedLoads {
  public:
   EnclosedLoads(const ForceQuestion& question, const Field<T>& field)
-      : question_(question), field_(field), pose_(question.pose, field_) {}
+      : question_(question),
+        field_(field),
+        pose_(question.pose, field_),
+        state_(state_of(question.pose.pose(), question.velocity, field_)) {}
 
   const Field<T>& field() const { return field_; }
   std::size_t size() const { return question_.elements.size(); }
@@ -47,8 +50,7 @@ class EnclosedLoads {
  private:
   EnclosedLoad<T> enclose(std::size_t i) {
     const ElementGeometry<T> g = question_.elements.geometry(i, pose_);
-    const ElementLoad<T> load =
-        load_of(g, question_.elements.pair(i).master, question_.law, question_.pose.pose(), question_.velocity, field_);
+    const ElementLoad<T> load = load_of(g, question_.elements.pair(i).master, question_.law, state_, field_);
     const T v_t = sqrt(load.speed_squared);
     return {load, dot(g.N, g.slave_N) / sqrt(dot(g.N, g.N) * dot(g.slave_N, g.slave_N)), v_t,
             v_t * load.friction.constant + load.speed_squared * load.friction.linear, load.force + v_t * load.drag};
@@ -57,6 +59,7 @@ class EnclosedLoads {
   ForceQuestion question_;
   Field<T> field_;
   ConvertedPose<T> pose_;
+  State<T> state_;
   std::vector<std::optional<EnclosedLoad<T>>> known_;
 };
 

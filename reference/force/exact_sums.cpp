@@ -45,8 +45,9 @@ const ExactSums::Known& ExactSums::at(std::size_t i) {
   std::optional<Known>& known = known_[i];
   if (!known) {
     const ElementGeometry<Quadratic> g = question_.elements.geometry(i, pose_);
-    known = Known{g, load_of(g, question_.elements.pair(i).master, question_.law, question_.pose.pose(),
-                             question_.velocity, Field<Quadratic>{})};
+    const Field<Quadratic> field;
+    known = Known{g, load_of(g, question_.elements.pair(i).master, question_.law,
+                             state_of(question_.pose.pose(), question_.velocity, field), field)};
   }
   return *known;
 }

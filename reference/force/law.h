@@ -6,15 +6,11 @@
 
 #include "pcm/inputs.h"
 #include "reference/elements/element_geometry.h"
+#include "reference/pose/moved_state.h"
 
-/// The force law (PCM section 7) in numbers of kind T: DoubleDouble or Ball, which enclose, or Quadratic, which is
-/// exact. With L = |N| all of it lies in Q(L), but for the speed v_t, a root of such a number.
+/// The force law (PCM section 7) in numbers of kind T: DoubleDouble or Ball, which enclose, Duals of these, or
+/// Quadratic, which is exact. With L = |N| all of it lies in Q(L), but for the speed v_t, a root of such a number.
 namespace pcm::reference {
-
-template <class T>
-Vec3<T> converted(const Eigen::Vector3d& v, const Field<T>& field) {
-  return {field(v[0]), field(v[1]), field(v[2])};
-}
 
 /// F_t / v_t = constant + linear v_t (20).
 template <class T>
@@ -72,8 +68,8 @@ Friction<T> friction_slope(const T& speed_squared, double slip_velocity, const F
 }
 
 template <class T>
-ElementLoad<T> load_of(const ElementGeometry<T>& g, Side master, const ContactLaw& law, const Pose& pose,
-                       const Velocity& velocity, const Field<T>& field) {
+ElementLoad<T> load_of(const ElementGeometry<T>& g, Side master, const ContactLaw& law, const State<T>& state,
+                       const Field<T>& field) {
   const Layers<T> layers = layers_of(law, master, field);
   const T zero = field(0.0), one = field(1.0), minus_one = field(-1.0);
   const T NN = dot(g.N, g.N), length = sqrt(NN);
@@ -84,8 +80,8 @@ ElementLoad<T> load_of(const ElementGeometry<T>& g, Side master, const ContactLa
   const T u_k = q * length;                                      // (11)
   const Vec3<T> n_k = T(minus_one / length) * g.N;               // (7)
   const Vec3<T> C_k = g.foot - T(layers.slave_share * q) * g.N;  // (13), u_k n_k = -q N
-  const Vec3<T> arm = C_k - converted(pose.r, field);
-  Vec3<T> v_k = converted(velocity.v, field) + cross(converted(velocity.w, field), arm);  // (17)
+  const Vec3<T> arm = C_k - state.r;
+  Vec3<T> v_k = state.v + cross(state.w, arm);  // (17)
   if (master == Side::F) v_k = minus_one * v_k;
   const T v_n = dot(n_k, v_k);  // (16)
 

@@ -192,6 +192,17 @@ std::optional<double> Ball::nearly_rounded() const {
   return mpfr_get_d(middle.lower_, MPFR_RNDN) + 0.0;
 }
 
+NearDouble Ball::nearby() const {
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (!is_finite()) return {0, infinity};
+  const double value = mpfr_get_d(lower_, MPFR_RNDN);
+  if (!std::isfinite(value)) return {0, infinity};
+  Ball distance(*this, *this);
+  mpfr_d_sub(distance.lower_, value, lower_, MPFR_RNDU);
+  mpfr_sub_d(distance.upper_, upper_, value, MPFR_RNDU);
+  return {value, std::max({mpfr_get_d(distance.lower_, MPFR_RNDU), mpfr_get_d(distance.upper_, MPFR_RNDU), 0.0})};
+}
+
 double nearest_double(const Rational& x) {
   // Rounded twice only where both ends agree, or where the binary expansion ends within the precision.
   for (mpfr_prec_t precision = 128;; precision *= 2)

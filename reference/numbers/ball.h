@@ -52,6 +52,8 @@ class Ball {
   /// that can be had for a number halfway between these.
   std::optional<double> nearly_rounded() const;
 
+  NearDouble nearby() const;
+
  private:
   static constexpr std::size_t kInlineLimbs = 4;
 

@@ -58,6 +58,8 @@ class DoubleDouble {
   /// The double nearest to the number, where all of the enclosure rounds to it; zero is +0.
   std::optional<double> rounded() const;
 
+  NearDouble nearby() const { return {high_, kUp * (std::abs(low_) + radius_)}; }
+
   /// Whether x lies in the enclosure, decided exactly.
   bool holds(const Rational& x) const;
 

@@ -28,6 +28,12 @@ struct Field<Rational> {
   Rational operator()(const Rational& x) const { return x; }
 };
 
+/// A double near a number, and how far from it at most; infinitely where nothing is known.
+struct NearDouble {
+  double value;
+  double error;
+};
+
 /// -1, 0 or 1.
 inline int sign_of(const Exact& x) {
   return static_cast<int>(x.sign());

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reference/pose/exact_pose.h"
+#include "reference/pose/moved_state.h"
 
 namespace pcm::reference {
 
@@ -51,7 +52,7 @@ class ConvertedPose {
   Vec3<T> convert(Vertex v) const {
     if constexpr (std::same_as<T, Interval>)
       if (both_problems_) return interval_point(pose_.rounding_box(v));
-    return pose_.point<T>(v, field_);
+    return point_of(pose_, v, field_);
   }
 
   const ExactPose& pose_;

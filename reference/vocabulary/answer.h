@@ -91,6 +91,15 @@ struct Element {
   bool operator==(const Element&) const = default;
 };
 
+/// Derivatives of force and torque, where the discrete facts stay as they are (fast/include/pcm/contact.h says by
+/// what). Enclosed, not correctly rounded: many entries are 0 by cancellation.
+struct Tangent {
+  Eigen::Matrix<double, 6, 12> slope = Eigen::Matrix<double, 6, 12>::Zero();
+  Eigen::Matrix<double, 6, 12> error = Eigen::Matrix<double, 6, 12>::Zero();  ///< at most; infinite: nothing known
+
+  bool operator==(const Tangent&) const = default;
+};
+
 /// The oracle's answer to one problem. Every number is the true value, correctly rounded (ties to even, zero as +0):
 /// positions, areas, volume, and all of elements, force, torque and penetration, with two exceptions (contact_force.h).
 /// The scales may go to either neighbour where they are halfway between two doubles, or as good as that. And where an
@@ -113,8 +122,9 @@ struct Answer {
   bool penetration_exceeded = false;
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();
-  double force_scale = 0;   ///< sum of |F_k|: what a force error is measured against (DESIGN section 3)
-  double torque_scale = 0;  ///< sum of |C_k - r| |F_k|
+  double force_scale = 0;          ///< sum of |F_k|: what a force error is measured against (DESIGN section 3)
+  double torque_scale = 0;         ///< sum of |C_k - r| |F_k|
+  std::optional<Tangent> tangent;  ///< where wanted
   /// Barycentric scheme: every decision about the elements holds for all vertices within their rounding boxes. Clipped
   /// scheme: always true, for small changes of the vertices change its elements by slivers.
   bool certified = true;

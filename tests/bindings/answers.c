@@ -101,7 +101,13 @@ static void add_faces(checksum* c, const pcm_workspace* workspace, int side, int
   free(faces);
 }
 
-static uint64_t checksum_of(const pcm_workspace* workspace, const pcm_answer* answer) {
+static void add_tangent(checksum* c, const pcm_workspace* workspace) {
+  double tangent[72];
+  checked(pcm_copy_tangent(workspace, tangent, 72, &error));
+  add_doubles(c, tangent, 72);
+}
+
+static uint64_t checksum_of(const pcm_workspace* workspace, const pcm_answer* answer, uint32_t wanted) {
   checksum c = {0, 0};
   add_elements(&c, workspace, answer->elements);
   add_polygons(&c, workspace, answer->polygons, answer->crossings);
@@ -109,6 +115,7 @@ static uint64_t checksum_of(const pcm_workspace* workspace, const pcm_answer* an
   add_faces(&c, workspace, PCM_E, PCM_INNER, answer->E.inner);
   add_faces(&c, workspace, PCM_F, PCM_INTERSECTED, answer->F.intersected);
   add_faces(&c, workspace, PCM_F, PCM_INNER, answer->F.inner);
+  if ((wanted & PCM_WANTED_TANGENT) != 0) add_tangent(&c, workspace);
   return c.sum;
 }
 
@@ -117,7 +124,7 @@ static uint64_t* put_doubles(uint64_t* to, const double* numbers, int count) {
   return to;
 }
 
-static void numbers_of(const pcm_workspace* workspace, const pcm_answer* a, uint64_t* to) {
+static void numbers_of(const pcm_workspace* workspace, const pcm_answer* a, uint32_t wanted, uint64_t* to) {
   const int32_t integers[] = {
       a->touching,        a->nested,  a->ambiguous,     a->has_volume, a->penetration_exceeded, a->too_deep,
       a->undefined_areas, a->patches, a->polygons,      a->crossings,  a->element_count,        a->elements,
@@ -141,7 +148,7 @@ static void numbers_of(const pcm_workspace* workspace, const pcm_answer* a, uint
                             s->mean_pressure, s->max_normal_velocity, s->max_tangential_velocity};
   to = put_doubles(to, scalars, 6);
   to = put_doubles(to, s->centre_of_pressure_Me, 3);
-  *to = checksum_of(workspace, a);
+  *to = checksum_of(workspace, a, wanted);
 }
 
 // As a file has it, taken apart into arrays and put together again.
@@ -187,7 +194,7 @@ static int differing_numbers(FILE* in, const pcm_pairing* pairing, pcm_workspace
   pcm_answer answer = {.size = sizeof answer};
   checked(pcm_evaluate(pairing, state, state + 9, state + 12, state + 15, wanted, workspace, &answer, &error));
   uint64_t numbers[kNumbers];
-  numbers_of(workspace, &answer, numbers);
+  numbers_of(workspace, &answer, wanted, numbers);
   int differing = 0;
   for (int i = 0; i < kNumbers; ++i) differing += numbers[i] != read_bits(in);
   return differing;

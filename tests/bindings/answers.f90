@@ -85,11 +85,12 @@ contains
     state = transfer(question(2:19), state)
     call pcm_evaluate(pairing, transpose(reshape(state(1:9), (/3, 3/))), state(10:12), workspace, answer, &
       v=state(13:15), w=state(16:18), wanted=int(question(1), c_int32_t))
-    same = all(numbers_of(answer) == expected)
+    same = all(numbers_of(answer, iand(question(1), int(pcm_wanted_tangent, c_int64_t)) /= 0) == expected)
   end function
 
-  function numbers_of(a) result(bits)
+  function numbers_of(a, with_tangent) result(bits)
     type(pcm_answer), intent(in) :: a
+    logical, intent(in) :: with_tangent
     integer(c_int64_t) :: bits(numbers)
     real(c_double) :: x(33)
     bits(1:18) = (/a%touching, a%nested, a%ambiguous, a%has_volume, a%penetration_exceeded, a%too_deep, &
@@ -101,12 +102,14 @@ contains
       a%statistics%max_pressure, a%statistics%mean_pressure, a%statistics%max_normal_velocity, &
       a%statistics%max_tangential_velocity, a%statistics%centre_of_pressure_Me/)
     bits(19:51) = transfer(x, bits)
-    bits(52) = checksum()
+    bits(52) = checksum(with_tangent)
   end function
 
   !> Over all lists of the answer, numbered from 0 as in C.
-  function checksum() result(total)
+  function checksum(with_tangent) result(total)
+    logical, intent(in) :: with_tangent
     integer(c_int64_t) :: total
+    real(c_double) :: tangent(6, 12)
     type(pcm_element), allocatable :: elements(:)
     type(pcm_polygon), allocatable :: polygons(:)
     type(pcm_crossing), allocatable :: crossings(:)
@@ -139,6 +142,12 @@ contains
         call add(total, added, int(faces - 1, c_int64_t))
       end do
     end do
+    if (with_tangent) then
+      call pcm_get_tangent(workspace, tangent)
+      do n = 1, 6
+        call add(total, added, transfer(tangent(n, :), (/total/)))
+      end do
+    end if
   end function
 
   !> The exclusive or of all bits added, those of the i-th number rotated left by i modulo 64.

@@ -11,7 +11,7 @@ import pcm
 MODES = ["E", "F", "both"]
 SCHEMES = ["barycentric", "clipped"]
 DAMPING_MODES = ["no_tension", "full", "compression"]
-WANTED = ["polygons", "areas", "force", "elements", "bound", "statistics"]
+WANTED = ["polygons", "areas", "force", "elements", "bound", "statistics", "tangent"]
 NUMBERS = 52
 
 
@@ -34,6 +34,8 @@ def checksum(contact):
     lists = [bits_of_rows(rows) for rows in (contact.elements, contact.polygons, contact.crossings)]
     for area in (contact.E, contact.F):
         lists += [bits_of(area.intersected), bits_of(area.inner)]
+    if contact.tangent is not None:
+        lists.append(bits_of(contact.tangent))
     bits = np.concatenate(lists)
     shift = np.arange(len(bits), dtype=np.uint64) % np.uint64(64)
     back = (np.uint64(64) - shift) % np.uint64(64)

@@ -140,6 +140,8 @@ static void test_lists(pcm_workspace* workspace, const pcm_answer* answer) {
   EXPECT(pcm_copy_polygons(workspace, polygons, 8, &error), PCM_OK, NULL);
   EXPECT(pcm_copy_crossings(workspace, crossings, 1, &error), PCM_BAD_CALL, "room for 1 crossings");
   EXPECT(pcm_copy_crossings(workspace, crossings, 64, &error), PCM_OK, NULL);
+  double tangent[72];
+  EXPECT(pcm_copy_tangent(workspace, tangent, 72, &error), PCM_BAD_CALL, "no tangent");
   EXPECT(pcm_copy_faces(workspace, 2, PCM_INNER, faces, 8, &error), PCM_BAD_CALL, "side is 2");
   EXPECT(pcm_copy_faces(workspace, PCM_E, 2, faces, 8, &error), PCM_BAD_CALL, "kind is 2");
   EXPECT(pcm_copy_faces(workspace, PCM_E, PCM_INTERSECTED, faces, 8, &error), PCM_OK, NULL);
@@ -166,7 +168,9 @@ static void test_evaluations(void) {
   EXPECT(EVALUATE(pairing, kIdentity, NULL, NULL, NULL, all, workspace, &answer), PCM_BAD_CALL, "r is NULL");
   EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, all, NULL, &answer), PCM_BAD_CALL, "workspace is NULL");
   EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, all, workspace, NULL), PCM_BAD_CALL, "answer is NULL");
-  EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, 64, workspace, &answer), PCM_BAD_CALL, "wanted is 64");
+  EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, 128, workspace, &answer), PCM_BAD_CALL, "wanted is 128");
+  EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, PCM_WANTED_TANGENT, workspace, &answer), PCM_BAD_INPUT,
+         "clipped scheme has none");
   const double nan3[] = {0, NAN, 0}, reflection[] = {1, 0, 0, 0, 1, 0, 0, 0, -1};
   const double sheared[] = {1, 1e-6, 0, 0, 1, 0, 0, 0, 1};
   EXPECT(EVALUATE(pairing, kIdentity, nan3, NULL, NULL, all, workspace, &answer), PCM_BAD_INPUT, "finite");

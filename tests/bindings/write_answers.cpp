@@ -49,7 +49,7 @@ class Checksum {
 };
 
 /// Over elements, polygons, crossings and the active faces, each with all of its numbers in the order of the C
-/// interface's structs.
+/// interface's structs, and the tangent's numbers by rows.
 std::uint64_t checksum(const Contact& contact) {
   Checksum sum;
   for (const Element& element : contact.elements) {
@@ -72,6 +72,9 @@ std::uint64_t checksum(const Contact& contact) {
   for (const ActiveArea* area : {&contact.E, &contact.F})
     for (const std::vector<Index>* faces : {&area->intersected, &area->inner})
       for (const Index face : *faces) sum.add(face);
+  if (contact.tangent)
+    for (const auto& row : contact.tangent->rowwise())
+      for (const double x : row) sum.add(x);
   return sum.value();
 }
 
@@ -169,9 +172,11 @@ void write_poses(const Pairing& pairing, const compare::FeaturePair& features, s
     const compare::Stratum stratum = kStrata[i % std::size(kStrata)];
     const compare::PoseRandom random(kSeed, static_cast<std::uint64_t>(stratum), number, i);
     const compare::DrawnPose drawn = compare::draw_pose(stratum, features, random);
-    const std::uint64_t wanted = (i + 9 * number) % test::kAllWanted;
-    const Contact& contact = evaluate(pairing, drawn.pose, drawn.velocity, test::wanted_by_number(wanted), workspace);
-    question_line(wanted, drawn).write(out);
+    const std::uint64_t number_of_wanted = (i + 9 * number) % test::kAllWanted;
+    Wanted wanted = test::wanted_by_number(number_of_wanted);
+    wanted.tangent = pairing.scheme() == Scheme::barycentric && i % 3 != 0;
+    const Contact& contact = evaluate(pairing, drawn.pose, drawn.velocity, wanted, workspace);
+    question_line(number_of_wanted + (wanted.tangent ? test::kAllWanted : 0), drawn).write(out);
     answer_line(contact).write(out);
     ++tally.poses;
     if (contact.touching) ++tally.touching;

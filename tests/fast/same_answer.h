@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "pcm/contact.h"
@@ -53,14 +54,20 @@ inline bool same(const ForceBound& a, const ForceBound& b) {
   return same(a.force_Me, b.force_Me) && same(a.torque_Me, b.torque_Me) && a.flipped == b.flipped &&
          same(a.penetration_at_least, b.penetration_at_least) && same(a.penetration_at_most, b.penetration_at_most);
 }
+inline bool same(const Tangent& a, const Tangent& b) {
+  return std::equal(a.data(), a.data() + a.size(), b.data(), [](double x, double y) { return same(x, y); });
+}
+template <class T>
+bool same(const std::optional<T>& a, const std::optional<T>& b) {
+  return a && b ? same(*a, *b) : a.has_value() == b.has_value();
+}
 /// But for the work they took.
 inline bool same(const Contact& a, const Contact& b) {
-  const bool bound = a.bound && b.bound ? same(*a.bound, *b.bound) : a.bound.has_value() == b.bound.has_value();
-  return bound && a.touching == b.touching && a.nested == b.nested && a.ambiguous == b.ambiguous &&
-         same(a.crossings, b.crossings) && same(a.polygons, b.polygons) && a.patches == b.patches && same(a.E, b.E) &&
-         same(a.F, b.F) && a.undefined_areas == b.undefined_areas && a.has_volume == b.has_volume &&
-         same(a.volume, b.volume) && same(a.elements, b.elements) && a.element_count == b.element_count &&
-         a.too_deep == b.too_deep && same(a.max_penetration, b.max_penetration) &&
+  return same(a.bound, b.bound) && same(a.tangent, b.tangent) && a.touching == b.touching && a.nested == b.nested &&
+         a.ambiguous == b.ambiguous && same(a.crossings, b.crossings) && same(a.polygons, b.polygons) &&
+         a.patches == b.patches && same(a.E, b.E) && same(a.F, b.F) && a.undefined_areas == b.undefined_areas &&
+         a.has_volume == b.has_volume && same(a.volume, b.volume) && same(a.elements, b.elements) &&
+         a.element_count == b.element_count && a.too_deep == b.too_deep && same(a.max_penetration, b.max_penetration) &&
          a.penetration_exceeded == b.penetration_exceeded && same(a.force_Me, b.force_Me) &&
          same(a.torque_Me, b.torque_Me) && same(a.statistics, b.statistics);
 }
@@ -90,6 +97,7 @@ inline void expect_same_answer(const Contact& a, const Contact& b) {
   if (a.bound) {
     EXPECT_TRUE(same(*a.bound, *b.bound));
   }
+  EXPECT_TRUE(same(a.tangent, b.tangent));
 }
 
 }  // namespace pcm::fast::test

@@ -16,7 +16,7 @@
 /// What programs ask about that print or write many answers, to be compared with other ones.
 namespace pcm::fast::test {
 
-/// Every subset of what may be wanted, by number, which is that of the C interface's flags.
+/// Every subset of what may be wanted, but for tangents, by number, which is that of the C interface's flags.
 inline constexpr int kAllWanted = 64;
 inline Wanted wanted_by_number(std::uint64_t number) {
   const auto bit = [number](int i) { return (number >> i & 1) != 0; };

@@ -312,9 +312,9 @@ PICKED = [
     ),
     (
         "fast/law/element_force.h",
-        "damping = penetration < law.transition_depth ?",
-        "damping = penetration <= law.transition_depth ?",
-        "damping at the transition depth itself: the same, but for 0 / 0",
+        "const auto fades = penetration < law.transition_depth;",
+        "const auto fades = penetration <= law.transition_depth;",
+        "damping at the transition depth itself: the same, but for 0 / 0 and its slope",
     ),
     (
         "fast/force/element_sum.cpp",
@@ -353,15 +353,52 @@ PICKED = [
         "the tail of the lanes without its last element",
     ),
     (
-        "fast/force/element_sum.h",
-        "    form_waiting();\n    return sum_.total();",
-        "    return sum_.total();",
+        "fast/force/element_sum.cpp",
+        "  form_waiting();\n  MasterForce total = sum_.total();",
+        "  MasterForce total = sum_.total();",
         "the tail of the lanes is never formed",
+    ),
+    # Its derivatives.
+    (
+        "fast/simd/tangent_kernels.h",
+        "four(limits.master_E ? limits.shift : -limits.shift)",
+        "four(limits.shift)",
+        "which way an element of master F moves as it gets deeper",
+    ),
+    (
+        "fast/simd/tangent_kernels.h",
+        "  const auto vector = [&](const VectorLanes& x) { return choice(used, load(x), nothing); };",
+        "  const auto vector = [&](const VectorLanes& x) { return load(x); };",
+        "lanes without an element count in derivatives",
+    ),
+    (
+        "fast/force/tangent_sum.cpp",
+        "    torque_by_position += cross_matrix(force_Me);\n",
+        "",
+        "the torque's arm from Mf, which moves",
+    ),
+    (
+        "fast/force/tangent_sum.cpp",
+        "force_by_velocity * v_x + force_by_spin * w_x - cross_matrix(force_Me)",
+        "force_by_velocity * v_x - cross_matrix(force_Me)",
+        "the angular velocity as seen from F, which turns",
+    ),
+    (
+        "fast/barycentric/barycentric_elements.cpp",
+        "const bool clamped = found[lane].depth >= problem_.law.max_penetration;",
+        "const bool clamped = false;",
+        "a clamped depth counts as one that grows",
+    ),
+    (
+        "fast/engine/pairing_memory.cpp",
+        " && a.tangent == b.tangent",
+        "",
+        "a known pose forgets that a tangent was wanted",
     ),
     (
         "fast/force/element_sum.cpp",
-        "return {0.5 * (on_E.force_Me + on_F.force_Me), 0.5 * (on_E.torque_Me + on_F.torque_Me)};",
-        "return {0.5 * (on_E.force_Me + on_F.force_Me), on_E.torque_Me};",
+        "MasterForce mean{0.5 * (on_E.force_Me + on_F.force_Me), 0.5 * (on_E.torque_Me + on_F.torque_Me), std::nullopt};",
+        "MasterForce mean{0.5 * (on_E.force_Me + on_F.force_Me), on_E.torque_Me, std::nullopt};",
         "the mean of both masters' torques",
     ),
     (
@@ -428,8 +465,8 @@ PICKED = [
     ),
     (
         "fast/engine/pairing_memory.cpp",
-        "a.bound == b.bound && a.statistics == b.statistics;",
-        "a.bound == b.bound;",
+        "a.bound == b.bound && a.statistics == b.statistics && a.tangent == b.tangent;",
+        "a.bound == b.bound && a.tangent == b.tangent;",
         "a remembered answer without statistics where these are wanted",
     ),
     (
@@ -569,7 +606,7 @@ PICKED = [
     ),
     (
         "reference/force/law.h",
-        "const Vec3<T> arm = C_k - converted(pose.r, field);",
+        "const Vec3<T> arm = C_k - state.r;",
         "const Vec3<T> arm = C_k;",
         "torque about the other marker",
     ),

@@ -71,6 +71,59 @@ reference::Element after_law(const Question& question, reference::Element elemen
   return element;
 }
 
+LawSlopes law_slopes(const ContactLaw& law, const UncertainNumber& area, const UncertainNumber& penetration,
+                     const UncertainNumber& v_n, const UncertainNumber& v_t) {
+  using Number = UncertainNumber;
+  const Number zero, one(1), two(2), u_d(law.transition_depth), mu(law.friction), v_eps(law.slip_velocity);
+  const double c_l = series_stiffness(law);
+  const Number stiffness = Number(c_l, 4 * u * c_l) * area, viscosity = Number(law.damping) * area;
+
+  // F_d (15) and its derivatives, by depth and by approach.
+  Number damping = viscosity * v_n, damping_by_depth, damping_by_approach = viscosity;
+  if (law.transition_depth > 0) {
+    const auto fading = [&](const Number& faded, const Number& whole) {
+      return where_below(penetration, law.transition_depth, faded, whole);
+    };
+    damping_by_depth = fading(damping / u_d, zero);
+    damping_by_approach = fading(viscosity * (penetration / u_d), viscosity);
+    damping = fading(damping * (penetration / u_d), damping);
+  }
+  if (law.damping_mode == DampingMode::compression) {
+    for (Number* x : {&damping, &damping_by_depth, &damping_by_approach}) *x = where_below(v_n, 0, zero, *x);
+  }
+
+  // (18): what pulls is cut off, and nothing of it rubs.
+  const Number force = stiffness * penetration + damping;
+  const Number by_depth = stiffness + damping_by_depth, by_approach = damping_by_approach;
+  const auto pressing = [&](const Number& x) { return where_below(force, 0, zero, x); };
+  const bool full = law.damping_mode == DampingMode::full;
+
+  // (20): the shares of mu F_n that F_t is, and that its derivative by v_t and F_t / v_t are.
+  const Number limit = mu * pressing(force);
+  Number share = one, by_slip, over_slip;
+  if (v_t.is_zero() && law.slip_velocity == 0) {
+    share = zero;
+  } else {
+    over_slip = limit / v_t;
+    if (law.slip_velocity == 0 && !v_t.surely_from(0)) share = hull(zero, one);
+  }
+  if (law.slip_velocity > 0) {
+    const Number slip = v_t / v_eps;
+    const auto sticking = [&](const Number& sticks, const Number& slides) {
+      return where_below(v_t, law.slip_velocity, sticks, slides);
+    };
+    share = sticking(slip * (two - slip), one);
+    by_slip = sticking(limit * ((two - two * slip) / v_eps), zero);
+    over_slip = sticking(limit * ((two - slip) / v_eps), over_slip);
+  }
+  return {full ? by_depth : pressing(by_depth),
+          full ? by_approach : pressing(by_approach),
+          mu * pressing(by_depth) * share,
+          mu * pressing(by_approach) * share,
+          by_slip,
+          over_slip};
+}
+
 double greatest_force(const ContactLaw& law, double area, double penetration, double speed) {
   return (1 + law.friction) * area * (series_stiffness(law) * penetration + law.damping * speed);
 }

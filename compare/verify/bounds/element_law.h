@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "compare/verify/bounds/question.h"
+#include "compare/verify/bounds/uncertain_number.h"
 #include "reference/vocabulary/answer.h"
 
 /// The contact law once more, in plain doubles, for elements that the oracle does not have, and how far such an
@@ -22,6 +23,15 @@ double share_of_penetration(const ContactLaw& law, Side master);
 /// unit normal and position make. Each is a straightforward evaluation, so off by no more than bounds_after_law of no
 /// geometry errors.
 reference::Element after_law(const Question& question, reference::Element element);
+
+/// Derivatives of F_n (18) and F_t (20), where a kink of the law may be near those of either side.
+struct LawSlopes {
+  UncertainNumber normal_by_depth, normal_by_approach;                              ///< dF_n/du_k, dF_n/dv_n
+  UncertainNumber tangential_by_depth, tangential_by_approach, tangential_by_slip;  ///< dF_t/du_k, dF_t/dv_n, dF_t/dv_t
+  UncertainNumber tangential_over_slip;                                             ///< F_t / v_t, at rest its limit
+};
+LawSlopes law_slopes(const ContactLaw& law, const UncertainNumber& area, const UncertainNumber& penetration,
+                     const UncertainNumber& v_n, const UncertainNumber& v_t);
 
 /// The greatest |F_k|, N, of an element of this area, m^2, penetration, m, and speed |v_k|, m/s: (1 + mu) A_k (c_l u_k
 /// + d_l |v_k|), but for roundings.

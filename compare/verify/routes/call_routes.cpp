@@ -38,8 +38,8 @@ std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) 
   return mixed(hash + static_cast<std::uint64_t>(purpose));
 }
 
-/// Sixteen switches from as many bits.
-Ask drawn_ask(Route route, std::uint64_t bits) {
+/// Seventeen switches from as many bits.
+Ask drawn_ask(Route route, Scheme scheme, std::uint64_t bits) {
   Ask ask{route, {}, {}};
   const auto next = [&bits] {
     const bool bit = (bits & 1) != 0;
@@ -54,6 +54,7 @@ Ask drawn_ask(Route route, std::uint64_t bits) {
         &ask.savings.one_sided, &ask.savings.velocities, &ask.savings.only_wanted, &ask.savings.filters,
         &ask.savings.known_poses, &ask.savings.coherence})
     *saving = next();
+  ask.wanted.tangent = next() && scheme == Scheme::barycentric;
   return ask;
 }
 
@@ -255,6 +256,7 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   }
   Ask everything{Route::plain, {}, {}};
   everything.wanted.bound = ask.wanted.bound;
+  everything.wanted.tangent = ask.wanted.tangent;
   const fast::Contact there = seam.evaluate(pairing, relative, motion, everything, workspace);
   hold_route(Route::scene, there, seam.evaluate_in(scene, workspace), ask.wanted, checks);
 }
@@ -262,19 +264,21 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
 }  // namespace
 
 std::string_view name(Route route) {
-  constexpr std::array<std::string_view, 8> kNames = {"plain", "bounded",    "force", "touch",
+  constexpr std::array<std::string_view, 9> kNames = {"plain", "bounded",    "force", "touch", "tangent",
                                                       "drawn", "known pose", "scene", "motion"};
   return kNames[static_cast<std::size_t>(route)];
 }
 
-std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity) {
+std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme) {
   Wanted with_bound;
   with_bound.bound = true;
-  return {{Route::plain, {}, {}},
-          {Route::bounded, with_bound, {}},
-          {Route::force, kForceOnly, {}},
-          {Route::touch, kTouchOnly, {}},
-          drawn_ask(Route::drawn, bits_of(pose, velocity, Draw::ask))};
+  std::vector<Ask> asks = {{Route::plain, {}, {}},
+                           {Route::bounded, with_bound, {}},
+                           {Route::force, kForceOnly, {}},
+                           {Route::touch, kTouchOnly, {}}};
+  if (scheme == Scheme::barycentric) asks.push_back({Route::tangent, kForceAndTangent, {}});
+  asks.push_back(drawn_ask(Route::drawn, scheme, bits_of(pose, velocity, Draw::ask)));
+  return asks;
 }
 
 const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
@@ -282,12 +286,13 @@ const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Po
   return fast::evaluate(pairing, pose, velocity, ask.wanted, workspace, ask.savings);
 }
 
-std::vector<Ask> known_pose_asks_at(const Pose& pose, const Velocity& velocity) {
-  return {{Route::known_pose, {}, {}}, drawn_ask(Route::known_pose, bits_of(pose, velocity, Draw::known_pose_ask))};
+std::vector<Ask> known_pose_asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme) {
+  return {{Route::known_pose, {}, {}},
+          drawn_ask(Route::known_pose, scheme, bits_of(pose, velocity, Draw::known_pose_ask))};
 }
 
-std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity) {
-  return {{Route::scene, {}, {}}, drawn_ask(Route::scene, bits_of(pose, velocity, Draw::scene_ask))};
+std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme) {
+  return {{Route::scene, {}, {}}, drawn_ask(Route::scene, scheme, bits_of(pose, velocity, Draw::scene_ask))};
 }
 
 bool is_pose_for_scenes(const Pose& pose) {
@@ -327,22 +332,28 @@ const EngineSeam& EngineSeam::none() {
 
 void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                  const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
-                 const std::function<void(const fast::Contact&)>& on_bound) {
+                 const std::function<void(const fast::Contact&)>& on_bound,
+                 const std::function<void(const fast::Contact&)>& on_tangent) {
   fast::Contact expected = whole;
-  for (const Ask& ask : asks_at(pose, velocity)) {
+  const Scheme scheme = pairing.scheme();
+  for (const Ask& ask : asks_at(pose, velocity, scheme)) {
     if (ask.route == Route::plain) continue;
     const fast::Contact& answer = seam.evaluate(pairing, pose, velocity, ask, workspace);
     hold_route(ask.route, expected, answer, ask.wanted, checks);
-    if (ask.route != Route::bounded) continue;
-    expected.bound = answer.bound;  // others that have a bound have this one
-    on_bound(answer);
+    if (ask.route == Route::bounded) {
+      expected.bound = answer.bound;  // others that have a bound have this one
+      on_bound(answer);
+    } else if (ask.route == Route::tangent) {
+      expected.tangent = answer.tangent;
+      on_tangent(answer);
+    }
   }
   // Of two questions, and of two ways to ask a scene, each state takes one: all of them would cost a half more.
   const std::uint64_t ways = bits_of(pose, velocity, Draw::ways);
-  hold_known_pose(seam, pairing, pose, velocity, known_pose_asks_at(pose, velocity)[ways % 2], expected, step,
+  hold_known_pose(seam, pairing, pose, velocity, known_pose_asks_at(pose, velocity, scheme)[ways % 2], expected, step,
                   workspace, checks);
   if (!is_pose_for_scenes(pose)) return;
-  const std::vector<Ask> asks = scene_asks_at(pose, velocity);
+  const std::vector<Ask> asks = scene_asks_at(pose, velocity, scheme);
   for (std::size_t k = 0; k < asks.size(); ++k)
     hold_scene(seam, pairing, pose, velocity, asks[k], (ways >> (k + 1) & 1) != 0, expected, step, workspace, checks);
 }

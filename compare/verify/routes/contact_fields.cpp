@@ -41,6 +41,9 @@ class Words {
   void add(const Eigen::Vector3d& x) {
     for (int i = 0; i < 3; ++i) add(x[i]);
   }
+  void add(const fast::Tangent& x) {
+    for (const double entry : x.reshaped()) add(entry);
+  }
   template <class T>
   void add_list(const T& list) {
     add(list.size());
@@ -54,6 +57,9 @@ class Words {
 };
 
 bool is_empty(const Eigen::Vector3d& x) {
+  return x.isZero(0);
+}
+bool is_empty(const fast::Tangent& x) {
   return x.isZero(0);
 }
 bool is_empty(const std::vector<Index>& list) {
@@ -70,6 +76,7 @@ std::string_view field_not_asked_for(const fast::Contact& contact, const Wanted&
   if (!is_answered(Asked::polygons, wanted) && !contact.polygons.empty()) return "polygons";
   if (!is_answered(Asked::elements, wanted) && !contact.elements.empty()) return "elements";
   if (!wanted.bound && contact.bound) return "bound";
+  if (!wanted.tangent && contact.tangent) return "tangent";
   std::string_view found;
   for_each_field(contact, [&](const Field& field, const auto& value) {
     if (found.empty() && !is_answered(field.asked, wanted) && !is_empty(value)) found = field.name;
@@ -85,6 +92,7 @@ std::vector<Field> all_fields() {
   one_of_each.polygons.emplace_back();
   one_of_each.elements.emplace_back();
   one_of_each.bound.emplace();
+  one_of_each.tangent.emplace(fast::Tangent::Zero());
   std::vector<Field> all;
   for_each_field(one_of_each, [&all](const Field& field, const auto&) {
     if (std::none_of(all.begin(), all.end(), [&](const Field& known) { return known.name == field.name; }))
@@ -94,7 +102,7 @@ std::vector<Field> all_fields() {
 }
 
 bool is_answered(Asked asked, const Wanted& wanted) {
-  const bool force = wanted.force || wanted.elements || wanted.bound || wanted.statistics;
+  const bool force = wants_force(wanted);
   switch (asked) {
     case Asked::touch:
     case Asked::work:
@@ -113,6 +121,8 @@ bool is_answered(Asked asked, const Wanted& wanted) {
       return wanted.elements || wanted.statistics;
     case Asked::bound:
       return wanted.bound;
+    case Asked::tangent:
+      return wanted.tangent;
   }
   return false;
 }
@@ -120,7 +130,8 @@ bool is_answered(Asked asked, const Wanted& wanted) {
 std::string difference_in_bits(const fast::Contact& whole, const fast::Contact& partial, const Wanted& wanted) {
   Wanted compared = wanted;
   compared.bound = whole.bound && partial.bound;
-  compared.force = wanted.force || wanted.bound;
+  compared.tangent = whole.tangent && partial.tangent;
+  compared.force = wanted.force || wanted.bound || wanted.tangent;
   const Words expected(whole, compared), given(partial, compared);
   const auto [a, b] = std::mismatch(expected.entries().begin(), expected.entries().end(), given.entries().begin(),
                                     given.entries().end());
@@ -132,6 +143,7 @@ std::string difference_in_bits(const fast::Contact& whole, const fast::Contact& 
                        show(a, expected.entries().end()));
   }
   if (wanted.bound && !partial.bound) return "no bound";
+  if (wanted.tangent && !partial.tangent) return "no tangent";
   if (const std::string_view field = field_not_asked_for(partial, wanted); !field.empty())
     return fmt::format("{}, which nobody asked for", field);
   return "";

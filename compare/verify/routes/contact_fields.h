@@ -24,6 +24,7 @@ enum class Asked : std::uint8_t {
   elements,    ///< Wanted::elements
   statistics,  ///< Wanted::statistics or elements
   bound,       ///< Wanted::bound
+  tangent,     ///< Wanted::tangent
   work,        ///< always answered, and never the same: it tells what the question cost
 };
 
@@ -123,13 +124,13 @@ void visit_work(T& work, const Visit& visit) {
 }  // namespace fields
 
 /// Calls visit(field, value) for every field, in lists once for each entry; `Answer` is fast::Contact, const or not.
-/// Values are bool, whole numbers, Side, double, vectors of three doubles, and arrays and lists of face and vertex
-/// numbers.
+/// Values are bool, whole numbers, Side, double, vectors of three doubles, a tangent, and arrays and lists of face and
+/// vertex numbers.
 template <class Answer, class Visit>
 void for_each_field(Answer& contact, const Visit& visit) {
   auto& [touching, nested, ambiguous, crossings, polygons, patches, E, F, undefined_areas, has_volume, volume, elements,
-         element_count, too_deep, max_penetration, penetration_exceeded, force_Me, torque_Me, bound, statistics, work] =
-      contact;
+         element_count, too_deep, max_penetration, penetration_exceeded, force_Me, torque_Me, bound, tangent,
+         statistics, work] = contact;
   visit(Field{"touching", Asked::touch, Kind::touching}, touching);
   visit(Field{"nested", Asked::activity, Kind::nested}, nested);
   visit(Field{"ambiguous", Asked::activity, Kind::ambiguous}, ambiguous);
@@ -149,6 +150,7 @@ void for_each_field(Answer& contact, const Visit& visit) {
   visit(Field{"force_Me", Asked::force, Kind::force}, force_Me);
   visit(Field{"torque_Me", Asked::force, Kind::torque}, torque_Me);
   if (bound) fields::visit_bound(*bound, visit);
+  if (tangent) visit(Field{"tangent", Asked::tangent, Kind::tangent}, *tangent);
   fields::visit_statistics(statistics, visit);
   fields::visit_work(work, visit);
 }

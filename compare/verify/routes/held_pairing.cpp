@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "compare/poses/rounded_vertices.h"
+#include "compare/verify/verdict/tangent_verdict.h"
 #include "pcm/check.h"
 
 namespace pcm::compare {
@@ -132,14 +133,19 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
     who = "engine on another path";
     if (!state.before.empty())
       hold_motion(seam, engine, state.before, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks);
-    hold_routes(seam, engine, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks,
-                [&](const fast::Contact& bounded) {
-                  outcome.unbounded =
-                      bounded.bound && !(bounded.bound->force_Me.allFinite() && bounded.bound->torque_Me.allFinite());
-                  outcome.announced = bounded.bound && bounded.bound->flipped;
-                  checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
-                  outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
-                });
+    hold_routes(
+        seam, engine, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks,
+        [&](const fast::Contact& bounded) {
+          outcome.unbounded =
+              bounded.bound && !(bounded.bound->force_Me.allFinite() && bounded.bound->torque_Me.allFinite());
+          outcome.announced = bounded.bound && bounded.bound->flipped;
+          checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
+          outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
+        },
+        [&](const fast::Contact& with_tangent) {
+          check_tangent(asked, with_tangent, true_rounded, inquiry.tangent(reference::Problem::rounded, engine.mode()),
+                        checks);
+        });
     outcome.disagreements = checks.sorted();
     outcome.widths = checks.widths();
     outcome.backward_error_ulps = backward_error_ulps(mesh_F_, pose);

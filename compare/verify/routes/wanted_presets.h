@@ -10,5 +10,7 @@ namespace pcm::compare {
 inline constexpr Wanted kTouchOnly{.polygons = false, .areas = false, .force = false, .elements = false};
 inline constexpr Wanted kPolygonsOnly{.polygons = true, .areas = false, .force = false, .elements = false};
 inline constexpr Wanted kForceOnly{.polygons = false, .areas = false, .force = true, .elements = false};
+inline constexpr Wanted kForceAndTangent{
+    .polygons = false, .areas = false, .force = true, .elements = false, .tangent = true};
 
 }  // namespace pcm::compare

@@ -43,6 +43,8 @@ constexpr KindText kTexts[] = {
      "as an element's; clipped scheme: held by the engine's own two bounds (below), or by slivers alone (`any`)"},
     {Kind::force, "the sum of the elements' forces", "what is said of elements, in the mean over all of them"},
     {Kind::torque, "the sum of lever times force", "the same"},
+    {Kind::tangent, "the greatest entry of its three by three",
+     "entries that cancel; a slave face nearly parallel to the line; a kink of the law, where it may be either side's"},
     {Kind::sums, "the sum of the terms' sizes", "n roundings of n terms"},
     {Kind::statistics, "the value", "a mean pressure or centre of pressure in which tension cancels pressure"},
     {Kind::bound, "the sum of the elements' forces, or of lever times force",

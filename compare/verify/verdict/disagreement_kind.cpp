@@ -36,6 +36,7 @@ std::string_view name(Kind kind) {
       "has volume",
       "force",
       "torque",
+      "tangent",
       "sums",
       "statistics",
       "bound",

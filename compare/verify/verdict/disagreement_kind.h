@@ -38,6 +38,7 @@ enum class Kind : std::uint8_t {
   has_volume,           ///< whether there is a volume
   force,                ///< force on E
   torque,               ///< torque on E about Mf
+  tangent,              ///< derivatives of force and torque by pose and velocity
   sums,                 ///< force, torque, greatest penetration or count against the answer's own elements
   statistics,           ///< the summary against the answer's own elements
   bound,                ///< the engine's own bound on the error of force or torque against the exact problem broken or

@@ -89,6 +89,16 @@ struct ForceBound {
   double penetration_at_most = 0;
 };
 
+/// Derivatives of force and torque. Rows: force_Me, then torque_Me. Columns, all resolved in Me: r, m; a turn a of F
+/// about Mf, dA = [a x] A, rad; v, m/s; w, rad/s.
+///
+/// Discrete facts stay as they are: which faces are elements and which slave faces they meet. The barycentric force
+/// jumps where these change, and no derivative tells of that. At a kink of the law it is the derivative of one side: of
+/// penetrations from max_penetration and from u_d on, forces that press, slip velocities from v_eps on; at rest without
+/// v_eps friction counts as constant. Where roundings leave nothing of the angle between a penetration line and the
+/// slave face that it meets, that element's depth counts as constant.
+using Tangent = Eigen::Matrix<double, 6, 12>;
+
 /// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation.
 struct Contact {
   bool touching = false;            ///< the surfaces cross
@@ -112,6 +122,7 @@ struct Contact {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m
   std::optional<ForceBound> bound;                      ///< where wanted
+  std::optional<Tangent> tangent;                       ///< where wanted
   Statistics statistics;
   WorkCounters work;
 

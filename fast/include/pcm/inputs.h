@@ -74,10 +74,11 @@ struct Wanted {
   bool elements = true;     ///< keep every contact element in the result, with its statistics
   bool bound = false;       ///< rigorous bounds on the rounding errors of force and torque; implies force
   bool statistics = false;  ///< the summary over the elements; implies force, implied by elements
+  bool tangent = false;  ///< derivatives of force and torque by pose and velocity (barycentric scheme); implies force
 };
 
 inline bool wants_force(const Wanted& wanted) {
-  return wanted.force || wanted.elements || wanted.bound || wanted.statistics;
+  return wanted.force || wanted.elements || wanted.bound || wanted.statistics || wanted.tangent;
 }
 inline bool wants_only_touch(const Wanted& wanted) {
   return !wanted.polygons && !wanted.areas && !wants_force(wanted);

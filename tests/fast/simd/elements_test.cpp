@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -46,6 +47,15 @@ class WideElementsAt : public testing::TestWithParam<double> {
         lanes.slave_corners[k][lane] = slave_points[lane][k].data();
       }
     }
+  }
+  static ContactLaw law_of(int round) {
+    ContactLaw law;
+    law.damping = round % 2 == 0 ? 1000 : 0;
+    law.transition_depth = round % 3 == 0 ? GetParam() : 0;
+    law.friction = round % 5 == 0 ? 0 : 0.25;
+    law.slip_velocity = round % 4 == 0 ? 0 : GetParam();
+    law.damping_mode = static_cast<DampingMode>(round % 3);
+    return law;
   }
   DecisionLimits limits() const {
     DecisionLimits limits;
@@ -122,12 +132,7 @@ TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
       draw(lanes);
       const LaneBits with_geometry = set->geometry(lanes);
       for (double& depth : lanes.depth.value) depth = GetParam() * (number(random) + 1);
-      ContactLaw law;
-      law.damping = round % 2 == 0 ? 1000 : 0;
-      law.transition_depth = round % 3 == 0 ? GetParam() : 0;
-      law.friction = round % 5 == 0 ? 0 : 0.25;
-      law.slip_velocity = round % 4 == 0 ? 0 : GetParam();
-      law.damping_mode = static_cast<DampingMode>(round % 3);
+      const ContactLaw law = law_of(round);
       const Pose pose{Eigen::Matrix3d::Identity(), draw()};
       Velocity velocity;
       if (round % 11 != 0) velocity = {draw(), draw() / GetParam()};
@@ -152,6 +157,52 @@ TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
         expect_same(lanes.torque_Me[lane], (element.position_Me - pose.r).cross(element.force_Me));
       }
     }
+  }
+}
+
+/// Lanes by the bits of all numbers that a tangent is made of; what is no number has no sign.
+std::vector<std::uint64_t> bits_of(const ElementLanes& lanes, const TangentLanes& sums) {
+  std::vector<std::uint64_t> all;
+  const auto add = [&all](double x) { all.push_back(std::isnan(x) ? ~std::uint64_t{0} : bits(x)); };
+  for (const DoubleLanes& gradient : lanes.depth_gradient_Me.component)
+    for (const double x : gradient.value) add(x);
+  for (const MatrixLanes* matrix :
+       {&sums.force_by_position, &sums.force_by_rotation, &sums.force_by_velocity, &sums.force_by_lever,
+        &sums.torque_by_position, &sums.torque_by_rotation, &sums.torque_by_velocity, &sums.torque_by_lever})
+    for (const DoubleLanes& entry : *matrix)
+      for (const double x : entry.value) add(x);
+  return all;
+}
+
+TEST_P(WideElementsAt, TangentIsThatOfEachSetAndOfTheLanesAskedForAlone) {
+  const auto [portable, wide] = all_wide_elements();
+  for (int round = 0; round < 400; ++round) {
+    ElementLanes lanes;
+    draw(lanes);
+    portable->geometry(lanes);
+    for (double& depth : lanes.depth.value) depth = GetParam() * (number(random) + 1);
+    const ContactLaw law = law_of(round);
+    const Pose pose{Eigen::Matrix3d::Identity(), draw()};
+    const Velocity velocity{draw(), draw() / GetParam()};
+    ForceProblem problem(law, pose, velocity, {});
+    problem.with_velocities = round % 6 != 0;
+    const ForceLimits limits = force_limits(problem, round % 2 == 0 ? Side::E : Side::F);
+    portable->force(lanes, limits);
+    const auto which = static_cast<LaneBits>(round % 16);
+    ElementLanes spoilt = lanes;
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane)
+      if (!has_lane(which, lane)) spoilt.position_Me.set(lane, Eigen::Vector3d::Constant(std::nan("")));
+    ElementLanes again = lanes;
+    TangentLanes sums, spoilt_sums, again_sums;
+    portable->gradient(lanes);
+    portable->gradient(spoilt);
+    portable->tangent(lanes, limits, which, sums);
+    portable->tangent(spoilt, limits, which, spoilt_sums);
+    EXPECT_EQ(bits_of(lanes, sums), bits_of(spoilt, spoilt_sums));
+    if (wide == nullptr) continue;
+    wide->gradient(again);
+    wide->tangent(again, limits, which, again_sums);
+    EXPECT_EQ(bits_of(lanes, sums), bits_of(again, again_sums));
   }
 }
 

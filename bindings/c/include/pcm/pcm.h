@@ -143,6 +143,7 @@ enum {
   PCM_WANTED_ELEMENTS = 8,     ///< keep the elements, to be copied out, with their statistics
   PCM_WANTED_BOUND = 16,       ///< rigorous bounds on the rounding errors of force and torque; implies PCM_WANTED_FORCE
   PCM_WANTED_STATISTICS = 32,  ///< the summary over the elements; implies PCM_WANTED_FORCE
+  PCM_WANTED_TANGENT = 64,     ///< derivatives of force and torque, to be copied out (PCM_BARYCENTRIC); implies FORCE
 };
 
 /// What the contact is on one of the surfaces.
@@ -261,6 +262,11 @@ enum { PCM_INTERSECTED = 0, PCM_INNER = 1 };
 /// The active faces of a kind on one surface, PCM_E or PCM_F, ascending.
 PCM_API pcm_status pcm_copy_faces(const pcm_workspace* workspace, int32_t side, int32_t kind, int32_t* faces,
                                   size_t capacity, pcm_error* error);
+
+/// The derivatives of force and torque, 6 x 12 numbers BY ROWS: force_Me, then torque_Me, by r, m; by a turn of F about
+/// Mf, rad; by v, m/s; by w, rad/s; all resolved in Me. At a kink of the law they are those of one side, and discrete
+/// facts stay as they are (docs/PCM.md section 7.1). PCM_BAD_CALL where the last answer has none.
+PCM_API pcm_status pcm_copy_tangent(const pcm_workspace* workspace, double* tangent, size_t capacity, pcm_error* error);
 
 #ifdef __cplusplus
 }

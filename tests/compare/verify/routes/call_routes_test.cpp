@@ -18,9 +18,9 @@ std::string switches(const Ask& ask) {
   const Wanted& w = ask.wanted;
   const fast::Savings& s = ask.savings;
   std::string text;
-  for (const bool x : {w.polygons, w.areas, w.force, w.elements, w.bound, w.statistics, s.broad_phase, s.certificates,
-                       s.first_crossing, s.lazy_vertices, s.one_sided, s.velocities, s.only_wanted, s.filters,
-                       s.known_poses, s.coherence})
+  for (const bool x : {w.polygons, w.areas, w.force, w.elements, w.bound, w.statistics, w.tangent, s.broad_phase,
+                       s.certificates, s.first_crossing, s.lazy_vertices, s.one_sided, s.velocities, s.only_wanted,
+                       s.filters, s.known_poses, s.coherence})
     text += x ? '1' : '0';
   return text;
 }
@@ -28,15 +28,17 @@ std::string switches(const Ask& ask) {
 TEST(CallRoutes, CoarseStatesAtRestDrawAllSwitchesBothWaysOnEachRouteThatDraws) {
   // Their doubles differ in few bits, all of them high ones.
   std::map<Route, std::set<std::string>> drawn;
-  std::map<Route, std::array<int, 16>> on;
+  std::map<Route, std::array<int, 17>> on;
   bool differ = false;
   constexpr int kStates = 512;
   for (int k = 0; k < kStates; ++k) {
     Pose pose;
     const int x = k % 8, y = k / 8 % 8, z = k / 64;
     pose.r = Eigen::Vector3d(x, y, z) / 8;
-    const std::vector<Ask> plain = asks_at(pose, Velocity{}), known = known_pose_asks_at(pose, Velocity{}),
-                           pairings = scene_asks_at(pose, Velocity{});
+    const auto plain = asks_at(pose, Velocity{}, Scheme::barycentric),
+               known = known_pose_asks_at(pose, Velocity{}, Scheme::barycentric),
+               pairings = scene_asks_at(pose, Velocity{}, Scheme::barycentric);
+    EXPECT_FALSE(asks_at(pose, Velocity{}, Scheme::clipped).back().wanted.tangent);
     ASSERT_EQ(known.size(), 2U);
     ASSERT_EQ(pairings.size(), 2U);
     EXPECT_EQ(switches(known.front()), switches(Ask{}));
@@ -51,7 +53,7 @@ TEST(CallRoutes, CoarseStatesAtRestDrawAllSwitchesBothWaysOnEachRouteThatDraws) 
   }
   EXPECT_TRUE(differ);
   for (const Route route : {Route::drawn, Route::known_pose, Route::scene}) {
-    // Of 2^16 choices: 512 draws meet some 2 of them twice.
+    // Of 2^17 choices: 512 draws meet one of them twice.
     EXPECT_GE(drawn[route].size(), 490U) << name(route);
     // Five standard deviations.
     for (const int count : on[route]) EXPECT_NEAR(2 * count, kStates, 114) << name(route);

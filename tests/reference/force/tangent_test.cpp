@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/force/tangent.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <random>
+
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/round.h"
+#include "reference/oracle.h"
+#include "tests/reference/poses.h"
+#include "tests/reference/problems.h"
+
+namespace pcm::reference {
+namespace {
+
+struct State12 {
+  Pose pose;
+  Velocity velocity;
+};
+
+/// Turned about Mf by a rotation that is one to the last bits, I + sin K + (1 - cos) K^2.
+State12 displaced(State12 state, int coordinate, double change) {
+  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(coordinate % 3);
+  if (coordinate < 3) state.pose.r += change * axis;
+  if (coordinate / 3 == 1) state.pose.A = Eigen::AngleAxisd(change, axis).toRotationMatrix() * state.pose.A;
+  if (coordinate / 3 == 2) state.velocity.v += change * axis;
+  if (coordinate >= 9) state.velocity.w += change * axis;
+  return state;
+}
+
+using Load = Eigen::Matrix<double, 6, 1>;
+
+Load load_of(const Answer& answer) {
+  Load load;
+  load << answer.force_Me, answer.torque_Me;
+  return load;
+}
+
+Tangent tangent_of(const Oracle& oracle, Problem problem, const State12& state) {
+  Wanted wanted;
+  wanted.tangent = true;
+  return *oracle.answer(problem, state.pose, state.velocity, wanted).tangent;
+}
+
+ContactLaw law_of_all(DampingMode mode) {
+  ContactLaw law;
+  law.layers = LayerStiffness{3e5, 1e5};
+  law.damping = 300;
+  law.damping_mode = mode;
+  law.transition_depth = 0.1;
+  law.friction = 0.3;
+  law.slip_velocity = 0.5;
+  return law;
+}
+
+// Central quotients are off by a sixth of the third derivative times h^2, and by eps / h of the load: both are far
+// below 1e-4 of the column's size, which is asked for, unless a barycentre enters or leaves within h.
+TEST(OracleTangent, IsTheLimitOfCentralQuotients) {
+  const TriangleMesh E = generate::icosphere(1, 2), F = generate::icosphere(0.9, 2);
+  const double h = 1e-6;
+  std::mt19937_64 random(3);
+  std::cout << "seed 3\n";
+  int compared = 0;
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped})
+    for (const Mode mode : {Mode::E, Mode::F, Mode::both})
+      for (const DampingMode damping : {DampingMode::no_tension, DampingMode::full, DampingMode::compression}) {
+        ContactLaw law = law_of_all(damping);
+        if (mode == Mode::F) law.max_penetration = 0.15;
+        const Oracle oracle(E, F, law, mode, scheme);
+        State12 state{random_pose(random, 0), {{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}}};
+        state.pose.r = 1.7 * (state.pose.A * Eigen::Vector3d(0.6, 0.48, 0.64));
+        const Tangent tangent = tangent_of(oracle, Problem::exact, state);
+        for (int i = 0; i < 12; ++i) {
+          const Answer ahead =
+                           oracle.answer(Problem::exact, displaced(state, i, h).pose, displaced(state, i, h).velocity),
+                       behind = oracle.answer(Problem::exact, displaced(state, i, -h).pose,
+                                              displaced(state, i, -h).velocity);
+          if (ahead.elements.size() != behind.elements.size()) continue;
+          const Load quotient = (load_of(ahead) - load_of(behind)) / (2 * h);
+          EXPECT_LT((tangent.slope.col(i) - quotient).norm(), 1e-4 * tangent.slope.col(i).norm()) << i;
+          EXPECT_LT(tangent.error.col(i).norm(), 1e-15 * tangent.slope.col(i).norm()) << i;
+          ++compared;
+        }
+      }
+  EXPECT_GT(compared, 200);
+}
+
+/// A cube of edge 1/2, its bottom at z = 0, on a wide plate whose top is raised by 1/16, both of exact coordinates.
+struct CubeOnPlate {
+  TriangleMesh cube = generate::box({-0.25, -0.25, 0}, {0.25, 0.25, 0.5}),
+               plate = generate::box({-2, -2, -1}, {2, 2, 0});
+  State12 state{shifted(0, 0, 0.0625), {}};
+
+  Tangent tangent(const ContactLaw& law, Problem problem = Problem::exact) const {
+    return tangent_of(Oracle(cube, plate, law), problem, state);
+  }
+};
+
+TEST(OracleTangent, OfACubeOnAPlateIsStiffnessTimesArea) {
+  ContactLaw law;
+  law.stiffness = 100;
+  for (const Problem problem : kProblems) {
+    const Tangent tangent = CubeOnPlate().tangent(law, problem);
+    // The plate rises by dz and presses the cube up: 100 times the area 1/4. About Mf, below the cube, no torque.
+    Eigen::Matrix<double, 6, 12> expected = Eigen::Matrix<double, 6, 12>::Zero();
+    const double N = 100 * 0.25 * 0.0625;
+    expected(2, 2) = 25;
+    // The arm from Mf loses dr, N up.
+    expected(3, 1) = -N;
+    expected(4, 0) = N;
+    // Two elements with their barycentres at +-1/12 in x and y, an area of 1/8 each; the elements' positions stay.
+    const double tilt = 2 * 100 * 0.125 / 144;
+    expected(3, 3) = expected(4, 4) = tilt;
+    expected(3, 4) = expected(4, 3) = tangent.slope(3, 4);  // of the diagonal's sign
+    EXPECT_EQ(std::abs(tangent.slope(3, 4)), tilt);
+    EXPECT_TRUE(tangent.slope.isApprox(expected, 1e-14)) << tangent.slope - expected;
+    EXPECT_LT(tangent.error.maxCoeff(), 1e-14);
+  }
+}
+
+TEST(OracleTangent, AtAKinkIsThatOfOneSide) {
+  ContactLaw law;
+  law.stiffness = 100;
+  law.max_penetration = 0.0625;  // as deep as the cube is
+  EXPECT_EQ(CubeOnPlate().tangent(law).slope(2, 2), 0);
+  law.max_penetration = 0.125;
+  EXPECT_EQ(CubeOnPlate().tangent(law).slope(2, 2), 25);
+
+  law.max_penetration = std::numeric_limits<double>::infinity();
+  law.damping = 8;
+  law.transition_depth = 0.0625;
+  EXPECT_EQ(CubeOnPlate().tangent(law).slope(2, 8), 8 * 0.25);
+  law.damping_mode = DampingMode::compression;  // at rest it counts as approaching
+  EXPECT_EQ(CubeOnPlate().tangent(law).slope(2, 8), 8 * 0.25);
+
+  CubeOnPlate parting;
+  parting.state.velocity.v.z() = -1;
+  EXPECT_EQ(parting.tangent(law).slope(2, 8), 0);
+  law.damping_mode = DampingMode::no_tension;
+  law.transition_depth = 0;
+  parting.state.velocity.v.z() = -100 * 0.0625 / 8;  // the pull of damping is the push of stiffness
+  EXPECT_EQ(parting.tangent(law).slope(2, 8), 8 * 0.25);
+  parting.state.velocity.v.z() *= 2;
+  EXPECT_EQ(parting.tangent(law).slope(2, 8), 0);
+}
+
+TEST(OracleTangent, OfFrictionAtRestIsItsSlopeThereAndWithoutSlipVelocityNone) {
+  ContactLaw law;
+  law.stiffness = 100;
+  law.friction = 0.5;
+  EXPECT_EQ(CubeOnPlate().tangent(law).slope(0, 6), 0);
+  law.slip_velocity = 0.25;
+  EXPECT_EQ(CubeOnPlate().tangent(law).slope(0, 6), 2 * 0.5 * 100 * 0.25 * 0.0625 / 0.25);
+  CubeOnPlate sliding;
+  sliding.state.velocity.v.x() = 0.25;  // as fast as that: sliding
+  EXPECT_EQ(sliding.tangent(law).slope(0, 6), 0);
+  EXPECT_EQ(sliding.tangent(law).slope(1, 7), 0.5 * 100 * 0.25 * 0.0625 / 0.25);
+}
+
+}  // namespace
+}  // namespace pcm::reference
