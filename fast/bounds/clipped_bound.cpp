@@ -114,6 +114,7 @@ void FaceBound::find_sights(ClippedBoundScratch& scratch) {
 
 void FaceBound::see_slave(double position_error, ProjectedWalk& projected, ClippedBoundScratch& scratch) {
   const double deepest = seen_.view.listed_to_depth;
+  const bool leaves = std::isfinite(deepest);  // before the slave is met
   const Side slave = opposite(seen_.master);
   const PreparedSurface& surface = posed_.surface(slave);
   const FastClearArray<PrismPoint>& sights = seen_.view.slave_sights;
@@ -129,7 +130,6 @@ void FaceBound::see_slave(double position_error, ProjectedWalk& projected, Clipp
       corners.points[k] = sights.contains(v) ? sights.at(v) : seen_.prism->see(posed_.vertex_Me(slave, v), posed_.work);
     }
     // Boxes of large faces say little of what lies before lines that have left the master.
-    const bool leaves = std::isfinite(deepest);
     if (leaves && !may_be_met_before(deepest, *seen_.prism, corners.points, prism.box_error())) continue;
     sight_->see(posed_[slave], face, false, corners, projected.at(false, face), posed_.work);
   }

@@ -67,8 +67,9 @@ ElementForces<Number> element_forces(const ContactLaw& law, double c_l, const Nu
   return {normal, v_t >= law.slip_velocity ? sliding : sliding * slip * (2.0 - slip)};  // (20)
 }
 
-/// Derivatives of element_forces. At a kink those of one side: of depths from u_d on, forces that press, slip
-/// velocities from v_eps on; F_t at rest without v_eps counts as constant.
+/// Derivatives of element_forces. At a kink those of one side: of depths from u_d on, v_n >= 0 with
+/// DampingMode::compression, forces that press, slip velocities from v_eps on; F_t at rest without v_eps counts as
+/// constant.
 template <class Number>
 struct ElementForceSlopes {
   Number normal_by_depth, normal_by_approach;                              ///< dF_n/du_k, N/m, and dF_n/dv_n, N s/m

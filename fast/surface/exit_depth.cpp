@@ -25,6 +25,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Of a face's area times the tolerance, m^3. Heights over a face times its area are rounded to multiples of 2^-1074
+/// m^3: above this that is no more of a depth than 2^-53 of the tolerance.
+constexpr double kLeastVolume = 0x1p-1020;
+
 /// Sheets of more faces than this are given up.
 constexpr std::size_t kMostFaces = 128;
 
@@ -207,14 +211,6 @@ class SheetBeneath {
   std::array<Index, kMostFaces> faces_;
   std::size_t count_ = 0;
 };
-
-}  // namespace
-
-namespace {
-
-/// Heights over the face times its area are rounded to multiples of 2^-1074 m^3: here that is no more of a depth than
-/// 2^-53 of the tolerance.
-constexpr double kLeastVolume = 0x1p-1020;
 
 }  // namespace
 

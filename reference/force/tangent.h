@@ -12,8 +12,7 @@ namespace pcm::reference {
 /// state, by forward differentiation of the same sums; with two masters, halved. All of one pose, law and velocity.
 ///
 /// The vertices of F move as its body does, dx = dr + a x (x - r) for a turn a about Mf, in either problem. Where the
-/// law has a kink, it is that of one side: of depths above max_penetration and u_d, of forces that press, of slip
-/// velocities from v_eps on; at rest without v_eps friction counts for nothing.
+/// law has a kink, it is that of one side (docs/PCM.md section 7.1).
 Tangent tangent_of(const std::vector<ForceQuestion>& masters);
 
 }  // namespace pcm::reference

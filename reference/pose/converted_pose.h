@@ -33,7 +33,6 @@ class ConvertedPose {
   T number(const Number& x) const {
     return field_(x);
   }
-  Vec3<T> vector(const Eigen::Vector3d& v) const { return {field_(v[0]), field_(v[1]), field_(v[2])}; }
   Vec3<T> zero() const { return {field_(0.0), field_(0.0), field_(0.0)}; }
 
   const Vec3<T>& point(Vertex v) {

@@ -27,6 +27,11 @@ inline Side other(Side side) {
   return side == Side::E ? Side::F : Side::E;
 }
 
+template <class T>
+Vec3<T> converted(const Eigen::Vector3d& x, const Field<T>& field) {
+  return {field(x[0]), field(x[1]), field(x[2])};
+}
+
 /// Both surfaces' vertices in Me, x_E = A x_F + r (PCM section 1), for one problem and one pose.
 ///
 /// Rounded problem: F's vertices are doubles, rounded in the order PCM section 1 lays down. Exact problem: real
@@ -44,11 +49,12 @@ class ExactPose {
   /// The vertex in Me. T must hold it without loss (Exact, Rational) or enclose it (DoubleDouble, Ball, Interval).
   template <class T>
   Vec3<T> point(Vertex v, const Field<T>& field = {}) const {
-    const auto convert = [&field](const Eigen::Vector3d& p) { return Vec3<T>{field(p[0]), field(p[1]), field(p[2])}; };
-    if (v.side == Side::E) return convert(surface_E_.mesh.vertices[v.index]);
-    if (problem_ == Problem::rounded) return convert(rounded_F_[v.index]);
-    const Vec3<T> x_F = convert(surface_F_.mesh.vertices[v.index]);
-    const auto row = [&](int i) -> T { return dot(convert(pose_.A.row(i).transpose()), x_F) + field(pose_.r[i]); };
+    if (v.side == Side::E) return converted(surface_E_.mesh.vertices[v.index], field);
+    if (problem_ == Problem::rounded) return converted(rounded_F_[v.index], field);
+    const Vec3<T> x_F = converted(surface_F_.mesh.vertices[v.index], field);
+    const auto row = [&](int i) -> T {
+      return dot(converted(Eigen::Vector3d(pose_.A.row(i)), field), x_F) + field(pose_.r[i]);
+    };
     return {row(0), row(1), row(2)};
   }
 

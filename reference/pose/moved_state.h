@@ -15,11 +15,6 @@ struct State {
 };
 
 template <class T>
-Vec3<T> converted(const Eigen::Vector3d& x, const Field<T>& field) {
-  return {field(x[0]), field(x[1]), field(x[2])};
-}
-
-template <class T>
 State<T> state_of(const Pose& pose, const Velocity& velocity, const Field<T>& field) {
   return {converted(pose.r, field), converted(velocity.v, field), converted(velocity.w, field)};
 }

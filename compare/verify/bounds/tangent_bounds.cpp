@@ -60,8 +60,8 @@ class ElementMotion {
         (corner(e.master, e.master_face, 0) + corner(e.master, e.master_face, 1) + corner(e.master, e.master_face, 2));
     met_ = foot + depth_ * n_ - exactly(question.pose.r);
     const Vector v_F = exactly(question.velocity.v) + cross(exactly(question.velocity.w), lever_);
-    v_k_ = on_E_ ? v_F : Number(-1) * v_F;
-    slip_direction_ = v_t_.is_zero() ? Vector{} : as_direction(direction_of(v_k_ - v_n_ * n_));
+    const Vector v_k = on_E_ ? v_F : Number(-1) * v_F;
+    slip_direction_ = v_t_.is_zero() ? Vector{} : as_direction(direction_of(v_k - v_n_ * n_));
   }
 
   struct Slope {
@@ -76,7 +76,7 @@ class ElementMotion {
     Vector dv = k / 3 == 2 ? along : none, dw = k / 3 == 3 ? along : none;
     // The slave seen from the master, or the master from the slave: either way the gap closes by this.
     const Number closing = dot(gradient_, dr + cross(turn, met_));
-    const Number d_depth = on_E_ ? closing : Number(-1) * closing;
+    const Number d_depth = on_E_ ? closing : -closing;
     const Vector d_position = (Number(shift_, 4 * kRoundoff) * d_depth) * n_;  // as the master sees it
     if (on_E_) {
       dv = dv - cross(w, dr);
@@ -120,7 +120,7 @@ class ElementMotion {
   Vector force_;  ///< on E
   double shift_;
   LawSlopes slopes_;
-  Vector gradient_, met_, v_k_, slip_direction_;
+  Vector gradient_, met_, slip_direction_;
 };
 
 }  // namespace

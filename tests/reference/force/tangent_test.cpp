@@ -24,7 +24,7 @@ struct State12 {
   Velocity velocity;
 };
 
-/// Turned about Mf by a rotation that is one to the last bits, I + sin K + (1 - cos) K^2.
+/// Moved along one of the twelve coordinates: r, a turn about Mf, v, w.
 State12 displaced(State12 state, int coordinate, double change) {
   const Eigen::Vector3d axis = Eigen::Vector3d::Unit(coordinate % 3);
   if (coordinate < 3) state.pose.r += change * axis;
