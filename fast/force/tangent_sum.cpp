@@ -10,8 +10,8 @@ namespace {
 
 Eigen::Matrix3d sum_of_lanes(const MatrixLanes& lanes) {
   Eigen::Matrix3d sum;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index j = 0; j < 3; ++j) {
       const std::array<double, kElementLanes>& x = lanes[static_cast<std::size_t>(3 * i + j)].value;
       sum(i, j) = (x[0] + x[1]) + (x[2] + x[3]);
     }
