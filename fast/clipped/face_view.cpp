@@ -63,11 +63,12 @@ std::array<PrismPoint, 3> corners_of(const FastClearArray<PrismPoint>& sights, c
   return {sights.at(vertices[0]), sights.at(vertices[1]), sights.at(vertices[2])};
 }
 
-/// Adds a face to those that lines meet; false where none meets it. It carries nothing yet.
-bool add_projected(Index face, bool of_master, const Triangle& vertices, const std::array<PrismPoint, 3>& corners,
-                   std::vector<ProjectedFace>& faces) {
+/// Adds a face of a side to those that lines meet; false where none meets it. It carries nothing yet.
+bool add_projected(PosedPair& posed, Side side, Index face, bool of_master, const MasterPrism& prism,
+                   std::array<PrismPoint, 3> corners, std::vector<ProjectedFace>& faces) {
+  const int exponent = prism.depths_underflow(corners) ? prism.scale_depths(posed.face_Me(side, face), corners) : 0;
   ProjectedFace& projected = faces.emplace_back();
-  if (!project_face(vertices, corners, projected)) {
+  if (!project_face(posed.surface(side).face(face), corners, projected, exponent)) {
     faces.pop_back();
     return false;
   }
@@ -146,9 +147,8 @@ Depths project_slave(PosedPair& posed, Side slave, const MasterPrism& prism, Fac
   scratch.entered.clear();
   const Uncertainty greatest_uncertainty = prism.greatest_uncertainty(posed.placement.max_coordinate);
   for (const Index face : scratch.over) {
-    const Triangle& vertices = surface.face(face);
-    const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, vertices);
-    if (!add_projected(face, false, vertices, corners, view.faces)) continue;
+    const std::array<PrismPoint, 3> corners = corners_of(view.slave_sights, surface.face(face));
+    if (!add_projected(posed, slave, face, false, prism, corners, view.faces)) continue;
     ProjectedFace& projected = view.faces.back();
     const bool is_certain = surely_has_area(prism, posed.placement.max_coordinate, greatest_uncertainty, projected);
     if (is_certain && !projected.leaves) scratch.entered.push_back(face);
@@ -189,7 +189,7 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
     if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > view.own_depth) continue;
-    add_projected(face, true, posed.surface(master).face(face), corners, view.faces);
+    add_projected(posed, master, face, true, prism, corners, view.faces);
   }
 }
 

@@ -80,8 +80,8 @@ HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double,
   return {r1 * e2[kT] - r2 * e1[kT], a[kS], r2 * e1[kS] - r1 * e2[kS], a[kT]};
 }
 
-/// Heights of the vertices of g over the plane of f, times twice the area of f. Above is where the lines come from: the
-/// vertices of f run counterclockwise as the master sees them.
+/// Heights of the vertices of g over the plane of f, times twice the area of f and another factor > 0. Above is where
+/// the lines come from: the vertices of f run counterclockwise as the master sees them.
 std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, WorkCounters& work) {
   std::array<double, 3> heights;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -90,6 +90,8 @@ std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, Wor
                            std::find(shared.begin(), shared.end(), g.projected.vertices[k]) != shared.end();
     heights[k] = is_corner ? 0 : height_over(f.points_Me, g.points_Me[k], work);
   }
+  const double greatest = std::max({std::abs(heights[0]), std::abs(heights[1]), std::abs(heights[2])});
+  if (greatest > 0 && greatest < kUnderflown) return scaled_heights_over(f.points_Me, g.points_Me);
   return heights;
 }
 

@@ -12,6 +12,10 @@ namespace pcm::fast {
 
 namespace {
 
+double size_of(const std::array<Eigen::Vector3d, 3>& p) {
+  return (p[1] - p[0]).cwiseAbs().maxCoeff();
+}
+
 /// The terms of N = (p1 - p0) x (p2 - p0) taken absolutely.
 Eigen::Vector3d magnitude_of_normal(const std::array<Eigen::Vector3d, 3>& p) {
   const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
@@ -26,15 +30,45 @@ double unit_for(double size) {
   return std::ldexp(1, exponent < 0 ? -exponent : 64 - exponent);
 }
 
-/// N . (x - p0) to a few ulps of itself, 0 only where it is 0: exact but for the last step.
-double exact_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x, double size) {
-  const double unit = unit_for(size);
+/// `value`, or where that is 0 and the number of the given sign that it stands for is not, the number next to 0.
+double keeping_sign(double value, double sign) {
+  return value == 0 && sign != 0 ? std::copysign(std::numeric_limits<double>::denorm_min(), sign) : value;
+}
+
+/// N . (x - p0), exactly, in the cube of a unit.
+Dyadic exact_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x, double unit) {
   const auto from_p0 = [&](const Eigen::Vector3d& point) {
     const Eigen::Vector3d to = unit * point, from = unit * p[0];
     return difference<Dyadic>(to.data(), from.data());
   };
-  return dot(cross(from_p0(p[1]), from_p0(p[2])), from_p0(x)).approximate() / (unit * unit * unit);
+  return dot(cross(from_p0(p[1]), from_p0(p[2])), from_p0(x));
 }
+
+/// N . (x - p0) to a few ulps of itself, but where it underflows, 0 only where it is 0: exact but for the last step.
+double rounded_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x) {
+  const double unit = unit_for(size_of(p));
+  const Dyadic height = exact_height(p, x, unit);
+  return keeping_sign(height.approximate() / (unit * unit * unit), height.sign());
+}
+
+/// N . (x_k - p0) = value[k] 2^exponent, the greatest of the values between 2^-64 and 1, but where all are 0.
+struct ScaledHeights {
+  std::array<double, 3> value{};
+  int exponent = 0;
+
+  ScaledHeights(const std::array<Eigen::Vector3d, 3>& p, const std::array<Eigen::Vector3d, 3>& x) {
+    const double unit = unit_for(size_of(p));
+    const std::array<Dyadic, 3> heights{exact_height(p, x[0], unit), exact_height(p, x[1], unit),
+                                        exact_height(p, x[2], unit)};
+    int top = std::numeric_limits<int>::min();
+    for (const Dyadic& height : heights) {
+      if (height.sign() != 0) top = std::max(top, height.top());
+    }
+    if (top == std::numeric_limits<int>::min()) return;
+    for (std::size_t k = 0; k < 3; ++k) value[k] = heights[k].approximate(-top);
+    exponent = 64 * top - 3 * std::ilogb(unit);
+  }
+};
 
 /// N to a few ulps of itself, component by component.
 Eigen::Vector3d exact_normal(const std::array<Eigen::Vector3d, 3>& p, double size) {
@@ -63,7 +97,7 @@ double sure_height(double height, const Eigen::Vector3d& N_magnitude, const std:
   ++work.predicates;
   if (std::abs(height) > kExactHeight * (magnitude + kFilterUnderflow)) return height;
   ++work.exact_predicates;
-  return exact_height(p, x, (p[1] - p[0]).cwiseAbs().maxCoeff());
+  return rounded_height(p, x);
 }
 
 }  // namespace
@@ -105,8 +139,20 @@ PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) con
   const double sure = sure_height(height, N_magnitude_, face_.points_Me, x_Me, work);
   // Stored as a whole: a number of it alone would have to reach memory before the point could be read.
   point = point.cwiseProduct(PrismPoint(1, 1, 1, -inverse_twice_area_));
-  if (sure != height || sure == 0) point[kDepth] = -sure * inverse_twice_area_;
+  if (sure != height || point[kDepth] == 0) point[kDepth] = keeping_sign(-sure * inverse_twice_area_, -sure);
   return point;
+}
+
+int MasterPrism::scale_depths(const std::array<Eigen::Vector3d, 3>& points_Me,
+                              std::array<PrismPoint, 3>& corners) const {
+  const ScaledHeights heights(face_.points_Me, points_Me);
+  const int area_exponent = std::ilogb(inverse_twice_area_);
+  const double mantissa = std::ldexp(inverse_twice_area_, -area_exponent);
+  const int exponent = heights.exponent + area_exponent;
+  // Far from underflow, and still next to nothing: how far off a point is seen does not grow with such a depth.
+  const int scaled = std::max(exponent, -800);
+  for (std::size_t k = 0; k < 3; ++k) corners[k][kDepth] = -std::ldexp(heights.value[k] * mantissa, scaled);
+  return exponent - scaled;
 }
 
 TreePrism::TreePrism(const MasterPrism& prism, double box_error)
@@ -127,7 +173,8 @@ TreePrism::TreePrism(const MasterPrism& prism, double box_error, const Eigen::Ma
   down_ = A.transpose() * down_;
 }
 
-bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face) {
+bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face,
+                  int depth_exponent) {
   for (int weight = 0; weight < 3; ++weight) {
     if (!(std::max({corners[0][weight], corners[1][weight], corners[2][weight]}) > 0)) return false;
   }
@@ -153,6 +200,7 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
   face.high_s = face.high_t = -face.low_s;
   for (int i = 0; i < seen.count; ++i) {
     if (seen[i][kDepth] < 0) seen[i][kDepth] = 0;
+    if (depth_exponent != 0) seen[i][kDepth] = std::ldexp(seen[i][kDepth], depth_exponent);
     face.low_s = std::min(face.low_s, seen[i][kS]);
     face.high_s = std::max(face.high_s, seen[i][kS]);
     face.low_t = std::min(face.low_t, seen[i][kT]);
@@ -164,6 +212,11 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
 double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work) {
   const Eigen::Vector3d N = (f[1] - f[0]).cross(f[2] - f[0]);
   return sure_height(N.dot(x - f[0]), magnitude_of_normal(f), f, x, work);
+}
+
+std::array<double, 3> scaled_heights_over(const std::array<Eigen::Vector3d, 3>& f,
+                                          const std::array<Eigen::Vector3d, 3>& points) {
+  return ScaledHeights(f, points).value;
 }
 
 }  // namespace pcm::fast

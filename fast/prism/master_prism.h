@@ -25,6 +25,10 @@ namespace pcm::fast {
 inline constexpr double kExactHeight = 0x1p-12;
 inline constexpr double kHeightError = kFilterRelative / kExactHeight;
 
+/// Numbers so small are sure to no part of themselves where they are products, for an ulp of a number that underflows
+/// is all of it: heights, m^3, and depths, m. Only their signs are right then.
+inline constexpr double kUnderflown = 0x1p-960;
+
 /// A face with N to a few ulps of itself also where it is a needle: there the cross product of rounded differences
 /// loses its digits, and with them the direction of the penetration lines, so it is computed exactly.
 FaceGeometry face_with_sure_normal(const std::array<Eigen::Vector3d, 3>& points_Me);
@@ -38,9 +42,17 @@ class MasterPrism {
 
   /// What the face sees of x. Each weight is taken from an end of the side where it is 0, so its error is a few ulps of
   /// the distance over the face's height. The depth is off by no more than kHeightError of itself, besides a few ulps
-  /// and a factor that is the same for all depths below the face; it is 0 where x lies exactly in the face's plane.
-  /// What is flush, or nearly so, is decided here.
+  /// and a factor that is the same for all depths below the face; it is 0 where x lies exactly in the face's plane, and
+  /// only there. What is flush, or nearly so, is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
+  /// Whether the depths of a face's corners, not all 0, are so small that their ratios tell nothing.
+  bool depths_underflow(const std::array<PrismPoint, 3>& corners) const {
+    const double greatest =
+        std::max({std::abs(corners[0][kDepth]), std::abs(corners[1][kDepth]), std::abs(corners[2][kDepth])});
+    return greatest > 0 && greatest * std::min(1.0, 2 * face_.area) < kUnderflown;
+  }
+  /// Multiplies such depths by a power of two, >= 1, so that their ratios are sure. Its negative exponent is returned.
+  int scale_depths(const std::array<Eigen::Vector3d, 3>& points_Me, std::array<PrismPoint, 3>& corners) const;
   /// The same weights alone.
   Eigen::Vector3d weights(const Eigen::Vector3d& x_Me) const { return products(x_Me).head<3>(); }
 
@@ -163,19 +175,24 @@ struct ProjectedFace {
   bool leaves;     ///< the lines leave that face's body there, N . N_f < 0
   bool carries;    ///< may carry an element: a face of the slave that certainly is left there, over an area
   std::array<Index, 3> vertices;
-  std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t)
+  std::array<PrismPoint, 3> corners;  ///< of `vertices`, counterclockwise in (s, t); depths to a common factor
   ConvexPolygon seen;                 ///< the part over the master face at a depth >= 0, whatever lies before it
   double low_s, high_s, low_t, high_t;
 
   ProjectedFace() {}
 };
 
-/// Projects a face with the given vertices, seen by the prism at `corners`. False where no line meets it: seen
-/// edgewise, beside the master face or above it.
-bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face);
+/// Projects a face with the given vertices, seen by the prism at `corners`, whose depths are to be multiplied by
+/// 2^depth_exponent. False where no line meets it: seen edgewise, beside the master face or above it.
+bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face,
+                  int depth_exponent = 0);
 
 /// ((f1 - f0) x (f2 - f0)) . (x - f0): positive where x is above the plane of f, 0 where it lies in it, exactly; off by
-/// no more than kHeightError of itself, besides a few ulps.
+/// no more than kHeightError of itself, besides a few ulps, where it is no less than kUnderflown.
 double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work);
+
+/// The heights of three points over the plane of f, the same multiple of each, so that the greatest does not underflow.
+std::array<double, 3> scaled_heights_over(const std::array<Eigen::Vector3d, 3>& f,
+                                          const std::array<Eigen::Vector3d, 3>& points);
 
 }  // namespace pcm::fast

@@ -54,10 +54,10 @@ void Dyadic::strip() {
   }
 }
 
-double Dyadic::approximate() const {
+double Dyadic::approximate(int k) const {
   double result = 0;
-  for (int k = top() - 1; k >= std::max(exponent_, top() - 3); --k) {
-    result += std::ldexp(static_cast<double>(limb(k)), 64 * k);
+  for (int i = top() - 1; i >= std::max(exponent_, top() - 3); --i) {
+    result += std::ldexp(static_cast<double>(limb(i)), 64 * (i + k));
   }
   return sign_ * result;
 }

@@ -34,8 +34,10 @@ class Dyadic {
   int sign() const { return sign_; }
   /// The number of limbs in use.
   int size() const { return size_; }
-  /// The value to a few units in the last place; infinite or zero out of double's range.
-  double approximate() const;
+  /// The magnitude is less than 2^(64 top()), and no less than 2^(64 (top() - 1)) but for 0.
+  int top() const { return exponent_ + size_; }
+  /// 2^(64 k) times the value, to a few units in the last place; infinite or zero out of double's range.
+  double approximate(int k = 0) const;
 
   Dyadic operator-() const;
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b) { return sum(a, b, b.sign_); }
@@ -54,7 +56,6 @@ class Dyadic {
   static_assert(64 * -17 <= -1074 && 64 * (kLimbsOfDouble - 17) >= 1024, "every double lies in its limbs");
   static_assert(64 * kDegree * (kLimbsOfDouble - 17) + 64 >= kDegree * 1025 + 57, "room for sums of products");
 
-  int top() const { return exponent_ + size_; }
   Limb limb(int k) const { return k < exponent_ || k >= top() ? 0 : limbs_[static_cast<std::size_t>(k - exponent_)]; }
   void copy(const Dyadic& other);
   void strip();

@@ -246,6 +246,28 @@ TEST(ClippedElements, FoldOfTheSlaveHidesWhatIsBehindItExactlyByHalves) {
   EXPECT_NEAR(barycentric.force_Me.z() / coarse.force_Me.z(), 1, 5e-2);
 }
 
+// Flanks slid along each other that are out of one plane by a few times d alone, some crossing: where their planes meet
+// is a matter of ratios, so that it is the same line whatever d is. F's vertices round to other sides of E's flank.
+TEST(ClippedElements, FlanksOutOfOnePlaneByDenormalsAreVisibleInPartAsByMore) {
+  const double denormal = std::numeric_limits<double>::denorm_min();
+  for (const double d : {0x1p-70, 0x1p-500, 0x1p-960, 0x1p-1020, 0x1p-1072, denormal}) {
+    TriangleMesh wedge;
+    wedge.vertices = {{d, -0.5, 0}, {1, -0.5, 1}, {-1, -0.5, 1}, {-3 * d, 0.5, 0}, {-1, 0.5, 1}, {1, 0.5, 1}};
+    wedge.faces = {{0, 1, 2}, {3, 4, 5}, {0, 3, 5}, {0, 5, 1}, {0, 2, 4}, {0, 4, 3}, {1, 5, 4}, {1, 4, 2}};
+    const Contact contact = clipped(wedge, wedge, shifted(3 * d, -0.75, 0));
+    double whole = 0, half = 0, all = 0;
+    for (const Element& element : contact.elements) {
+      if (element.slave_face == 6 && element.master_face == 5) whole = element.area;
+      if (element.slave_face == 6 && element.master_face == 4) half = element.area;
+      if (element.master_face == 4 || element.master_face == 5) all += element.area;
+    }
+    // Beneath F's lower flank as a whole, and the part above the line where E's upper flank meets F's lower one.
+    EXPECT_NEAR(whole, std::sqrt(2) / 32, 1e-15) << d;
+    EXPECT_NEAR(half, 3 * std::sqrt(2) / 32, 1e-15) << d;
+    EXPECT_NEAR(all, whole + half, 1e-15) << d;
+  }
+}
+
 TEST(ClippedElements, AreOrderedByMasterThenMasterFaceThenSlaveFace) {
   const Contact contact =
       clipped(generate::icosphere(1, 2), generate::icosphere(1, 2), turned(0.3, {1.1, 0.9, 0.9}), {}, Mode::both);

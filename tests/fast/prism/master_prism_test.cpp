@@ -100,6 +100,65 @@ TEST(HeightOver, IsRarelyComputedExactlyForPointsInNoSpecialPlace) {
   EXPECT_LE(static_cast<double>(work.exact_predicates), 4 * kExactHeight * static_cast<double>(work.predicates));
 }
 
+TEST(HeightOver, KeepsItsSignWhereItUnderflows) {
+  Doubles random(155);
+  WorkCounters work;
+  int underflown = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    FacePoints f = draw_face(random);
+    for (Eigen::Vector3d& corner : f) corner *= 0x1p-350;
+    const Eigen::Vector3d x =
+        f[0] + Doubles::point([&] { return std::ldexp(random.small_integer(3), -trial % 700 - 350); });
+    const mpq_class exact = exact_height(f, x);
+    const double height = height_over(f, x, work);
+    ASSERT_EQ((height > 0) - (height < 0), sgn(exact)) << trial;
+    const double depth = MasterPrism(face_with_sure_normal(f)).see(x, work)[kDepth];
+    ASSERT_EQ((depth < 0) - (depth > 0), sgn(exact)) << trial;
+    underflown += std::abs(height) == std::numeric_limits<double>::denorm_min();
+  }
+  EXPECT_GE(underflown, 50);
+}
+
+TEST(MasterPrism, DepthsThatUnderflowAreScaledSoThatTheirRatiosAreSure) {
+  Doubles random(156);
+  WorkCounters work;
+  int scaled = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    // In a plane through the origin, so that points next to it are told apart by denormals.
+    FacePoints f = draw_face(random);
+    const double size = std::ldexp(1, trial % 600 - 300);
+    for (Eigen::Vector3d& corner : f) corner = {size * corner.x(), size * corner.y(), size * corner.x()};
+    if ((f[1] - f[0]).cross(f[2] - f[0]).isZero(0)) continue;
+    const MasterPrism prism(face_with_sure_normal(f));
+    const int exponent = -1074 + static_cast<int>(random.integer(0, 300));
+    FacePoints x;
+    for (Eigen::Vector3d& point : x) {
+      const double along = size * random.unit();
+      point = {0, along, std::ldexp(random.small_integer(9), exponent)};
+    }
+    std::array<PrismPoint, 3> corners{prism.see(x[0], work), prism.see(x[1], work), prism.see(x[2], work)};
+    if (!prism.depths_underflow(corners)) continue;
+    ++scaled;
+    const std::array<PrismPoint, 3> plain = corners;
+    const int depth_exponent = prism.scale_depths(x, corners);
+    EXPECT_LE(depth_exponent, 0);
+    std::size_t deepest = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      if (std::abs(corners[k][kDepth]) > std::abs(corners[deepest][kDepth])) deepest = k;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const mpq_class ratio = exact_height(f, x[k]) / exact_height(f, x[deepest]);
+      ASSERT_LE(relative_error(corners[k][kDepth] / corners[deepest][kDepth], ratio), 0x1p-50) << trial;
+      // Scaled back it is what was seen, but for some ulps, or some denormals.
+      const double depth = std::ldexp(corners[k][kDepth], depth_exponent);
+      ASSERT_NEAR(depth, plain[k][kDepth], 0x1p-48 * std::abs(depth) + 0x1p-1072 * std::max(1.0, 1 / prism.face().area))
+          << trial;
+      ASSERT_EQ(corners[k].head<3>(), plain[k].head<3>());
+    }
+  }
+  EXPECT_GE(scaled, 1000);
+}
+
 // What compare/verify/bounds/master_view.h's bounds rest on, and fast/clipped/visible_parts.h's.
 TEST(MasterPrism, SeesPointsTo24RoundingsOfTheirDistanceTimesTheSkewOfTheFaceHoweverNarrowItIs) {
   Doubles random(154);
