@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace pcm::fast::visible_parts_test {
@@ -108,6 +109,21 @@ TEST(SubtractHidden, NarrowStripOfASmallFaceIsSeenThoughTheBodiesAreLarge) {
     const Placed g(prism, 1, {3, 4, 5},
                    {Vector3d(width * h, -h, -h), Vector3d(width * h, 4 * h, -h), Vector3d(8 * h, -h, -h)});
     EXPECT_NEAR(area_left(f, g), width - 0.5 * width * width, 32 * u) << width;
+  }
+}
+
+// Two corners of g lie 3 d above and d below f, the third one in it: the planes meet at three quarters of the side
+// between them, whatever d is, though heights over f, d times its area, underflow.
+TEST(SubtractHidden, FacesThatCrossByDenormalsHideEachOtherUpToTheLineOfTheirPlanes) {
+  for (const double c : {1.0, 0x1p-8, 0x1p-100}) {
+    const MasterPrism prism(FaceGeometry({c * Vector3d(-8, -8, 1), c * Vector3d(16, -8, 1), c * Vector3d(-8, 16, 1)}));
+    const Placed f(prism, 0, {0, 1, 2}, {c * Vector3d(0, -1, 0), c * Vector3d(1, 0, -1), c * Vector3d(0, 1, 0)});
+    const double whole = 0.5 * twice_area(f.projected.seen);
+    for (const double d : {c * 0x1p-60, c * 0x1p-500, 0x1p-1040, std::numeric_limits<double>::denorm_min()}) {
+      const Placed g(prism, 1, {3, 4, 5}, {Vector3d(0, -c, 3 * d), c * Vector3d(1, 0, -1), Vector3d(0, c, -d)});
+      EXPECT_NEAR(area_left(f, g) / whole, 0.25, 1e-14) << c << " " << d;
+      EXPECT_NEAR(area_left(g, f) / whole, 0.75, 1e-14) << c << " " << d;
+    }
   }
 }
 

@@ -124,10 +124,10 @@ TEST(MasterPrism, DepthsThatUnderflowAreScaledSoThatTheirRatiosAreSure) {
   WorkCounters work;
   int scaled = 0;
   for (int trial = 0; trial < 4000; ++trial) {
-    // In a plane through the origin, so that points next to it are told apart by denormals.
+    // In a plane through the origin, so that points next to it are told apart by denormals, and by parts of them.
     FacePoints f = draw_face(random);
     const double size = std::ldexp(1, trial % 600 - 300);
-    for (Eigen::Vector3d& corner : f) corner = {size * corner.x(), size * corner.y(), size * corner.x()};
+    for (Eigen::Vector3d& corner : f) corner = {size * corner.x(), size * corner.y(), 16 * size * corner.x()};
     if ((f[1] - f[0]).cross(f[2] - f[0]).isZero(0)) continue;
     const MasterPrism prism(face_with_sure_normal(f));
     const int exponent = -1074 + static_cast<int>(random.integer(0, 300));
@@ -153,6 +153,7 @@ TEST(MasterPrism, DepthsThatUnderflowAreScaledSoThatTheirRatiosAreSure) {
       const double depth = std::ldexp(corners[k][kDepth], depth_exponent);
       ASSERT_NEAR(depth, plain[k][kDepth], 0x1p-48 * std::abs(depth) + 0x1p-1072 * std::max(1.0, 1 / prism.face().area))
           << trial;
+      ASSERT_EQ((plain[k][kDepth] < 0) - (plain[k][kDepth] > 0), sgn(exact_height(f, x[k])));
       ASSERT_EQ(corners[k].head<3>(), plain[k].head<3>());
     }
   }
