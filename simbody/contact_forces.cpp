@@ -49,7 +49,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   double elastic_energy(const SimTK::State& state) const;
   void remember(const SimTK::State& state) const;
   void forget() const;
-  ContactTangents tangents(const SimTK::State& state, const TangentIncrements& increments) const;
+  ContactTangents tangents(const SimTK::State& state) const;
   void linearise(SimTK::State& state, KeptTangents tangents) const;
   ContactCounters counters() const;
 
@@ -67,7 +67,6 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   Answers by_tangents(const SimTK::State& state, const ContactTangents& tangents) const;
   void add_loads(const SimTK::State& state, const Answers& all, SimTK::Vector_<SimTK::SpatialVec>& body_forces) const;
   void set_load(const SimTK::State& state, Index pairing, const Load& load_Me, PairingAnswer& answer) const;
-  Load load_Me(const SimTK::State& state, Index pairing, const PairingAnswer& answer) const;
 
   const SimTK::GeneralForceSubsystem& forces_;
   PlacedSurfaces surfaces_;
@@ -114,14 +113,6 @@ void ContactForces::Implementation::set_load(const SimTK::State& state, Index pa
   answer.force_G = R_GE * to_simtk(load_Me.head<3>());
   answer.torque_G = R_GE * to_simtk(load_Me.tail<3>());
   answer.origin_of_F_G = surfaces_.in_ground(state, ends(pairing).F).p();
-}
-
-Load ContactForces::Implementation::load_Me(const SimTK::State& state, Index pairing,
-                                            const PairingAnswer& answer) const {
-  const SimTK::Rotation R_GE = surfaces_.in_ground(state, ends(pairing).E).R();
-  Load load;
-  load << to_eigen(~R_GE * answer.force_G), to_eigen(~R_GE * answer.torque_G);
-  return load;
 }
 
 PairingAnswer ContactForces::Implementation::answer(const SimTK::State& state, Index pairing) const {
@@ -280,8 +271,7 @@ void ContactForces::Implementation::forget() const {
   remembered_states_.clear();
 }
 
-ContactTangents ContactForces::Implementation::tangents(const SimTK::State& state,
-                                                        const TangentIncrements& increments) const {
+ContactTangents ContactForces::Implementation::tangents(const SimTK::State& state) const {
   const Answers& here = answers(state);
   const std::lock_guard<std::mutex> lock(asking_);
   move_scene(scene_, state, true);
@@ -292,15 +282,9 @@ ContactTangents ContactForces::Implementation::tangents(const SimTK::State& stat
     if (!result.complete) return result;
     result.pairings.emplace_back();
     if (!at_p.touching) continue;
-    const TangentAnswer answer = load_tangent(scene_.pairing(p), scene_.relative_pose(p), scene_.relative_velocity(p),
-                                              load_Me(state, p, at_p), increments, workspace_);
-    counters_.evaluated += answer.whole + answer.law_only;
-    counters_.law_only += answer.law_only;
-    result.whole = std::max(result.whole, answer.whole);
-    result.law_only = std::max(result.law_only, answer.law_only);
-    result.complete = answer.exists;
-    if (!result.complete) return result;
-    result.pairings.back() = answer.tangent;
+    result.pairings.back() =
+        load_tangent(scene_.pairing(p), scene_.relative_pose(p), scene_.relative_velocity(p), workspace_);
+    ++counters_.evaluated;
   }
   return result;
 }
@@ -382,8 +366,12 @@ void ContactForces::forget() const {
   implementation().forget();
 }
 
-ContactTangents ContactForces::tangents(const SimTK::State& state, const TangentIncrements& increments) const {
-  return implementation().tangents(state, increments);
+bool ContactTangents::any() const {
+  return std::any_of(pairings.begin(), pairings.end(), [](const auto& tangent) { return tangent.has_value(); });
+}
+
+ContactTangents ContactForces::tangents(const SimTK::State& state) const {
+  return implementation().tangents(state);
 }
 
 void ContactForces::linearise(SimTK::State& state, std::shared_ptr<const ContactTangents> tangents) const {

@@ -138,8 +138,7 @@ void bind_pairing(py::module_& module) {
           "used as given; r, shape (3,), m. v = dr/dt seen in Me, m/s, and w, the angular velocity of F relative to "
           "E,\n"
           "rad/s, are resolved in Me; None is 0. The rest says what is wanted; nothing else is computed. `elements`\n"
-          "and `statistics` need the force and have it computed, so do `bound` and `tangent`, which only the\n"
-          "barycentric scheme has.")
+          "and `statistics` need the force and have it computed, so do `bound` and `tangent`.")
       .def(
           "evaluate_many", &evaluate_many_states, py::arg("A"), py::arg("r"), py::arg("v") = py::none(),
           py::arg("w") = py::none(), py::kw_only(), py::arg("areas") = true, py::arg("force") = true,

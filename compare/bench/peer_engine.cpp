@@ -62,6 +62,7 @@ std::vector<PeerEntry> engine_peers() {
           engine("pcm barycentric", "force, torque, their derivatives", Scheme::barycentric, kForceAndTangent),
           engine("pcm clipped", "everything", Scheme::clipped, kEverything),
           engine("pcm clipped", "force and torque", Scheme::clipped, kForceOnly),
+          engine("pcm clipped", "force, torque, their derivatives", Scheme::clipped, kForceAndTangent),
           engine("pcm", "polygons, patches", Scheme::barycentric, kPolygonsOnly),
           engine("pcm", "touch only", Scheme::barycentric, kTouchOnly)};
 }

@@ -218,7 +218,7 @@ MasterForce sum_bounded_clipped_elements(const Intersection& intersection, const
   };
   ElementSum sum(problem, record, posed.work);
   for_each_active_face(intersection, master, [&](Index face) {
-    const ClippedFace seen = clip_face(intersection, master, face, problem.law, forming);
+    const ClippedFace seen = clip_face(intersection, master, face, problem.law, false, forming);
     record_beside_elements(seen, problem.law, record);
     add_elements(seen, sum);
   });
@@ -230,7 +230,7 @@ MasterForce sum_bounded_clipped_elements(const Intersection& intersection, const
     ElementRecord none;
     WorkCounters no_work;
     ElementSum nothing(unheard, none, no_work);
-    add_elements(clip_face(intersection, master, face, problem.law, forming), nothing);
+    add_elements(clip_face(intersection, master, face, problem.law, false, forming), nothing);
   }
   return sum.total();
 }

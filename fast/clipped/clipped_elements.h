@@ -8,6 +8,7 @@
 
 #include "fast/active/intersection.h"
 #include "fast/clipped/face_view.h"
+#include "fast/clipped/part_motion.h"
 #include "fast/clipped/visible_parts.h"
 #include "fast/force/element_sum.h"
 #include "fast/search/line_search.h"
@@ -15,8 +16,8 @@
 /// Contact elements of the clipped scheme (PCM section 6), from surfaces to forces in six files: clip_face lets an
 /// active face look along its penetration lines (face_view.h: the faces that its prism meets, in the coordinates of
 /// fast/prism/master_prism.h), parts what it sees (visible_parts.h) and integrates the depth over each part (Moments,
-/// fast/prism/convex_polygon.h); ElementQueue (fast/force/element_sum.h) applies the law to four elements at a time and
-/// adds up, as it does in both schemes.
+/// fast/prism/convex_polygon.h; how that changes with the pose: part_motion.h); ElementQueue (fast/force/element_sum.h)
+/// applies the law to four elements at a time and adds up, as it does in both schemes.
 namespace pcm::fast {
 
 /// The part of a master face whose penetration lines leave the slave through one and the same face of it.
@@ -43,12 +44,13 @@ struct ClippedFace {
   /// None where the face has no area, and sees nothing.
   std::optional<MasterPrism> prism;
   const FaceView& view;
-  const std::vector<VisiblePart>& parts;  ///< by slave face
-  bool too_deep = false;                  ///< the line of the barycentre leaves the master first
+  const std::vector<VisiblePart>& parts;      ///< by slave face
+  const std::vector<ElementMotion>& motions;  ///< of those that are elements, where they are asked for
+  bool too_deep = false;                      ///< the line of the barycentre leaves the master first
 
   ClippedFace(Side of, Index index, const FaceGeometry& sure, const FaceView& seen,
-              const std::vector<VisiblePart>& found)
-      : master(of), face(index), geometry(sure), view(seen), parts(found) {}
+              const std::vector<VisiblePart>& found, const std::vector<ElementMotion>& found_motions)
+      : master(of), face(index), geometry(sure), view(seen), parts(found), motions(found_motions) {}
 
   /// The centre of pressure of a part, p0 + s (p1 - p0) + t (p2 - p0); s and t are kept within 0 and 1 for roundings.
   Eigen::Vector3d foot_Me(const VisiblePart& part) const {
@@ -63,6 +65,7 @@ struct ClippedFaceScratch {
   FaceViewScratch looking;
   FaceView view;
   std::vector<VisiblePart> parts;
+  std::vector<ElementMotion> motions;
   std::vector<FaceExtent> by_low_s;  ///< of find_overlaps
   std::vector<Overlap> overlaps;
   std::vector<ConvexPolygon> polygons;   ///< the pieces that are left of the slave face at hand
@@ -70,9 +73,9 @@ struct ClippedFaceScratch {
   LineNodes line_open;                   ///< of the search along a line
 };
 
-/// Finds what a master face sees, and the parts that its elements are made of.
+/// Finds what a master face sees, and the parts that its elements are made of; how these move where that is asked for.
 ClippedFace clip_face(const Intersection& intersection, Side master, Index face, const ContactLaw& law,
-                      ClippedFaceScratch& scratch);
+                      bool with_motions, ClippedFaceScratch& scratch);
 
 /// Records what the face has beside elements.
 void record_beside_elements(const ClippedFace& face, const ContactLaw& law, ElementRecord& record);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "fast/prism/depths_in_prism.h"
@@ -68,6 +69,7 @@ bool add_projected(PosedPair& posed, Side side, Index face, bool of_master, cons
                    std::array<PrismPoint, 3> corners, std::vector<ProjectedFace>& faces) {
   const int exponent = prism.depths_underflow(corners) ? prism.scale_depths(posed.face_Me(side, face), corners) : 0;
   ProjectedFace& projected = faces.emplace_back();
+  projected.number = static_cast<std::int32_t>(faces.size()) - 1;
   if (!project_face(posed.surface(side).face(face), corners, projected, exponent)) {
     faces.pop_back();
     return false;

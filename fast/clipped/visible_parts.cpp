@@ -31,6 +31,7 @@ enum class Order : std::uint8_t { before, after, crossing };
 /// A linear function c_s (s - s_0) + c_t (t - t_0); a half plane is where it is not negative.
 struct HalfPlane {
   double c_s, s_0, c_t, t_0;
+  SideLine line;  ///< its border
 
   double operator()(const PrismPoint& x) const { return c_s * (x[kS] - s_0) + c_t * (x[kT] - t_0); }
 };
@@ -58,7 +59,8 @@ HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
   const PrismPoint& a = face.corners[ascending ? k : next];
   const PrismPoint& b = face.corners[ascending ? next : k];
   const double sign = ascending ? 1 : -1;
-  return {-sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT]};
+  return {-sign * (b[kT] - a[kT]), a[kS], sign * (b[kS] - a[kS]), a[kT],
+          line_of_face(face.number, static_cast<int>(k))};
 }
 
 /// Where the linear function with the given values at the corners of a face, some of them negative, not all, is not
@@ -66,7 +68,7 @@ HalfPlane inside_of_side(const ProjectedFace& face, std::size_t k) {
 /// to the next one, a; b is where it is 0 on the other side from P. With e1, e2 the two sides and r1, r2 the function's
 /// rise along them, the roundings of its gradient, r1 e2 - r2 e1 turned by a right angle, move what it tells of a point
 /// between a and b by a few ulps of the longer of |a - P| and |b - P|, however narrow the face is.
-HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double, 3>& values) {
+HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double, 3>& values, SideLine line) {
   const bool one_negative = (values[0] < 0) + (values[1] < 0) + (values[2] < 0) == 1;
   std::size_t lone = 0;
   while ((values[lone] < 0) != one_negative) ++lone;
@@ -77,7 +79,7 @@ HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double,
   const double r1 = values[next] - values[lone], r2 = values[last] - values[lone];
   const PrismPoint a =
       one_negative ? point_at_zero(Q, values[next], P, values[lone]) : point_at_zero(P, values[lone], Q, values[next]);
-  return {r1 * e2[kT] - r2 * e1[kT], a[kS], r2 * e1[kS] - r1 * e2[kS], a[kT]};
+  return {r1 * e2[kT] - r2 * e1[kT], a[kS], r2 * e1[kS] - r1 * e2[kS], a[kT], line};
 }
 
 /// Heights of the vertices of g over the plane of f, times twice the area of f and another factor > 0. Above is where
@@ -126,13 +128,15 @@ struct Cuts {
   std::size_t count = 0;                                       ///< of half planes that cut
   std::array<const ConvexPolygon*, kMostHalfPlanes + 1> left;  ///< before cut k; the last one: after all of them
   std::array<Heights, kMostHalfPlanes> heights;                ///< values of cut k's half plane at left[k]'s vertices
+  std::array<SideLine, kMostHalfPlanes> lines;                 ///< that it cuts along
   std::array<ConvexPolygon, kMostHalfPlanes> kept;             ///< what cut k leaves
 
   Cuts(const ConvexPolygon& polygon, const ConvexSet& set) {
     left[0] = &polygon;
     for (const HalfPlane& half_plane : set) {
       heights[count] = heights_of(*left[count], half_plane);
-      if (!cut_where_negative(*left[count], heights[count], kept[count])) continue;
+      if (!cut_where_negative(*left[count], heights[count], kept[count], half_plane.line)) continue;
+      lines[count] = half_plane.line;
       left[count + 1] = &kept[count];
       ++count;
       if (common().empty()) break;
@@ -148,7 +152,7 @@ struct Cuts {
     Heights outward = heights[k];
     for (int i = 0; i < left[k]->count; ++i) outward[static_cast<std::size_t>(i)] *= -1;
     ConvexPolygon taken = *left[k];
-    keep_where_not_negative(taken, outward);
+    keep_where_not_negative(taken, outward, lines[k]);
     return taken;
   }
 };
@@ -162,8 +166,9 @@ void append(const ConvexPolygon& piece, std::vector<ConvexPolygon>& pieces) {
   const int half = piece.count / 2;
   ConvexPolygon first, second;
   first.cuts = second.cuts = piece.cuts;
-  for (int i = 0; i <= half; ++i) first.add(piece[i]);
-  for (int i = half; i < piece.count; ++i) second.add(piece[i]);
+  const auto line_from = [&piece](int i) { return piece.lines[static_cast<std::size_t>(i)]; };
+  for (int i = 0; i <= half; ++i) first.add(piece[i], i < half ? line_from(i) : kNoLine);
+  for (int i = half; i < piece.count; ++i) second.add(piece[i], line_from(i));
   second.add(piece[0]);
   pieces.push_back(first);
   pieces.push_back(second);
@@ -172,6 +177,38 @@ void append(const ConvexPolygon& piece, std::vector<ConvexPolygon>& pieces) {
 double area_of(const ConvexPolygon& polygon) {
   return polygon.empty() ? 0 : 0.5 * std::abs(twice_area(polygon));
 }
+
+/// A part that was cut off along a line and dropped, for it may have no area: its longest other side.
+SideLine far_side(const ConvexPolygon& dropped, SideLine cut) {
+  SideLine line = cut;
+  double longest = 0;
+  for (int i = 0; i < dropped.count; ++i) {
+    const PrismPoint along = dropped[i + 1 == dropped.count ? 0 : i + 1] - dropped[i];
+    const double square = along[kS] * along[kS] + along[kT] * along[kT];
+    if (dropped.lines[static_cast<std::size_t>(i)] == cut || !(square > longest)) continue;
+    longest = square;
+    line = dropped.lines[static_cast<std::size_t>(i)];
+  }
+  return line;
+}
+
+/// Sides along cuts that took nothing but what was dropped lie on the lines that these cuts did not quite reach: the
+/// cutting face may end before they do.
+class Relabelling {
+ public:
+  void note(const ConvexPolygon& dropped, SideLine cut) { lines_[count_++] = {cut, far_side(dropped, cut)}; }
+  void apply(ConvexPolygon& piece) const {
+    for (std::size_t k = count_; k-- > 0;)
+      std::replace(piece.lines.begin(), piece.lines.begin() + piece.count, lines_[k].cut, lines_[k].far);
+  }
+
+ private:
+  struct Lines {
+    SideLine cut, far;
+  };
+  std::array<Lines, kMostHalfPlanes> lines_;
+  std::size_t count_ = 0;
+};
 
 /// Convex polygons without a convex set: what lies outside its first half plane, then of the rest what lies outside the
 /// second, and so on.
@@ -186,18 +223,29 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
     }
     const std::size_t before = remaining.size();
     double dropped = 0;
+    std::size_t certain_cut = 0;
+    Relabelling relabelling;
     for (std::size_t k = 0; k < cuts.count; ++k) {
-      const ConvexPolygon outside = cuts.outside(k);
+      ConvexPolygon outside = cuts.outside(k);
       if (certain(outside, uncertainty)) {
+        relabelling.apply(outside);
         append(outside, remaining);
+        certain_cut = k;
       } else {
         dropped += area_of(outside);
+        relabelling.note(outside, cuts.lines[k]);
       }
     }
-    if (remaining.size() > before + 1 && !certain(cuts.common(), uncertainty)) {
-      remaining.resize(before);
-      remaining.push_back(piece);
-      dropped = area_of(cuts.common());
+    if (remaining.size() > before && !certain(cuts.common(), uncertainty)) {
+      if (remaining.size() > before + 1) {
+        remaining.resize(before);
+        remaining.push_back(piece);
+        dropped = area_of(cuts.common());
+      } else {
+        Relabelling strip;
+        strip.note(cuts.kept[certain_cut], cuts.lines[certain_cut]);
+        strip.apply(remaining.back());
+      }
     }
     clipping_error.area += dropped;
   }
@@ -267,10 +315,12 @@ void subtract_hidden(const PlacedFace& f, const PlacedFace& g, std::vector<Conve
   for (std::size_t k = 0; k < 3; ++k) hidden.add(inside_of_side(g.projected, k));
   const auto& corners = g.projected.corners;
   const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
-  if (std::min({depths[0], depths[1], depths[2]}) < 0) hidden.add(where_not_negative(g.projected, depths));
+  const auto line_of_g = [&g](int line) { return line_of_face(g.projected.number, line); };
+  if (std::min({depths[0], depths[1], depths[2]}) < 0)
+    hidden.add(where_not_negative(g.projected, depths, line_of_g(kAtDepth0)));
   // Points of f beyond g lie below it.
   if (order == Order::crossing) {
-    hidden.add(where_not_negative(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}));
+    hidden.add(where_not_negative(f.projected, {-f_over_g[0], -f_over_g[1], -f_over_g[2]}, line_of_g(kCrossing)));
   }
   const Uncertainty of_f = f.uncertainty(), of_g = g.uncertainty();
   subtract(hidden, {kSliver * std::max(of_f.s, of_g.s), kSliver * std::max(of_f.t, of_g.t)}, pieces, remaining,

@@ -209,7 +209,6 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, double orthogonal
     return workspace.data().contact;
   }
   const double orthogonality_error = require_valid(pose, velocity);
-  require_valid(wanted, pairing.scheme());
   Workspace::Data& data = workspace.data();
   evaluate_wanted(pairing, pose, orthogonality_error, velocity, wanted, savings, kept, data);
   data.contact.work = data.posed.work;

@@ -33,6 +33,8 @@ struct PairingMemory::Data {
 
   explicit Data(Pairing p) : pairing(std::move(p)), tracking(pairing.surface_E().data(), pairing.surface_F().data()) {}
 
+  /// Whether all that velocities change hangs on the elements alone.
+  bool can_repeat(const Wanted& asked) const { return !(asked.tangent && pairing.scheme() == Scheme::clipped); }
   const Contact& answer(const Pose& asked_pose, const Velocity& velocity, const Wanted& asked, Workspace& workspace,
                         const Savings& savings);
   void find(const Pose& asked_pose, const Velocity& velocity, const Wanted& asked, Workspace& workspace,
@@ -45,6 +47,10 @@ struct PairingMemory::Data {
                                                              const Savings& savings) {
   const bool may_keep = savings.known_poses && savings.only_wanted && !asked.bound;
   if (!may_keep) return fast::evaluate(pairing, asked_pose, velocity, asked, workspace, savings);
+  if (!can_repeat(asked)) {
+    const Kept kept{false, may_track(asked, savings) ? &tracking : nullptr};
+    return evaluate_and_keep(pairing, asked_pose, velocity, asked, workspace, savings, kept);
+  }
   if (known && same_bits(asked_pose, pose) && is_same(asked, wanted)) {
     apply_law(velocity, savings, workspace.data());
   } else {

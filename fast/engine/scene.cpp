@@ -260,7 +260,6 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
     }
   }
   if (body_E == body_F) throw BadInput("pairing: body " + std::to_string(body_E) + " with itself");
-  require_valid(wanted, scheme);
   const DefaultFloatingPoint environment;
   const Surface& F = data_->body(body_F).surface;
   ScenePairing pairing{body_E,

@@ -100,13 +100,14 @@ ElementQueue::ElementQueue(const ForceProblem& problem, Side master, ElementReco
 }
 
 void ElementQueue::add(const ElementFaces& faces, double area, double penetration, const Eigen::Vector3d& n_Me,
-                       const Eigen::Vector3d& foot_Me) {
+                       const Eigen::Vector3d& foot_Me, const ElementMotion* motion) {
   const std::size_t lane = waiting_++;
   faces_[lane] = faces;
   lanes_.area.value[lane] = area;
   lanes_.depth.value[lane] = penetration;
   lanes_.n_Me.set(lane, n_Me);
   lanes_.barycentre_Me.set(lane, foot_Me);
+  if (tangent_) tangent_->set_motion(lane, *motion);
   if (waiting_ == kElementLanes) form_waiting();
 }
 

@@ -78,16 +78,17 @@ class ElementSum {
 };
 
 /// The same, with forces computed kElementLanes at a time, to the same bits; and their derivatives where the problem
-/// has a tangent, which needs the elements' depth_gradient_Me.
+/// has a tangent, which needs the elements' depth_gradient_Me, or their motions.
 class ElementQueue {
  public:
   /// `lanes`: scratch, or where `add_lanes` finds elements.
   ElementQueue(const ForceProblem& problem, Side master, ElementRecord& record, WorkCounters& work,
                ElementLanes& lanes);
 
-  /// See ElementSum::add; `n_Me` is the master face's outward normal, opposite to the element's.
+  /// See ElementSum::add; `n_Me` is the master face's outward normal, opposite to the element's; `motion` is given
+  /// where the problem has a tangent.
   void add(const ElementFaces& faces, double area, double penetration, const Eigen::Vector3d& n_Me,
-           const Eigen::Vector3d& foot_Me);
+           const Eigen::Vector3d& foot_Me, const ElementMotion* motion);
   /// Elements whose areas, normals, feet and penetrations are in the lanes already; none may wait.
   void add_lanes(LaneBits which);
   /// Elements that such a queue kept at this pose.

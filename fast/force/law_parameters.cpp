@@ -77,11 +77,6 @@ double require_valid(const Pose& pose, const Velocity& velocity) {
   return skew;
 }
 
-void require_valid(const Wanted& wanted, Scheme scheme) {
-  if (wanted.tangent && scheme == Scheme::clipped)
-    throw BadInput("tangent: the clipped scheme has none; ask for none, or take the barycentric scheme");
-}
-
 namespace {
 
 [[gnu::noinline]] double stiffness_of_layer(double young, double poisson, double thickness) {

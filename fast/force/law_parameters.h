@@ -21,9 +21,6 @@ void require_valid(const Velocity& velocity);
 /// kGreatestCoordinate. Returns the pose's orthogonality error (fast/base/geometry.h).
 double require_valid(const Pose& pose, const Velocity& velocity);
 
-/// Throws BadInput where the scheme has no answer to it: tangents are those of barycentric elements.
-void require_valid(const Wanted& wanted, Scheme scheme);
-
 /// Stiffness of an elastic layer c = K / b (3), N/m^3, with the layer modulus (2)
 /// K = (1 - nu) / ((1 + nu) (1 - 2 nu)) young. `young` > 0 in Pa, -1 < `poisson` < 0.45 (a layer nearer to
 /// incompressible can't be thought of as springs side by side), `thickness` b > 0 in m. Throws BadInput otherwise.

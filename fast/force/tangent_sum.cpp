@@ -28,7 +28,25 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
 }  // namespace
 
 void TangentSum::add(const ElementLanes& lanes, const ForceLimits& limits, LaneBits which) {
-  fastest_wide_elements().tangent(lanes, limits, which, lanes_);
+  if (are_parts_) {
+    fastest_wide_elements().tangent_of_parts(lanes, motions_, limits, which, lanes_);
+  } else {
+    fastest_wide_elements().tangent(lanes, limits, which, lanes_);
+  }
+}
+
+void TangentSum::set_motion(std::size_t lane, const ElementMotion& motion) {
+  are_parts_ = true;
+  const auto set = [lane](const MotionSlope& slope, ElementMotionLanes::Slope& lanes) {
+    lanes.by_position.set(lane, slope.by_position);
+    lanes.by_rotation.set(lane, slope.by_rotation);
+  };
+  set(motion.area, motions_.area);
+  set(motion.depth, motions_.depth);
+  set(motion.s, motions_.s);
+  set(motion.t, motions_.t);
+  motions_.edge_s_Me.set(lane, motion.edge_s_Me);
+  motions_.edge_t_Me.set(lane, motion.edge_t_Me);
 }
 
 Tangent TangentSum::total(const ForceLimits& limits, const Eigen::Vector3d& force_Me,

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+
+#include "fast/force/element_motion.h"
 #include "fast/simd/elements.h"
 #include "pcm/contact.h"
 
@@ -22,17 +25,29 @@ namespace pcm::fast {
 ///     by position a g^T, b g^T;  by rotation a (X - r x g)^T, b (X - r x g)^T;
 ///     by velocity K, [l x] K;    by lever K [l x], [l x] K [l x].
 ///
+/// Clipped scheme: what a master face sees of the slave's face changes its outline too, so that its area A, its mean
+/// depth u and the centre of pressure p0 + s (p1 - p0) + t (p2 - p0) change, each by a slope g . dr + h . a that is
+/// given (ElementMotion) for a slave that moves by +d. Summed are by position c g^T, c' g^T; by rotation c h^T, c' h^T,
+/// with
+///
+///     c of A: +-F / A;   of u: a;   of s: +-K (w x (p1 - p0)), of t with p2;
+///     c' of A: l x c;    of u: b;   of s: +-(p1 - p0) x F + l x c, of t with p2.
+///
 /// What F's own motion adds is known of the sums. Master E: l loses dr, so velocities lose w x dr and the torque
 /// dr x F. Master F: all turns with F, so F and M turn by a, and v and w, seen from F, by -a.
 class TangentSum {
  public:
   /// Elements whose forces are in the lanes.
   void add(const ElementLanes& lanes, const ForceLimits& limits, LaneBits which);
+  /// How the element of a lane moves, before it is added: in the clipped scheme, and there of all elements.
+  void set_motion(std::size_t lane, const ElementMotion& motion);
   /// Force and torque are those of these elements together.
   Tangent total(const ForceLimits& limits, const Eigen::Vector3d& force_Me, const Eigen::Vector3d& torque_Me) const;
 
  private:
   TangentLanes lanes_;
+  ElementMotionLanes motions_;
+  bool are_parts_ = false;
 };
 
 }  // namespace pcm::fast

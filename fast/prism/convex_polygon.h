@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 /// Convex polygons in the plane of a master face that carry a linear field, cut by lines and integrated (PCM section 6,
 /// clipped scheme). No tolerance anywhere: cuts that miss by a rounding make slivers of an area as small, which are
@@ -24,6 +25,18 @@ inline double cross_st(const PrismPoint& a, const PrismPoint& b, const PrismPoin
   return (b[kS] - a[kS]) * (c[kT] - a[kT]) - (b[kT] - a[kT]) * (c[kS] - a[kS]);
 }
 
+/// The line that a side of a polygon lies on: of which face, and where it comes from; kNoLine for one that nothing of
+/// the slave moves, a side of the master or one between two halves of a piece.
+using SideLine = std::int32_t;
+inline constexpr SideLine kNoLine = 0;
+/// 0 to 2: the face's edges, from the corner of that number on.
+inline constexpr int kAtDepth0 = 3;  ///< where the face passes through the master's plane
+inline constexpr int kCrossing = 4;  ///< where it passes through the face that is cut
+inline constexpr int kLinesOfAFace = 5;
+inline SideLine line_of_face(std::int32_t face, int line) {
+  return 1 + kLinesOfAFace * face + line;
+}
+
 /// A convex polygon in (s, t), counterclockwise, with the depth at its vertices. Fewer than three vertices: empty.
 struct ConvexPolygon {
   /// Most vertices a part may have: a triangle cut by the face's three sides and at depth 0 has seven.
@@ -34,6 +47,7 @@ struct ConvexPolygon {
   static constexpr int kCapacity = kMost + kMostCutsOfAFace;
 
   std::array<PrismPoint, kCapacity> points;
+  std::array<SideLine, kCapacity> lines;  ///< of the sides from each vertex to the next
   int count;
   int cuts;  ///< that made it what it is: each of them rounds
 
@@ -41,15 +55,20 @@ struct ConvexPolygon {
   /// Only the vertices there are.
   ConvexPolygon(const ConvexPolygon& other) : count(other.count), cuts(other.cuts) {
     std::copy_n(other.points.begin(), count, points.begin());
+    std::copy_n(other.lines.begin(), count, lines.begin());
   }
   ConvexPolygon& operator=(const ConvexPolygon& other) {
     count = other.count;
     cuts = other.cuts;
     std::copy_n(other.points.begin(), count, points.begin());
+    std::copy_n(other.lines.begin(), count, lines.begin());
     return *this;
   }
 
-  void add(const PrismPoint& point) { points[static_cast<std::size_t>(count++)] = point; }
+  void add(const PrismPoint& point, SideLine line = kNoLine) {
+    lines[static_cast<std::size_t>(count)] = line;
+    points[static_cast<std::size_t>(count++)] = point;
+  }
   const PrismPoint& operator[](int i) const { return points[static_cast<std::size_t>(i)]; }
   PrismPoint& operator[](int i) { return points[static_cast<std::size_t>(i)]; }
   bool empty() const { return count < 3; }
@@ -79,8 +98,10 @@ inline PrismPoint point_at_zero(const PrismPoint& a, double height_a, const Pris
 
 /// Fills `kept`, another polygon, with what a cut where the linear function is negative leaves. False where it is
 /// negative at no vertex: the polygon stays whole then, and `kept` untouched. Along the border of a convex polygon the
-/// function rises and falls once; what rounding adds to that is taken as outside, so that at most one vertex joins.
-inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heights, ConvexPolygon& kept) {
+/// function rises and falls once; what rounding adds to that is taken as outside, so that at most one vertex joins. The
+/// side along the cut lies on `line`.
+inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heights, ConvexPolygon& kept,
+                               SideLine line = kNoLine) {
   const int n = polygon.count;
   int top = 0;
   bool all = true;
@@ -102,24 +123,32 @@ inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heig
   for (; at(after) >= 0; after = next(after)) last = after;
   // Counted apart from the polygon, so that storing points need not wait for it.
   std::size_t count = 0;
-  if (at(first) > 0) kept.points[count++] = point_at_zero(polygon[first], at(first), polygon[before], at(before));
-  for (int i = first; i != after; i = next(i)) kept.points[count++] = polygon[i];
+  const auto line_from = [&polygon](int i) { return polygon.lines[static_cast<std::size_t>(i)]; };
+  if (at(first) > 0) {
+    kept.lines[count] = line_from(before);
+    kept.points[count++] = point_at_zero(polygon[first], at(first), polygon[before], at(before));
+  }
+  for (int i = first; i != after; i = next(i)) {
+    kept.lines[count] = line_from(i);
+    kept.points[count++] = polygon[i];
+  }
   if (at(last) > 0) kept.points[count++] = point_at_zero(polygon[last], at(last), polygon[after], at(after));
+  kept.lines[count - 1] = line;
   kept.count = static_cast<int>(count);
   return true;
 }
 
 /// Cuts away where the linear function is negative.
-inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heights) {
+inline void keep_where_not_negative(ConvexPolygon& polygon, const Heights& heights, SideLine line = kNoLine) {
   ConvexPolygon kept;
-  if (cut_where_negative(polygon, heights, kept)) polygon = kept;
+  if (cut_where_negative(polygon, heights, kept, line)) polygon = kept;
 }
 
 /// Cuts away where one of the coordinates is negative.
-inline void keep_where_not_negative(ConvexPolygon& polygon, int coordinate) {
+inline void keep_where_not_negative(ConvexPolygon& polygon, int coordinate, SideLine line = kNoLine) {
   Heights heights;
   for (int i = 0; i < polygon.count; ++i) heights[static_cast<std::size_t>(i)] = polygon[i][coordinate];
-  keep_where_not_negative(polygon, heights);
+  keep_where_not_negative(polygon, heights, line);
 }
 
 /// How far points may be off in s and t through roundings, none of which is a tolerance: an error bound.

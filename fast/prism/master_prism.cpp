@@ -189,11 +189,12 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
   for (std::size_t k = 0; k < 3; ++k) {
     face.vertices[k] = vertices[order[k]];
     face.corners[k] = seen.points[k] = corners[order[k]];
+    seen.lines[k] = line_of_face(face.number, static_cast<int>(k));
   }
   for (int coordinate = 0; coordinate <= kDepth; ++coordinate) {
     // A polygon of no corner beyond a side stays beyond none.
     if (std::min({corners[0][coordinate], corners[1][coordinate], corners[2][coordinate]}) >= 0) continue;
-    keep_where_not_negative(seen, coordinate);
+    keep_where_not_negative(seen, coordinate, coordinate == kDepth ? line_of_face(face.number, kAtDepth0) : kNoLine);
     if (seen.empty()) return false;
   }
   face.low_s = face.low_t = std::numeric_limits<double>::infinity();

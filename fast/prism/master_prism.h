@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "fast/base/box_tree.h"
 #include "fast/base/geometry.h"
@@ -170,6 +171,7 @@ struct SeenCorners {
 
 /// A face of the slave, or another one of the master, as the penetration lines of a master face meet it.
 struct ProjectedFace {
+  std::int32_t number = 0;  ///< among all that the master face sees, for the lines of polygons' sides
   Index face;
   bool of_master;  ///< a face of the master
   bool leaves;     ///< the lines leave that face's body there, N . N_f < 0

@@ -132,7 +132,7 @@ LaneBits find_force(ElementLanes& lanes, const ForceLimits& limits) {
   return known;
 }
 
-constexpr WideElements kElements{find_geometry, decide, find_force, find_gradient, add_tangent};
+constexpr WideElements kElements{find_geometry, decide, find_force, find_gradient, add_tangent, add_tangent_of_parts};
 
 }  // namespace
 

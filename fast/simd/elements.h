@@ -65,6 +65,15 @@ struct ElementLanes : FoundLanes {
   VectorLanes position_Me, force_Me, torque_Me;
 };
 
+/// How four elements of the clipped scheme change as the slave's face moves: fast/force/element_motion.h.
+struct ElementMotionLanes {
+  struct Slope {
+    VectorLanes by_position, by_rotation;
+  };
+  Slope area, depth, s, t;
+  VectorLanes edge_s_Me, edge_t_Me;
+};
+
 /// Four matrices, entry (i, j) at 3 i + j.
 using MatrixLanes = std::array<DoubleLanes, 9>;
 
@@ -106,13 +115,16 @@ struct ForceLimits {
 /// DepthBelow and apply_force: never fused, so that all sets give the bits of these. `geometry` finds barycentres and
 /// sides in all lanes and returns those whose area and normal it found; `force` returns the lanes it filled. The
 /// numbers in others are too large or too small for them. `gradient` fills depth_gradient_Me, of slave faces at
-/// slave_corners, in all lanes; `tangent` adds what elements with their forces make of it, in those asked for.
+/// slave_corners, in all lanes; `tangent` adds what elements with their forces make of it, in those asked for, and
+/// `tangent_of_parts` what they make of the motions given.
 struct WideElements {
   LaneBits (*geometry)(ElementLanes& lanes);
   DecidedLanes (*decide)(ElementLanes& lanes, const DecisionLimits& limits);
   LaneBits (*force)(ElementLanes& lanes, const ForceLimits& limits);
   void (*gradient)(ElementLanes& lanes);
   void (*tangent)(const ElementLanes& lanes, const ForceLimits& limits, LaneBits which, TangentLanes& sums);
+  void (*tangent_of_parts)(const ElementLanes& lanes, const ElementMotionLanes& motion, const ForceLimits& limits,
+                           LaneBits which, TangentLanes& sums);
 };
 
 }  // namespace pcm::fast

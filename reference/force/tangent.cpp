@@ -3,7 +3,9 @@
 #include "reference/force/tangent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "reference/force/law.h"
 #include "reference/numbers/correct_rounding.h"
@@ -34,9 +36,32 @@ struct LoadSlope {
   Slope<T> force, torque;
 };
 
+/// How the element moves with the coordinate of the field, of r or a turn.
+template <class T>
+void note_motion(const ElementLoad<Dual<T>>& load, Side master, const Field<Dual<T>>& field, ElementMotion& motion) {
+  const auto [of, axis] = field.coordinate;
+  const bool turns = of == Coordinate::Of::rotation;
+  const auto slope_of = [](const Vec3<Dual<T>>& x) { return Vec3<T>{x.x.slope, x.y.slope, x.z.slope}; };
+  Vec3<T> seen = slope_of(load.position);
+  if (master == Side::F) {
+    const Vec3<T> arm{load.arm.x.value, load.arm.y.value, load.arm.z.value};
+    seen = slope_of(load.arm) - cross(direction(turns ? axis : -1, field.number), arm);
+  }
+  const std::array<T, 5> slopes{load.area.slope, load.penetration.slope, seen.x, seen.y, seen.z};
+  for (std::size_t row = 0; row < slopes.size(); ++row) {
+    const NearDouble nearby = slopes[row].nearby();
+    motion.slope(static_cast<Eigen::Index>(row), (turns ? 3 : 0) + axis) = nearby.value + 0.0;  // no -0
+    motion.error(static_cast<Eigen::Index>(row), (turns ? 3 : 0) + axis) = nearby.error;
+  }
+}
+
 /// The derivative by the coordinate of the field.
 template <class T>
-LoadSlope<T> slope_of(const std::vector<ForceQuestion>& masters, const Field<Dual<T>>& field) {
+LoadSlope<T> slope_of(const std::vector<ForceQuestion>& masters, const Field<Dual<T>>& field,
+                      std::vector<ElementMotion>& elements) {
+  const bool moves_elements =
+      field.coordinate.of == Coordinate::Of::position || field.coordinate.of == Coordinate::Of::rotation;
+  std::size_t element = 0;
   const T zero = field.number(0.0);
   const Dual<T> share = field(masters.size() == 2 ? 0.5 : 1.0);
   LoadSlope<T> slope{{{zero, zero, zero}}, {{zero, zero, zero}}};
@@ -46,6 +71,7 @@ LoadSlope<T> slope_of(const std::vector<ForceQuestion>& masters, const Field<Dua
     for (std::size_t i = 0; i < master.elements.size(); ++i) {
       const ElementLoad<Dual<T>> load =
           load_of(master.elements.geometry(i, pose), master.elements.pair(i).master, master.law, state, field);
+      if (moves_elements) note_motion(load, master.elements.pair(i).master, field, elements[element++]);
       const Vec3<Dual<T>> on_E = share * (load.force + sqrt(load.speed_squared) * load.drag);  // (21)
       slope.force.add(on_E);                                                                   // (23)
       slope.torque.add(cross(load.arm, on_E));                                                 // (22), (24)
@@ -72,8 +98,8 @@ template <class T>
 bool enclose_all(const std::vector<ForceQuestion>& masters, const Field<T>& field, Tangent& tangent) {
   bool narrow = true;
   for (int column = 0; column < 12; ++column) {
-    const LoadSlope<T> slope =
-        slope_of(masters, Field<Dual<T>>{field, {static_cast<Coordinate::Of>(column / 3), column % 3}});
+    const LoadSlope<T> slope = slope_of(
+        masters, Field<Dual<T>>{field, {static_cast<Coordinate::Of>(column / 3), column % 3}}, tangent.elements);
     const bool forces = enclose(slope.force, 0, column, tangent), torques = enclose(slope.torque, 3, column, tangent);
     narrow = narrow && forces && torques;
   }
@@ -84,6 +110,9 @@ bool enclose_all(const std::vector<ForceQuestion>& masters, const Field<T>& fiel
 
 Tangent tangent_of(const std::vector<ForceQuestion>& masters) {
   Tangent tangent;
+  std::size_t count = 0;
+  for (const ForceQuestion& master : masters) count += master.elements.size();
+  tangent.elements.resize(count);
   if (!enclose_all(masters, Field<DoubleDouble>{}, tangent))
     enclose_all(masters, Field<Ball>{kRoundingPrecision}, tangent);
   return tangent;

@@ -91,11 +91,21 @@ struct Element {
   bool operator==(const Element&) const = default;
 };
 
+/// How an element changes as F moves: rows area, m^2; penetration, m; position C_k, m, as the master sees it. Columns
+/// r, m, and a turn of F about Mf, rad, resolved in Me.
+struct ElementMotion {
+  Eigen::Matrix<double, 5, 6> slope = Eigen::Matrix<double, 5, 6>::Zero();
+  Eigen::Matrix<double, 5, 6> error = Eigen::Matrix<double, 5, 6>::Zero();  ///< at most; infinite: nothing known
+
+  bool operator==(const ElementMotion&) const = default;
+};
+
 /// Derivatives of force and torque, where the discrete facts stay as they are (fast/include/pcm/contact.h says by
 /// what). Enclosed, not correctly rounded: many entries are 0 by cancellation.
 struct Tangent {
   Eigen::Matrix<double, 6, 12> slope = Eigen::Matrix<double, 6, 12>::Zero();
   Eigen::Matrix<double, 6, 12> error = Eigen::Matrix<double, 6, 12>::Zero();  ///< at most; infinite: nothing known
+  std::vector<ElementMotion> elements;  ///< of those of the answer in the same mode, in their order
 
   bool operator==(const Tangent&) const = default;
 };

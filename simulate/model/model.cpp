@@ -332,14 +332,12 @@ void Model::forget() {
   data_->contacts.forget();
 }
 
-TangentCost Model::linearise(double t, const Eigen::VectorXd& y, double increment) {
+TangentCost Model::linearise(double t, const Eigen::VectorXd& y) {
   Data& data = *data_;
   data.realize(t, y, SimTK::Stage::Velocity);
-  const auto tangents = std::make_shared<const pcm::simbody::ContactTangents>(
-      data.contacts.tangents(data.state, {increment, increment, increment, increment}));
-  data.counters.law_only += tangents->law_only;
+  const auto tangents = std::make_shared<const pcm::simbody::ContactTangents>(data.contacts.tangents(data.state));
   if (tangents->complete) data.contacts.linearise(data.linear_state, tangents);
-  return {tangents->complete, tangents->whole, tangents->law_only};
+  return {tangents->complete, tangents->any() ? 1 : 0};
 }
 
 void Model::linear_derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {

@@ -67,10 +67,8 @@ struct Observation {
 
 /// What tangents of the contacts cost.
 struct TangentCost {
-  bool exists = true;  ///< false where some pairing has none: to be differentiated by asking the engine
-  // In evaluations of all pairings.
-  std::int64_t whole = 0;
-  std::int64_t law_only = 0;
+  bool exists = true;            ///< false where bodies are nested or too deep
+  std::int64_t evaluations = 0;  ///< of all pairings
 };
 
 /// How derivatives were answered.
@@ -105,9 +103,8 @@ class Model {
   /// From here on as if nothing had been remembered.
   void forget();
 
-  /// Tangents of the contacts at y, for `linear_derivative`. They are taken over increments of this many m, rad, m/s
-  /// and rad/s (pcm::simbody::TangentIncrements).
-  TangentCost linearise(double t, const Eigen::VectorXd& y, double increment);
+  /// Tangents of the contacts at y, for `linear_derivative`.
+  TangentCost linearise(double t, const Eigen::VectorXd& y);
   /// dy/dt with the contacts' loads by the last tangents, which must exist, and all else as it is: about where they
   /// were taken the derivative to first order. Asks no engine.
   void linear_derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt);

@@ -17,9 +17,6 @@
 namespace pcm::simulate {
 namespace {
 
-/// In m, rad, m/s and rad/s: far below any slip velocity, far above rounding.
-constexpr double kSmallChange = 1e-8;
-
 double processor_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -99,9 +96,8 @@ Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
 Linearisation Simulation::linearise(double t, const Eigen::VectorXd& y) {
   Linearisation linear;
   if (scene_.integrator.jacobian == JacobianOf::tangents) {
-    const TangentCost cost = model_.linearise(t, y, kSmallChange);
-    linear.cost = cost.whole + cost.law_only;
-    law_only_ += cost.law_only;
+    const TangentCost cost = model_.linearise(t, y);
+    linear.cost = cost.evaluations;
     if (cost.exists) {
       linear.derivative = [this](double at, const Eigen::VectorXd& changed, Eigen::VectorXd& dydt) {
         model_.linear_derivative(at, changed, dydt);
@@ -186,7 +182,8 @@ std::optional<Spectrum> Simulation::spectrum(double t, const Eigen::VectorXd& y)
   };
   if (derivative(t, y, dydt) == Evaluation::not_here) return std::nullopt;
   model_.remember(t, y);
-  const Eigen::VectorXd absolute = Eigen::VectorXd::Constant(y.size(), 10 * kSmallChange);  // a tenth is the change
+  // A tenth is the change, in m, rad, m/s and rad/s: far below any slip velocity, far above rounding.
+  const Eigen::VectorXd absolute = Eigen::VectorXd::Constant(y.size(), 1e-7);
   if (difference_quotients(derivative, absolute, t, y, dydt, J) == Evaluation::not_here) return std::nullopt;
   const Eigen::VectorXcd eigenvalues = J.eigenvalues();
   return Spectrum{eigenvalues.real().minCoeff(), eigenvalues.imag().cwiseAbs().maxCoeff(),

@@ -94,7 +94,7 @@ struct ScenePairing {
 /// What the Jacobians of implicit methods are made of.
 enum class JacobianOf : std::uint8_t {
   differences,  ///< of the equations of motion: the engine is asked in every column
-  tangents,     ///< of the pairings, and differences of the equations of motion with them: the engine is asked 12 times
+  tangents,     ///< of the pairings, and differences of the equations of motion with them: the engine is asked once
 };
 
 struct IntegratorSettings {

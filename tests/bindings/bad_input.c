@@ -169,8 +169,6 @@ static void test_evaluations(void) {
   EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, all, NULL, &answer), PCM_BAD_CALL, "workspace is NULL");
   EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, all, workspace, NULL), PCM_BAD_CALL, "answer is NULL");
   EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, 128, workspace, &answer), PCM_BAD_CALL, "wanted is 128");
-  EXPECT(EVALUATE(pairing, kIdentity, kNowhere, NULL, NULL, PCM_WANTED_TANGENT, workspace, &answer), PCM_BAD_INPUT,
-         "clipped scheme has none");
   const double nan3[] = {0, NAN, 0}, reflection[] = {1, 0, 0, 0, 1, 0, 0, 0, -1};
   const double sheared[] = {1, 1e-6, 0, 0, 1, 0, 0, 0, 1};
   EXPECT(EVALUATE(pairing, kIdentity, nan3, NULL, NULL, all, workspace, &answer), PCM_BAD_INPUT, "finite");

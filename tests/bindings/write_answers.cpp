@@ -174,7 +174,7 @@ void write_poses(const Pairing& pairing, const compare::FeaturePair& features, s
     const compare::DrawnPose drawn = compare::draw_pose(stratum, features, random);
     const std::uint64_t number_of_wanted = (i + 9 * number) % test::kAllWanted;
     Wanted wanted = test::wanted_by_number(number_of_wanted);
-    wanted.tangent = pairing.scheme() == Scheme::barycentric && i % 3 != 0;
+    wanted.tangent = i % 3 != 0;
     const Contact& contact = evaluate(pairing, drawn.pose, drawn.velocity, wanted, workspace);
     question_line(number_of_wanted + (wanted.tangent ? test::kAllWanted : 0), drawn).write(out);
     answer_line(contact).write(out);

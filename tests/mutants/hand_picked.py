@@ -361,14 +361,38 @@ PICKED = [
     # Its derivatives.
     (
         "fast/simd/tangent_kernels.h",
-        "four(limits.master_E ? limits.shift : -limits.shift)",
-        "four(limits.shift)",
+        "  add({per_area, cross(motion.lever, per_area)}, parts.area);",
+        "",
+        "the area of what is seen stays as it is",
+    ),
+    (
+        "fast/clipped/part_motion.cpp",
+        "        add_parts(V, a, depth_on_edge(h, edge, a), b, depth_on_edge(h, edge, b));",
+        "        add_parts(V, a, a[kDepth], b, b[kDepth]);",
+        "an edge that hides a part turns as if it were as deep as what it hides",
+    ),
+    (
+        "fast/clipped/part_motion.cpp",
+        "      add_parts(l * depth_f_.by_motion_Me, a, a[kDepth], b, b[kDepth]);",
+        "",
+        "where the master's own faces come through the slave's nothing moves",
+    ),
+    (
+        "fast/clipped/visible_parts.cpp",
+        "        relabelling.apply(outside);",
+        "",
+        "a side moves with an edge that ends before it does",
+    ),
+    (
+        "fast/simd/tangent_kernels.h",
+        "  const Vector4 carried = motion.from_master * along;",
+        "  const Vector4 carried = along;",
         "which way an element of master F moves as it gets deeper",
     ),
     (
         "fast/simd/tangent_kernels.h",
-        "  const auto vector = [&](const VectorLanes& x) { return choice(used, load(x), nothing); };",
-        "  const auto vector = [&](const VectorLanes& x) { return load(x); };",
+        "  Vector4 operator()(const Vector4& x) const { return choice(used, x, Vector4{four(0), four(0), four(0)}); }",
+        "  Vector4 operator()(const Vector4& x) const { return x; }",
         "lanes without an element count in derivatives",
     ),
     (

@@ -69,7 +69,7 @@ MasterView::DepthField MasterView::depth_field(Side side, Index face, double str
   const Eigen::Vector3d m = seen_from_Me_ * plane.normal_Me;
   const double cosine = std::abs(m.z()), turn = plane.normal_error + turn_ + 16 * u;
   const SeenFace corners = seen(side, face);
-  DepthField field{corners[0], Eigen::Vector2d::Zero(), 0, std::numeric_limits<double>::infinity(), 0};
+  DepthField field{corners[0], m, Eigen::Vector2d::Zero(), 0, std::numeric_limits<double>::infinity(), 0};
   for (const SeenPoint& x : corners) field.reach = std::max(field.reach, distance_from_corners(x));
   if (!(cosine > 4 * turn)) return field;
   field.slope = -m.head<2>() / m.z();
@@ -97,7 +97,6 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
   const Extent of_part = extent(part);
   const double most = no_more(outline_of(part) / 2 + 4 * strip, face_.longest);
   Hiders hiders;
-  std::vector<const NearFace*> found;
   for (const NearFace& near : near_) {
     const auto& [side, face, of_face] = near;
     if (side == slave && face == slave_face) continue;
@@ -120,14 +119,13 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
         continue;
     }
     add_folds(slave_face, near, strip, most, hiders);
-    found.push_back(&near);
+    hiders.faces.push_back(&near);
     for (const SeenPoint& x : seen_face) {
       hiders.distance = std::max(hiders.distance, distance_from_corners(x));
       hiders.place = std::max(hiders.place, place_error(x));
     }
   }
-  hiders.count = static_cast<int>(found.size());
-  hiders.sides = hiding_sides(found, strip);
+  hiders.sides = hiding_sides(hiders.faces, strip);
   return hiders;
 }
 
@@ -205,20 +203,29 @@ double MasterView::length_within(const HidingSide& side, bool whole_line, const 
   const SeenPoint to = side.to - side.from;
   const double length = to.head<2>().stableNorm();
   if (!(length > 0)) return 2 * margin;
-  const SeenPoint along = to / length;
-  const double infinity = std::numeric_limits<double>::infinity();
-  double first = whole_line ? -infinity : -margin, last = whole_line ? infinity : length + margin;
+  auto [first, last] = span_within(side.from, to / length, slave, margin);
+  if (!whole_line) {
+    first = std::max(first, -margin);
+    last = std::min(last, length + margin);
+  }
+  return std::max(0.0, last - first);
+}
+
+std::pair<double, double> MasterView::span_within(const SeenPoint& through, const SeenPoint& along,
+                                                  const SeenFace& slave, double margin) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double first = -kInfinity, last = kInfinity;
   for (const SeenFace* const face : {&own_, &slave}) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Vector2d inward = inward_of_side(*face, k);
-      const double height = inward.dot((side.from - (*face)[k]).head<2>()) + margin;
+      const double height = inward.dot((through - (*face)[k]).head<2>()) + margin;
       const double rise = inward.dot(along.head<2>());
       if (rise > 0) first = std::max(first, -height / rise);
       if (rise < 0) last = std::min(last, -height / rise);
-      if (rise == 0 && height < 0) return 0;
+      if (rise == 0 && height < 0) return {0, -1};
     }
   }
-  return std::max(0.0, last - first);
+  return {first, last};
 }
 
 // A line laid through both ends of a side is off by more farther away, as a lever.

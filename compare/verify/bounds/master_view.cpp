@@ -102,6 +102,16 @@ double MasterView::strip(double distance, double depth) const {
   return 24 * u * skew_ * distance + turn_ * (depth + 16 * u * distance);
 }
 
+// A face that hides something of the slave's lies over the master somewhere, not deeper than that one.
+double MasterView::most_strip(const SeenFace& slave) const {
+  double distance = 0, depth = 0;
+  for (const SeenPoint& x : slave) {
+    distance = std::max(distance, distance_from_corners(x));
+    depth = std::max(depth, std::abs(x.z()));
+  }
+  return strip(std::max(distance, 2 * face_.longest + depth + faces_.longest_side()), depth);
+}
+
 double MasterView::distance_from_corners(const SeenPoint& x) const {
   return std::max({(x - own_[0]).stableNorm(), (x - own_[1]).stableNorm(), (x - own_[2]).stableNorm()});
 }
@@ -135,7 +145,7 @@ void MasterView::add_uncertain_areas(const SeenFace& slave, const std::vector<Se
     high = high.max(st);
   }
   sight.uncertain = place * ((high - low)[1] * length_t_ + (high - low)[0] * length_s_);
-  if (hiders.count == 0) return;
+  if (hiders.faces.empty()) return;
   for (const HidingSide& side : hiders.sides)
     if (!side.joins) sight.parting += std::min(sight.width, length_within(side, false, slave, 2 * sight.strip));
   sight.parting += hiders.folds;
@@ -145,7 +155,7 @@ void MasterView::add_uncertain_areas(const SeenFace& slave, const std::vector<Se
   const double own = static_cast<double>(part.size()) * 2 * width + sight.outline;
   const double cuts = cuts_within(hiders, slave, part, sight.strip, width, sight.width + 2 * width);
   sight.neglected = width * (own + 2 * cuts);
-  if (hiders.count == 1) sight.neglected = std::min(sight.neglected, 5 * kSliver * sight.uncertain);
+  if (hiders.faces.size() == 1) sight.neglected = std::min(sight.neglected, 5 * kSliver * sight.uncertain);
 }
 
 SlaveInView MasterView::sight(Index slave_face) const {
@@ -158,13 +168,11 @@ SlaveInView MasterView::sight(Index slave_face) const {
     greatest = std::max(greatest, x.z());
     place = std::max(place, place_error(x));
   }
-  // A face that hides something of the slave's lies over the master somewhere, not deeper than that one.
-  const double farthest = std::max(distance, 2 * face_.longest + depth + faces_.longest_side());
-  const double most_strip = strip(farthest, depth);
+  const double most_strip = this->most_strip(slave);
   const std::vector<SeenPoint> part = seen_part(slave, 0, 0);
   SlaveInView sight;
   const Hiders hiders = part.empty() ? Hiders{} : find_hiders(slave_face, part, most_strip);
-  sight.hiders = hiders.count;
+  sight.hiders = static_cast<int>(hiders.faces.size());
   sight.mistaken = hiders.mistaken;
   sight.strip = strip(std::max(distance, hiders.distance), depth);
   sight.depth_error = (16 * u + turn_) * distance;

@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "compare/verify/bounds/bound_arithmetic.h"
@@ -35,6 +36,20 @@ struct SlaveInView {
   double tip_error = 0;  ///< what strips may take from that, m
 };
 
+/// A line, to either side as far as it may lie over both faces, at which what a right engine sees of a slave face may
+/// end.
+struct SightLine {
+  SeenPoint from = SeenPoint::Zero(),
+            to = SeenPoint::Zero();  ///< as deep as the slave face is there, 0 at most above it
+  double off = 0;                    ///< it may lie as far beside, m; infinite: nothing is known
+  /// As the slave's surface moves by d, seen from the master, the line moves by pull . d(X) along its normal, the
+  /// direction from `from` to `to` turned by a right angle; X lies on it, this deep at either end.
+  SeenPoint pull = SeenPoint::Zero();
+  double pull_error = 0;
+  double from_depth = 0, to_depth = 0;  ///< m
+  double depth_error = 0;               ///< of these, m
+};
+
 /// The rounded problem as one master face sees it: every vertex by two lengths in the master's plane and its depth.
 class MasterView {
  public:
@@ -49,23 +64,25 @@ class MasterView {
   double greatest_area() const { return face_.area + face_.area_error; }
   /// O(n) in the faces that the master's lines meet.
   SlaveInView sight(Index slave_face) const;
+  /// All lines at which what a right engine sees of the slave face may end. O(n) in the faces that the master's lines
+  /// meet.
+  std::vector<SightLine> lines_in_sight(Index slave_face) const;
+  /// A point of the slave face that moves by d, seen from the master, is deeper by pull . d.
+  struct DepthGrowth {
+    SeenPoint pull = SeenPoint::Zero();
+    double error = 0;
+  };
+  DepthGrowth depth_growth(Index slave_face) const;
+  /// Where the slave face is that deep but for the error, m^2.
+  double area_about_depth(Index slave_face, double depth, double error) const;
+  double longest_side() const { return face_.longest; }
+  double max_coordinate() const { return faces_.placed_max_coordinate(); }
+  Eigen::Vector3d direction_Me(const SeenPoint& direction) const { return seen_from_Me_.transpose() * direction; }
+  Eigen::Vector3d point_Me(const SeenPoint& point) const {
+    return faces_.corner(master_, master_face_, 0) + direction_Me(point);
+  }
 
  private:
-  /// A side of faces that may hide something.
-  struct HidingSide {
-    SeenPoint from, to;
-    bool joins;  ///< two of these faces, surely on either side of it: nothing can be seen between them
-  };
-  /// Faces that may hide something of a slave face.
-  struct Hiders {
-    int count = 0;
-    std::vector<HidingSide> sides;  ///< each once
-    /// Of lines where their depth is 0, and where they pass through the slave face, m: these may part it as well.
-    double folds = 0;
-    double mistaken = 0;  ///< where roundings may mistake a depth of theirs for 0 or that of the slave face, m^2
-    double distance = 0;  ///< no corner of theirs is farther from one of the master, m
-    double place = 0;     ///< nor worse placed, m
-  };
   struct Extent {
     Eigen::Array3d low, high;  ///< m
   };
@@ -77,9 +94,28 @@ class MasterView {
     Extent extent;
   };
 
+  /// A side of faces that may hide something.
+  struct HidingSide {
+    SeenPoint from, to;
+    bool joins;  ///< two of these faces, surely on either side of it: nothing can be seen between them
+  };
+  /// Faces that may hide something of a slave face.
+  struct Hiders {
+    std::vector<const NearFace*> faces;
+    std::vector<HidingSide> sides;  ///< each once
+    /// Of lines where their depth is 0, and where they pass through the slave face, m: these may part it as well.
+    double folds = 0;
+    double mistaken = 0;  ///< where roundings may mistake a depth of theirs for 0 or that of the slave face, m^2
+    double distance = 0;  ///< no corner of theirs is farther from one of the master, m
+    double place = 0;     ///< nor worse placed, m
+  };
+  /// Collects the lines of sight.
+  class LineList;
+
   /// A face's depth as a linear function of the point.
   struct DepthField {
     SeenPoint corner;
+    SeenPoint normal;  ///< of the face, unit
     Eigen::Vector2d slope;
     double reach;               ///< no corner of the face is farther from one of the master, m
     double error;               ///< of the depth between its corners, m
@@ -121,6 +157,10 @@ class MasterView {
   /// What of the side, or of the line that it lies on, may lie over the master as well as over the slave face, where
   /// both may reach farther by `margin`, m.
   double length_within(const HidingSide& side, bool whole_line, const SeenFace& slave, double margin) const;
+  /// What of the line through a point, along a direction of length 1, may lie over the master as well as over the slave
+  /// face: from here to there, m. Nothing where the first is beyond the second.
+  std::pair<double, double> span_within(const SeenPoint& through, const SeenPoint& along, const SeenFace& slave,
+                                        double margin) const;
   /// Along whole lines of the hiders' sides, m: no more than `most` each, where they are off by `strip` at their ends.
   double cuts_within(const Hiders& hiders, const SeenFace& slave, const std::vector<SeenPoint>& part, double strip,
                      double width, double most) const;
@@ -136,6 +176,8 @@ class MasterView {
   void add_uncertain_areas(const SeenFace& slave, const std::vector<SeenPoint>& part, double place,
                            const Hiders& hiders, SlaveInView& sight) const;
   double strip(double distance, double depth) const;
+  /// For whatever may hide something of the slave face as well.
+  double most_strip(const SeenFace& slave) const;
 
   const RoundedFaces& faces_;
   Side master_;

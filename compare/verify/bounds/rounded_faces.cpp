@@ -60,20 +60,19 @@ RoundedFaces::Face RoundedFaces::face(Side side, Index index) const {
   return face;
 }
 
-bool RoundedFaces::straddles(Side side_a, Index a, Side side_b, Index b) const {
+RoundedFaces::Corners RoundedFaces::corners_by_plane(Side side_a, Index a, Side side_b, Index b) const {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
   const auto point = [&](Side side, Index face, std::size_t k) {
     const Eigen::Vector3d& x = corner(side, face, k);
     return Point(x.x(), x.y(), x.z());
   };
   const Point p = point(side_a, a, 0), q = point(side_a, a, 1), s = point(side_a, a, 2);
-  bool above = false, below = false;
+  Corners corners;
   for (std::size_t k = 0; k < 3; ++k) {
     const CGAL::Orientation side = CGAL::orientation(p, q, s, point(side_b, b, k));
-    above = above || side == CGAL::POSITIVE;
-    below = below || side == CGAL::NEGATIVE;
+    ++(side == CGAL::POSITIVE ? corners.above : side == CGAL::NEGATIVE ? corners.below : corners.on);
   }
-  return above && below;
+  return corners;
 }
 
 }  // namespace pcm::compare

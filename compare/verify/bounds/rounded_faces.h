@@ -34,8 +34,18 @@ class RoundedFaces {
     return vertex(side, surface(side).mesh.faces[static_cast<std::size_t>(face)][k]);
   }
   Face face(Side side, Index face) const;
-  /// Whether face b has corners on both sides of the plane of face a, exactly.
-  bool straddles(Side side_a, Index a, Side side_b, Index b) const;
+  /// How many corners of face b lie above the plane of face a, on it and below it, exactly.
+  struct Corners {
+    int above = 0, on = 0, below = 0;
+
+    bool straddle() const { return above > 0 && below > 0; }
+    /// The plane has a line in common with the face's, and that a point with the face.
+    bool meet() const { return straddle() || on == 1 || on == 2; }
+  };
+  Corners corners_by_plane(Side side_a, Index a, Side side_b, Index b) const;
+  bool straddles(Side side_a, Index a, Side side_b, Index b) const {
+    return corners_by_plane(side_a, a, side_b, b).straddle();
+  }
   /// Greatest |coordinate| of either surface in Me, m.
   double max_coordinate() const { return max_coordinate_; }
   /// Bound of the same that the engine makes of both surfaces' boxes, m: |A| x_F + |r| component by component.

@@ -4,8 +4,12 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <optional>
 
+#include "compare/verify/bounds/clipped_bounds.h"
 #include "compare/verify/bounds/element_law.h"
+#include "compare/verify/bounds/part_motion.h"
 #include "compare/verify/bounds/rounded_faces.h"
 #include "compare/verify/bounds/rounding_bounds.h"
 #include "compare/verify/bounds/uncertain_number.h"
@@ -29,24 +33,105 @@ Vector as_direction(const Vector& v) {
   return {component(v.x), component(v.y), component(v.z)};
 }
 
-/// A state's change, in twelve coordinates.
-constexpr std::size_t kCoordinates = 12;
+/// A state's change, in twelve coordinates; the first six move the elements.
+constexpr std::size_t kCoordinates = 12, kPlaces = 6;
 
-/// One master's element and how it moves with one coordinate: every quantity of PCM section 7 with its derivative.
-class ElementMotion {
+/// How an element's geometry changes with one coordinate, as its master sees it.
+struct GeometrySlope {
+  Number area, depth;
+  Vector position;
+};
+
+/// One master's element and how its load changes with one coordinate: every quantity of PCM section 7 with its
+/// derivative.
+class MovingElement {
  public:
-  ElementMotion(const Question& question, const RoundedFaces& faces, const reference::Element& e,
-                const ElementBounds& bounds)
+  MovingElement(const Question& question, const reference::Element& e, const ElementBounds& bounds)
       : question_(question),
         on_E_(e.master == Side::E),
         n_(as_direction(within(e.normal_Me, bounds.normal))),
-        depth_(e.penetration, bounds.penetration),
+        area_(e.area, bounds.area),
         lever_(within(e.position_Me, bounds.position) - exactly(question.pose.r)),
         v_n_(e.normal_velocity, bounds.normal_velocity),
         v_t_(e.tangential_velocity, bounds.tangential_velocity),
         force_(within(e.force_Me, bounds.force)),
-        shift_(share_of_penetration(question.law, e.master)),
-        slopes_(law_slopes(question.law, Number(e.area, bounds.area), depth_, v_n_, v_t_)) {
+        slopes_(law_slopes(question.law, area_, Number(e.penetration, bounds.penetration), v_n_, v_t_)) {
+    const Vector v_F = exactly(question.velocity.v) + cross(exactly(question.velocity.w), lever_);
+    const Vector v_k = on_E_ ? v_F : Number(-1) * v_F;
+    slip_direction_ = v_t_.is_zero() ? Vector{} : as_direction(direction_of(v_k - v_n_ * n_));
+  }
+
+  struct Slope {
+    Vector force, torque;
+  };
+
+  /// By coordinate number k, of r, a turn about Mf, v, w, with which the geometry changes so.
+  Slope by(std::size_t k, const GeometrySlope& geometry) const {
+    const Vector along = unit(k), none{}, dr = k / 3 == 0 ? along : none, turn = k / 3 == 1 ? along : none;
+    const Vector w = exactly(question_.velocity.w);
+    Vector dv = k / 3 == 2 ? along : none, dw = k / 3 == 3 ? along : none;
+    if (on_E_) {
+      dv = dv - cross(w, dr);
+    } else {
+      dv = dv - cross(turn, exactly(question_.velocity.v));
+      dw = dw - cross(turn, w);
+    }
+    const Vector dv_F = dv + cross(dw, lever_) + cross(w, geometry.position);
+    const Vector on_master = d_force_on_master(geometry, on_E_ ? dv_F : Number(-1) * dv_F);
+    Slope slope;
+    slope.force = on_E_ ? on_master : Number(-1) * on_master;
+    slope.torque = cross(geometry.position, force_) + cross(lever_, slope.force);
+    if (on_E_) {
+      slope.torque = slope.torque - cross(dr, force_);
+    } else {
+      slope.force = slope.force + cross(turn, force_);
+      slope.torque = slope.torque + cross(turn, cross(lever_, force_));
+    }
+    return slope;
+  }
+
+  /// Of the coordinate's own three.
+  static Vector unit(std::size_t k) { return exactly(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k % 3))); }
+
+ private:
+  Vector direction_of(const Vector& slip) const { return {slip.x / v_t_, slip.y / v_t_, slip.z / v_t_}; }
+
+  /// (21), with the derivative of v_k.
+  Vector d_force_on_master(const GeometrySlope& geometry, const Vector& dv_k) const {
+    const Vector& t = slip_direction_;
+    const Number dv_n = dot(n_, dv_k), dv_t = dot(t, dv_k);
+    const Number d_normal = slopes_.normal_by_depth * geometry.depth + slopes_.normal_by_approach * dv_n;
+    const Number d_tangential = slopes_.tangential_by_depth * geometry.depth + slopes_.tangential_by_approach * dv_n +
+                                (slopes_.tangential_by_slip - slopes_.tangential_over_slip) * dv_t;
+    const Vector by_law = d_normal * n_ + d_tangential * t + slopes_.tangential_over_slip * (dv_k - dv_n * n_);
+    // All forces grow with the area.
+    const Number growth = on_E_ ? geometry.area / area_ : -(geometry.area / area_);
+    return by_law + growth * force_;
+  }
+
+  const Question& question_;
+  bool on_E_;
+  Vector n_;
+  Number area_;
+  Vector lever_;
+  Number v_n_, v_t_;
+  Vector force_;  ///< on E
+  LawSlopes slopes_;
+  Vector slip_direction_;
+};
+
+Number shift_of(const Question& question, const reference::Element& e) {
+  return Number(share_of_penetration(question.law, e.master), 4 * kRoundoff);
+}
+
+/// A whole face stays as its master sees it; only the slave face comes nearer.
+class BarycentricGeometry {
+ public:
+  BarycentricGeometry(const Question& question, const RoundedFaces& faces, const reference::Element& e,
+                      const ElementBounds& bounds)
+      : on_E_(e.master == Side::E),
+        n_(as_direction(within(e.normal_Me, bounds.normal))),
+        shift_(shift_of(question, e)) {
     const auto corner = [&](Side side, Index face, std::size_t k) { return exactly(faces.corner(side, face, k)); };
     const Side slave = opposite(e.master);
     const Vector f0 = corner(slave, e.slave_face, 0);
@@ -58,94 +143,139 @@ class ElementMotion {
     const Vector foot =
         Number(1.0 / 3, kRoundoff) *
         (corner(e.master, e.master_face, 0) + corner(e.master, e.master_face, 1) + corner(e.master, e.master_face, 2));
-    met_ = foot + depth_ * n_ - exactly(question.pose.r);
-    const Vector v_F = exactly(question.velocity.v) + cross(exactly(question.velocity.w), lever_);
-    const Vector v_k = on_E_ ? v_F : Number(-1) * v_F;
-    slip_direction_ = v_t_.is_zero() ? Vector{} : as_direction(direction_of(v_k - v_n_ * n_));
+    met_ = foot + Number(e.penetration, bounds.penetration) * n_ - exactly(question.pose.r);
   }
 
-  struct Slope {
-    Vector force, torque;
-  };
-
-  /// By coordinate number k: of r, a turn about Mf, v, w.
-  Slope by(std::size_t k) const {
-    const Vector along = exactly(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k % 3)));
-    const Vector none{}, dr = k / 3 == 0 ? along : none, turn = k / 3 == 1 ? along : none;
-    const Vector w = exactly(question_.velocity.w);
-    Vector dv = k / 3 == 2 ? along : none, dw = k / 3 == 3 ? along : none;
+  GeometrySlope by(std::size_t k) const {
+    if (k >= kPlaces) return {};
+    const Vector along = MovingElement::unit(k);
     // The slave seen from the master, or the master from the slave: either way the gap closes by this.
-    const Number closing = dot(gradient_, dr + cross(turn, met_));
+    const Number closing = dot(gradient_, k / 3 == 0 ? along : cross(along, met_));
     const Number d_depth = on_E_ ? closing : -closing;
-    const Vector d_position = (Number(shift_, 4 * kRoundoff) * d_depth) * n_;  // as the master sees it
-    if (on_E_) {
-      dv = dv - cross(w, dr);
-    } else {
-      dv = dv - cross(turn, exactly(question_.velocity.v));
-      dw = dw - cross(turn, w);
-    }
-    const Vector dv_F = dv + cross(dw, lever_) + cross(w, d_position);
-    const Vector on_master = d_force_on_master(d_depth, on_E_ ? dv_F : Number(-1) * dv_F);
-    Slope slope;
-    slope.force = on_E_ ? on_master : Number(-1) * on_master;
-    slope.torque = cross(d_position, force_) + cross(lever_, slope.force);
-    if (on_E_) {
-      slope.torque = slope.torque - cross(dr, force_);
-    } else {
-      slope.force = slope.force + cross(turn, force_);
-      slope.torque = slope.torque + cross(turn, cross(lever_, force_));
+    return {Number(), d_depth, (shift_ * d_depth) * n_};
+  }
+
+ private:
+  bool on_E_;
+  Vector n_;
+  Number shift_;
+  Vector gradient_, met_;
+};
+
+/// The part that a master face sees moves as the oracle's does, within the errors of its integrals' derivatives.
+class ClippedGeometry {
+ public:
+  ClippedGeometry(const Question& question, const reference::Element& e, const ElementBounds& bounds,
+                  const reference::ElementMotion& motion, const PartMotionError& error)
+      : n_(as_direction(within(e.normal_Me, bounds.normal))),
+        area_(e.area, bounds.area),
+        depth_(e.penetration, bounds.penetration),
+        foot_error_(bounds.position),
+        shift_(shift_of(question, e)),
+        motion_(motion),
+        error_(error) {}
+
+  GeometrySlope by(std::size_t k) const {
+    if (k >= kPlaces) return {};
+    const auto column = static_cast<Eigen::Index>(k);
+    const auto oracle = [&](Eigen::Index row) {
+      return Number(motion_.slope(row, column), motion_.error(row, column));
+    };
+    const Number true_area = oracle(0), true_depth = oracle(1);
+    GeometrySlope slope;
+    slope.area = wider(true_area, error_.area[column]);
+    const Number volume =
+        wider(Number(area_.value) * true_depth + Number(depth_.value) * true_area, error_.volume[column]);
+    slope.depth = (volume - depth_ * slope.area) / area_;
+    // About the oracle's centre of pressure, that of a right engine is elsewhere by no more than its error.
+    const Number all = area_ * depth_, off(0, foot_error_);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Number true_foot = oracle(2 + axis) - (shift_ * true_depth) * n_[axis];
+      const Number moment = wider(Number(area_.value) * (Number(depth_.value) * true_foot), error_.moment[column]);
+      set(slope.position, axis, (moment - off * volume) / all + (shift_ * slope.depth) * n_[axis]);
     }
     return slope;
   }
 
  private:
-  Vector direction_of(const Vector& slip) const { return {slip.x / v_t_, slip.y / v_t_, slip.z / v_t_}; }
+  static Number wider(const Number& x, double error) { return Number(x.value, x.error + error); }
+  static void set(Vector& v, int axis, const Number& x) { (axis == 0 ? v.x : axis == 1 ? v.y : v.z) = x; }
 
-  /// (21), with the derivative of v_k.
-  Vector d_force_on_master(const Number& d_depth, const Vector& dv_k) const {
-    const Vector& t = slip_direction_;
-    const Number dv_n = dot(n_, dv_k), dv_t = dot(t, dv_k);
-    const Number d_normal = slopes_.normal_by_depth * d_depth + slopes_.normal_by_approach * dv_n;
-    const Number d_tangential = slopes_.tangential_by_depth * d_depth + slopes_.tangential_by_approach * dv_n +
-                                (slopes_.tangential_by_slip - slopes_.tangential_over_slip) * dv_t;
-    return d_normal * n_ + d_tangential * t + slopes_.tangential_over_slip * (dv_k - dv_n * n_);
+  Vector n_;
+  Number area_, depth_;
+  double foot_error_;  ///< m
+  Number shift_;
+  const reference::ElementMotion& motion_;
+  const PartMotionError& error_;
+};
+
+/// Of all elements.
+class SlopeSum {
+ public:
+  template <class Geometry>
+  void add(const MovingElement& element, const Geometry& geometry) {
+    for (std::size_t k = 0; k < kCoordinates; ++k) {
+      const MovingElement::Slope slope = element.by(k, geometry.by(k));
+      sums_[k].force = sums_[k].force + slope.force;
+      sums_[k].torque = sums_[k].torque + slope.torque;
+    }
   }
 
-  const Question& question_;
-  bool on_E_;
-  Vector n_;
-  Number depth_;
-  Vector lever_;
-  Number v_n_, v_t_;
-  Vector force_;  ///< on E
-  double shift_;
-  LawSlopes slopes_;
-  Vector gradient_, met_, slip_direction_;
+  fast::Tangent errors(Mode mode) const {
+    // Both sides are within the error of one number.
+    const double share = mode == Mode::both ? 1 : 2;
+    fast::Tangent result;
+    for (std::size_t k = 0; k < kCoordinates; ++k)
+      for (int axis = 0; axis < 3; ++axis) {
+        result(axis, static_cast<Eigen::Index>(k)) = share * sums_[k].force[axis].error;
+        result(3 + axis, static_cast<Eigen::Index>(k)) = share * sums_[k].torque[axis].error;
+      }
+    return result;
+  }
+
+ private:
+  std::array<MovingElement::Slope, kCoordinates> sums_;
 };
+
+fast::Tangent barycentric_bounds(const Question& question, const reference::Answer& true_rounded) {
+  const RoundedFaces faces(question);
+  const ForceBounds bounds = RoundingBounds(question, true_rounded).force();
+  SlopeSum sum;
+  for (std::size_t i = 0; i < true_rounded.elements.size(); ++i) {
+    const reference::Element& e = true_rounded.elements[i];
+    sum.add(MovingElement(question, e, bounds.elements[i]),
+            BarycentricGeometry(question, faces, e, bounds.elements[i]));
+  }
+  return sum.errors(question.mode);
+}
+
+fast::Tangent nothing_known() {
+  return fast::Tangent::Constant(std::numeric_limits<double>::infinity());
+}
+
+fast::Tangent clipped_bounds(const Question& question, const reference::Answer& true_rounded,
+                             const std::vector<reference::ElementMotion>& motions) {
+  const ClippedBounds bounds(question, true_rounded);
+  std::optional<MasterView> view;
+  SlopeSum sum;
+  for (std::size_t i = 0; i < true_rounded.elements.size(); ++i) {
+    const reference::Element& e = true_rounded.elements[i];
+    const ClippedBounds::OfElement& bound = bounds.elements()[i];
+    if (bound.sliver) return nothing_known();
+    if (!view || view->master() != e.master || view->master_face() != e.master_face)
+      view.emplace(bounds.faces(), e.master, e.master_face);
+    const PartMotionError error = part_motion_error(question, e, bound, *view);
+    sum.add(MovingElement(question, e, bound.bounds), ClippedGeometry(question, e, bound.bounds, motions[i], error));
+  }
+  return sum.errors(question.mode);
+}
 
 }  // namespace
 
-fast::Tangent tangent_bounds(const Question& question, const reference::Answer& true_rounded) {
-  const RoundedFaces faces(question);
-  const ForceBounds bounds = RoundingBounds(question, true_rounded).force();
-  std::array<ElementMotion::Slope, kCoordinates> sums;
-  for (std::size_t i = 0; i < true_rounded.elements.size(); ++i) {
-    const ElementMotion element(question, faces, true_rounded.elements[i], bounds.elements[i]);
-    for (std::size_t k = 0; k < kCoordinates; ++k) {
-      const ElementMotion::Slope slope = element.by(k);
-      sums[k].force = sums[k].force + slope.force;
-      sums[k].torque = sums[k].torque + slope.torque;
-    }
-  }
-  // Both sides are within the error of one number.
-  const double share = question.mode == Mode::both ? 1 : 2;
-  fast::Tangent result;
-  for (std::size_t k = 0; k < kCoordinates; ++k)
-    for (int axis = 0; axis < 3; ++axis) {
-      result(axis, static_cast<Eigen::Index>(k)) = share * sums[k].force[axis].error;
-      result(3 + axis, static_cast<Eigen::Index>(k)) = share * sums[k].torque[axis].error;
-    }
-  return result;
+fast::Tangent tangent_bounds(const Question& question, const reference::Answer& true_rounded,
+                             const std::vector<reference::ElementMotion>& motions) {
+  return question.scheme == Scheme::clipped ? clipped_bounds(question, true_rounded, motions)
+                                            : barycentric_bounds(question, true_rounded);
 }
 
 }  // namespace pcm::compare

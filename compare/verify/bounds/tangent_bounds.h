@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "compare/verify/bounds/question.h"
 #include "pcm/contact.h"
 #include "reference/vocabulary/answer.h"
@@ -9,9 +11,12 @@
 namespace pcm::compare {
 
 /// How far a right engine's tangent may be from the oracle's on the same rounded problem, entry by entry: each
-/// element's share worked out once more, by hand, from the oracle's element and the bounds on it (RoundingBounds), with
-/// running errors (UncertainNumber). Barycentric scheme. `true_rounded` has its elements. Infinite where roundings may
-/// leave nothing of the angle between two faces, or of the direction of slip without v_eps.
-fast::Tangent tangent_bounds(const Question& question, const reference::Answer& true_rounded);
+/// element's share worked out once more, by hand, from the oracle's element and the bounds on it (RoundingBounds,
+/// ClippedBounds), with running errors (UncertainNumber). `true_rounded` has the elements. In the barycentric scheme
+/// depths grow by the angle between two faces, which is all that moves; in the clipped scheme elements move as the
+/// oracle's do, within part_motion_error. Infinite where roundings may leave nothing of the angle between two faces, or
+/// of the direction of slip without v_eps; in the clipped scheme where an element may be a sliver.
+fast::Tangent tangent_bounds(const Question& question, const reference::Answer& true_rounded,
+                             const std::vector<reference::ElementMotion>& motions);
 
 }  // namespace pcm::compare

@@ -39,7 +39,7 @@ std::uint64_t bits_of(const Pose& pose, const Velocity& velocity, Draw purpose) 
 }
 
 /// Seventeen switches from as many bits.
-Ask drawn_ask(Route route, Scheme scheme, std::uint64_t bits) {
+Ask drawn_ask(Route route, std::uint64_t bits) {
   Ask ask{route, {}, {}};
   const auto next = [&bits] {
     const bool bit = (bits & 1) != 0;
@@ -54,7 +54,7 @@ Ask drawn_ask(Route route, Scheme scheme, std::uint64_t bits) {
         &ask.savings.one_sided, &ask.savings.velocities, &ask.savings.only_wanted, &ask.savings.filters,
         &ask.savings.known_poses, &ask.savings.coherence})
     *saving = next();
-  ask.wanted.tangent = next() && scheme == Scheme::barycentric;
+  ask.wanted.tangent = next();
   return ask;
 }
 
@@ -71,8 +71,9 @@ Velocity another(const Velocity& velocity) {
 }
 
 /// Whether a pose is known after an answer there.
-bool keeps_poses(const Ask& ask) {
-  return ask.savings.known_poses && ask.savings.only_wanted && !ask.wanted.bound;
+bool keeps_poses(const Ask& ask, Scheme scheme) {
+  const bool hangs_on_elements = !ask.wanted.bound && !(ask.wanted.tangent && scheme == Scheme::clipped);
+  return ask.savings.known_poses && ask.savings.only_wanted && hangs_on_elements;
 }
 
 /// Calls `ask`; false where it throws: on the way to a question, the force may be beyond all doubles.
@@ -105,7 +106,7 @@ void hold_known_pose(const EngineSeam& seam, const fast::Pairing& pairing, const
       is_answered([&] { memory.evaluate(pose, another(velocity), ask.wanted, workspace, ask.savings); });
   const fast::Contact& answer = seam.evaluate_known(memory, pose, velocity, ask, workspace);
   hold_route(Route::known_pose, whole, answer, ask.wanted, checks);
-  hold_law_only(Route::known_pose, answered && keeps_poses(ask), answer.work.law_only == 1, checks);
+  hold_law_only(Route::known_pose, answered && keeps_poses(ask, pairing.scheme()), answer.work.law_only == 1, checks);
 }
 
 /// One of the 24 rotations that turn axes onto axes: products with it are exact.
@@ -236,7 +237,7 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   if (remembering) {
     scene.move({bodies.E, {bodies.F.pose, another(bodies.F.velocity)}});
     scene.remember_poses();
-    is_known = is_answered([&] { scene.evaluate(0, workspace); }) && keeps_poses(ask);
+    is_known = is_answered([&] { scene.evaluate(0, workspace); }) && keeps_poses(ask, pairing.scheme());
   }
   scene.move({bodies.E, bodies.F});
   if (!hold_relative_state(scene, pose, velocity, bodies.carried_W, checks)) return;
@@ -269,15 +270,15 @@ std::string_view name(Route route) {
   return kNames[static_cast<std::size_t>(route)];
 }
 
-std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme) {
+std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity) {
   Wanted with_bound;
   with_bound.bound = true;
   std::vector<Ask> asks = {{Route::plain, {}, {}},
                            {Route::bounded, with_bound, {}},
                            {Route::force, kForceOnly, {}},
-                           {Route::touch, kTouchOnly, {}}};
-  if (scheme == Scheme::barycentric) asks.push_back({Route::tangent, kForceAndTangent, {}});
-  asks.push_back(drawn_ask(Route::drawn, scheme, bits_of(pose, velocity, Draw::ask)));
+                           {Route::touch, kTouchOnly, {}},
+                           {Route::tangent, kForceAndTangent, {}}};
+  asks.push_back(drawn_ask(Route::drawn, bits_of(pose, velocity, Draw::ask)));
   return asks;
 }
 
@@ -286,13 +287,12 @@ const fast::Contact& EngineSeam::evaluate(const fast::Pairing& pairing, const Po
   return fast::evaluate(pairing, pose, velocity, ask.wanted, workspace, ask.savings);
 }
 
-std::vector<Ask> known_pose_asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme) {
-  return {{Route::known_pose, {}, {}},
-          drawn_ask(Route::known_pose, scheme, bits_of(pose, velocity, Draw::known_pose_ask))};
+std::vector<Ask> known_pose_asks_at(const Pose& pose, const Velocity& velocity) {
+  return {{Route::known_pose, {}, {}}, drawn_ask(Route::known_pose, bits_of(pose, velocity, Draw::known_pose_ask))};
 }
 
-std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme) {
-  return {{Route::scene, {}, {}}, drawn_ask(Route::scene, scheme, bits_of(pose, velocity, Draw::scene_ask))};
+std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity) {
+  return {{Route::scene, {}, {}}, drawn_ask(Route::scene, bits_of(pose, velocity, Draw::scene_ask))};
 }
 
 bool is_pose_for_scenes(const Pose& pose) {
@@ -332,12 +332,22 @@ const EngineSeam& EngineSeam::none() {
 
 void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                  const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
-                 const std::function<void(const fast::Contact&)>& on_bound,
+                 const std::function<void(const fast::Contact&)>& on_bound, bool tangent_may_overflow,
                  const std::function<void(const fast::Contact&)>& on_tangent) {
   fast::Contact expected = whole;
-  const Scheme scheme = pairing.scheme();
-  for (const Ask& ask : asks_at(pose, velocity, scheme)) {
-    if (ask.route == Route::plain) continue;
+  bool has_tangent = true;
+  const auto with_what_there_is = [&](std::vector<Ask> asks) {
+    if (!has_tangent)
+      for (Ask& ask : asks) ask.wanted.tangent = false;
+    return asks;
+  };
+  if (tangent_may_overflow) {
+    has_tangent = is_answered([&] {
+      seam.evaluate(pairing, pose, velocity, {Route::tangent, kForceAndTangent, {}}, workspace);
+    });
+  }
+  for (const Ask& ask : with_what_there_is(asks_at(pose, velocity))) {
+    if (ask.route == Route::plain || (ask.route == Route::tangent && !has_tangent)) continue;
     const fast::Contact& answer = seam.evaluate(pairing, pose, velocity, ask, workspace);
     hold_route(ask.route, expected, answer, ask.wanted, checks);
     if (ask.route == Route::bounded) {
@@ -350,10 +360,10 @@ void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pos
   }
   // Of two questions, and of two ways to ask a scene, each state takes one: all of them would cost a half more.
   const std::uint64_t ways = bits_of(pose, velocity, Draw::ways);
-  hold_known_pose(seam, pairing, pose, velocity, known_pose_asks_at(pose, velocity, scheme)[ways % 2], expected, step,
-                  workspace, checks);
+  const std::vector<Ask> known_pose_asks = with_what_there_is(known_pose_asks_at(pose, velocity));
+  hold_known_pose(seam, pairing, pose, velocity, known_pose_asks[ways % 2], expected, step, workspace, checks);
   if (!is_pose_for_scenes(pose)) return;
-  const std::vector<Ask> asks = scene_asks_at(pose, velocity, scheme);
+  const std::vector<Ask> asks = with_what_there_is(scene_asks_at(pose, velocity));
   for (std::size_t k = 0; k < asks.size(); ++k)
     hold_scene(seam, pairing, pose, velocity, asks[k], (ways >> (k + 1) & 1) != 0, expected, step, workspace, checks);
 }

@@ -21,7 +21,7 @@ enum class Route : std::uint8_t {
   bounded,  ///< everything and a bound
   force,    ///< force and torque only
   touch,    ///< whether the surfaces cross only
-  tangent,  ///< force, torque and their derivatives only, where the scheme has these
+  tangent,  ///< force, torque and their derivatives only
   drawn,    ///< a choice of Wanted and Savings drawn from the pose's own bits, so that it is drawn again
   /// A fast::PairingMemory that was asked about two places nearby, and then about another velocity there: by default or
   /// with drawn choices.
@@ -46,14 +46,14 @@ struct Ask {
 };
 
 /// What `evaluate` is asked at every pose: the plain question first.
-std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme);
+std::vector<Ask> asks_at(const Pose& pose, const Velocity& velocity);
 
 /// What a fast::PairingMemory may be asked there: everything but a bound with all savings, or a choice drawn apart.
-std::vector<Ask> known_pose_asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme);
+std::vector<Ask> known_pose_asks_at(const Pose& pose, const Velocity& velocity);
 
 /// What scenes are asked there: everything but a bound with all savings, then a choice drawn apart from that of
 /// `drawn`.
-std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity, Scheme scheme);
+std::vector<Ask> scene_asks_at(const Pose& pose, const Velocity& velocity);
 
 /// Whether A is a rotation to 1e-10, as scenes demand of every body's: no scene is asked about other poses.
 bool is_pose_for_scenes(const Pose& pose);
@@ -88,11 +88,12 @@ class EngineSeam {
 };
 
 /// Asks by every route but the plain one and `motion`, and holds each answer against the plain one, `whole`, bit by
-/// bit; `on_bound` hears of the answer that has a bound, `on_tangent` of that which has a tangent. `step`: a length by
-/// which F is moved first, m; in scenes it is turned besides, or turned in place.
+/// bit; `on_bound` hears of the answer that has a bound, `on_tangent` of that which has a tangent. A tangent that may
+/// be beyond all doubles may be refused, and is asked for no more then. `step`: a length by which F is moved first, m;
+/// in scenes it is turned besides, or turned in place.
 void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                  const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
-                 const std::function<void(const fast::Contact&)>& on_bound,
+                 const std::function<void(const fast::Contact&)>& on_bound, bool tangent_may_overflow,
                  const std::function<void(const fast::Contact&)>& on_tangent);
 
 /// The same for the route `motion`; `step` as there.

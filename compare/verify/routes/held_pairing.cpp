@@ -130,6 +130,9 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
       checks.merge(hold_history(true_exact, afresh.answer(reference::Problem::exact, engine.mode())));
     }
 
+    who = "oracle, tangent";
+    const reference::Tangent true_tangent = inquiry.tangent(reference::Problem::rounded, engine.mode());
+
     who = "engine on another path";
     if (!state.before.empty())
       hold_motion(seam, engine, state.before, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks);
@@ -142,9 +145,9 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
           checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
           outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
         },
+        !true_tangent.error.allFinite(),
         [&](const fast::Contact& with_tangent) {
-          check_tangent(asked, with_tangent, true_rounded, inquiry.tangent(reference::Problem::rounded, engine.mode()),
-                        checks);
+          check_tangent(asked, with_tangent, subj.elements, true_rounded, true_tangent, checks);
         });
     outcome.disagreements = checks.sorted();
     outcome.widths = checks.widths();

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/verdict/tangent_verdict.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string_view>
+#include <tuple>
 
 #include "compare/verify/bounds/tangent_bounds.h"
 
@@ -15,15 +18,28 @@ namespace {
 constexpr std::array<std::string_view, 2> kRows = {"force", "torque"};
 constexpr std::array<std::string_view, 4> kColumns = {"position", "rotation", "velocity", "angular velocity"};
 
+/// Whether each of the engine's elements is one of the oracle's; both are in order.
+bool has_all(const std::vector<reference::Element>& elements, const std::vector<fast::Element>& found) {
+  const auto before = [](const auto& a, const auto& b) {
+    return std::tie(a.master, a.master_face, a.slave_face) < std::tie(b.master, b.master_face, b.slave_face);
+  };
+  return std::includes(elements.begin(), elements.end(), found.begin(), found.end(), before);
+}
+
 }  // namespace
 
-void check_tangent(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
-                   const reference::Tangent& truth, Checks& checks) {
+void check_tangent(const Question& question, const fast::Contact& subj, const std::vector<fast::Element>& found,
+                   const reference::Answer& true_rounded, const reference::Tangent& truth, Checks& checks) {
   if (!subj.tangent) {
     checks.add(Kind::tangent, "no tangent");
     return;
   }
-  const fast::Tangent bounds = tangent_bounds(question, true_rounded) + truth.error;
+  fast::Tangent bounds = truth.error;
+  if (has_all(true_rounded.elements, found)) {
+    bounds += tangent_bounds(question, true_rounded, truth.elements);
+  } else {
+    bounds.setConstant(std::numeric_limits<double>::infinity());
+  }
   for (int row = 0; row < 6; ++row)
     for (int column = 0; column < 12; ++column) {
       const double ours = (*subj.tangent)(row, column), theirs = truth.slope(row, column), bound = bounds(row, column);

@@ -95,9 +95,10 @@ struct ForceBound {
 /// Discrete facts stay as they are: which faces are elements and which slave faces they meet. The barycentric force
 /// jumps where these change, and no derivative tells of that. At a kink of the law it is the derivative of one side: of
 /// penetrations from max_penetration and from u_d on, approaching (v_n >= 0) where damping is `compression`, forces
-/// that press, slip velocities from v_eps on; at rest without v_eps friction counts as constant. Where roundings leave
-/// nothing of the angle between a penetration line and the slave face that it meets, that element's depth counts as
-/// constant.
+/// that press, slip velocities from v_eps on; at rest without v_eps friction counts as constant. The clipped scheme's
+/// force has a kink as well where outlines of faces lie on one another as the master sees them: each stretch of what
+/// parts an element from others moves then as one of the lines there does. Where roundings leave nothing of the angle
+/// between a penetration line and the slave face that it meets, that element's depth counts as constant.
 using Tangent = Eigen::Matrix<double, 6, 12>;
 
 /// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation.

@@ -64,8 +64,8 @@ class Pairing {
 };
 
 /// Evaluates the pairing for one state; the answer lives in `workspace` until its next use.
-/// Throws BadInput where the pose is no rotation, anything is not finite or what is wanted of the force would not be,
-/// or a tangent is wanted in the clipped scheme; the workspace stays usable.
+/// Throws BadInput where the pose is no rotation, anything is not finite or what is wanted of the force would not be;
+/// the workspace stays usable.
 /// `savings` other than all change what it costs, nothing else.
 const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
                         Workspace& workspace, const Savings& savings = {});

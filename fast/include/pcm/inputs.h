@@ -74,7 +74,7 @@ struct Wanted {
   bool elements = true;     ///< keep every contact element in the result, with its statistics
   bool bound = false;       ///< rigorous bounds on the rounding errors of force and torque; implies force
   bool statistics = false;  ///< the summary over the elements; implies force, implied by elements
-  bool tangent = false;  ///< derivatives of force and torque by pose and velocity (barycentric scheme); implies force
+  bool tangent = false;     ///< derivatives of force and torque by pose and velocity; implies force
 };
 
 inline bool wants_force(const Wanted& wanted) {

@@ -69,11 +69,9 @@ struct ContactCounters {
 struct ContactTangents {
   /// Of each pairing; none where it does not touch there, which then has no load wherever it moves.
   std::vector<std::optional<LoadTangent>> pairings;
-  /// False where a pairing has no tangent (TangentAnswer::exists), or is itself nested or too deep.
+  /// False where a pairing is nested or deeper than max_penetration of its law.
   bool complete = true;
-  // What they cost: as many evaluations of all pairings would ask the engine as often.
-  int whole = 0;
-  int law_only = 0;  ///< by the law alone
+  bool any() const;  ///< a pairing touches, so that the engine was asked
 };
 
 /// Contact forces among any number of surfaces. Like every Simbody force it belongs to the subsystem that it is added
@@ -125,9 +123,9 @@ class ContactForces : public SimTK::Force::Custom {
   /// From here on as if nothing had been remembered.
   void forget() const;
 
-  /// Of all pairings at this state, for Jacobians: some 12 evaluations, however many coordinates the model has.
-  /// Incomplete ones must not be used.
-  ContactTangents tangents(const SimTK::State& state, const TangentIncrements& increments) const;
+  /// Of all pairings at this state, for Jacobians: one evaluation of those that touch, however many coordinates the
+  /// model has. Incomplete ones must not be used.
+  ContactTangents tangents(const SimTK::State& state) const;
   /// From here on the forces at this State, and at copies of it, are by these tangents: the engine is not asked for
   /// them. Each load is that to first order in the pose and velocity of the pairing there, turned with the frame of its
   /// E. All else (answers, energies) is the engine's as before. Invalidates Stage::Dynamics.

@@ -143,7 +143,7 @@ enum {
   PCM_WANTED_ELEMENTS = 8,     ///< keep the elements, to be copied out, with their statistics
   PCM_WANTED_BOUND = 16,       ///< rigorous bounds on the rounding errors of force and torque; implies PCM_WANTED_FORCE
   PCM_WANTED_STATISTICS = 32,  ///< the summary over the elements; implies PCM_WANTED_FORCE
-  PCM_WANTED_TANGENT = 64,     ///< derivatives of force and torque, to be copied out (PCM_BARYCENTRIC); implies FORCE
+  PCM_WANTED_TANGENT = 64,     ///< derivatives of force and torque, to be copied out; implies FORCE
 };
 
 /// What the contact is on one of the surfaces.

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "compare/verify/bounds/bound_arithmetic.h"
+#include "compare/verify/bounds/master_view.h"
+
+/// The lines at which what a master face sees of a slave face may end, and how they move.
+namespace pcm::compare {
+namespace {
+
+using roundoff::u;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// By a right angle.
+Eigen::Vector2d turned_left(const Eigen::Vector2d& x) {
+  return {-x.y(), x.x()};
+}
+
+SeenPoint in_plane(const Eigen::Vector2d& x) {
+  return {x.x(), x.y(), 0};
+}
+
+}  // namespace
+
+class MasterView::LineList {
+ public:
+  LineList(const MasterView& view, Index slave_face, double strip)
+      : view_(view),
+        slave_(opposite(view.master_)),
+        slave_face_(slave_face),
+        seen_slave_(view.seen(slave_, slave_face)),
+        of_slave_(view.depth_field(slave_, slave_face, strip)),
+        strip_(strip) {}
+
+  /// The sides of a face; where two faces share one, once.
+  void add_sides(Side side, Index face) {
+    const Triangle& corners = view_.faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
+    const SeenFace seen = view_.seen(side, face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+      if (known_sides_.insert({side, low, high}).second) add_side(side, seen[k], seen[(k + 1) % 3]);
+    }
+  }
+
+  /// Where a face comes out of the master's plane: m . (x - corner) = 0 at depth 0.
+  void add_depth_0(Side side, Index face) {
+    if (share_a_side(view_.master_, view_.master_face_, side, face) ||
+        !view_.faces_.corners_by_plane(view_.master_, view_.master_face_, side, face).meet())
+      return;
+    const SeenPoint m = normal_of(side, face), corner = view_.seen(side, face)[0];
+    const double sine = m.head<2>().norm(), reach = reach_of(side, face), turn = turn_of(side, face);
+    const double height_error = 2 * view_.face_.plane_error * reach * std::abs(m.z());
+    SightLine line;
+    line.off = strip_ + kHigherOrder * (height_error + 2 * turn * (reach + view_.face_.longest)) / sine;
+    const SeenFace over = view_.seen(side, face);
+    if (!(line.off < view_.face_.longest)) {
+      add_anywhere_over(over, side == slave_ ? kInfinity : 0);
+      return;
+    }
+    const Eigen::Vector2d normal = m.head<2>() / sine;
+    if (side == slave_) {
+      line.pull = m / sine;
+      line.pull_error = 2 * turn / (sine * sine);
+    }
+    add(line, in_plane(corner.head<2>() + m.z() * corner.z() / sine * normal), normal, 0, 0, &over);
+  }
+
+  /// Where a face passes through the slave face, whose height over that face's plane, m . (x - corner), is 0 there.
+  void add_crossing(Side side, Index face) {
+    if (share_a_side(slave_, slave_face_, side, face) ||
+        !view_.faces_.corners_by_plane(slave_, slave_face_, side, face).meet() ||
+        !view_.faces_.corners_by_plane(side, face, slave_, slave_face_).meet())
+      return;
+    const SeenPoint m = normal_of(side, face), corner = view_.seen(side, face)[0];
+    const Eigen::Vector2d rise = m.head<2>() + m.z() * of_slave_.slope;
+    const double steep = rise.norm(), turn = turn_of(side, face), cosine = std::abs(of_slave_.normal.z());
+    const double reach = reach_of(side, face) + of_slave_.reach;
+    const double turned = std::abs(m.z()) / cosine;
+    const double height_error =
+        2 * reach * std::max(plane_error_of(side, face), plane_error_of(slave_, slave_face_) * turned);
+    SightLine line;
+    line.off = strip_ +
+               kHigherOrder *
+                   (height_error + turn * (reach + of_slave_.reach) + std::abs(m.z()) * error_over_master(of_slave_)) /
+                   steep;
+    const SeenFace over = view_.seen(side, face);
+    if (!(line.off < view_.face_.longest)) {
+      add_anywhere_over(over, side == slave_ ? 1 : kInfinity);
+      return;
+    }
+    const Eigen::Vector2d normal = rise / steep;
+    if (side == slave_) {
+      line.pull = in_plane(normal);
+    } else {
+      const SeenPoint growth = of_slave_.normal / of_slave_.normal.z();
+      line.pull = -m.z() / steep * growth;
+      const double unsure = (turn * growth.norm() + std::abs(m.z()) * of_slave_.error_per_distance) / steep;
+      line.pull_error = unsure < 0.5 ? 2 * (line.pull.norm() * unsure + turn * growth.norm() / steep +
+                                            turned * of_slave_.error_per_distance / steep)
+                                     : kInfinity;
+    }
+    const SeenPoint none = SeenPoint::Zero(), above{0, 0, of_slave_.at(none)};
+    const SeenPoint through = in_plane(-m.dot(above - corner) / steep * normal);
+    add(line, through, normal, of_slave_.at(through), of_slave_.slope.dot(-turned_left(normal)), &over);
+  }
+
+  /// Nothing is known.
+  void lose() {
+    lines_.push_back({});
+    lines_.back().off = kInfinity;
+  }
+
+  std::vector<SightLine> take() { return std::move(lines_); }
+
+ private:
+  SeenPoint normal_of(Side side, Index face) const {
+    return view_.seen_from_Me_ * view_.faces_.face(side, face).normal_Me;
+  }
+  /// Then that is where their planes meet.
+  bool share_a_side(Side side_a, Index a, Side side_b, Index b) const {
+    if (side_a != side_b) return false;
+    const auto corners = [&](Index face) {
+      Triangle sorted = view_.faces_.surface(side_a).mesh.faces[static_cast<std::size_t>(face)];
+      std::sort(sorted.begin(), sorted.end());
+      return sorted;
+    };
+    const Triangle of_a = corners(a), of_b = corners(b);
+    std::vector<Index> shared;
+    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(shared));
+    return shared.size() == 2;
+  }
+  /// A line of which nothing is known but that it lies over another face as well; its pull is no greater.
+  void add_anywhere_over(const SeenFace& other, double pull) {
+    if (!view_.is_wider_than(strip_)) {
+      lose();
+      return;
+    }
+    const std::vector<SeenPoint> over = view_.overlap(seen_slave_, other, 2 * strip_);
+    if (over.empty()) return;
+    if (!std::isfinite(pull)) {
+      lose();
+      return;
+    }
+    SightLine line;
+    for (const SeenPoint& x : over) line.off = std::max(line.off, (x - over[0]).head<2>().norm());
+    line.from = line.to = in_plane(over[0].head<2>());
+    line.pull_error = pull;
+    for (const SeenPoint& x : seen_slave_) line.from.z() = std::max(line.from.z(), x.z());
+    line.to.z() = line.from_depth = line.to_depth = line.from.z();
+    lines_.push_back(line);
+  }
+  double turn_of(Side side, Index face) const {
+    return view_.faces_.face(side, face).normal_error + view_.turn_ + 16 * u;
+  }
+  double plane_error_of(Side side, Index face) const { return view_.faces_.face(side, face).plane_error; }
+  /// No corner is farther from one of the master, m.
+  double reach_of(Side side, Index face) const {
+    double reach = 0;
+    for (const SeenPoint& x : view_.seen(side, face)) reach = std::max(reach, view_.distance_from_corners(x));
+    return reach;
+  }
+
+  /// Of the depth by the face's plane, anywhere over the master.
+  double error_over_master(const DepthField& field) const {
+    return field.error + times(field.error_per_distance, field.reach + view_.face_.longest);
+  }
+
+  /// A side whose direction roundings may have made belongs to a face that is seen no wider: what that hides lies
+  /// between its other sides, and this one counts where it is.
+  void add_side(Side side, const SeenPoint& a, const SeenPoint& b) {
+    const double length = (b - a).head<2>().stableNorm();
+    double farthest = 0;
+    for (const SeenPoint& x : view_.own_) farthest = std::max(farthest, (x - a).head<2>().stableNorm());
+    const double lever = 1 + 2 * (farthest + 2 * view_.face_.longest) / length;
+    SightLine line;
+    if (!(strip_ * lever < length / 16)) {
+      if (side == slave_) line.pull_error = 1;
+      line.off = strip_ + length;
+      line.from = line.to = in_plane(a.head<2>());
+      line.from.z() = line.to.z() = std::max(0.0, of_slave_.at(a));
+      line.from_depth = line.to_depth = a.z();
+      lines_.push_back(line);
+      return;
+    }
+    const Eigen::Vector2d normal = turned_left((b - a).head<2>() / length);
+    const double slope = (b.z() - a.z()) / length;
+    if (side == slave_) line.pull = in_plane(normal);
+    // As sure as its ends between them.
+    const auto [first, last] = span(in_plane(a.head<2>()), in_plane(-turned_left(normal)), strip_ * lever);
+    line.off = strip_ * (1 + 2 * std::max({0.0, -first, last - length}) / length);
+    line.depth_error = line.off * std::abs(slope);
+    add(line, in_plane(a.head<2>()), normal, a.z(), slope);
+  }
+
+  /// Along which `normal` lies to the left; X lies `depth` deep at `through` and goes down by `slope`.
+  /// Where the line is one of depths, it parts nothing but over the face that has it.
+  void add(SightLine line, const SeenPoint& through, const Eigen::Vector2d& normal, double depth, double slope,
+           const SeenFace* over = nullptr) {
+    const SeenPoint along = in_plane(-turned_left(normal));
+    const auto [first, last] = span(through, along, std::isfinite(line.off) ? line.off : strip_, over);
+    if (!(first <= last) && std::isfinite(line.off)) return;
+    if (!std::isfinite(first + last + line.off + line.pull_error) || !line.pull.allFinite()) {
+      lose();
+      return;
+    }
+    const auto point = [&](double at) {
+      SeenPoint x = through + at * along;
+      x.z() = std::max(0.0, of_slave_.at(x));
+      return x;
+    };
+    line.from = point(first);
+    line.to = point(last);
+    line.from_depth = depth + first * slope;
+    line.to_depth = depth + last * slope;
+    lines_.push_back(line);
+  }
+
+  /// Where the slave face may be beneath the master as well.
+  std::pair<double, double> span(const SeenPoint& through, const SeenPoint& along, double off,
+                                 const SeenFace* over = nullptr) const {
+    const double margin = 2 * strip_ + off;
+    auto [first, last] = view_.span_within(through, along, seen_slave_, margin);
+    if (over != nullptr) {
+      const auto [first_over, last_over] = view_.span_within(through, along, *over, margin);
+      first = std::max(first, first_over);
+      last = std::min(last, last_over);
+    }
+    const double depth = of_slave_.at(through) + error_over_master(of_slave_) + times(of_slave_.slope.norm(), margin);
+    const double deeper = of_slave_.slope.dot(along.head<2>());
+    if (deeper > 0) first = std::max(first, -depth / deeper);
+    if (deeper < 0) last = std::min(last, -depth / deeper);
+    return {first, last};
+  }
+
+  const MasterView& view_;
+  Side slave_;
+  Index slave_face_;
+  SeenFace seen_slave_;
+  DepthField of_slave_;
+  double strip_;
+  std::set<std::tuple<Side, Index, Index>> known_sides_;
+  std::vector<SightLine> lines_;
+};
+
+MasterView::DepthGrowth MasterView::depth_growth(Index slave_face) const {
+  const RoundedFaces::Face plane = faces_.face(opposite(master_), slave_face);
+  const SeenPoint m = seen_from_Me_ * plane.normal_Me;
+  const double cosine = std::abs(m.z()), turn = plane.normal_error + turn_ + 16 * u;
+  if (!(cosine > 4 * turn)) return {SeenPoint::Zero(), kInfinity};
+  return {m / m.z(), kHigherOrder * 2 * turn / (cosine * cosine)};
+}
+
+double MasterView::area_about_depth(Index slave_face, double depth, double error) const {
+  if (!std::isfinite(depth)) return 0;
+  const SeenFace slave = seen(opposite(master_), slave_face);
+  std::vector<SeenPoint> part = seen_part(slave, 2 * most_strip(slave), 0);
+  for (SeenPoint& x : part) x.z() -= depth;
+  return no_more(area_near_zero(part, error), greatest_area());
+}
+
+std::vector<SightLine> MasterView::lines_in_sight(Index slave_face) const {
+  const SeenFace slave = seen(opposite(master_), slave_face);
+  const double strip = most_strip(slave);
+  const std::vector<SeenPoint> part = seen_part(slave, 0, 0);
+  LineList lines(*this, slave_face, strip);
+  lines.add_sides(master_, master_face_);
+  lines.add_sides(opposite(master_), slave_face);
+  lines.add_depth_0(opposite(master_), slave_face);
+  if (part.empty()) {
+    lines.lose();
+    return lines.take();
+  }
+  for (const NearFace* const hider : find_hiders(slave_face, part, strip).faces) {
+    lines.add_sides(hider->side, hider->face);
+    lines.add_depth_0(hider->side, hider->face);
+    lines.add_crossing(hider->side, hider->face);
+  }
+  return lines.take();
+}
+
+}  // namespace pcm::compare

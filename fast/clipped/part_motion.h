@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fast/force/element_motion.h"
+#include "fast/posed/posed_pair.h"
+#include "fast/prism/convex_polygon.h"
+#include "fast/prism/master_prism.h"
+
+namespace pcm::fast {
+
+/// What a master face sees of a face f of the slave, and all that it sees.
+struct SeenPart {
+  Side master;
+  const MasterPrism& prism;
+  const std::vector<ProjectedFace>& faces;
+  const ProjectedFace& f;
+  std::span<const ConvexPolygon> pieces;  ///< what is visible of f
+  const Moments& moments;                 ///< of these, of min(depth, most)
+  double most;                            ///< max_penetration, m
+};
+
+/// How the element that a part makes changes as the slave moves, seen from the master, by d(x) = dr + a x (x - r).
+///
+/// The integral M of q over the part P, in (s, t), changes by the integral of dq over P and by that over its border of
+/// q times how far that moves outwards. With G_s and G_t the gradients of s and t, n_k = -n, and g_h = N_h / (n_k .
+/// N_h): at a fixed place the depth of a face h of the slave grows by g_h . d(X), X being the point of h there. Along a
+/// side from one end to the other, (ds, dt) in (s, t), the border moves outwards by, times the side's length,
+///
+///   an edge of h:               (dt G_s - ds G_t) . d(X), X on the edge
+///   h meets the master's plane: -l g_h . d(X), where l = dt / (grad d_h)_s = -ds / (grad d_h)_t, X on that line
+///   h passes through f:         (dt G_s - ds G_t) . d(X), X on f
+///   a face h of the master passes through f: l g_f . d(X), X on f, l as above with d_h - d_f in place of d_h
+///
+/// and by nothing where the side is the master's own. Whatever else divides P is a side of two pieces and moves both
+/// the same way. min(depth, most) is continuous: where it begins to be clamped nothing is added. All is of degree three
+/// at most along a side and of degree two over a piece, so that the integrals are exact but for roundings.
+///
+/// `posed` is asked for the faces' vertices. Numbers too large for doubles count as 0.
+ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part);
+
+}  // namespace pcm::fast

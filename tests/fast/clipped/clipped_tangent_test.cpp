@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "meshes/generate/parts.h"
+#include "tests/fast/engine_support.h"
+
+/// Derivatives of force and torque in the clipped scheme: by hand, and against differences where faces hide others.
+/// Against exact ones they are held by `pcm verify` and by tests/compare/verify/verdict/tangent_verdict_test.cpp.
+namespace pcm::fast::clipped_tangent_test {
+namespace {
+
+using namespace test;
+using degenerate::joined;
+using Eigen::Vector3d;
+
+constexpr double kStiffness = 7;
+constexpr Wanted kTangent{.polygons = false, .areas = false, .force = true, .elements = false, .tangent = true};
+
+Contact clipped(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, const ContactLaw& law, Mode mode,
+                const Velocity& velocity = {}) {
+  return answer(E, F, pose, law, mode, velocity, kTangent, Scheme::clipped);
+}
+
+/// A cube that stands on a corner, `depth` below the top of a plate, above the middle of Mf.
+Contact of_corner_in_plate(double depth, const ContactLaw& law) {
+  Pose pose;
+  pose.A = Eigen::Quaterniond::FromTwoVectors(Vector3d(1, 1, 1), Vector3d(0, 0, 1)).toRotationMatrix();
+  pose.r = {0.3, -0.2, std::sqrt(3) / 2 - depth};
+  return clipped(generate::plate(8, 8, 3), generate::box(Vector3d(1, 1, 1)), pose, law, Mode::E);
+}
+
+/// The corner's section at a height over it: an equilateral triangle.
+double section(double height) {
+  return 1.5 * std::sqrt(3) * height * height;
+}
+
+TEST(ClippedTangent, OfACornerInAPlateIsThatOfABuoyantBody) {
+  const double depth = 0.25;
+  const Tangent tangent = *of_corner_in_plate(depth, stiffness(kStiffness)).tangent;
+  const double area = section(depth), volume = area * depth / 3;
+  // The second moment of an equilateral triangle about any axis through its middle: area times side^2 / 24.
+  const double moment = area * 6 * depth * depth / 24;
+  const double middle_below_origin = std::sqrt(3) / 2 - 0.75 * depth;  // of what is immersed
+  Tangent expected = Tangent::Zero();
+  expected(2, 2) = kStiffness * area;
+  expected(3, 3) = expected(4, 4) = kStiffness * (moment - volume * middle_below_origin);
+  EXPECT_LT((tangent - expected).lpNorm<Eigen::Infinity>(), 1e-14);
+}
+
+TEST(ClippedTangent, OfPenetrationsThatAreClampedIsThatOfTheOthers) {
+  const double depth = 0.25, most = 0.1;
+  ContactLaw law = stiffness(kStiffness);
+  law.max_penetration = most;
+  const Tangent tangent = *of_corner_in_plate(depth, law).tangent;
+  EXPECT_NEAR(kStiffness * (section(depth) - section(depth - most)), tangent(2, 2), 1e-14);
+}
+
+TEST(ClippedTangent, OfABoxOverTheBorderOfAPlateCountsTheAreaItGains) {
+  // The box lies over x > 7/4 of the plate with half of its breadth 1/2; its length is 3/4.
+  const TriangleMesh plate = generate::box({-2, -2, -1}, {2, 2, 0}),
+                     box = generate::box({-0.25, -0.375, 0}, {0.25, 0.375, 1});
+  const double depth = 0.0625;
+  const Tangent on_plate = *clipped(plate, box, shifted(2, 0, -depth), stiffness(kStiffness), Mode::E).tangent;
+  const Tangent on_box = *clipped(plate, box, shifted(2, 0, -depth), stiffness(kStiffness), Mode::F).tangent;
+  for (const Tangent& tangent : {on_plate, on_box}) {
+    EXPECT_NEAR(kStiffness * 0.25 * 0.75, tangent(2, 2), 1e-14);   // pressed less
+    EXPECT_NEAR(kStiffness * depth * 0.75, tangent(2, 0), 1e-14);  // farther out, less area
+    EXPECT_NEAR(0, tangent(2, 1), 1e-14);
+  }
+}
+
+/// A square of edge 1 below a plate's top, and a bar that ends there less deep, 1/5 wide along one side of the square.
+/// One of its edges lies on that side but for roundings, and ends where the bar does: the bar is within the square or
+/// beside it.
+struct SquareAndBar {
+  static constexpr double kDepth = 0.0625, kWidth = 0.2;
+  double bar_begins;
+  TriangleMesh plate = generate::box({-2, -2, -1}, {2, 2, 0}), square = generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1});
+  Pose pose;
+
+  SquareAndBar(double angle, bool within) : bar_begins(within ? -0.5 : -0.8) {
+    pose.A = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+    pose.r = {0.07, 0.05, -kDepth};
+  }
+  TriangleMesh bar(double low, double high) const {
+    return generate::box({-kWidth / 2, bar_begins, low}, {kWidth / 2, bar_begins + 0.3, high});
+  }
+  /// The plate's own, up from below, and at rest.
+  TriangleMesh resting_bar() const {
+    TriangleMesh resting = bar(-1.5, -0.03);
+    for (Vector3d& x : resting.vertices) x = pose.A * x + Vector3d(pose.r.x(), pose.r.y(), 0);
+    return resting;
+  }
+  /// Of the force by the square's way, across the side with the bar.
+  double slope(const TriangleMesh& E, const TriangleMesh& F) const {
+    const Tangent tangent = *clipped(E, F, pose, stiffness(kStiffness), Mode::E).tangent;
+    return tangent.block<1, 3>(2, 0) * pose.A.col(1);
+  }
+};
+
+TEST(ClippedTangent, OfASideThatAnEdgeLiesOnIsNotTheEdgesBeyondItsEnds) {
+  for (const bool within : {true, false})
+    for (int i = 0; i < 40; ++i) {
+      const SquareAndBar here(0.1 + 0.07 * i, within);
+      // All of the same body move as one.
+      EXPECT_NEAR(0, here.slope(here.plate, joined(here.square, here.bar(0.03, 1.5))), 1e-12);
+      // As wide as the bar, the side hides behind it or comes from there.
+      const double by_bar = here.slope(joined(here.plate, here.resting_bar()), here.square);
+      EXPECT_LE(std::abs(by_bar), kStiffness * here.kDepth * here.kWidth + 1e-12)
+          << i << (within ? " within" : " beside");
+    }
+}
+
+TEST(ClippedTangent, AtTheClampIsThatOfConstantPenetrations) {
+  ContactLaw law = stiffness(kStiffness);
+  law.max_penetration = 0.0625;
+  const TriangleMesh plate = generate::box({-2, -2, -1}, {2, 2, 0}),
+                     box = generate::box({-0.25, -0.375, 0}, {0.25, 0.375, 1});
+  EXPECT_EQ((*clipped(plate, box, shifted(0, 0, -0.0625), law, Mode::E).tangent)(2, 2), 0);
+  law.max_penetration = std::nextafter(0.0625, 1);
+  EXPECT_NEAR(kStiffness * 0.5 * 0.75, (*clipped(plate, box, shifted(0, 0, -0.0625), law, Mode::E).tangent)(2, 2),
+              1e-14);
+}
+
+TEST(ClippedTangent, OfPenetrationsThatUnderflowIsFinite) {
+  const TriangleMesh plate = generate::box({-2, -2, -1}, {2, 2, 0}),
+                     box = generate::box({-0.25, -0.375, 0}, {0.25, 0.375, 1});
+  for (const double depth : {0x1p-1074, 0x1p-1060, 0x1p-1000}) {
+    Pose pose = shifted(0, 0, -depth);
+    for (const double lean : {0.0, 0x1p-1070}) {
+      pose.A(2, 0) = lean;
+      const Contact contact = clipped(plate, box, pose, stiffness(kStiffness), Mode::E);
+      EXPECT_TRUE(contact.tangent->allFinite());
+    }
+  }
+}
+
+TEST(ClippedTangent, OfWallsNearlyAlongTheLinesIsThatOfThoseThatLean) {
+  // A ridge goes through the slave's bottom; one of two walls of its is seen, as wide as it leans.
+  const auto slopes = [](double lean) {
+    TriangleMesh ridge = generate::box({-0.1, -0.3, -0.03}, {0.1, 0.2, 0.5});
+    for (Vector3d& x : ridge.vertices) x.x() += lean * x.z();
+    const TriangleMesh body = joined(generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1}), ridge);
+    Pose pose = shifted(0.07, 0.05, -0.0625);
+    pose.A = Eigen::AngleAxisd(0.3, Vector3d::UnitZ()).toRotationMatrix();
+    return Tangent(
+        *clipped(generate::box({-2, -2, -1}, {2, 2, 0}), body, pose, stiffness(kStiffness), Mode::E).tangent);
+  };
+  const Tangent upright = slopes(0);
+  for (const double sign : {-1.0, 1.0}) {
+    const Tangent leaning = slopes(sign * 0x1p-20);
+    EXPECT_GT((upright - leaning).norm(), 1e-3 * leaning.norm());
+    // Less the roundings of places, over how wide it is seen.
+    for (const double lean : {1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7})
+      EXPECT_LT((slopes(sign * lean) - leaning).norm(), (1e-5 + 0x1p-51 / lean) * leaning.norm()) << sign * lean;
+    // So little is seen of them that they may count as nothing.
+    for (const double lean : {1e-16, 1e-15, 1e-14}) {
+      const Tangent steep = slopes(sign * lean);
+      EXPECT_LT(std::min((steep - leaning).norm(), (steep - upright).norm()), 1e-5 * leaning.norm()) << sign * lean;
+    }
+  }
+}
+
+/// By central differences over each coordinate of the state.
+Tangent differences(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, const ContactLaw& law, Mode mode,
+                    const Velocity& velocity) {
+  constexpr double kStep = 0x1p-20;
+  Tangent result;
+  for (int column = 0; column < 12; ++column) {
+    Eigen::Matrix<double, 6, 2> loads;
+    for (const int side : {0, 1}) {
+      const Vector3d way = (side == 0 ? kStep : -kStep) * Vector3d::Unit(column % 3);
+      Pose moved = pose;
+      Velocity another = velocity;
+      if (column < 3) moved.r += way;
+      if (column / 3 == 1) moved.A = Eigen::AngleAxisd(way.norm(), way.normalized()).toRotationMatrix() * pose.A;
+      if (column / 3 == 2) another.v += way;
+      if (column / 3 == 3) another.w += way;
+      const Contact contact = clipped(E, F, moved, law, mode, another);
+      loads.col(side) << contact.force_Me, contact.torque_Me;
+    }
+    result.col(column) = (loads.col(0) - loads.col(1)) / (2 * kStep);
+  }
+  return result;
+}
+
+struct Pair {
+  const char* name;
+  TriangleMesh E, F;
+  Pose pose;
+};
+
+/// Bodies whose faces hide others and pass through others, their own and each other's.
+std::vector<Pair> pairs_that_hide() {
+  const TriangleMesh cross =
+      joined(generate::box({-1, -0.25, -0.25}, {1, 0.25, 0.25}), generate::box({-0.3, -0.8, -0.2}, {0.2, 0.9, 0.35}));
+  TriangleMesh tilted = generate::box({-0.2, -0.4, -0.15}, {0.3, 0.5, 0.25});
+  for (Vector3d& x : tilted.vertices) x = turned(0.4, {}).A * x;
+  const TriangleMesh tangled = joined(generate::box({-0.6, -0.2, -0.2}, {0.6, 0.2, 0.2}), tilted);
+  return {{"bubbles", generate::bubble(), generate::bubble(), turned(0.8, {0.13, 0.04, 0.12})},
+          {"cross within cross", cross, cross, turned(0.9, {0.11, 0.07, 0.17})},
+          {"tangled bodies", tangled, tangled, turned(2.1, {0.21, -0.13, 0.3})},
+          {"sphere in tangled body", tangled, generate::icosphere(0.3, 2), turned(1.3, {0.14, 0.1, 0.12})},
+          {"nested boxes", generate::box({-2, -2, -2}, {2, 2, 2}), tangled, turned(0.7, {0.1, 0.2, -0.1})}};
+}
+
+TEST(ClippedTangent, IsThatOfDifferencesWhereFacesHideAndCrossOthers) {
+  ContactLaw law;
+  law.layers = LayerStiffness{3e4, 1e4};
+  law.damping = 300;
+  law.transition_depth = 0.01;
+  law.friction = 0.3;
+  law.slip_velocity = 0.125;
+  const Velocity velocity{{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}};
+  for (const double most : {std::numeric_limits<double>::infinity(), 0.11}) {
+    law.max_penetration = most;
+    Index elements = 0;
+    for (const auto& [name, E, F, pose] : pairs_that_hide())
+      for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
+        const Contact contact = clipped(E, F, pose, law, mode, velocity);
+        if (contact.element_count == 0) continue;  // an outer body's faces are not active
+        const Tangent by_steps = differences(E, F, pose, law, mode, velocity);
+        for (int row = 0; row < 6; row += 3)
+          for (int column = 0; column < 12; column += 3) {
+            const Eigen::Matrix3d ours = contact.tangent->block<3, 3>(row, column);
+            const Eigen::Matrix3d theirs = by_steps.block<3, 3>(row, column);
+            EXPECT_LT((ours - theirs).norm(), 1e-5 * theirs.norm())
+                << name << ", mode " << static_cast<int>(mode) << ", row " << row << ", column " << column;
+          }
+        elements += contact.element_count;
+      }
+    EXPECT_GT(elements, 1000);
+  }
+}
+
+}  // namespace
+}  // namespace pcm::fast::clipped_tangent_test
