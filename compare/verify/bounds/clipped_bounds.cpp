@@ -72,6 +72,7 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
       (e.area + errors.area) * depth_error + no_more(strips, e.area + view.greatest_area()) * counted;
 
   OfElement result;
+  result.sight = seen;
   const bool may_underflow = (e.area / view.greatest_area()) * e.penetration < kLeastIntegral;
   result.sliver = may_underflow || !(e.area > 2 * (errors.area + seen.uncertain));
   result.may_keep_hidden = seen.hiders > 0;

@@ -38,6 +38,7 @@ class ClippedBounds {
  public:
   struct OfElement {
     ElementBounds bounds;
+    SlaveInView sight;
     bool sliver = false;           ///< may be missing
     bool may_keep_hidden = false;  ///< where other faces hide strips of rounding's width
     /// The greatest penetration of a right engine's element, where it has it, lies between these, m.

@@ -69,7 +69,8 @@ MasterView::DepthField MasterView::depth_field(Side side, Index face, double str
   const Eigen::Vector3d m = seen_from_Me_ * plane.normal_Me;
   const double cosine = std::abs(m.z()), turn = plane.normal_error + turn_ + 16 * u;
   const SeenFace corners = seen(side, face);
-  DepthField field{corners[0], m, Eigen::Vector2d::Zero(), 0, std::numeric_limits<double>::infinity(), 0};
+  DepthField field{
+      corners[0], m, turn, plane.plane_error, Eigen::Vector2d::Zero(), 0, std::numeric_limits<double>::infinity(), 0};
   for (const SeenPoint& x : corners) field.reach = std::max(field.reach, distance_from_corners(x));
   if (!(cosine > 4 * turn)) return field;
   field.slope = -m.head<2>() / m.z();

@@ -39,9 +39,9 @@ struct SlaveInView {
 /// A line, to either side as far as it may lie over both faces, at which what a right engine sees of a slave face may
 /// end.
 struct SightLine {
-  SeenPoint from = SeenPoint::Zero(),
-            to = SeenPoint::Zero();  ///< as deep as the slave face is there, 0 at most above it
-  double off = 0;                    ///< it may lie as far beside, m; infinite: nothing is known
+  /// As deep as the slave face is there, or 0 where that lies above the master.
+  SeenPoint from = SeenPoint::Zero(), to = SeenPoint::Zero();
+  double off = 0;  ///< it may lie as far beside, m; infinite: nothing is known
   /// As the slave's surface moves by d, seen from the master, the line moves by pull . d(X) along its normal, the
   /// direction from `from` to `to` turned by a right angle; X lies on it, this deep at either end.
   SeenPoint pull = SeenPoint::Zero();
@@ -115,12 +115,16 @@ class MasterView {
   /// A face's depth as a linear function of the point.
   struct DepthField {
     SeenPoint corner;
-    SeenPoint normal;  ///< of the face, unit
+    SeenPoint normal;    ///< of the face, unit
+    double turn;         ///< how far off its angle to the master's may be, rad
+    double plane_error;  ///< RoundedFaces::Face
     Eigen::Vector2d slope;
     double reach;               ///< no corner of the face is farther from one of the master, m
     double error;               ///< of the depth between its corners, m
     double error_per_distance;  ///< and from a corner on, through the direction of its plane
 
+    /// How much deeper it is for a motion of its points of length 1.
+    SeenPoint growth() const { return normal / normal.z(); }
     double at(const SeenPoint& x) const { return corner.z() + slope.dot((x - corner).head<2>()); }
     /// Of depths told by this plane and another face's corners, m.
     double error_between(const DepthField& other) const {

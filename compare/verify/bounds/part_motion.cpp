@@ -61,7 +61,7 @@ class ErrorSum {
         view_(view),
         r_Me_(question.pose.r),
         most_(question.law.max_penetration),
-        sight_(view.sight(element.slave_face)),
+        sight_(bound.sight),
         growth_(view.depth_growth(element.slave_face)),
         counted_(std::min(std::max(sight_.deepest, element.greatest_penetration), most_)) {
     for (const SightLine& line : view.lines_in_sight(element.slave_face)) add(line);
@@ -187,7 +187,7 @@ class ErrorSum {
   const MasterView& view_;
   Eigen::Vector3d r_Me_;
   double most_;
-  SlaveInView sight_;
+  const SlaveInView& sight_;
   MasterView::DepthGrowth growth_;
   double counted_;  ///< no depth counts more, m
   bool known_ = true;

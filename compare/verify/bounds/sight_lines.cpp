@@ -16,8 +16,6 @@
 namespace pcm::compare {
 namespace {
 
-using roundoff::u;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// By a right angle.
@@ -56,8 +54,9 @@ class MasterView::LineList {
     if (share_a_side(view_.master_, view_.master_face_, side, face) ||
         !view_.faces_.corners_by_plane(view_.master_, view_.master_face_, side, face).meet())
       return;
-    const SeenPoint m = normal_of(side, face), corner = view_.seen(side, face)[0];
-    const double sine = m.head<2>().norm(), reach = reach_of(side, face), turn = turn_of(side, face);
+    const DepthField field = view_.depth_field(side, face, strip_);
+    const SeenPoint &m = field.normal, &corner = field.corner;
+    const double sine = m.head<2>().norm(), reach = field.reach, turn = field.turn;
     const double height_error = 2 * view_.face_.plane_error * reach * std::abs(m.z());
     SightLine line;
     line.off = strip_ + kHigherOrder * (height_error + 2 * turn * (reach + view_.face_.longest)) / sine;
@@ -80,13 +79,13 @@ class MasterView::LineList {
         !view_.faces_.corners_by_plane(slave_, slave_face_, side, face).meet() ||
         !view_.faces_.corners_by_plane(side, face, slave_, slave_face_).meet())
       return;
-    const SeenPoint m = normal_of(side, face), corner = view_.seen(side, face)[0];
+    const DepthField field = view_.depth_field(side, face, strip_);
+    const SeenPoint &m = field.normal, &corner = field.corner;
     const Eigen::Vector2d rise = m.head<2>() + m.z() * of_slave_.slope;
-    const double steep = rise.norm(), turn = turn_of(side, face), cosine = std::abs(of_slave_.normal.z());
-    const double reach = reach_of(side, face) + of_slave_.reach;
+    const double steep = rise.norm(), turn = field.turn, cosine = std::abs(of_slave_.normal.z());
+    const double reach = field.reach + of_slave_.reach;
     const double turned = std::abs(m.z()) / cosine;
-    const double height_error =
-        2 * reach * std::max(plane_error_of(side, face), plane_error_of(slave_, slave_face_) * turned);
+    const double height_error = 2 * reach * std::max(field.plane_error, of_slave_.plane_error * turned);
     SightLine line;
     line.off = strip_ +
                kHigherOrder *
@@ -101,7 +100,7 @@ class MasterView::LineList {
     if (side == slave_) {
       line.pull = in_plane(normal);
     } else {
-      const SeenPoint growth = of_slave_.normal / of_slave_.normal.z();
+      const SeenPoint growth = of_slave_.growth();
       line.pull = -m.z() / steep * growth;
       const double unsure = (turn * growth.norm() + std::abs(m.z()) * of_slave_.error_per_distance) / steep;
       line.pull_error = unsure < 0.5 ? 2 * (line.pull.norm() * unsure + turn * growth.norm() / steep +
@@ -122,9 +121,6 @@ class MasterView::LineList {
   std::vector<SightLine> take() { return std::move(lines_); }
 
  private:
-  SeenPoint normal_of(Side side, Index face) const {
-    return view_.seen_from_Me_ * view_.faces_.face(side, face).normal_Me;
-  }
   /// Then that is where their planes meet.
   bool share_a_side(Side side_a, Index a, Side side_b, Index b) const {
     if (side_a != side_b) return false;
@@ -157,16 +153,6 @@ class MasterView::LineList {
     for (const SeenPoint& x : seen_slave_) line.from.z() = std::max(line.from.z(), x.z());
     line.to.z() = line.from_depth = line.to_depth = line.from.z();
     lines_.push_back(line);
-  }
-  double turn_of(Side side, Index face) const {
-    return view_.faces_.face(side, face).normal_error + view_.turn_ + 16 * u;
-  }
-  double plane_error_of(Side side, Index face) const { return view_.faces_.face(side, face).plane_error; }
-  /// No corner is farther from one of the master, m.
-  double reach_of(Side side, Index face) const {
-    double reach = 0;
-    for (const SeenPoint& x : view_.seen(side, face)) reach = std::max(reach, view_.distance_from_corners(x));
-    return reach;
   }
 
   /// Of the depth by the face's plane, anywhere over the master.
@@ -252,11 +238,9 @@ class MasterView::LineList {
 };
 
 MasterView::DepthGrowth MasterView::depth_growth(Index slave_face) const {
-  const RoundedFaces::Face plane = faces_.face(opposite(master_), slave_face);
-  const SeenPoint m = seen_from_Me_ * plane.normal_Me;
-  const double cosine = std::abs(m.z()), turn = plane.normal_error + turn_ + 16 * u;
-  if (!(cosine > 4 * turn)) return {SeenPoint::Zero(), kInfinity};
-  return {m / m.z(), kHigherOrder * 2 * turn / (cosine * cosine)};
+  const DepthField field = depth_field(opposite(master_), slave_face, 0);
+  if (!std::isfinite(field.error)) return {SeenPoint::Zero(), kInfinity};
+  return {field.growth(), field.error_per_distance};
 }
 
 double MasterView::area_about_depth(Index slave_face, double depth, double error) const {

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 
 #include "compare/verify/bounds/bound_arithmetic.h"
 #include "compare/verify/bounds/clipped_bounds.h"
 #include "compare/verify/bounds/element_law.h"
+#include "compare/verify/verdict/element_key.h"
 
 namespace pcm::compare {
 namespace {
@@ -20,13 +20,6 @@ namespace {
 template <class Element>
 std::string describe(const Element& e) {
   return fmt::format("{} face {} on {}", e.master == Side::E ? 'E' : 'F', e.master_face, e.slave_face);
-}
-
-using ElementKey = std::tuple<Side, Index, Index>;
-
-template <class Element>
-ElementKey key(const Element& e) {
-  return {e.master, e.master_face, e.slave_face};
 }
 
 /// The pairs of elements in the order of both lists, nullptr where one side has none.

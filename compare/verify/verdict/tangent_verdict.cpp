@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
-#include <tuple>
 
 #include "compare/verify/bounds/tangent_bounds.h"
+#include "compare/verify/verdict/element_key.h"
 
 namespace pcm::compare {
 namespace {
@@ -20,9 +20,7 @@ constexpr std::array<std::string_view, 4> kColumns = {"position", "rotation", "v
 
 /// Whether each of the engine's elements is one of the oracle's; both are in order.
 bool has_all(const std::vector<reference::Element>& elements, const std::vector<fast::Element>& found) {
-  const auto before = [](const auto& a, const auto& b) {
-    return std::tie(a.master, a.master_face, a.slave_face) < std::tie(b.master, b.master_face, b.slave_face);
-  };
+  const auto before = [](const auto& a, const auto& b) { return key(a) < key(b); };
   return std::includes(elements.begin(), elements.end(), found.begin(), found.end(), before);
 }
 

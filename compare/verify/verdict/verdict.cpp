@@ -15,6 +15,7 @@
 #include "compare/verify/bounds/rounded_faces.h"
 #include "compare/verify/bounds/rounding_bounds.h"
 #include "compare/verify/verdict/clipped_verdict.h"
+#include "compare/verify/verdict/element_key.h"
 #include "compare/verify/verdict/own_sums.h"
 
 namespace pcm::compare {
@@ -103,7 +104,7 @@ bool check_elements(const fast::Contact& subj, const reference::Answer& truth, C
   for (std::size_t k = 0; k < truth.elements.size(); ++k) {
     const fast::Element& s = subj.elements[k];
     const reference::Element& t = truth.elements[k];
-    if (std::tie(s.master, s.master_face, s.slave_face) == std::tie(t.master, t.master_face, t.slave_face)) continue;
+    if (key(s) == key(t)) continue;
     checks.add(Kind::elements, "element {}: engine {} face {} on {}, oracle {} face {} on {}", k, letter(s.master),
                s.master_face, s.slave_face, letter(t.master), t.master_face, t.slave_face);
     return false;
@@ -207,10 +208,8 @@ void check_penetration_bound(const Question& question, const fast::Contact& subj
 }
 
 bool same_elements(const std::vector<reference::Element>& a, const std::vector<reference::Element>& b) {
-  return std::equal(
-      a.begin(), a.end(), b.begin(), b.end(), [](const reference::Element& x, const reference::Element& y) {
-        return std::tie(x.master, x.master_face, x.slave_face) == std::tie(y.master, y.master_face, y.slave_face);
-      });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const reference::Element& x, const reference::Element& y) { return key(x) == key(y); });
 }
 
 double length_of(const reference::Polygon& polygon) {
