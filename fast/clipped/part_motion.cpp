@@ -43,36 +43,21 @@ double depth_on_edge(const ProjectedFace& h, std::size_t edge, const PrismPoint&
   return from[kDepth] + (at[wider] - from[wider]) / along[wider] * along[kDepth];
 }
 
-/// The four integrals, by the motion of the slave.
-class IntegralSlopes {
- public:
-  /// Integrands.
-  enum { kOne, kDepths, kSDepths, kTDepths, kCount };
+/// The integrals over what is seen, and how they change as the slave moves.
+enum Integral { kOne, kDepths, kSDepths, kTDepths, kIntegrals };
+using IntegralSlopes = std::array<MotionSlope, kIntegrals>;
 
-  explicit IntegralSlopes(const Vector3d& r_Me) : r_Me_(r_Me) {}
+/// Their integrands at a place, number by number: what is stored so and read as vectors at once is waited for.
+using Integrands = std::array<double, kIntegrals>;
 
-  /// Adds V . d(X), summed up with weights: the sum of these, and that of them times X.
-  void add(int integral, const Vector3d& V, double weight, const Vector3d& weighted_X_Me) {
-    MotionSlope& slope = slopes_[static_cast<std::size_t>(integral)];
-    slope.by_position += weight * V;
-    slope.by_rotation += (weighted_X_Me - weight * r_Me_).cross(V);
-  }
-
-  const MotionSlope& operator[](int integral) const { return slopes_[static_cast<std::size_t>(integral)]; }
-
- private:
-  Vector3d r_Me_;
-  std::array<MotionSlope, kCount> slopes_;
-};
-
-MotionSlope unless_too_large(const MotionSlope& slope) {
-  return slope.by_position.allFinite() && slope.by_rotation.allFinite() ? slope : MotionSlope{};
+bool is_finite(const MotionSlope& slope) {
+  const Vector3d no_number = 0 * (slope.by_position + slope.by_rotation);
+  return no_number[0] + no_number[1] + no_number[2] == 0;
 }
 
 /// Of a / b, where `quotient` is its value.
 MotionSlope of_quotient(const MotionSlope& a, double b, const MotionSlope& by_b, double quotient) {
-  return unless_too_large(
-      {(a.by_position - quotient * by_b.by_position) / b, (a.by_rotation - quotient * by_b.by_rotation) / b});
+  return {(a.by_position - quotient * by_b.by_position) / b, (a.by_rotation - quotient * by_b.by_rotation) / b};
 }
 
 /// Integrals over polygons of products of 1, s, t and the depth.
@@ -85,26 +70,25 @@ struct Products {
   }
   void add(const PrismPoint& a, const PrismPoint& b, const PrismPoint& c) {
     const double area = 0.5 * cross_st(a, b, c), third = area / 3, twelfth = area / 12;
-    const PrismPoint sum = a + b + c;
-    const auto product = [&](int x, int y) {
-      return twelfth * (sum[x] * sum[y] + (a[x] * a[y] + b[x] * b[y] + c[x] * c[y]));
-    };
+    const auto sum = [&](int x) { return (a[x] + b[x]) + c[x]; };
+    const double sum_s = sum(kS), sum_t = sum(kT), sum_depth = sum(kDepth);
+    const auto product = [&](int x, int y) { return (a[x] * a[y] + b[x] * b[y]) + c[x] * c[y]; };
     one += area;
-    s += third * sum[kS];
-    t += third * sum[kT];
-    depth += third * sum[kDepth];
-    ss += product(kS, kS);
-    st += product(kS, kT);
-    tt += product(kT, kT);
-    s_depth += product(kS, kDepth);
-    t_depth += product(kT, kDepth);
+    s += third * sum_s;
+    t += third * sum_t;
+    depth += third * sum_depth;
+    ss += twelfth * (sum_s * sum_s + product(kS, kS));
+    st += twelfth * (sum_s * sum_t + product(kS, kT));
+    tt += twelfth * (sum_t * sum_t + product(kT, kT));
+    s_depth += twelfth * (sum_s * sum_depth + product(kS, kDepth));
+    t_depth += twelfth * (sum_t * sum_depth + product(kT, kDepth));
   }
 };
 
 class PartSlopes {
  public:
   PartSlopes(PosedPair& posed, const SeenPart& part)
-      : posed_(posed), part_(part), depth_f_(depth_of(part.f)), sums_(posed.placement.r_Me) {
+      : posed_(posed), part_(part), depth_f_(depth_of(part.f)), p0_arm_Me_(part.prism.p0_Me() - posed.placement.r_Me) {
     add_inside();
     for (const ConvexPolygon& piece : part.pieces) {
       for (int i = 0; i < piece.count; ++i) {
@@ -121,33 +105,41 @@ class PartSlopes {
     return {posed_.face_Me(h.of_master ? part_.master : opposite(part_.master), h.face), part_.prism};
   }
 
-  Vector3d point_Me(const PrismPoint& at, double depth) const {
+  /// X - r of the point X at (s, t) and a depth; `one` times that.
+  Vector3d arm_Me(double one, double s, double t, double depth) const {
     const MasterPrism& prism = part_.prism;
-    return prism.p0_Me() + ((at[kS] * prism.edge_s_Me() + at[kT] * prism.edge_t_Me()) - depth * prism.face().n_Me);
+    return (one * p0_arm_Me_ + s * prism.edge_s_Me()) + (t * prism.edge_t_Me() - depth * prism.face().n_Me);
   }
+
+  /// What lies at that depth exactly is clamped, as a whole.
+  bool any_clamped() const { return part_.moments.greatest >= part_.most; }
+  double above_clamp(const PrismPoint& at) const { return part_.most - at[kDepth]; }
 
   /// Where the depth is not clamped it grows as f moves.
   void add_inside() {
     Products p;
-    for (const ConvexPolygon& piece : part_.pieces) {
-      ConvexPolygon shallow = piece;
-      Heights above{};
-      bool any_above = false;
-      for (int i = 0; i < piece.count; ++i) {
-        above[static_cast<std::size_t>(i)] = part_.most - piece[i][kDepth];
-        any_above = any_above || above[static_cast<std::size_t>(i)] > 0;
-      }
-      if (!any_above) continue;
-      keep_where_not_negative(shallow, above);
-      p.add(shallow);
-    }
-    const MasterPrism& prism = part_.prism;
-    const Vector3d& p0 = prism.p0_Me();
-    const Vector3d &s = prism.edge_s_Me(), &t = prism.edge_t_Me(), &n = prism.face().n_Me;
+    for (const ConvexPolygon& piece : part_.pieces) any_clamped() ? add_shallow(piece, p) : p.add(piece);
+    add_inside(kDepths, p.one, arm_Me(p.one, p.s, p.t, p.depth));
+    add_inside(kSDepths, p.s, arm_Me(p.s, p.ss, p.st, p.s_depth));
+    add_inside(kTDepths, p.t, arm_Me(p.t, p.st, p.tt, p.t_depth));
+  }
+  void add_inside(Integral integral, double weight, const Vector3d& weighted_arm_Me) {
     const Vector3d& g = depth_f_.by_motion_Me;
-    sums_.add(IntegralSlopes::kDepths, g, p.one, (p.one * p0 + p.s * s) + (p.t * t - p.depth * n));
-    sums_.add(IntegralSlopes::kSDepths, g, p.s, (p.s * p0 + p.ss * s) + (p.st * t - p.s_depth * n));
-    sums_.add(IntegralSlopes::kTDepths, g, p.t, (p.t * p0 + p.st * s) + (p.tt * t - p.t_depth * n));
+    sums_[integral].by_position += weight * g;
+    sums_[integral].by_rotation += weighted_arm_Me.cross(g);
+  }
+
+  void add_shallow(const ConvexPolygon& piece, Products& products) const {
+    Heights above{};
+    bool any_above = false;
+    for (int i = 0; i < piece.count; ++i) {
+      above[static_cast<std::size_t>(i)] = above_clamp(piece[i]);
+      any_above = any_above || above_clamp(piece[i]) > 0;
+    }
+    if (!any_above) return;
+    ConvexPolygon shallow = piece;
+    keep_where_not_negative(shallow, above);
+    products.add(shallow);
   }
 
   void add_side(SideLine line, const PrismPoint& a, const PrismPoint& b) {
@@ -162,7 +154,7 @@ class PartSlopes {
     } else if (h.of_master) {
       return;
     } else if (kind == kAtDepth0) {
-      const FaceDepth depth_h = depth_of(h);
+      const FaceDepth depth_h = &h == &part_.f ? depth_f_ : depth_of(h);
       add_parts(-along_level(a, b, depth_h.per_s, depth_h.per_t) * depth_h.by_motion_Me, a, 0, b, 0);
     } else {
       const Vector3d V = (b[kT] - a[kT]) * prism.inward_Me(2) - (b[kS] - a[kS]) * prism.inward_Me(0);
@@ -179,7 +171,7 @@ class PartSlopes {
   /// one of them.
   void add_parts(const Vector3d& V, const PrismPoint& a, double depth_a, const PrismPoint& b, double depth_b) {
     if (!(V.allFinite() && std::isfinite(depth_a) && std::isfinite(depth_b))) return;
-    const double above_a = part_.most - a[kDepth], above_b = part_.most - b[kDepth];
+    const double above_a = above_clamp(a), above_b = above_clamp(b);
     if (!(std::min(above_a, above_b) < 0 && std::max(above_a, above_b) > 0)) {
       add_part(V, a, depth_a, b, depth_b);
       return;
@@ -191,21 +183,29 @@ class PartSlopes {
     add_part((1 - share) * V, between, depth, b, depth_b);
   }
 
+  Integrands integrands(double s, double t, double depth) const {
+    const double clamped = std::min(depth, part_.most);
+    return {1, clamped, s * clamped, t * clamped};
+  }
+
   /// By Simpson's rule, exact for products of three linear functions.
   void add_part(const Vector3d& V, const PrismPoint& a, double depth_a, const PrismPoint& b, double depth_b) {
-    const auto integrands = [this](const PrismPoint& x) {
-      const double depth = std::min(x[kDepth], part_.most);
-      return Eigen::Vector4d(1, depth, x[kS] * depth, x[kT] * depth);
-    };
-    const Eigen::Vector4d twice_middle = 2 * integrands(0.5 * (a + b));
-    const Eigen::Vector4d at_a = (integrands(a) + twice_middle) / 6, at_b = (integrands(b) + twice_middle) / 6;
-    const Vector3d X_a = point_Me(a, depth_a), X_b = point_Me(b, depth_b);
-    for (int i = 0; i < IntegralSlopes::kCount; ++i) sums_.add(i, V, at_a[i] + at_b[i], at_a[i] * X_a + at_b[i] * X_b);
+    const Integrands at_a = integrands(a[kS], a[kT], a[kDepth]), at_b = integrands(b[kS], b[kT], b[kDepth]);
+    const Integrands between = integrands(0.5 * (a[kS] + b[kS]), 0.5 * (a[kT] + b[kT]), 0.5 * (a[kDepth] + b[kDepth]));
+    const Vector3d V_6 = V / 6;
+    const Vector3d moment_a = arm_Me(1, a[kS], a[kT], depth_a).cross(V_6);
+    const Vector3d moment_b = arm_Me(1, b[kS], b[kT], depth_b).cross(V_6);
+    for (std::size_t i = 0; i < kIntegrals; ++i) {
+      const double weight_a = at_a[i] + 2 * between[i], weight_b = at_b[i] + 2 * between[i];
+      sums_[i].by_position += (weight_a + weight_b) * V_6;
+      sums_[i].by_rotation += weight_a * moment_a + weight_b * moment_b;
+    }
   }
 
   PosedPair& posed_;
   const SeenPart& part_;
   FaceDepth depth_f_;
+  Vector3d p0_arm_Me_;  ///< p0 - r
   IntegralSlopes sums_;
 };
 
@@ -215,13 +215,14 @@ ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part) {
   const PartSlopes slopes(posed, part);
   const IntegralSlopes& by = slopes.sums();
   const Moments& m = part.moments;
-  const MotionSlope &one = by[IntegralSlopes::kOne], &depths = by[IntegralSlopes::kDepths];
   const double twice_area = 2 * part.prism.face().area;
   ElementMotion motion;
-  motion.area = unless_too_large({twice_area * one.by_position, twice_area * one.by_rotation});
-  motion.depth = of_quotient(depths, m.area, one, m.depth / m.area);
-  motion.s = of_quotient(by[IntegralSlopes::kSDepths], m.depth, depths, m.s_depth / m.depth);
-  motion.t = of_quotient(by[IntegralSlopes::kTDepths], m.depth, depths, m.t_depth / m.depth);
+  motion.area = {twice_area * by[kOne].by_position, twice_area * by[kOne].by_rotation};
+  motion.depth = of_quotient(by[kDepths], m.area, by[kOne], m.depth / m.area);
+  motion.s = of_quotient(by[kSDepths], m.depth, by[kDepths], m.s_depth / m.depth);
+  motion.t = of_quotient(by[kTDepths], m.depth, by[kDepths], m.t_depth / m.depth);
+  for (MotionSlope* const slope : {&motion.area, &motion.depth, &motion.s, &motion.t})
+    if (!is_finite(*slope)) *slope = {};
   motion.edge_s_Me = part.prism.edge_s_Me();
   motion.edge_t_Me = part.prism.edge_t_Me();
   return motion;

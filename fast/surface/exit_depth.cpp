@@ -25,10 +25,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of a face's area times the tolerance, m^3. Heights over a face times its area are rounded to multiples of 2^-1074
-/// m^3: above this that is no more of a depth than 2^-53 of the tolerance.
-constexpr double kLeastVolume = 0x1p-1020;
-
 /// Sheets of more faces than this are given up.
 constexpr std::size_t kMostFaces = 128;
 
@@ -220,7 +216,6 @@ double upper_bound_of_exit_depth(const PreparedSurface& surface, Index face) {
   if (!thickness_holds(surface, 0, geometry)) return kInfinity;
   // Half of it for roundings of what is computed here, half for a pose's.
   const double tolerance = 2 * kThicknessTolerance * surface.max_coordinates.maxCoeff();
-  if (!(geometry.area * tolerance > kLeastVolume)) return kInfinity;
   return SheetBeneath(surface, face, MasterPrism(geometry), tolerance).depth();
 }
 

@@ -12,6 +12,10 @@ namespace pcm::fast {
 /// still a lower bound: the filter allows for poses that are rounded up to this.
 inline constexpr double kThicknessTolerance = 0x1p-30;
 
+/// Of a face's area times kThicknessTolerance of the greatest coordinate, m^3. Heights over a face times its area are
+/// rounded to multiples of 2^-1074 m^3: above this that is no more of a depth than 2^-53 of that tolerance.
+inline constexpr double kLeastVolume = 0x1p-1021;
+
 double lower_bound_of_thickness(const PreparedSurface& surface, Index face);
 ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface, Index face);
 
@@ -39,7 +43,8 @@ inline bool thickness_holds(const PreparedSurface& surface, double vertex_error,
   const double max_coordinate = surface.max_coordinates.maxCoeff();
   const double line_error =
       vertex_error + 8 * max_coordinate * (ray.direction_error + vertex_error * edges / face.area);
-  return line_error < kThicknessTolerance * max_coordinate;
+  const double tolerance = kThicknessTolerance * max_coordinate;
+  return line_error < tolerance && face.area * tolerance > kLeastVolume;
 }
 
 }  // namespace pcm::fast

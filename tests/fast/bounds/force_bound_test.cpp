@@ -92,6 +92,18 @@ TEST(ForceBound, OfTheClippedSchemeIsNarrowWhereTheMastersOtherFacesLieBeneathAl
   EXPECT_GE(touching, 150);
 }
 
+TEST(ForceBound, OfTheClippedSchemeIsZeroWhereLinesLeaveAThinGuestBeforeLargeFacesWhoseBoxesTheyMeet) {
+  TriangleMesh guest = generate::box({1, 1, 0x1p-9});
+  const Eigen::Matrix3d Q = Eigen::AngleAxisd(1.1, Eigen::Vector3d(2, -1, 0.5).normalized()).toRotationMatrix();
+  for (Eigen::Vector3d& x : guest.vertices) x = Q * x;
+  Wanted wanted;
+  wanted.bound = true;
+  const Contact contact = answer(guest, generate::box({8, 8, 8}), turned(0.7, {0.1, 0.2, -0.1}), stiffness(1000),
+                                 Mode::E, {}, wanted, Scheme::clipped);
+  EXPECT_TRUE(contact.nested);
+  EXPECT_EQ(contact.bound->force_Me, Eigen::Vector3d::Zero());
+}
+
 TEST(ForceBound, ImpliesTheForce) {
   Wanted only_bound{false, false, false, false, true};
   const TriangleMesh box = generate::box({2, 2, 2}), ball = generate::icosphere(1, 2);

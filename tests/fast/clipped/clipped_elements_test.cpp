@@ -13,6 +13,7 @@ namespace pcm::fast::clipped_elements_test {
 namespace {
 
 using namespace test;
+using degenerate::inverted;
 using degenerate::joined;
 using Eigen::Vector3d;
 
@@ -214,6 +215,21 @@ TEST(ClippedElements, GuestFarFromItsHostIsTooDeepAndLooksAtNoFaceOfTheHostButWh
     EXPECT_EQ(contact.too_deep, 12);
     EXPECT_LT(contact.work.predicates, 12 * 20);
     EXPECT_EQ(contact.bound.value_or(ForceBound{}).force_Me, Eigen::Vector3d::Zero());
+  }
+}
+
+TEST(ClippedElements, RoomOfTheHostWithinItsGuestIsSeenDownToTheGuestsFarSide) {
+  // From the guest's upper side 2.4 m of 4 m below, from its lower side 0.4 m; from the four others 1.5 m.
+  const TriangleMesh guest = generate::box(Vector3d(-2, -2, -2), Vector3d(2, 2, 2));
+  for (const double lift : {0.0, 1.5}) {
+    const TriangleMesh room = generate::box(Vector3d(-0.5, -0.5, -1.6 + lift), Vector3d(0.5, 0.5, -0.4 + lift));
+    const Contact contact = clipped(guest, joined(generate::box({16, 16, 16}), inverted(room)));
+    EXPECT_TRUE(contact.nested);
+    const double from_above = 2.4 - lift, from_below = 0.4 + lift;
+    EXPECT_NEAR(contact.force_Me.z(), from_below - from_above, 1e-14);
+    double sum = 0;
+    for (const Element& element : contact.elements) sum += element.area * element.penetration;
+    EXPECT_NEAR(sum, from_above + from_below + 4 * 1.2 * 1.5, 1e-13);
   }
 }
 

@@ -175,5 +175,83 @@ TEST(ExitDepth, ASheetThatEndsBeneathTheFaceIsNotAllThatIsThere) {
   }
 }
 
+/// A step seen from its upper side, in z = 0 and parted at x = 1: of depth 1 m up to x = 1 + ledge, of 3 m from there
+/// on.
+TriangleMesh step(double ledge) {
+  const double x = 1 + ledge;
+  TriangleMesh mesh;
+  for (const double y : {0.0, 1.0})
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {{0, y, 0}, {0, y, -1}, {x, y, -1}, {x, y, -3}, {3, y, -3}, {3, y, 0}, {1, y, 0}});
+  for (const Triangle& t : {Triangle{0, 1, 2}, {0, 2, 6}, {4, 5, 6}, {4, 6, 2}, {4, 2, 3}}) {
+    mesh.faces.push_back(t);
+    mesh.faces.push_back({t[2] + 7, t[1] + 7, t[0] + 7});
+  }
+  for (Index k = 0; k < 7; ++k) {
+    const Index next = (k + 1) % 7;
+    mesh.faces.push_back({next, k, k + 7});
+    mesh.faces.push_back({next, k + 7, next + 7});
+  }
+  return mesh;
+}
+
+/// The greatest exit depth of the faces in z = 0 whose corners are no farther than x = 1.
+double exit_of_upper_side(const TriangleMesh& mesh, int expected_faces) {
+  const PreparedSurface surface = prepare_surface(mesh);
+  EXPECT_TRUE(surface.closed);
+  double greatest = 0;
+  int count = 0;
+  for (Index face = 0; face < static_cast<Index>(mesh.faces.size()); ++face) {
+    const auto in_upper_side = [&](Index v) { return surface.vertex(v).z() == 0 && surface.vertex(v).x() <= 1; };
+    const Triangle& t = surface.face(face);
+    if (!std::all_of(t.begin(), t.end(), in_upper_side)) continue;
+    ++count;
+    greatest = std::max(greatest, exit_depth(surface, face));
+  }
+  EXPECT_EQ(count, expected_faces);
+  return greatest;
+}
+
+TEST(ExitDepth, WhatBeginsBesideTheFaceByLessThanTheToleranceLiesBeneathIt) {
+  const double tolerance = 2 * kThicknessTolerance * 3;
+  for (const double ledge : {0.0, 0x1p-52, 0x1p-46, 0.9 * tolerance})
+    EXPECT_GE(exit_of_upper_side(step(ledge), 2), 3) << ledge;
+  EXPECT_NEAR(exit_of_upper_side(step(2 * tolerance), 2), 1, 1e-7);
+}
+
+TEST(ExitDepth, ARoofThatMayRiseThroughTheFaceIsNotMetByAllLines) {
+  // A block of three sides, passed through by a wide tent whose tip is so far beneath the block's upper side and whose
+  // floor is 3 m below it.
+  const auto exit_below_tip = [](double tip) {
+    TriangleMesh block;
+    for (const double z : {0.0, -4.0})
+      block.vertices.insert(block.vertices.end(), {{-1, -1, z}, {1, -1, z}, {1, 1, z}});
+    block.faces = {{0, 1, 2}, {3, 5, 4}, {0, 3, 1}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}};
+    const TriangleMesh tent = degenerate::tetrahedron({Eigen::Vector3d(0.25, -0.25, -tip), Eigen::Vector3d(-18, -9, -3),
+                                                       Eigen::Vector3d(9, -9, -3), Eigen::Vector3d(9, 18, -3)});
+    return exit_of_upper_side(joined(block, tent), 1);
+  };
+  const double tolerance = 2 * kThicknessTolerance * 18;
+  for (const double tip : {0.0, 0x1p-50, 0.9 * tolerance}) EXPECT_GE(exit_below_tip(tip), 3) << tip;
+  EXPECT_LT(exit_below_tip(0.5), 2);
+}
+
+TEST(ExitDepth, IsNotKnownWhereAFacesAreaTimesTheToleranceUnderflows) {
+  const auto exit_of_end = [](double width) {
+    TriangleMesh rod = generate::box({width, width, 1});
+    for (Eigen::Vector3d& x : rod.vertices) x *= 0x1p-299;
+    const PreparedSurface surface = prepare_surface(rod);
+    const auto is_end = [&](Index face) {
+      const auto p = surface.points_of(face);
+      return p[0].z() == p[1].z() && p[1].z() == p[2].z();
+    };
+    Index face = 0;
+    while (!is_end(face)) ++face;
+    return exit_depth(surface, face);
+  };
+  EXPECT_NEAR(0x1p299 * exit_of_end(0x1p-20), 1, 1e-7);
+  for (const int exponent : {-46, -50, -70}) EXPECT_EQ(exit_of_end(std::ldexp(1.0, exponent)), kInfinity);
+}
+
 }  // namespace
 }  // namespace pcm::fast::exit_depth_test

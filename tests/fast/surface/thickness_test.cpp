@@ -314,6 +314,23 @@ TEST(ThicknessEverywhere, SheetInTheFacesPlaneLiesAtDepthZeroUnlessBesideIt) {
   EXPECT_EQ(beside(1), kInfinity);
 }
 
+TEST(ThicknessEverywhere, OfFacesWhoseAreasUnderflowIsNoMoreThanItIsExactly) {
+  Count count;
+  for (int exponent = -100; exponent <= -20; exponent += 2) {
+    const double width = std::ldexp(1.0, exponent);
+    for (TriangleMesh mesh : {generate::box({width, width, 1}), generate::box({width, 1, 2 * width}),
+                              generate::plate(width, width, 1, 2, 2)}) {
+      for (Eigen::Vector3d& x : mesh.vertices) {
+        if (exponent >= -40) x.x() += 0.125 * x.z();
+        x *= 0x1p-299;
+      }
+      count += expect_no_greater(mesh);
+    }
+  }
+  count.print();
+  EXPECT_GT(count.sharp, 0);
+}
+
 TEST(SideOfPrism, IsTheSignOfTheExactWeight) {
   Doubles random(33);
   WorkCounters work;
