@@ -91,6 +91,7 @@ struct MasterElements {
   ClippedFindings clipped;
   std::unique_ptr<ElementSource> source;
   std::unique_ptr<MasterLoads> loads;
+  std::unique_ptr<MasterTangent> tangent;
 };
 
 /// One problem as far as it has been solved.
@@ -234,8 +235,12 @@ Answer Inquiry::answer(Problem problem, Mode mode) {
 
 Tangent Inquiry::tangent(Problem problem, Mode mode) {
   const DefaultFloatingPoint environment;
-  std::vector<ForceQuestion> masters;
-  for (const Side master : masters_of(mode)) masters.push_back(data_->question(problem, master));
+  std::vector<const MasterTangent*> masters;
+  for (const Side master : masters_of(mode)) {
+    MasterElements& elements = data_->elements(problem, master);
+    if (!elements.tangent) elements.tangent = std::make_unique<MasterTangent>(data_->question(problem, master));
+    masters.push_back(elements.tangent.get());
+  }
   return tangent_of(masters);
 }
 

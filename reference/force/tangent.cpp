@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "reference/force/law.h"
 #include "reference/numbers/correct_rounding.h"
@@ -15,26 +16,9 @@
 namespace pcm::reference {
 namespace {
 
-/// Enclosures are narrow enough where they are narrower than this part of the elements' own slopes, added up.
+/// An element's slopes are enclosed anew in many more bits where what is left open of one of them is more than this
+/// part of all elements' slopes, added up, over their number.
 constexpr double kNarrow = 0x1p-70;
-
-/// Of a force or torque, and how large those of the elements are, added up.
-template <class T>
-struct Slope {
-  Vec3<T> sum;
-  double size = 0;
-
-  void add(const Vec3<Dual<T>>& x) {
-    sum = sum + Vec3<T>{x.x.slope, x.y.slope, x.z.slope};
-    size += std::max(
-        {std::abs(x.x.slope.nearby().value), std::abs(x.y.slope.nearby().value), std::abs(x.z.slope.nearby().value)});
-  }
-};
-
-template <class T>
-struct LoadSlope {
-  Slope<T> force, torque;
-};
 
 /// How the element moves with the coordinate of the field, of r or a turn.
 template <class T>
@@ -55,66 +39,114 @@ void note_motion(const ElementLoad<Dual<T>>& load, Side master, const Field<Dual
   }
 }
 
-/// The derivative by the coordinate of the field.
+/// What elements add to the derivative by the coordinate of the field.
 template <class T>
-LoadSlope<T> slope_of(const std::vector<ForceQuestion>& masters, const Field<Dual<T>>& field,
-                      std::vector<ElementMotion>& elements) {
-  const bool moves_elements =
-      field.coordinate.of == Coordinate::Of::position || field.coordinate.of == Coordinate::Of::rotation;
-  std::size_t element = 0;
-  const T zero = field.number(0.0);
-  const Dual<T> share = field(masters.size() == 2 ? 0.5 : 1.0);
-  LoadSlope<T> slope{{{zero, zero, zero}}, {{zero, zero, zero}}};
-  for (const ForceQuestion& master : masters) {
-    ConvertedPose<Dual<T>> pose(master.pose, field);
-    const State<Dual<T>> state = state_of(master.pose.pose(), master.velocity, field);
-    for (std::size_t i = 0; i < master.elements.size(); ++i) {
-      const ElementLoad<Dual<T>> load =
-          load_of(master.elements.geometry(i, pose), master.elements.pair(i).master, master.law, state, field);
-      if (moves_elements) note_motion(load, master.elements.pair(i).master, field, elements[element++]);
-      const Vec3<Dual<T>> on_E = share * (load.force + sqrt(load.speed_squared) * load.drag);  // (21)
-      slope.force.add(on_E);                                                                   // (23)
-      slope.torque.add(cross(load.arm, on_E));                                                 // (22), (24)
+class ElementSlopes {
+ public:
+  /// `master` has to outlive it.
+  ElementSlopes(const ForceQuestion& master, const Field<Dual<T>>& field)
+      : master_(master),
+        field_(field),
+        pose_(master.pose, field),
+        state_(state_of(master.pose.pose(), master.velocity, field)) {}
+
+  LoadSlope<T> of_element(std::size_t i, ElementMotion& motion) {
+    const Side side = master_.elements.pair(i).master;
+    const ElementLoad<Dual<T>> load = load_of(master_.elements.geometry(i, pose_), side, master_.law, state_, field_);
+    const Coordinate::Of of = field_.coordinate.of;
+    if (of == Coordinate::Of::position || of == Coordinate::Of::rotation) note_motion(load, side, field_, motion);
+    const Vec3<Dual<T>> on_E = load.force + sqrt(load.speed_squared) * load.drag;  // (21)
+    const Vec3<Dual<T>> torque = cross(load.arm, on_E);                            // (22)
+    return {{on_E.x.slope, on_E.y.slope, on_E.z.slope}, {torque.x.slope, torque.y.slope, torque.z.slope}};
+  }
+
+ private:
+  const ForceQuestion& master_;
+  Field<Dual<T>> field_;
+  ConvertedPose<Dual<T>> pose_;
+  State<Dual<T>> state_;
+};
+
+/// How large one of its components surely is, and by how much one of them may be off.
+struct Extent {
+  double least = 0, error = 0;
+
+  explicit Extent(const Vec3<DoubleDouble>& x) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const NearDouble nearby = x[axis].nearby();
+      // The error of a double is its own.
+      error = std::max(error, nearby.error - 0x1p-53 * std::abs(nearby.value));
+      if (nearby.error < std::abs(nearby.value)) least = std::max(least, std::abs(nearby.value) - nearby.error);
     }
   }
-  return slope;
+};
+
+Vec3<DoubleDouble> in_doubles(const Vec3<Ball>& x) {
+  const auto number = [](const Ball& y) {
+    const double high = y.nearby().value;
+    return DoubleDouble::near(high, (y - Ball(high, kRoundingPrecision)).nearby());
+  };
+  return {number(x.x), number(x.y), number(x.z)};
 }
 
-/// False where an enclosure is not narrow.
-template <class T>
-bool enclose(const Slope<T>& slope, int first_row, int column, Tangent& tangent) {
-  double widest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const NearDouble nearby = slope.sum[axis].nearby();
-    tangent.slope(first_row + axis, column) = nearby.value + 0.0;  // no -0
-    tangent.error(first_row + axis, column) = nearby.error;
-    // The error of a double is its own.
-    widest = std::max(widest, nearby.error - 0x1p-53 * std::abs(nearby.value));
+/// The derivative by one coordinate of what each element of a master adds.
+std::vector<LoadSlope<DoubleDouble>> slopes_of(const ForceQuestion& master, Coordinate coordinate,
+                                               std::vector<ElementMotion>& motions) {
+  std::vector<LoadSlope<DoubleDouble>> slopes;
+  double size_of_force = 0, size_of_torque = 0;
+  ElementSlopes<DoubleDouble> shortly(master, {{}, coordinate});
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    slopes.push_back(shortly.of_element(i, motions[i]));
+    size_of_force += Extent(slopes.back().force).least;
+    size_of_torque += Extent(slopes.back().torque).least;
   }
-  return widest <= kNarrow * slope.size;
+  const double part = kNarrow / static_cast<double>(slopes.size());
+  std::optional<ElementSlopes<Ball>> finely;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (Extent(slopes[i].force).error <= part * size_of_force &&
+        Extent(slopes[i].torque).error <= part * size_of_torque)
+      continue;
+    if (!finely) finely.emplace(master, Field<Dual<Ball>>{{kRoundingPrecision}, coordinate});
+    const LoadSlope<Ball> slope = finely->of_element(i, motions[i]);
+    slopes[i] = {in_doubles(slope.force), in_doubles(slope.torque)};
+  }
+  return slopes;
 }
 
-template <class T>
-bool enclose_all(const std::vector<ForceQuestion>& masters, const Field<T>& field, Tangent& tangent) {
-  bool narrow = true;
-  for (int column = 0; column < 12; ++column) {
-    const LoadSlope<T> slope = slope_of(
-        masters, Field<Dual<T>>{field, {static_cast<Coordinate::Of>(column / 3), column % 3}}, tangent.elements);
-    const bool forces = enclose(slope.force, 0, column, tangent), torques = enclose(slope.torque, 3, column, tangent);
-    narrow = narrow && forces && torques;
-  }
-  return narrow;
+LoadSlope<DoubleDouble> nothing() {
+  const DoubleDouble zero(0.0);
+  return {{zero, zero, zero}, {zero, zero, zero}};
 }
 
 }  // namespace
 
-Tangent tangent_of(const std::vector<ForceQuestion>& masters) {
+MasterTangent::MasterTangent(const ForceQuestion& question) : elements(question.elements.size()) {
+  for (int column = 0; column < 12; ++column) {
+    const Coordinate coordinate{static_cast<Coordinate::Of>(column / 3), column % 3};
+    LoadSlope<DoubleDouble> sum = nothing();
+    for (const LoadSlope<DoubleDouble>& slope : slopes_of(question, coordinate, elements))
+      sum = {sum.force + slope.force, sum.torque + slope.torque};  // (23), (24)
+    by_coordinate.push_back(sum);
+  }
+}
+
+Tangent tangent_of(const std::vector<const MasterTangent*>& masters) {
   Tangent tangent;
-  std::size_t count = 0;
-  for (const ForceQuestion& master : masters) count += master.elements.size();
-  tangent.elements.resize(count);
-  if (!enclose_all(masters, Field<DoubleDouble>{}, tangent))
-    enclose_all(masters, Field<Ball>{kRoundingPrecision}, tangent);
+  const DoubleDouble share(masters.size() == 2 ? 0.5 : 1.0);
+  for (const MasterTangent* const master : masters)
+    tangent.elements.insert(tangent.elements.end(), master->elements.begin(), master->elements.end());
+  for (int column = 0; column < 12; ++column) {
+    LoadSlope<DoubleDouble> sum = nothing();
+    for (const MasterTangent* const master : masters) {
+      const LoadSlope<DoubleDouble>& slope = master->by_coordinate[static_cast<std::size_t>(column)];
+      sum = {sum.force + share * slope.force, sum.torque + share * slope.torque};
+    }
+    for (int row = 0; row < 6; ++row) {
+      const NearDouble nearby = (row < 3 ? sum.force[row] : sum.torque[row - 3]).nearby();
+      tangent.slope(row, column) = nearby.value + 0.0;  // no -0
+      tangent.error(row, column) = nearby.error;
+    }
+  }
   return tangent;
 }
 

@@ -27,6 +27,10 @@ class DoubleDouble {
   /// Exactly x, which is finite.
   explicit DoubleDouble(double x) : DoubleDouble(x, 0, 0) {}
   explicit DoubleDouble(const Rational& x);
+  /// What lies so near high plus another double.
+  static DoubleDouble near(double high, const NearDouble& rest) {
+    return std::isfinite(rest.error) ? made_of(high, rest.value, rest.error) : unknown();
+  }
 
   friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b);
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {

@@ -102,6 +102,25 @@ struct CubeOnPlate {
   }
 };
 
+TEST(OracleTangent, IsEnclosedAsNarrowlyWherePartsEndAtFacesThatHardlyCross) {
+  const TriangleMesh E = generate::box({4, 4, 1}), F = generate::gridded_box({1, 1, 1}, {2, 2, 1});
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped})
+    for (int exponent = 10; exponent <= 45; exponent += 5) {
+      ContactLaw law = law_of_all(DampingMode::full);
+      law.friction = 0;
+      const Oracle oracle(E, F, law, Mode::both, scheme);
+      State12 state{{}, {{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}}};
+      state.pose.A =
+          Eigen::AngleAxisd(std::ldexp(1, -exponent), Eigen::Vector3d(1, 2, 0).normalized()).toRotationMatrix();
+      state.pose.r = {0.25, 0.125, 1};
+      const Tangent tangent = tangent_of(oracle, Problem::exact, state);
+      for (const int first : {0, 6}) {
+        const auto errors = tangent.error.middleCols<6>(first), slopes = tangent.slope.middleCols<6>(first);
+        EXPECT_LE(errors.norm(), 1e-15 * slopes.norm()) << exponent;
+      }
+    }
+}
+
 TEST(OracleTangent, OfACubeOnAPlateIsStiffnessTimesArea) {
   ContactLaw law;
   law.stiffness = 100;

@@ -120,6 +120,20 @@ TEST(DoubleDouble, RationalNumbersAreEnclosedOrExact) {
   EXPECT_EQ((DoubleDouble(Rational(1) / Rational(2)) - DoubleDouble(0.5)).sign(), 0);
 }
 
+TEST(DoubleDouble, OfANumberNearADoubleHoldsItAndLittleElse) {
+  for (int i = 1; i < 200; ++i) {
+    const Rational x(i % 2 == 0 ? 1000 + i : -1000 - i, 3 * i);
+    const Ball ball(x, 256);
+    const double high = ball.nearby().value;
+    const DoubleDouble number = DoubleDouble::near(high, (ball - Ball(high, 256)).nearby());
+    EXPECT_TRUE(number.holds(x)) << x;
+    EXPECT_FALSE(number.holds(Rational(x + x * Rational(0x1p-95)))) << x;
+    EXPECT_FALSE(number.holds(Rational(x - x * Rational(0x1p-95)))) << x;
+  }
+  const NearDouble nothing{0, std::numeric_limits<double>::infinity()};
+  EXPECT_TRUE(DoubleDouble::near(1, nothing).holds(Rational(-1e9)));
+}
+
 TEST(DoubleDouble, QuotientsAndRootsThatAreDoublesAreExact) {
   EXPECT_EQ((DoubleDouble(1.0) / DoubleDouble(2.0) * DoubleDouble(2.0) - DoubleDouble(1.0)).sign(), 0);
   EXPECT_EQ((sqrt(DoubleDouble(4.0)) - DoubleDouble(2.0)).sign(), 0);
