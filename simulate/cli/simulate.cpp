@@ -226,9 +226,10 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("--greatest-step", options->greatest_step, "In s, in place of the scene's");
   command->add_option("--slip-velocity", options->slip_velocity,
                       "In m/s, of every law with friction, in place of the scene's");
-  command->add_flag("--compare-integrators", options->compares,
-                    "In place of a run: every integrator at several tolerances and slip velocities; a table and a "
-                    "picture, in the folder SCENE-integrators where --out is left out");
+  command->add_flag(
+      "--compare-integrators", options->compares,
+      "In place of a run: every integrator, where it takes Jacobians by differences and by tangents, at several "
+      "tolerances and slip velocities; a table and a picture, in the folder SCENE-integrators where --out is left out");
   command->add_option("--spectrum", options->spectrum,
                       "Every so many steps also the eigenvalues of df/dy, in spectrum.csv");
   command->add_flag("--paraview", options->paraview, "Also write the frames for ParaView: paraview/frames.pvd");

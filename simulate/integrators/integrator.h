@@ -61,6 +61,11 @@ enum class Method : std::uint8_t {
 };
 std::string_view name(Method method);
 
+/// Whether it solves for its steps by Newton's iteration, with Jacobians.
+inline bool takes_jacobians(Method method) {
+  return method == Method::bdf || method == Method::ida || method == Method::esdirk;
+}
+
 struct StepControl {
   /// The error committed by one step is kept below a root mean square of 1 over the components, each divided by
   /// relative |y_i| + absolute_i.

@@ -13,23 +13,26 @@
 namespace pcm::simulate {
 namespace {
 
-/// Okabe and Ito's colours, which readers of all kinds of sight tell apart, then again with dashed lines.
-compare::CurveStyle style(std::size_t number) {
+/// Okabe and Ito's colours, which readers of all kinds of sight tell apart; dashed with tangents.
+compare::CurveStyle style(std::size_t number, JacobianOf jacobian) {
   constexpr std::array kColours = {"#D55E00", "#0072B2", "#009E73", "#E69F00", "#CC79A7", "#56B4E9", "#000000"};
   constexpr std::array kMarkers = {compare::Marker::circle, compare::Marker::square, compare::Marker::triangle,
                                    compare::Marker::diamond};
-  return {kColours.at(number % kColours.size()), kMarkers.at(number % kMarkers.size()), number >= kColours.size()};
+  return {kColours.at(number % kColours.size()), kMarkers.at(number % kMarkers.size()),
+          jacobian == JacobianOf::tangents};
 }
 
-/// A curve an integrator, of those trials that came to the end.
+/// A curve an integrator and what its Jacobians are made of, of those trials that came to the end.
 template <typename Point>
 std::vector<compare::PlotCurve> curves(const std::vector<IntegratorTrial>& trials, const Point& point) {
   std::vector<compare::PlotCurve> all;
   std::size_t number = 0;
-  std::string last;
+  const IntegratorTrial* last = nullptr;
   for (const IntegratorTrial& trial : trials) {
-    if (trial.integrator != last) all.push_back({trial.integrator, style(number++), {}});
-    last = trial.integrator;
+    if (last != nullptr && trial.integrator != last->integrator) ++number;
+    if (last == nullptr || trial.name() != last->name())
+      all.push_back({trial.name(), style(number, trial.jacobian), {}});
+    last = &trial;
     if (!trial.gave_up) all.back().points.push_back(point(trial));
   }
   std::erase_if(all, [](const compare::PlotCurve& curve) { return curve.points.empty(); });
@@ -38,7 +41,7 @@ std::vector<compare::PlotCurve> curves(const std::vector<IntegratorTrial>& trial
 
 std::string line(const IntegratorTrial& trial, const std::string& error) {
   const Failures& failures = trial.work.failures;
-  return fmt::format("| {} | {:g} | {:g} | {} | {} | {} | {} | {} | {} |\n", trial.integrator, trial.slip_velocity,
+  return fmt::format("| {} | {:g} | {:g} | {} | {} | {} | {} | {} | {} |\n", trial.name(), trial.slip_velocity,
                      trial.tolerance, trial.evaluations(), trial.work.derivatives_for_jacobians, trial.work.steps,
                      failures.error_test, failures.nonlinear, trial.gave_up ? "gave up" : error);
 }
@@ -72,7 +75,8 @@ std::string comparison_picture(const std::string& title, const IntegratorCompari
                             return std::array{trial.slip_velocity, static_cast<double>(trial.evaluations())};
                           })});
   figure.caption = fmt::format(
-      "Evaluations for difference quotients and spectral radii are counted. Left: v_eps = {:g} m/s; each marker is one "
+      "Evaluations for difference quotients and spectral radii are counted, tangents as one each; dashed: Jacobians of "
+      "tangents in place of differences. Left: v_eps = {:g} m/s; each marker is one "
       "tolerance, relative and absolute alike, 1e-3, 1e-4, 1e-5, 1e-6; the error is the greatest difference of a "
       "component of the state at the end from that of BDF at {:g}, which ESDIRK's differs from by {:.0e}. Right: "
       "tolerances of v_eps / 10.",

@@ -76,7 +76,7 @@ Json question_of_comparison(const std::string& scene_name, const std::string& sc
                             const IntegratorComparison& comparison) {
   Json question = question_of_scene(scene_name, scene_text, scene);
   question["duration"] = scene.duration;
-  question["integrators"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return t.integrator; });
+  question["integrators"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return t.name(); });
   question["tolerances"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return t.tolerance; });
   question["slip_velocities"] =
       each_once(comparison.by_slip_velocity, [](const IntegratorTrial& t) { return t.slip_velocity; });

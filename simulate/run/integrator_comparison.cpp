@@ -15,8 +15,10 @@ constexpr std::array kTolerances = {1e-3, 1e-4, 1e-5, 1e-6};
 constexpr double kReferenceTolerance = 1e-8;
 constexpr std::array kSlipVelocityFactors = {100.0, 10.0, 1.0, 0.1};
 
-void set_integrator(Scene& scene, Method method, double tolerance) {
+/// Those made of differences where nothing else is said.
+void set_integrator(Scene& scene, Method method, double tolerance, JacobianOf jacobian = JacobianOf::differences) {
   scene.integrator.method = method;
+  scene.integrator.jacobian = jacobian;
   scene.integrator.relative_tolerance = scene.integrator.absolute_tolerance = tolerance;
 }
 
@@ -45,11 +47,28 @@ double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
+struct Choice {
+  std::string integrator;
+  Method method;
+  JacobianOf jacobian;
+
+  std::string name() const { return IntegratorTrial{integrator, jacobian}.name(); }
+};
+
+std::vector<Choice> choices_of(const std::vector<std::pair<std::string, Method>>& integrators) {
+  std::vector<Choice> choices;
+  for (const auto& [integrator, method] : integrators) {
+    choices.push_back({integrator, method, JacobianOf::differences});
+    if (takes_jacobians(method)) choices.push_back({integrator, method, JacobianOf::tangents});
+  }
+  return choices;
+}
+
 /// Its error where there is a reference.
-IntegratorTrial tried(Scene scene, const std::pair<std::string, Method>& integrator, double tolerance,
+IntegratorTrial tried(Scene scene, const Choice& choice, double tolerance,
                       const std::optional<Eigen::VectorXd>& reference) {
-  set_integrator(scene, integrator.second, tolerance);
-  IntegratorTrial trial{integrator.first, tolerance, slip_velocity_of(scene), {}};
+  set_integrator(scene, choice.method, tolerance, choice.jacobian);
+  IntegratorTrial trial{choice.integrator, choice.jacobian, tolerance, slip_velocity_of(scene)};
   Simulation simulation(scene);
   try {
     const Eigen::VectorXd y = end_of(simulation);
@@ -77,15 +96,14 @@ IntegratorComparison compare_integrators(const Scene& scene,
   begin("reference");
   const Eigen::VectorXd at_end = reference(scene, Method::bdf);
   result.reference_error = difference(at_end, reference(scene, Method::esdirk));
-  for (const auto& integrator : integrators) {
-    begin(integrator.first + " over the tolerance");
-    for (const double tolerance : kTolerances)
-      result.by_tolerance.push_back(tried(scene, integrator, tolerance, at_end));
-    begin(integrator.first + " over the slip velocity");
+  for (const Choice& choice : choices_of(integrators)) {
+    begin(choice.name() + " over the tolerance");
+    for (const double tolerance : kTolerances) result.by_tolerance.push_back(tried(scene, choice, tolerance, at_end));
+    begin(choice.name() + " over the slip velocity");
     for (const double factor : kSlipVelocityFactors) {
       Scene changed = scene;
       set_slip_velocity(changed, factor * result.slip_velocity);
-      result.by_slip_velocity.push_back(tried(changed, integrator, 0.1 * factor * result.slip_velocity, {}));
+      result.by_slip_velocity.push_back(tried(changed, choice, 0.1 * factor * result.slip_velocity, {}));
     }
   }
   return result;

@@ -15,13 +15,15 @@ namespace pcm::simulate {
 /// One scene to its end by one integrator.
 struct IntegratorTrial {
   std::string integrator;
-  double tolerance = 0;      ///< relative and, in m, rad, m/s, rad/s, absolute
-  double slip_velocity = 0;  ///< of the laws with friction, m/s
-  Work work;
+  JacobianOf jacobian = JacobianOf::differences;  ///< where it takes any
+  double tolerance = 0;                           ///< relative and, in m, rad, m/s, rad/s, absolute
+  double slip_velocity = 0;                       ///< of the laws with friction, m/s
+  Work work = {};
   /// The greatest difference of a component of the state at the end, in m, rad, m/s or rad/s, from the reference.
   double error = 0;
   bool gave_up = false;  ///< before the end: no error then
 
+  std::string name() const { return integrator + (jacobian == JacobianOf::tangents ? ", tangents" : ""); }
   std::int64_t evaluations() const { return work.derivatives + work.derivatives_for_jacobians; }
 };
 
@@ -37,9 +39,9 @@ struct IntegratorComparison {
 /// Gives every law with friction this slip velocity, m/s.
 void set_slip_velocity(Scene& scene, double slip_velocity);
 
-/// Tolerances from 1e-3 to 1e-6, and slip velocities from a hundred times the scene's down to a tenth of it, by powers
-/// of ten. `begin` is told what is begun. Throws BadInput where the scene has no friction, and IntegrationFailure where
-/// the reference can't be had.
+/// Those that take Jacobians with these made of differences, then of tangents. Tolerances from 1e-3 to 1e-6, and slip
+/// velocities from a hundred times the scene's down to a tenth of it, by powers of ten. `begin` is told what is begun.
+/// Throws BadInput where the scene has no friction, and IntegrationFailure where the reference can't be had.
 IntegratorComparison compare_integrators(const Scene& scene,
                                          const std::vector<std::pair<std::string, Method>>& integrators,
                                          const std::function<void(const std::string&)>& begin);

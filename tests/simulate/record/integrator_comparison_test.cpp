@@ -33,22 +33,32 @@ const IntegratorComparison& comparison() {
 TEST(IntegratorComparison, TriesEveryIntegratorOverToleranceAndSlipVelocity) {
   const IntegratorComparison& all = comparison();
   EXPECT_EQ(all.slip_velocity, 1e-3);
-  ASSERT_EQ(all.by_tolerance.size(), 8U);
-  ASSERT_EQ(all.by_slip_velocity.size(), 8U);
-  for (std::size_t i = 0; i < 8; ++i) {
-    EXPECT_EQ(all.by_tolerance[i].integrator, i < 4 ? "bdf" : "dormand_prince");
+  ASSERT_EQ(all.by_tolerance.size(), 12U);
+  ASSERT_EQ(all.by_slip_velocity.size(), 12U);
+  constexpr std::array names = {"bdf", "bdf, tangents", "dormand_prince"};
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(all.by_tolerance[i].name(), names.at(i / 4));
+    EXPECT_EQ(all.by_slip_velocity[i].name(), names.at(i / 4));
     EXPECT_EQ(all.by_tolerance[i].slip_velocity, 1e-3);
     EXPECT_GT(all.by_tolerance[i].evaluations(), 50);
   }
   constexpr std::array slip_velocities = {0.1, 0.01, 0.001, 0.0001};
-  for (std::size_t i = 0; i < 8; ++i) {
+  for (std::size_t i = 0; i < 12; ++i) {
     const IntegratorTrial& trial = all.by_slip_velocity[i];
     EXPECT_DOUBLE_EQ(trial.slip_velocity, slip_velocities.at(i % 4));
     EXPECT_DOUBLE_EQ(trial.tolerance, trial.slip_velocity / 10);
   }
   // Where friction is what is stiff the explicit method pays with 1 / v_eps.
-  EXPECT_GT(all.by_slip_velocity[7].evaluations(), 5 * all.by_slip_velocity[6].evaluations());
-  EXPECT_GT(all.by_slip_velocity[7].evaluations(), 20 * all.by_slip_velocity[3].evaluations());
+  EXPECT_GT(all.by_slip_velocity[11].evaluations(), 5 * all.by_slip_velocity[10].evaluations());
+  EXPECT_GT(all.by_slip_velocity[11].evaluations(), 20 * all.by_slip_velocity[3].evaluations());
+}
+
+TEST(IntegratorComparison, TangentsTakeFewerEvaluationsThanDifferencesAtEveryTolerance) {
+  const IntegratorComparison& all = comparison();
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LT(all.by_tolerance[4 + i].evaluations(), all.by_tolerance[i].evaluations());
+    EXPECT_LT(all.by_tolerance[4 + i].error, 10 * all.by_tolerance[i].error);
+  }
 }
 
 TEST(IntegratorComparison, ErrorsFallWithTheToleranceAndTheReferenceIsBelowThem) {
@@ -67,12 +77,13 @@ TEST(IntegratorComparison, TakesASceneWithFriction) {
 
 TEST(IntegratorComparison, TableAndPictureHaveThemAll) {
   IntegratorComparison all = comparison();
-  all.by_tolerance[7].gave_up = true;
+  all.by_tolerance[11].gave_up = true;
   const std::string table = comparison_table(all), picture = comparison_picture("Creep", all);
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2 + 16 + 2);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2 + 24 + 2);
   EXPECT_NE(table.find("| gave up |"), std::string::npos);
   EXPECT_EQ(picture.find("<?xml"), 0U);
-  for (const char* words : {"Creep", "bdf", "dormand_prince", "Error over evaluations", "slip velocity"})
+  for (const char* words :
+       {"Creep", "bdf", "bdf, tangents", "dormand_prince", "Error over evaluations", "slip velocity"})
     EXPECT_NE(picture.find(words), std::string::npos) << words;
 }
 
