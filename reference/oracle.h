@@ -34,8 +34,8 @@ class Oracle {
 };
 
 /// One state put to the oracle. Both problems share what does not depend on rounding, so asking for both costs less
-/// than twice; and all modes of a problem share geometry and elements, so all three cost little more than mode `both`.
-/// For one thread.
+/// than twice; and all modes of a problem share geometry, elements and tangents, so all three cost little more than
+/// mode `both`. For one thread.
 class Inquiry {
  public:
   /// The oracle must outlive this. Throws as Oracle::answer.

@@ -67,7 +67,8 @@ DecisionLimits decision_limits(const PosedPair& posed, Side master) {
   limits.least_share = kLeastShare;
   limits.slave_max_coordinate = posed.surface(opposite(master)).max_coordinates.maxCoeff();
   limits.error = kDistanceError * posed.placement.max_coordinate;
-  // thickness_holds, for faces that are no needles: there the ray's direction is off by less than 2^-40.
+  // thickness_holds, for faces that are no needles, and but for what underflows in prisms alone: there the ray's
+  // direction is off by less than 2^-40.
   const double line_error = (1 + 0x1p-10) * (vertex_error + 8 * 0x1p-40 * max_coordinate);
   limits.thick_edges = (1 + 0x1p-40) * 8 * max_coordinate * vertex_error;
   limits.thick_area = kThicknessTolerance * max_coordinate - line_error;

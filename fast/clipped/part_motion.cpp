@@ -47,11 +47,12 @@ double depth_on_edge(const ProjectedFace& h, std::size_t edge, const PrismPoint&
 enum Integral { kOne, kDepths, kSDepths, kTDepths, kIntegrals };
 using IntegralSlopes = std::array<MotionSlope, kIntegrals>;
 
-/// Their integrands at a place, number by number: what is stored so and read as vectors at once is waited for.
+/// Their integrands at a place. No vector of Eigen's: a processor that has stored number by number has to wait before
+/// it can load several of them as one.
 using Integrands = std::array<double, kIntegrals>;
 
 bool is_finite(const MotionSlope& slope) {
-  const Vector3d no_number = 0 * (slope.by_position + slope.by_rotation);
+  const Vector3d no_number = 0 * slope.by_position + 0 * slope.by_rotation;
   return no_number[0] + no_number[1] + no_number[2] == 0;
 }
 
@@ -111,14 +112,20 @@ class PartSlopes {
     return (one * p0_arm_Me_ + s * prism.edge_s_Me()) + (t * prism.edge_t_Me() - depth * prism.face().n_Me);
   }
 
-  /// What lies at that depth exactly is clamped, as a whole.
+  /// What lies at that depth exactly counts as clamped: its depth has slope 0.
   bool any_clamped() const { return part_.moments.greatest >= part_.most; }
   double above_clamp(const PrismPoint& at) const { return part_.most - at[kDepth]; }
 
   /// Where the depth is not clamped it grows as f moves.
   void add_inside() {
     Products p;
-    for (const ConvexPolygon& piece : part_.pieces) any_clamped() ? add_shallow(piece, p) : p.add(piece);
+    for (const ConvexPolygon& piece : part_.pieces) {
+      if (any_clamped()) {
+        add_shallow(piece, p);
+      } else {
+        p.add(piece);
+      }
+    }
     add_inside(kDepths, p.one, arm_Me(p.one, p.s, p.t, p.depth));
     add_inside(kSDepths, p.s, arm_Me(p.s, p.ss, p.st, p.s_depth));
     add_inside(kTDepths, p.t, arm_Me(p.t, p.st, p.tt, p.t_depth));

@@ -39,7 +39,8 @@ struct SeenPart {
 /// the same way. min(depth, most) is continuous: where it begins to be clamped nothing is added. All is of degree three
 /// at most along a side and of degree two over a piece, so that the integrals are exact but for roundings.
 ///
-/// `posed` is asked for the faces' vertices. Numbers too large for doubles count as 0.
+/// `posed` is asked for the faces' vertices. A slope that is too large for doubles, or whose moments about Mf are,
+/// counts as 0.
 ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part);
 
 }  // namespace pcm::fast

@@ -35,7 +35,8 @@ inline ThicknessEverywhere thickness_everywhere(const PreparedSurface& surface, 
 }
 
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for
-/// `vertex_error`, m, which turns its normal by at most twice that over its edges' heights.
+/// `vertex_error`, m, which turns its normal by at most twice that over its edges' heights. Never where heights over
+/// the face times its area may underflow.
 inline bool thickness_holds(const PreparedSurface& surface, double vertex_error, const FaceGeometry& face) {
   const Ray ray(face, face.points_Me[0]);
   const auto& p = face.points_Me;

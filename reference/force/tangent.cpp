@@ -16,9 +16,10 @@
 namespace pcm::reference {
 namespace {
 
-/// An element's slopes are enclosed anew in many more bits where what is left open of one of them is more than this
-/// part of all elements' slopes, added up, over their number.
-constexpr double kNarrow = 0x1p-70;
+/// Of a master's derivative by one coordinate, of force or torque, this part of what the elements' slopes amount to may
+/// be left open: an element whose share of that is more is enclosed anew in many more bits. It is less than a hundredth
+/// of what one rounding of all slopes makes.
+constexpr double kNarrow = 0x1p-60;
 
 /// How the element moves with the coordinate of the field, of r or a turn.
 template <class T>
@@ -67,15 +68,14 @@ class ElementSlopes {
   State<Dual<T>> state_;
 };
 
-/// How large one of its components surely is, and by how much one of them may be off.
+/// How large one of its components surely is, and how wide the enclosure of one of them.
 struct Extent {
-  double least = 0, error = 0;
+  double least = 0, radius = 0;
 
   explicit Extent(const Vec3<DoubleDouble>& x) {
     for (int axis = 0; axis < 3; ++axis) {
       const NearDouble nearby = x[axis].nearby();
-      // The error of a double is its own.
-      error = std::max(error, nearby.error - 0x1p-53 * std::abs(nearby.value));
+      radius = std::max(radius, x[axis].radius());
       if (nearby.error < std::abs(nearby.value)) least = std::max(least, std::abs(nearby.value) - nearby.error);
     }
   }
@@ -94,26 +94,26 @@ std::vector<LoadSlope<DoubleDouble>> slopes_of(const ForceQuestion& master, Coor
                                                std::vector<ElementMotion>& motions) {
   std::vector<LoadSlope<DoubleDouble>> slopes;
   double size_of_force = 0, size_of_torque = 0;
-  ElementSlopes<DoubleDouble> shortly(master, {{}, coordinate});
+  ElementSlopes<DoubleDouble> in_two_doubles(master, {{}, coordinate});
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    slopes.push_back(shortly.of_element(i, motions[i]));
+    slopes.push_back(in_two_doubles.of_element(i, motions[i]));
     size_of_force += Extent(slopes.back().force).least;
     size_of_torque += Extent(slopes.back().torque).least;
   }
   const double part = kNarrow / static_cast<double>(slopes.size());
-  std::optional<ElementSlopes<Ball>> finely;
+  std::optional<ElementSlopes<Ball>> in_many_bits;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    if (Extent(slopes[i].force).error <= part * size_of_force &&
-        Extent(slopes[i].torque).error <= part * size_of_torque)
+    if (Extent(slopes[i].force).radius <= part * size_of_force &&
+        Extent(slopes[i].torque).radius <= part * size_of_torque)
       continue;
-    if (!finely) finely.emplace(master, Field<Dual<Ball>>{{kRoundingPrecision}, coordinate});
-    const LoadSlope<Ball> slope = finely->of_element(i, motions[i]);
+    if (!in_many_bits) in_many_bits.emplace(master, Field<Dual<Ball>>{{kRoundingPrecision}, coordinate});
+    const LoadSlope<Ball> slope = in_many_bits->of_element(i, motions[i]);
     slopes[i] = {in_doubles(slope.force), in_doubles(slope.torque)};
   }
   return slopes;
 }
 
-LoadSlope<DoubleDouble> nothing() {
+LoadSlope<DoubleDouble> no_slope() {
   const DoubleDouble zero(0.0);
   return {{zero, zero, zero}, {zero, zero, zero}};
 }
@@ -123,7 +123,7 @@ LoadSlope<DoubleDouble> nothing() {
 MasterTangent::MasterTangent(const ForceQuestion& question) : elements(question.elements.size()) {
   for (int column = 0; column < 12; ++column) {
     const Coordinate coordinate{static_cast<Coordinate::Of>(column / 3), column % 3};
-    LoadSlope<DoubleDouble> sum = nothing();
+    LoadSlope<DoubleDouble> sum = no_slope();
     for (const LoadSlope<DoubleDouble>& slope : slopes_of(question, coordinate, elements))
       sum = {sum.force + slope.force, sum.torque + slope.torque};  // (23), (24)
     by_coordinate.push_back(sum);
@@ -136,7 +136,7 @@ Tangent tangent_of(const std::vector<const MasterTangent*>& masters) {
   for (const MasterTangent* const master : masters)
     tangent.elements.insert(tangent.elements.end(), master->elements.begin(), master->elements.end());
   for (int column = 0; column < 12; ++column) {
-    LoadSlope<DoubleDouble> sum = nothing();
+    LoadSlope<DoubleDouble> sum = no_slope();
     for (const MasterTangent* const master : masters) {
       const LoadSlope<DoubleDouble>& slope = master->by_coordinate[static_cast<std::size_t>(column)];
       sum = {sum.force + share * slope.force, sum.torque + share * slope.torque};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cassert>
 #include <cfloat>
 #include <cmath>
 #include <limits>
@@ -27,9 +28,10 @@ class DoubleDouble {
   /// Exactly x, which is finite.
   explicit DoubleDouble(double x) : DoubleDouble(x, 0, 0) {}
   explicit DoubleDouble(const Rational& x);
-  /// What lies so near high plus another double.
+  /// high + rest.value, off by rest.error at most; |high| >= |rest.value|.
   static DoubleDouble near(double high, const NearDouble& rest) {
-    return std::isfinite(rest.error) ? made_of(high, rest.value, rest.error) : unknown();
+    assert(!(std::abs(high) < std::abs(rest.value)));
+    return made_of(high, rest.value, rest.error);
   }
 
   friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b);
@@ -61,6 +63,9 @@ class DoubleDouble {
 
   /// The double nearest to the number, where all of the enclosure rounds to it; zero is +0.
   std::optional<double> rounded() const;
+
+  /// How far the number is from high + low at most.
+  double radius() const { return radius_; }
 
   NearDouble nearby() const { return {high_, kUp * (std::abs(low_) + radius_)}; }
 

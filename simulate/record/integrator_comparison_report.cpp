@@ -22,7 +22,7 @@ compare::CurveStyle style(std::size_t number, JacobianOf jacobian) {
           jacobian == JacobianOf::tangents};
 }
 
-/// A curve an integrator and what its Jacobians are made of, of those trials that came to the end.
+/// One curve for each integrator and what its Jacobians are made of, through those trials that came to the end.
 template <typename Point>
 std::vector<compare::PlotCurve> curves(const std::vector<IntegratorTrial>& trials, const Point& point) {
   std::vector<compare::PlotCurve> all;

@@ -14,10 +14,18 @@ namespace pcm::simulate {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+const char* word(JacobianOf jacobian) {
+  return jacobian == JacobianOf::tangents ? "tangents" : "differences";
+}
+
+}  // namespace
+
 Json settings_of(const Scene& scene) {
   Json json{{"duration", scene.duration},
             {"method", name(scene.integrator.method)},
-            {"jacobian", scene.integrator.jacobian == JacobianOf::tangents ? "tangents" : "differences"},
+            {"jacobian", word(scene.integrator.jacobian)},
             {"relative_tolerance", scene.integrator.relative_tolerance},
             {"absolute_tolerance", scene.integrator.absolute_tolerance},
             {"greatest_step", scene.integrator.greatest_step},
@@ -76,7 +84,8 @@ Json question_of_comparison(const std::string& scene_name, const std::string& sc
                             const IntegratorComparison& comparison) {
   Json question = question_of_scene(scene_name, scene_text, scene);
   question["duration"] = scene.duration;
-  question["integrators"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return t.name(); });
+  question["integrators"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return t.integrator; });
+  question["jacobians"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return word(t.jacobian); });
   question["tolerances"] = each_once(comparison.by_tolerance, [](const IntegratorTrial& t) { return t.tolerance; });
   question["slip_velocities"] =
       each_once(comparison.by_slip_velocity, [](const IntegratorTrial& t) { return t.slip_velocity; });

@@ -221,7 +221,7 @@ TEST(ClippedElements, GuestFarFromItsHostIsTooDeepAndLooksAtNoFaceOfTheHostButWh
 TEST(ClippedElements, RoomOfTheHostWithinItsGuestIsSeenDownToTheGuestsFarSide) {
   // From the guest's upper side 2.4 m of 4 m below, from its lower side 0.4 m; from the four others 1.5 m.
   const TriangleMesh guest = generate::box(Vector3d(-2, -2, -2), Vector3d(2, 2, 2));
-  for (const double lift : {0.0, 1.5}) {
+  for (const double lift : {-0.3, 0.0, 1.5}) {
     const TriangleMesh room = generate::box(Vector3d(-0.5, -0.5, -1.6 + lift), Vector3d(0.5, 0.5, -0.4 + lift));
     const Contact contact = clipped(guest, joined(generate::box({16, 16, 16}), inverted(room)));
     EXPECT_TRUE(contact.nested);

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fast/surface/prepare_surface.h"
@@ -195,28 +196,32 @@ TriangleMesh step(double ledge) {
   return mesh;
 }
 
-/// The greatest exit depth of the faces in z = 0 whose corners are no farther than x = 1.
-double exit_of_upper_side(const TriangleMesh& mesh, int expected_faces) {
+/// The least and the greatest exit depth of the faces in z = 0 whose corners are no farther than x = 1.
+std::pair<double, double> exits_of_upper_side(const TriangleMesh& mesh, int expected_faces) {
   const PreparedSurface surface = prepare_surface(mesh);
   EXPECT_TRUE(surface.closed);
-  double greatest = 0;
+  double least = kInfinity, greatest = 0;
   int count = 0;
   for (Index face = 0; face < static_cast<Index>(mesh.faces.size()); ++face) {
     const auto in_upper_side = [&](Index v) { return surface.vertex(v).z() == 0 && surface.vertex(v).x() <= 1; };
     const Triangle& t = surface.face(face);
     if (!std::all_of(t.begin(), t.end(), in_upper_side)) continue;
     ++count;
+    least = std::min(least, exit_depth(surface, face));
     greatest = std::max(greatest, exit_depth(surface, face));
   }
   EXPECT_EQ(count, expected_faces);
-  return greatest;
+  return {least, greatest};
 }
 
 TEST(ExitDepth, WhatBeginsBesideTheFaceByLessThanTheToleranceLiesBeneathIt) {
   const double tolerance = 2 * kThicknessTolerance * 3;
-  for (const double ledge : {0.0, 0x1p-52, 0x1p-46, 0.9 * tolerance})
-    EXPECT_GE(exit_of_upper_side(step(ledge), 2), 3) << ledge;
-  EXPECT_NEAR(exit_of_upper_side(step(2 * tolerance), 2), 1, 1e-7);
+  for (const double ledge : {0.0, 0x1p-52, 0x1p-46, 0.9 * tolerance}) {
+    const auto [least, greatest] = exits_of_upper_side(step(ledge), 2);
+    EXPECT_GE(least, 3) << ledge;
+    EXPECT_NEAR(greatest, 3, 1e-7) << ledge;
+  }
+  EXPECT_NEAR(exits_of_upper_side(step(2 * tolerance), 2).second, 1, 1e-7);
 }
 
 TEST(ExitDepth, ARoofThatMayRiseThroughTheFaceIsNotMetByAllLines) {
@@ -229,7 +234,7 @@ TEST(ExitDepth, ARoofThatMayRiseThroughTheFaceIsNotMetByAllLines) {
     block.faces = {{0, 1, 2}, {3, 5, 4}, {0, 3, 1}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}};
     const TriangleMesh tent = degenerate::tetrahedron({Eigen::Vector3d(0.25, -0.25, -tip), Eigen::Vector3d(-18, -9, -3),
                                                        Eigen::Vector3d(9, -9, -3), Eigen::Vector3d(9, 18, -3)});
-    return exit_of_upper_side(joined(block, tent), 1);
+    return exits_of_upper_side(joined(block, tent), 1).second;
   };
   const double tolerance = 2 * kThicknessTolerance * 18;
   for (const double tip : {0.0, 0x1p-50, 0.9 * tolerance}) EXPECT_GE(exit_below_tip(tip), 3) << tip;

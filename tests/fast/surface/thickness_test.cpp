@@ -314,7 +314,7 @@ TEST(ThicknessEverywhere, SheetInTheFacesPlaneLiesAtDepthZeroUnlessBesideIt) {
   EXPECT_EQ(beside(1), kInfinity);
 }
 
-TEST(ThicknessEverywhere, OfFacesWhoseAreasUnderflowIsNoMoreThanItIsExactly) {
+TEST(ThicknessEverywhere, OfFacesOverWhichVolumesUnderflowIsNoMoreThanItIsExactly) {
   Count count;
   for (int exponent = -100; exponent <= -20; exponent += 2) {
     const double width = std::ldexp(1.0, exponent);

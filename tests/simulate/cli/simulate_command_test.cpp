@@ -226,6 +226,7 @@ TEST(SimulateCommand, TellsWhatMadeAComparisonOfIntegrators) {
   const auto told = nlohmann::json::parse(read_text_file(out + "/integrators.provenance.json"));
   EXPECT_EQ(told["question"]["duration"], 0.01);
   EXPECT_EQ(told["question"]["integrators"].size(), 7U);
+  EXPECT_EQ(told["question"]["jacobians"], nlohmann::json::parse(R"(["differences", "tangents"])"));
   EXPECT_EQ(told["question"]["tolerances"], nlohmann::json::parse("[1e-3, 1e-4, 1e-5, 1e-6]"));
   EXPECT_EQ(told["question"]["slip_velocities"].size(), 4U);
   EXPECT_EQ(told["files"]["integrators.md"]["sha256"], compare::sha256(read_text_file(out + "/integrators.md")));
