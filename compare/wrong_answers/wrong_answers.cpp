@@ -6,6 +6,8 @@
 #include <array>
 #include <tuple>
 
+#include "compare/verify/verdict/element_key.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -24,14 +26,6 @@ bool same_polygons(const fast::Contact& subj, const reference::Answer& truth) {
     if (!same) return false;
   }
   return true;
-}
-
-bool same_elements(const fast::Contact& subj, const reference::Answer& truth) {
-  return std::equal(subj.elements.begin(), subj.elements.end(), truth.elements.begin(), truth.elements.end(),
-                    [](const fast::Element& s, const reference::Element& t) {
-                      return std::tie(s.master, s.master_face, s.slave_face) ==
-                             std::tie(t.master, t.master_face, t.slave_face);
-                    });
 }
 
 bool same_force(const Question& question, const fast::Contact& subj, const reference::Answer& truth) {
@@ -77,7 +71,7 @@ Wrongs wrongs(const Question& question, Engine engine, const fast::Contact* cont
   note(Wrong::polygons, !same_polygons(subj, truth));
   note(Wrong::active_faces, subj.E.intersected != truth.E.intersected || subj.F.intersected != truth.F.intersected ||
                                 (ruled && (subj.E.inner != truth.E.inner || subj.F.inner != truth.F.inner)));
-  note(Wrong::elements, !same_elements(subj, truth));
+  note(Wrong::elements, !same_elements(subj.elements, truth.elements));
   note(Wrong::force, !same_force(question, subj, truth));
   return found;
 }

@@ -61,28 +61,22 @@ MotionSlope of_quotient(const MotionSlope& a, double b, const MotionSlope& by_b,
   return {(a.by_position - quotient * by_b.by_position) / b, (a.by_rotation - quotient * by_b.by_rotation) / b};
 }
 
-/// Integrals over polygons of products of 1, s, t and the depth.
-struct Products {
-  double one = 0, s = 0, t = 0, depth = 0;
-  double ss = 0, st = 0, tt = 0, s_depth = 0, t_depth = 0;
+/// Integrals over polygons of what Moments leaves out: s, t and their products.
+struct PlaceMoments {
+  double s = 0, t = 0, ss = 0, st = 0, tt = 0;
 
   void add(const ConvexPolygon& polygon) {
     for (int i = 1; i + 1 < polygon.count; ++i) add(polygon[0], polygon[i], polygon[i + 1]);
   }
   void add(const PrismPoint& a, const PrismPoint& b, const PrismPoint& c) {
     const double area = 0.5 * cross_st(a, b, c), third = area / 3, twelfth = area / 12;
-    const auto sum = [&](int x) { return (a[x] + b[x]) + c[x]; };
-    const double sum_s = sum(kS), sum_t = sum(kT), sum_depth = sum(kDepth);
+    const double sum_s = (a[kS] + b[kS]) + c[kS], sum_t = (a[kT] + b[kT]) + c[kT];
     const auto product = [&](int x, int y) { return (a[x] * a[y] + b[x] * b[y]) + c[x] * c[y]; };
-    one += area;
     s += third * sum_s;
     t += third * sum_t;
-    depth += third * sum_depth;
     ss += twelfth * (sum_s * sum_s + product(kS, kS));
     st += twelfth * (sum_s * sum_t + product(kS, kT));
     tt += twelfth * (sum_t * sum_t + product(kT, kT));
-    s_depth += twelfth * (sum_s * sum_depth + product(kS, kDepth));
-    t_depth += twelfth * (sum_t * sum_depth + product(kT, kDepth));
   }
 };
 
@@ -118,17 +112,17 @@ class PartSlopes {
 
   /// Where the depth is not clamped it grows as f moves.
   void add_inside() {
-    Products p;
-    for (const ConvexPolygon& piece : part_.pieces) {
-      if (any_clamped()) {
-        add_shallow(piece, p);
-      } else {
-        p.add(piece);
-      }
+    Moments m;
+    PlaceMoments p;
+    if (any_clamped()) {
+      for (const ConvexPolygon& piece : part_.pieces) add_shallow(piece, m, p);
+    } else {
+      m = part_.moments;
+      for (const ConvexPolygon& piece : part_.pieces) p.add(piece);
     }
-    add_inside(kDepths, p.one, arm_Me(p.one, p.s, p.t, p.depth));
-    add_inside(kSDepths, p.s, arm_Me(p.s, p.ss, p.st, p.s_depth));
-    add_inside(kTDepths, p.t, arm_Me(p.t, p.st, p.tt, p.t_depth));
+    add_inside(kDepths, m.area, arm_Me(m.area, p.s, p.t, m.depth));
+    add_inside(kSDepths, p.s, arm_Me(p.s, p.ss, p.st, m.s_depth));
+    add_inside(kTDepths, p.t, arm_Me(p.t, p.st, p.tt, m.t_depth));
   }
   void add_inside(Integral integral, double weight, const Vector3d& weighted_arm_Me) {
     const Vector3d& g = depth_f_.by_motion_Me;
@@ -136,7 +130,7 @@ class PartSlopes {
     sums_[integral].by_rotation += weighted_arm_Me.cross(g);
   }
 
-  void add_shallow(const ConvexPolygon& piece, Products& products) const {
+  void add_shallow(const ConvexPolygon& piece, Moments& moments, PlaceMoments& places) const {
     Heights above{};
     bool any_above = false;
     for (int i = 0; i < piece.count; ++i) {
@@ -146,7 +140,8 @@ class PartSlopes {
     if (!any_above) return;
     ConvexPolygon shallow = piece;
     keep_where_not_negative(shallow, above);
-    products.add(shallow);
+    moments.add(shallow);
+    places.add(shallow);
   }
 
   void add_side(SideLine line, const PrismPoint& a, const PrismPoint& b) {

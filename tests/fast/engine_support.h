@@ -40,6 +40,8 @@ inline ContactLaw rough(double damping) {
   return law;
 }
 
+inline constexpr Wanted kTangent{.polygons = false, .areas = false, .force = true, .elements = false, .tangent = true};
+
 /// A copy of the answer to one question.
 inline Contact answer(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose = {},
                       const ContactLaw& law = stiffness(1), Mode mode = Mode::E, const Velocity& velocity = {},

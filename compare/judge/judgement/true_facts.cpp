@@ -6,6 +6,8 @@
 #include <iterator>
 #include <tuple>
 
+#include "compare/verify/verdict/element_key.h"
+
 namespace pcm::compare {
 
 Wanted wanted_for(const GivenAnswer& answer) {
@@ -35,13 +37,10 @@ bool same_discrete_facts(const reference::Answer& a, const reference::Answer& b)
     return x.closed == y.closed &&
            std::equal(x.points.begin(), x.points.end(), y.points.begin(), y.points.end(), same_point);
   };
-  const auto same_element = [](const reference::Element& x, const reference::Element& y) {
-    return std::tie(x.master, x.master_face, x.slave_face) == std::tie(y.master, y.master_face, y.slave_face);
-  };
   return a.touching == b.touching && a.E.intersected == b.E.intersected && a.F.intersected == b.F.intersected &&
          a.E.inner == b.E.inner && a.F.inner == b.F.inner &&
          std::equal(a.polygons.begin(), a.polygons.end(), b.polygons.begin(), b.polygons.end(), same_polygon) &&
-         std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(), same_element);
+         same_elements(a.elements, b.elements);
 }
 
 }  // namespace pcm::compare

@@ -207,11 +207,6 @@ void check_penetration_bound(const Question& question, const fast::Contact& subj
                at_least, at_most, truth);
 }
 
-bool same_elements(const std::vector<reference::Element>& a, const std::vector<reference::Element>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const reference::Element& x, const reference::Element& y) { return key(x) == key(y); });
-}
-
 double length_of(const reference::Polygon& polygon) {
   double length = 0;
   for (std::size_t k = polygon.closed ? 0 : 1; k < polygon.points.size(); ++k) {

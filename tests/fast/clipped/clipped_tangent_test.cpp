@@ -20,7 +20,6 @@ using degenerate::joined;
 using Eigen::Vector3d;
 
 constexpr double kStiffness = 7;
-constexpr Wanted kTangent{.polygons = false, .areas = false, .force = true, .elements = false, .tangent = true};
 
 Contact clipped(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, const ContactLaw& law, Mode mode,
                 const Velocity& velocity = {}) {

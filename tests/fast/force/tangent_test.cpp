@@ -17,7 +17,7 @@
 namespace pcm::fast {
 namespace {
 
-constexpr Wanted kTangent{.polygons = false, .areas = false, .force = true, .elements = false, .tangent = true};
+using test::kTangent;
 
 /// A cube of edge 1/2, its bottom at z = 0, and a wide plate with its top at z = 0, raised by 1/16.
 constexpr double kRaised = 0.0625, kBottom = 0.25;
