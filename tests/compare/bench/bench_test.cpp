@@ -109,6 +109,7 @@ TEST(BenchPeers, EverybodyWhoCountsPairsFindsTheSameNumber) {
     }
     EXPECT_GT(row["median_us"], 0) << row;
     EXPECT_GE(row["p95_us"], row["median_us"]) << row;
+    EXPECT_GT(row["repeated_us"], 0) << row;
     EXPECT_GT(row["ratio_to_all"], 0) << row;
     if (row["computes"] == "touch only") continue;
     if (row["finds"] != "pairs" && row["finds"] != "segments") continue;
