@@ -9,6 +9,7 @@
 namespace pcm::compare {
 namespace {
 
+/// How many passes at most, the one that warms up among them, and after how long no more.
 constexpr int kPasses = 6;
 constexpr double kEnoughUs = 5e6;
 

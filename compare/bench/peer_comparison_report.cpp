@@ -13,14 +13,11 @@ std::string name(Distance distance) {
 
 std::string protocol(const std::vector<PeerComparison>& results) {
   return fmt::format(
-      "{} fresh poses a body, one after the other, as a simulation asks: in each pass everybody in turn asks each "
-      "pose\n"
-      "once; medians over the poses of the median over up to five passes. `again`: the same pose asked up to six "
-      "times\n"
-      "running, the least time. One thread. Ratios of medians over fresh poses to the whole barycentric evaluation; "
-      "in\n"
-      "none of these times is setting up, nor what must happen before each query (moving the second mesh for CGAL,\n"
-      "refitting its tree for Embree).\n",
+      "{} fresh poses a body, one after the other, as a simulation asks: in each pass everybody in turn asks each\n"
+      "pose once; medians over the poses of the median over up to five passes. `again`: the same pose several times\n"
+      "running, the least of up to five after one unmeasured. One thread. Ratios of medians over fresh poses to the\n"
+      "whole barycentric evaluation; in none of these times is setting up, nor what must happen before each query\n"
+      "(moving the second mesh for CGAL, refitting its tree for Embree).\n",
       results.front().peers.front().timings.size());
 }
 
