@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fast/base/prefetch.h"
 #include "fast/posed/placement.h"
 #include "fast/simd/overlap.h"
 #include "pcm/work_counters.h"
@@ -14,6 +15,14 @@ namespace pcm::fast {
 
 /// The stack of the dual traversal; kept between evaluations.
 using NodePairs = std::vector<std::pair<Index, Index>>;
+
+/// Asks for the faces of two nodes, as far as they are bottom nodes.
+inline void prefetch_faces(const WideTree& tree_E, const WideTree& tree_F, const std::pair<Index, Index>& nodes) {
+  const WideNode& E = tree_E.node(nodes.first);
+  const WideNode& F = tree_F.node(nodes.second);
+  if (E.bottom()) prefetch(tree_E.group(E.group));
+  if (F.bottom()) prefetch(tree_F.group(F.group));
+}
 
 /// Calls `visit(face of E, face of F, SureSigns)` for every pair of faces whose boxes may touch and neither of which
 /// surely lies on one side of the other's plane (PCM section 3), until it returns false. From the root pair down, each
@@ -33,9 +42,16 @@ void for_each_candidate(const PreparedSurface& surface_E, const PreparedSurface&
   // Eight surface boxes are nearly three times narrower than the one around them.
   constexpr float kMuchWider = 2;
   open.assign(1, {0, 0});
+  // Nodes and faces of one pair are on their way while others are tested: where poses differ, caches hold few of them.
+  const auto add = [&](Index i, Index j) {
+    prefetch(tree_E.node(i));
+    prefetch(tree_F.node(j));
+    open.emplace_back(i, j);
+  };
   while (!open.empty()) {
     const auto [i, j] = open.back();
     open.pop_back();
+    if (open.size() > 1) prefetch_faces(tree_E, tree_F, open[open.size() - 2]);
     const WideNode& E = tree_E.node(i);
     const WideNode& F = tree_F.node(j);
     if (E.bottom() && F.bottom()) {
@@ -55,18 +71,18 @@ void for_each_candidate(const PreparedSurface& surface_E, const PreparedSurface&
     if (F.bottom() || (!E.bottom() && size_E > kMuchWider * size_F)) {
       work.box_tests += E.count;
       for (std::uint32_t lanes = test.children_of_E(E, F, pose); lanes != 0; lanes &= lanes - 1) {
-        open.emplace_back(E.child[static_cast<std::size_t>(std::countr_zero(lanes))], j);
+        add(E.child[static_cast<std::size_t>(std::countr_zero(lanes))], j);
       }
     } else if (E.bottom() || size_F > kMuchWider * size_E) {
       work.box_tests += F.count;
       for (std::uint32_t lanes = test.children_of_F(E, F, pose); lanes != 0; lanes &= lanes - 1) {
-        open.emplace_back(i, F.child[static_cast<std::size_t>(std::countr_zero(lanes))]);
+        add(i, F.child[static_cast<std::size_t>(std::countr_zero(lanes))]);
       }
     } else {
       work.box_tests += std::int64_t{E.count} * F.count;
       for (LanePairs pairs = test.boxes(E, F, pose); pairs != 0; pairs &= pairs - 1) {
         const int bit = std::countr_zero(pairs);
-        open.emplace_back(E.child[static_cast<std::size_t>(bit % 8)], F.child[static_cast<std::size_t>(bit / 8)]);
+        add(E.child[static_cast<std::size_t>(bit % 8)], F.child[static_cast<std::size_t>(bit / 8)]);
       }
     }
   }

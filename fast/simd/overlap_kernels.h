@@ -95,24 +95,24 @@ inline Boxes own(const WideNode& node) {
 
 std::uint32_t test_children_of_E(const WideNode& E, const WideNode& F, const WidePose& pose) {
   const BoxesOfF boxes_F(own(F), pose);
-  return touching(BoxesOfE(children(E), pose), boxes_F.in_E.centre, boxes_F.in_E.half, boxes_F.half, pose) & E.used;
+  return touching(BoxesOfE(children(E), pose), boxes_F.in_E.centre, boxes_F.in_E.half, boxes_F.half, pose) & E.used();
 }
 
 std::uint32_t test_children_of_F(const WideNode& E, const WideNode& F, const WidePose& pose) {
   const BoxesOfF boxes_F(children(F), pose);
-  return touching(BoxesOfE(own(E), pose), boxes_F.in_E.centre, boxes_F.in_E.half, boxes_F.half, pose) & F.used;
+  return touching(BoxesOfE(own(E), pose), boxes_F.in_E.centre, boxes_F.in_E.half, boxes_F.half, pose) & F.used();
 }
 
 LanePairs test_boxes(const WideNode& E, const WideNode& F, const WidePose& pose) {
   const BoxesOfF boxes_F(children(F), pose);
   std::uint32_t of_F =
-      touching(BoxesOfE(own(E), pose), boxes_F.in_E.centre, boxes_F.in_E.half, boxes_F.half, pose) & F.used;
+      touching(BoxesOfE(own(E), pose), boxes_F.in_E.centre, boxes_F.in_E.half, boxes_F.half, pose) & F.used();
   const BoxesOfE boxes_E(children(E), pose);
   LanePairs pairs = 0;
   for (; of_F != 0; of_F &= of_F - 1) {
     const auto j = static_cast<unsigned>(__builtin_ctz(of_F));
     const std::uint32_t of_E =
-        touching(boxes_E, all(boxes_F.in_E.centre, j), all(boxes_F.in_E.half, j), all(boxes_F.half, j), pose) & E.used;
+        touching(boxes_E, all(boxes_F.in_E.centre, j), all(boxes_F.in_E.half, j), all(boxes_F.half, j), pose) & E.used();
     pairs |= static_cast<LanePairs>(of_E) << (8 * j);
   }
   return pairs;
@@ -192,7 +192,7 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
   const Ends ends_F{widened(end([](const Float8& a, const Float8& b) { return least(a, b); }), -pose.box_error_E),
                     widened(end([](const Float8& a, const Float8& b) { return greatest(a, b); }), pose.box_error_E)};
   const Vector8 own_centre = all(E.own_centre), own_half = all(E.own_half);
-  std::uint32_t of_F = ~lanes_of(apart(ends_F, {own_centre - own_half, own_centre + own_half})) & F.used;
+  std::uint32_t of_F = ~lanes_of(apart(ends_F, {own_centre - own_half, own_centre + own_half})) & F.used();
   FacePairs pairs;
   if (of_F == 0) return pairs;
 
@@ -204,7 +204,7 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
   const std::array<Vector8, 3> x_E{load(faces_E.vertex[0]), load(faces_E.vertex[1]), load(faces_E.vertex[2])};
   for (; of_F != 0; of_F &= of_F - 1) {
     const auto j = static_cast<unsigned>(__builtin_ctz(of_F));
-    std::uint32_t of_E = ~lanes_of(apart({all(ends_F.low, j), all(ends_F.high, j)}, ends_E)) & E.used;
+    std::uint32_t of_E = ~lanes_of(apart({all(ends_F.low, j), all(ends_F.high, j)}, ends_E)) & E.used();
     if (of_E == 0) continue;
     const std::array<Vector8, 3> x{all(x_F[0], j), all(x_F[1], j), all(x_F[2], j)};
     const Sides sides_F = sides_of(n_E, x_E[0], x, pose.plane_error);
@@ -247,7 +247,7 @@ std::uint32_t test_boxes_met(const WideNode& node, const WideRay& ray, Lanes& en
   const Float8 last =
       least(least(greatest(t_low.x, t_high.x), greatest(t_low.y, t_high.y)), greatest(t_low.z, t_high.z));
   __builtin_memcpy(entry.value.data(), &first, sizeof first);
-  return ~lanes_of(first > last) & node.used;
+  return ~lanes_of(first > last) & node.used();
 }
 
 std::uint32_t test_boxes_in_prism(const WideNode& node, const WidePrism& prism) {
@@ -260,7 +260,7 @@ std::uint32_t test_boxes_in_prism(const WideNode& node, const WidePrism& prism) 
   for (std::size_t k = 0; k < 3; ++k) {
     outside |= along(prism.axis[k], centre) + along(prism.axis_absolute[k], half) < all(prism.offset[k]);
   }
-  return ~lanes_of(outside) & node.used;
+  return ~lanes_of(outside) & node.used();
 }
 
 // An edge from a to b, both from the line's origin, passes the line at a distance, in the plane across it, of

@@ -113,7 +113,6 @@ WideTree::WideTree(const TriangleMesh& mesh, const BoxTree& tree) {
         node.centre[k].value[lane] = box.centre[k];
         node.half[k].value[lane] = box.half[k];
       }
-      node.used |= 1U << lane;
       if (is_bottom) {
         node.child[lane] = child.face;
         const Triangle& t = mesh.faces[static_cast<std::size_t>(child.face)];

@@ -18,21 +18,23 @@ struct alignas(32) Lanes {
   std::array<float, kLanes> value{};
 };
 
-/// A node with up to eight children; 256 bytes. Coordinates are those of its tree, single precision; every box holds
-/// what it stands for however the numbers were rounded. Empty lanes are zeros, which `used` tells from boxes.
+/// A node with up to eight children, in its first lanes. Coordinates are those of its tree, single precision; every box
+/// holds what it stands for however the numbers were rounded. Empty lanes are zeros, which `used` tells from boxes.
 struct alignas(64) WideNode {
   std::array<Lanes, 3> centre;        ///< of the children's boxes, by axis
   std::array<Lanes, 3> half;          ///< half their widths
   std::array<Index, kLanes> child{};  ///< a node, or in a bottom node a face
   std::array<float, 3> own_centre{};  ///< of this node's box
   std::array<float, 3> own_half{};
-  Index group = -1;        ///< in a bottom node: where its faces are; -1 in others
-  std::uint32_t used = 0;  ///< bit i: lane i holds a child
-  Index count = 0;         ///< of children
+  Index group = -1;  ///< in a bottom node: where its faces are; -1 in others
+  Index count = 0;   ///< of children
 
+  std::uint32_t used() const { return (1U << static_cast<unsigned>(count)) - 1; }  ///< bit i: lane i holds a child
   bool bottom() const { return group >= 0; }
   float size() const { return std::max({own_half[0], own_half[1], own_half[2]}); }
 };
+
+static_assert(sizeof(WideNode) == 256);  // four lines of a cache
 
 /// The faces of a bottom node, lane by lane.
 struct alignas(64) FaceGroup {

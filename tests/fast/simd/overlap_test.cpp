@@ -254,7 +254,7 @@ TEST(WideTree, HoldsEveryFaceOnceInBoxesAroundIt) {
     for (Index i = 0; i < tree.nodes(); ++i) {
       const WideNode& node = tree.node(i);
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        if ((node.used >> lane & 1U) == 0 || !node.bottom()) continue;
+        if ((node.used() >> lane & 1U) == 0 || !node.bottom()) continue;
         EXPECT_TRUE(faces.insert(node.child[lane]).second);
         for (const Index v : mesh.faces[static_cast<std::size_t>(node.child[lane])]) {
           const Eigen::Vector3d x = (mesh.vertices[static_cast<std::size_t>(v)] - tree.origin()) / tree.unit();
