@@ -240,10 +240,25 @@ Pose pose_on_way(const Way& way, const Pose& start, double size, int number) {
   return {Eigen::AngleAxisd(turn.norm(), turn.normalized()) * start.A, start.r + move};
 }
 
-/// What is known of the last pose, and nothing.
+/// Times along one way, and the candidate pairs, of a memory or of the engine that has none.
+template <class Ask>
+void follow_way(const Way& way, const Pose& start, double size, const Ask& ask, std::vector<double>& times,
+                std::int64_t& work) {
+  constexpr int kFirst = 3, kSteps = 15;
+  for (int step = 0; step < kSteps; ++step) {
+    const Pose pose = pose_on_way(way, start, size, step);
+    const fast::Contact* answer = nullptr;
+    const double us = time_us([&] { answer = &ask(pose); });
+    if (step < kFirst) continue;
+    times.push_back(us);
+    work += answer->work.candidate_pairs;
+  }
+}
+
+/// What is known of the last pose, and nothing. As in a simulation either goes its way alone; the ways that they go in
+/// turn are far apart, so that neither finds in the caches what the other left there.
 SavingResult measure_way(const std::string& bodies, const TriangleMesh& mesh, double touching, const Way& way,
                          std::int64_t poses) {
-  constexpr int kFirst = 3, kSteps = 15;
   const fast::Surface surface(mesh);
   surface.prepare_all_faces();  // Or whoever is asked first would pay for both.
   const fast::Pairing pairing(surface, surface, bench_law());
@@ -251,22 +266,17 @@ SavingResult measure_way(const std::string& bodies, const TriangleMesh& mesh, do
   SavingResult result{
       "coherence", fmt::format("force on two {}, 5 % deep, {}", bodies, way.name), 0, 0, "candidate pairs", 0, 0};
   std::vector<double> on, off;
+  const auto start = [&](std::int64_t p) { return drawn_pose(touching, 0.05 * touching, p % poses); };
   for (std::int64_t p = 0; p < poses; ++p) {
-    const Pose start = drawn_pose(touching, 0.05 * touching, p);
     fast::PairingMemory memory(pairing);
-    for (int step = 0; step < kSteps; ++step) {
-      const Pose pose = pose_on_way(way, start, touching / 2, step);
-      const fast::Contact* followed = nullptr;
-      const fast::Contact* anew = nullptr;
-      const double us_on = time_us([&] { followed = &memory.evaluate(pose, bench_velocity(), kForceOnly, workspace); });
-      const double us_off =
-          time_us([&] { anew = &fast::evaluate(pairing, pose, bench_velocity(), kForceOnly, other); });
-      if (step < kFirst) continue;
-      on.push_back(us_on);
-      off.push_back(us_off);
-      result.work_on += followed->work.candidate_pairs;
-      result.work_off += anew->work.candidate_pairs;
-    }
+    const auto remember = [&](const Pose& pose) -> const fast::Contact& {
+      return memory.evaluate(pose, bench_velocity(), kForceOnly, workspace);
+    };
+    const auto find_anew = [&](const Pose& pose) -> const fast::Contact& {
+      return fast::evaluate(pairing, pose, bench_velocity(), kForceOnly, other);
+    };
+    follow_way(way, start(p), touching / 2, remember, on, result.work_on);
+    follow_way(way, start(p + poses / 2), touching / 2, find_anew, off, result.work_off);
   }
   result.on_us = quantile(on, 0.5);
   result.off_us = quantile(off, 0.5);

@@ -10,17 +10,6 @@ namespace pcm::fast {
 
 namespace {
 
-/// Faces that cross one of the slave start there.
-void start_walks(const Intersection& intersection, Side master, PenetrationWalks& walks) {
-  walks.last = -1;
-  walks.slave_nearby.start(intersection.posed.surface(master).mesh.faces.size());
-  for (const CrossingNode& crossing : intersection.crossings.nodes) {
-    if (crossing.next < 0) continue;
-    walks.slave_nearby[crossing.segment_face[static_cast<std::size_t>(master)]] =
-        crossing.segment_face[static_cast<std::size_t>(opposite(master))];
-  }
-}
-
 /// The elements of active faces, formed kElementLanes at a time and summed in face-index order.
 class ElementBatch {
  public:
@@ -33,7 +22,7 @@ class ElementBatch {
         memory_(memory),
         record_(record),
         queue_(problem, master, record, posed_.work, scratch.lanes) {
-    start_walks(intersection, master, scratch.walks);
+    scratch.walks.start(posed_, intersection.crossings, master);
   }
 
   void add(Index face) {

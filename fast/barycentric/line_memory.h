@@ -55,6 +55,15 @@ class LineMemory {
   bool holds(const Line& line) const { return travelled_ < line.until; }
   const Index* slave_faces(const Line& line) const { return past_.faces.data() + line.first; }
   const Index* own_faces(const Line& line) const { return slave_faces(line) + line.slave_count; }
+  /// Of a line whose faces are known: none of the slave, however far.
+  static bool meets_nothing(const Line& line) {
+    return line.slave_count == 0 && line.slave_searched == std::numeric_limits<double>::infinity();
+  }
+  /// The one face of the slave that such a line may meet up to `slave_searched`, where there is but one and other faces
+  /// of the master are out of the question; else -1.
+  Index only_slave_face(const Line& line) const {
+    return line.slave_count == 1 && line.own_count == 0 ? *slave_faces(line) : -1;
+  }
   double radius() const { return radius_; }
 
   /// A line that was told by a walk.

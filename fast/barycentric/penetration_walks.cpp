@@ -45,7 +45,7 @@ Index slave_face_near(const PreparedSurface& master, Index face, const Penetrati
 }
 
 /// The face through which a lane's line surely leaves the slave's body, at whatever distance, found by a walk; or -1.
-Index walk_from_neighbour(PosedPair& posed, Side master, const ElementLanes& lanes, std::size_t lane, Index start) {
+Index walk_to_line(PosedPair& posed, Side master, const ElementLanes& lanes, std::size_t lane, Index start) {
   const double a = lanes.side[0].value[lane], b = lanes.side[1].value[lane];
   if (start < 0 || !(lanes.area.value[lane] > kLeastShare * (a * b))) return -1;
   const LineCoordinates line = line_coordinates(posed, lanes, lane);
@@ -53,18 +53,12 @@ Index walk_from_neighbour(PosedPair& posed, Side master, const ElementLanes& lan
   return walk_to_face_left(posed[opposite(master)], line, start, posed.work);
 }
 
-/// What `decide` needs to know of a lane's master face and of the slave's face that a walk came to.
-void enter_match(PosedPair& posed, Side master, Index face, Index met, ElementLanes& lanes, std::size_t lane) {
-  enter_corners(posed, opposite(master), met, lanes.slave_corners, lane);
-  lanes.thickness.value[lane] = thickness(posed.surface(master), face);
-  lanes.clearance[lane] = clearance(posed.surface(opposite(master)), met);
-}
-
 DecisionLimits decision_limits(const PosedPair& posed, Side master) {
   const double vertex_error = posed.placement.vertex_error(master);
   const double max_coordinate = posed.surface(master).max_coordinates.maxCoeff();
   DecisionLimits limits;
   limits.least_share = kLeastShare;
+  limits.max_coordinate = posed.placement.max_coordinate;
   limits.slave_max_coordinate = posed.surface(opposite(master)).max_coordinates.maxCoeff();
   limits.error = kDistanceError * posed.placement.max_coordinate;
   // thickness_holds, for faces that are no needles, and but for what underflows in prisms alone: there the ray's
@@ -105,87 +99,218 @@ bool line_stays(const Placement& placement, Side master, const FaceGeometry& geo
   return penetration;
 }
 
-/// Follows a line among the faces that it may meet, where these are remembered.
-[[gnu::noinline]] std::optional<Penetration> recall_penetration(PosedPair& posed, Side master,
+/// Follows a line among the faces that it may meet, which are remembered.
+[[gnu::noinline]] std::optional<Penetration> follow_among_known(PosedPair& posed, Side master,
                                                                 const LineMemory::Line& line, const ElementLanes& lanes,
                                                                 std::size_t lane, const LineMemory& memory) {
-  if (!memory.holds(line)) return std::nullopt;
-  if (line.slave_count == 0 && line.slave_searched == kInfinity) return Penetration();
   const LineCoordinates coordinates = line_coordinates(posed, lanes, lane);
   const KnownFaces known{{coordinates, {memory.slave_faces(line), line.slave_count}, line.slave_searched},
                          {coordinates, {memory.own_faces(line), line.own_count}, line.own_searched}};
   return find_penetration_among(posed, master, line.face, geometry_of(lanes, lane), known);
 }
 
+/// The penetration lines of up to four faces.
+class PenetrationBatch {
+ public:
+  PenetrationBatch(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
+                   PenetrationWalks& walks, LineMemory* memory, std::array<Penetration, kElementLanes>& penetrations)
+      : posed_(posed),
+        master_(master),
+        slave_(opposite(master)),
+        faces_(faces),
+        count_(count),
+        lanes_(lanes),
+        walks_(walks),
+        memory_(memory),
+        penetrations_(penetrations) {
+    start_.fill(-1);
+    met_.fill(-1);
+    entered_.fill(-1);
+  }
+
+  void find() {
+    if (memory_ != nullptr) recall();
+    if (walks_.may_walk) walk();
+    if (left_ != 0) decide();
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      if (has_lane(found_, lane)) {
+        memory_->keep(*lines_[lane], penetrations_[lane].slave_face);
+      } else if (!take_decision(lane)) {
+        search(lane);
+      }
+      lanes_.depth.value[lane] = penetrations_[lane].depth;
+    }
+  }
+
+ private:
+  /// Lines of the last pose: what they find among known faces, and the faces that they still leave the slave through.
+  void recall() {
+    LaneBits asked = 0;
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      lines_[lane] = memory_->recall(faces_[lane]);
+      if (lines_[lane] == nullptr) continue;
+      const LineMemory::Line& line = *lines_[lane];
+      start_[lane] = line.slave_nearby;
+      if (memory_->holds(line)) {
+        const Index only = walks_.may_walk ? memory_->only_slave_face(line) : -1;
+        if (only >= 0) {
+          start_[lane] = only;
+          has_only_ |= 1U << lane;
+        } else {
+          follow_known(lane);
+        }
+      }
+      if (!has_lane(found_, lane) && start_[lane] >= 0) asked |= 1U << lane;
+    }
+    if (asked != 0 && walks_.may_walk) ask_where_left(asked);
+  }
+
+  /// Lines that may leave the slave's body through the faces that they start at.
+  void ask_where_left(LaneBits asked) {
+    posed_.work.predicates += 3 * std::popcount(asked);
+    enter_slave_corners(asked, start_);
+    const LeavingLanes leaving = fastest_wide_elements().leave(lanes_, walks_.limits);
+    for (; asked != 0; asked &= asked - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(asked));
+      if (has_lane(leaving.surely, lane)) {
+        set_left(lane, start_[lane]);
+      } else if (has_lane(has_only_, lane)) {
+        has_only_ &= ~(1U << lane);
+        const bool meets_nothing = has_lane(leaving.surely_not, lane) && lines_[lane]->slave_searched == kInfinity;
+        if (meets_nothing) {
+          set_found(lane, {});
+        } else {
+          follow_known(lane);
+        }
+      }
+    }
+  }
+
+  void walk() {
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      if (has_lane(found_ | left_, lane)) continue;
+      const Index start =
+          start_[lane] >= 0 ? start_[lane] : slave_face_near(posed_.surface(master_), faces_[lane], walks_);
+      const Index met = walk_to_line(posed_, master_, lanes_, lane, start);
+      if (met >= 0) set_left(lane, met);
+    }
+  }
+
+  void decide() {
+    enter_slave_corners(left_, met_);
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      const std::size_t from = one_of(left_, lane);
+      lanes_.thickness.value[lane] = thickness(posed_.surface(master_), faces_[from]);
+      lanes_.clearance[lane] = clearance(posed_.surface(slave_), met_[from]);
+      lanes_.slave_free.value[lane] = has_lane(has_only_, from) ? lines_[from]->slave_searched : 0;
+    }
+    decided_ = fastest_wide_elements().decide(lanes_, walks_.limits);
+  }
+
+  bool take_decision(std::size_t lane) {
+    if (has_lane(left_ & decided_.element, lane)) {
+      const double depth = has_lane(decided_.nearest_known, lane)
+                               ? lanes_.depth.value[lane]
+                               : DepthBelow(geometry_of(lanes_, lane), posed_.face_Me(slave_, met_[lane])).value();
+      penetrations_[lane] = {Penetration::Outcome::element, met_[lane], depth, -1};
+    } else if (has_lane(left_ & decided_.nothing, lane)) {
+      penetrations_[lane] = {};
+    } else if (has_lane(has_only_, lane) && follow_known(lane)) {
+      memory_->keep(*lines_[lane], penetrations_[lane].slave_face);
+      return true;
+    } else {
+      return false;
+    }
+    if (has_lane(has_only_, lane)) {
+      memory_->keep(*lines_[lane], met_[lane]);
+    } else if (memory_ != nullptr) {
+      memory_->keep(faces_[lane], met_[lane]);
+    }
+    return true;
+  }
+
+  void search(std::size_t lane) {
+    const Index face = faces_[lane];
+    const Index left = has_lane(left_ & decided_.left, lane) ? met_[lane] : -1;
+    const FaceGeometry geometry = geometry_of(lanes_, lane);
+    penetrations_[lane] = memory_ != nullptr
+                              ? search_and_remember(posed_, master_, face, geometry, left, walks_, *memory_)
+                              : find_penetration(posed_, master_, face, geometry, walks_.open, nullptr, left);
+    const Index found = penetrations_[lane].slave_face;
+    if (found >= 0) walks_.slave_nearby[face] = walks_.last = found;
+  }
+
+  /// Follows a line among the faces that it may meet, which are remembered; whether these suffice.
+  bool follow_known(std::size_t lane) {
+    const LineMemory::Line& line = *lines_[lane];
+    if (LineMemory::meets_nothing(line)) {
+      set_found(lane, {});
+    } else if (const auto found = follow_among_known(posed_, master_, line, lanes_, lane, *memory_)) {
+      set_found(lane, *found);
+    }
+    return has_lane(found_, lane);
+  }
+
+  void set_found(std::size_t lane, const Penetration& penetration) {
+    penetrations_[lane] = penetration;
+    found_ |= 1U << lane;
+  }
+  void set_left(std::size_t lane, Index met) {
+    met_[lane] = walks_.slave_nearby[faces_[lane]] = walks_.last = met;
+    left_ |= 1U << lane;
+  }
+
+  /// The lane where it is one of these, else some other that is.
+  static std::size_t one_of(LaneBits which, std::size_t lane) {
+    return has_lane(which, lane) ? lane : static_cast<std::size_t>(std::countr_zero(which));
+  }
+  /// All lanes get corners; those that are not asked for will not be looked at.
+  void enter_slave_corners(LaneBits which, const FaceBatch& faces) {
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      const Index face = faces[one_of(which, lane)];
+      if (entered_[lane] == face) continue;
+      entered_[lane] = face;
+      enter_corners(posed_, slave_, face, lanes_.slave_corners, lane);
+    }
+  }
+
+  PosedPair& posed_;
+  Side master_, slave_;
+  const FaceBatch& faces_;
+  std::size_t count_;
+  ElementLanes& lanes_;
+  PenetrationWalks& walks_;
+  LineMemory* memory_;
+  std::array<Penetration, kElementLanes>& penetrations_;
+
+  std::array<const LineMemory::Line*, kElementLanes> lines_{};  ///< of the last pose
+  LaneBits found_ = 0;                                          ///< what they find was told by the faces remembered
+  LaneBits has_only_ = 0;  ///< may meet one face of the slave alone, as far as that was searched
+  LaneBits left_ = 0;      ///< surely pass through the slave's face `met`, from inside, at whatever distance
+  FaceBatch start_, met_, entered_;
+  DecidedLanes decided_;
+};
+
 }  // namespace
+
+void PenetrationWalks::start(const PosedPair& posed, const Crossings& crossings, Side master) {
+  const Side slave = opposite(master);
+  last = -1;
+  limits = decision_limits(posed, master);
+  may_walk =
+      posed.placement.position_error(slave) < kClearanceTolerance * posed.surface(slave).max_coordinates.maxCoeff();
+  slave_nearby.start(posed.surface(master).mesh.faces.size());
+  for (const CrossingNode& crossing : crossings.nodes) {
+    if (crossing.next < 0) continue;
+    slave_nearby[crossing.segment_face[static_cast<std::size_t>(master)]] =
+        crossing.segment_face[static_cast<std::size_t>(slave)];
+  }
+}
 
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
                        PenetrationWalks& walks, LineMemory* memory,
                        std::array<Penetration, kElementLanes>& penetrations) {
-  const Side slave = opposite(master);
-  const bool may_walk =
-      posed.placement.position_error(slave) < kClearanceTolerance * posed.surface(slave).max_coordinates.maxCoeff();
-  std::array<Index, kElementLanes> met;
-  met.fill(-1);
-  std::array<const LineMemory::Line*, kElementLanes> lines{};
-  LaneBits walked = 0, recalled = 0;
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    const Index face = faces[lane];
-    const LineMemory::Line* const line = lines[lane] = memory != nullptr ? memory->recall(face) : nullptr;
-    if (line != nullptr) {
-      if (const auto known = recall_penetration(posed, master, *line, lanes, lane, *memory)) {
-        penetrations[lane] = *known;
-        recalled |= 1U << lane;
-        continue;
-      }
-    }
-    if (!may_walk) continue;
-    const bool has_start = line != nullptr && line->slave_nearby >= 0;
-    const Index start = has_start ? line->slave_nearby : slave_face_near(posed.surface(master), face, walks);
-    met[lane] = walk_from_neighbour(posed, master, lanes, lane, start);
-    if (met[lane] < 0) continue;
-    walks.slave_nearby[face] = walks.last = met[lane];
-    walked |= 1U << lane;
-  }
-  DecidedLanes decided;
-  if (walked != 0) {
-    // Lanes that found no face take what another one found, and are not looked at.
-    const auto some = static_cast<std::size_t>(std::countr_zero(walked));
-    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
-      const std::size_t from = has_lane(walked, lane) ? lane : some;
-      enter_match(posed, master, faces[from], met[from], lanes, lane);
-    }
-    decided = fastest_wide_elements().decide(lanes, decision_limits(posed, master));
-  }
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    Penetration& penetration = penetrations[lane];
-    if (has_lane(recalled, lane)) {
-      memory->keep(*lines[lane], penetration.slave_face);
-      lanes.depth.value[lane] = penetration.depth;
-      continue;
-    }
-    penetration = {};
-    const bool nothing = has_lane(walked & decided.nothing, lane), element = has_lane(walked & decided.element, lane);
-    if ((nothing || element) && memory != nullptr) memory->keep(faces[lane], met[lane]);
-    if (nothing) continue;
-    if (element && has_lane(decided.nearest_known, lane)) {
-      penetration = {Penetration::Outcome::element, met[lane], lanes.depth.value[lane], -1};
-      continue;
-    }
-    const FaceGeometry geometry = geometry_of(lanes, lane);
-    if (element) {
-      const FacePoints f = posed.face_Me(slave, met[lane]);
-      penetration = {Penetration::Outcome::element, met[lane], DepthBelow(geometry, f).value(), -1};
-    } else {
-      const Index left = has_lane(walked & decided.left, lane) ? met[lane] : -1;
-      penetration = memory != nullptr
-                        ? search_and_remember(posed, master, faces[lane], geometry, left, walks, *memory)
-                        : find_penetration(posed, master, faces[lane], geometry, walks.open, nullptr, left);
-      const Index found = penetration.slave_face;
-      if (found >= 0) walks.slave_nearby[faces[lane]] = walks.last = found;
-    }
-    lanes.depth.value[lane] = penetration.depth;
-  }
+  PenetrationBatch(posed, master, faces, count, lanes, walks, memory, penetrations).find();
 }
 
 }  // namespace pcm::fast

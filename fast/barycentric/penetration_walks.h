@@ -7,6 +7,7 @@
 
 #include "fast/barycentric/line_memory.h"
 #include "fast/barycentric/penetration_line.h"
+#include "fast/crossings/crossings.h"
 #include "fast/simd/face_lanes.h"
 
 namespace pcm::fast {
@@ -15,8 +16,13 @@ namespace pcm::fast {
 struct PenetrationWalks {
   FastClearArray<Index> slave_nearby;  ///< by face of the master: a face of the slave near its penetration line
   Index last = -1;                     ///< face of the slave near the last penetration line, -1: none
+  bool may_walk = false;               ///< roundings are so small that the slave's clearance counts
+  DecisionLimits limits;
   LineNodes open;
   LineTrace trace;  ///< of a line that is to be remembered
+
+  /// To be called once a pose and master. Faces that cross one of the slave start there.
+  void start(const PosedPair& posed, const Crossings& crossings, Side master);
 };
 
 /// The results of find_penetration but for `first_met`, for up to four faces at once, by walks over the slave, each

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "fast/posed/transform.h"
@@ -20,7 +21,8 @@ namespace pcm::fast {
 /// |coordinate| of x - C, at most 2 M: C is off by 8 u M, x - C by 10 u M, X by 10 u M |a| and five roundings of at
 /// most 2 M |a|: 20 u M |a|. Likewise Y. Of D's two products each is at most |a| |b| W^2 and off by 40 u M |a| |b| W
 /// and two roundings: 88 u M |a| |b| W for both. 128 pays for rounding the bound itself. Underflow costs nothing beside
-/// that where M |a| and M |b| exceed 2^-500 and the bound 2^-900; where anything overflows it is infinite.
+/// that where M |a| and M |b| exceed 2^-500 and the bound 2^-900. Products of D are at most 2^47 times the bound, so
+/// that none overflows where it is below 2^970; else it is infinite.
 class LineCoordinates {
  public:
   struct Point {
@@ -44,7 +46,10 @@ class LineCoordinates {
   }
 
   /// What |D| of edges between points no wider than `width` must exceed for its sign to be sure.
-  double error(double width) const { return error_per_width_ * width + 0x1p-900; }
+  double error(double width) const {
+    const double error = error_per_width_ * width + 0x1p-900;
+    return error < 0x1p970 ? error : std::numeric_limits<double>::infinity();
+  }
 
  private:
   Eigen::Vector3d C_, a_, b_;

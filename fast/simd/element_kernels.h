@@ -43,6 +43,32 @@ LaneBits find_geometry(ElementLanes& lanes) {
   return lanes_of(twice_area.known);
 }
 
+/// The side tests of LineCoordinates (fast/search/line_walk.h), with their bound.
+LeavingLanes leave(const ElementLanes& lanes, const DecisionLimits& limits) {
+  const Vector4 p0 = load(lanes.p_Me[0]), C = load(lanes.barycentre_Me);
+  const Vector4 a = load(lanes.p_Me[1]) - p0, b = load(lanes.p_Me[2]) - p0;
+  std::array<Double4, 3> x, y;
+  Double4 width = four(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector4 from_C = load(lanes.slave_corners[k]) - C;
+    x[k] = dot(a, from_C);
+    y[k] = dot(b, from_C);
+    width = greatest(width, greatest(greatest(absolute(from_C.x), absolute(from_C.y)), absolute(from_C.z)));
+  }
+  const Double4 M = four(limits.max_coordinate), side_a = load(lanes.side[0]), side_b = load(lanes.side[1]);
+  const Double4 error = four(128 * 0x1p-53) * M * side_a * side_b * width + four(0x1p-900);
+  const Long4 usable = (M * side_a > four(0x1p-500)) & (M * side_b > four(0x1p-500)) & (error < four(0x1p970)) &
+                       (load(lanes.area) > four(limits.least_share) * (side_a * side_b));
+  Long4 inside = usable, outside = usable & (four(0) > four(0));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const Double4 side = x[k] * y[next] - y[k] * x[next];
+    inside = inside & (side < -error);
+    outside = outside | (side > error);
+  }
+  return {lanes_of(inside), lanes_of(usable & outside)};
+}
+
 DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   const std::array<Vector4, 3> p{load(lanes.p_Me[0]), load(lanes.p_Me[1]), load(lanes.p_Me[2])};
   const std::array<Vector4, 3> f{load(lanes.slave_corners[0]), load(lanes.slave_corners[1]),
@@ -71,12 +97,14 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   };
   const Double4 farthest = distance + four(limits.error);
   const Long4 left = fair & (distance > four(limits.error));
-  const Long4 clear = farthest < by_cone(beneath) * four(limits.slave_max_coordinate);
+  const Double4 slave_free = load(lanes.slave_free);
+  const Long4 clear = (farthest < by_cone(beneath) * four(limits.slave_max_coordinate)) | (farthest < slave_free);
   const Long4 thick =
       (farthest < load(lanes.thickness)) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
                                             four(limits.thick_area) * load(lanes.area));
   DecidedLanes decided;
-  decided.nothing = lanes_of(fair & (distance < four(-limits.error)) & (by_cone(above) > four(0)));
+  decided.nothing = lanes_of(fair & (distance < four(-limits.error)) &
+                             ((by_cone(above) > four(0)) | (slave_free == four(__builtin_inf()))));
   decided.left = lanes_of(left);
   decided.element = lanes_of(left & clear & thick);
   if (decided.element == 0) return decided;
@@ -132,7 +160,8 @@ LaneBits find_force(ElementLanes& lanes, const ForceLimits& limits) {
   return known;
 }
 
-constexpr WideElements kElements{find_geometry, decide, find_force, find_gradient, add_tangent, add_tangent_of_parts};
+constexpr WideElements kElements{find_geometry,       leave, decide, find_force, find_gradient, add_tangent,
+                                 add_tangent_of_parts};
 
 }  // namespace
 

@@ -55,10 +55,11 @@ struct ElementLanes : FoundLanes {
   // What `geometry` fills, beside n_Me, barycentre_Me and area.
   std::array<VectorLanes, 3> p_Me;  ///< corners of the master faces
   std::array<DoubleLanes, 2> side;  ///< 1-norms of p1 - p0 and p2 - p0, m
-  // For `decide`.
+  // For `leave` and `decide`.
   CornerLanes slave_corners{};
   DoubleLanes thickness;                             ///< of the master faces, fast/surface/thickness.h, m
   std::array<Clearance, kElementLanes> clearance{};  ///< of the slave faces
+  DoubleLanes slave_free;  ///< so far along the line no other face of the slave is met, whatever the clearance says, m
   // `decide` fills depth.
   // What `force` fills: see Element; the torque is about Mf.
   DoubleLanes normal_velocity, tangential_velocity, normal_force, tangential_force;
@@ -83,14 +84,22 @@ struct TangentLanes {
   MatrixLanes torque_by_position, torque_by_rotation, torque_by_velocity, torque_by_lever;
 };
 
-/// What `decide` compares with.
+/// What `leave` and `decide` compare with.
 struct DecisionLimits {
-  double least_share = 0;           ///< of two sides' product, that a slave face's area exceeds
+  double least_share = 0;           ///< of two sides' product, that a face's area exceeds
+  double max_coordinate = 0;        ///< of both surfaces in Me, m
   double slave_max_coordinate = 0;  ///< unit of Clearance::beneath, m
   double error = 0;                 ///< of distances, m
   double thick_edges = 0;           ///< the thickness of a master face holds where this times both sides is less than
   double thick_area = 0;            ///< this times its area
   std::array<double, 2> cone_cosine_square{};
+};
+
+/// Whether the line of each face passes through its slave face from within the slave's body, at whatever distance;
+/// lanes in neither are not decided.
+struct LeavingLanes {
+  LaneBits surely = 0;
+  LaneBits surely_not = 0;
 };
 
 /// What the line of each face finds; all lanes in none of them are not decided.
@@ -119,6 +128,7 @@ struct ForceLimits {
 /// `tangent_of_parts` what they make of the motions given.
 struct WideElements {
   LaneBits (*geometry)(ElementLanes& lanes);
+  LeavingLanes (*leave)(const ElementLanes& lanes, const DecisionLimits& limits);
   DecidedLanes (*decide)(ElementLanes& lanes, const DecisionLimits& limits);
   LaneBits (*force)(ElementLanes& lanes, const ForceLimits& limits);
   void (*gradient)(ElementLanes& lanes);

@@ -14,6 +14,7 @@
 #include "fast/base/depth.h"
 #include "fast/base/geometry.h"
 #include "fast/force/force_problem.h"
+#include "fast/predicates/penetration_predicates.h"
 
 /// Elements computed four at a time against the same computed one by one: bit for bit, on every set of instructions.
 namespace pcm::fast {
@@ -60,6 +61,7 @@ class WideElementsAt : public testing::TestWithParam<double> {
   DecisionLimits limits() const {
     DecisionLimits limits;
     limits.least_share = 0x1p-10;
+    limits.max_coordinate = 16 * GetParam();
     limits.slave_max_coordinate = GetParam();
     limits.error = 0x1p-30 * GetParam();
     limits.thick_edges = 0x1p-40;
@@ -91,6 +93,74 @@ TEST_P(WideElementsAt, GeometryIsThatOfEachFace) {
         EXPECT_EQ(bits(lanes.area.value[lane]), bits(face.area));
         expect_same(lanes.n_Me[lane], face.n_Me);
       }
+    }
+  }
+}
+
+/// Whether the line passes through the face from within its body, exactly.
+bool leaves_through(const FacePoints& master, const FacePoints& slave) {
+  WorkCounters work;
+  const PenetrationLine line(master[0], master[1], master[2]);
+  return facing(line, slave, work) < 0 && passes_through(line, slave, work);
+}
+
+TEST_P(WideElementsAt, LeavingIsSaidWhereItIsSoAndNotWhereItIsNot) {
+  const auto [portable, wide] = all_wide_elements();
+  int surely = 0, surely_not = 0;
+  for (int round = 0; round < 1000; ++round) {
+    ElementLanes lanes;
+    draw(lanes);
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      auto& slave = slave_points[lane];
+      if (round % 3 != 0) std::swap(slave[0], slave[2]);  // To look the other way.
+      if (round % 2 == 0) continue;
+      // The line passes through a corner or an edge of the slave's face, but for the roundings of these two lines.
+      const FaceGeometry face(master_points[lane]);
+      const Eigen::Vector3d on_line = face.barycentre_Me() - GetParam() * face.n_Me;
+      slave[1] = round % 4 == 1 ? on_line : 2 * on_line - slave[0];
+    }
+    portable->geometry(lanes);
+    const LeavingLanes leaving = portable->leave(lanes, limits());
+    EXPECT_EQ(leaving.surely & leaving.surely_not, 0U);
+    surely += std::popcount(leaving.surely);
+    surely_not += std::popcount(leaving.surely_not);
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      const bool leaves = leaves_through(master_points[lane], slave_points[lane]);
+      EXPECT_FALSE(has_lane(leaving.surely, lane) && !leaves);
+      EXPECT_FALSE(has_lane(leaving.surely_not, lane) && leaves);
+    }
+    if (wide == nullptr) continue;
+    const LeavingLanes again = wide->leave(lanes, limits());
+    EXPECT_EQ(leaving.surely, again.surely);
+    EXPECT_EQ(leaving.surely_not, again.surely_not);
+  }
+  // Near the ends of the range of doubles the bound of the side tests says nothing.
+  const bool usual = GetParam() > 0x1p-200 && GetParam() < 0x1p200;
+  EXPECT_EQ(surely > 500, usual) << surely;
+  EXPECT_EQ(surely_not > 500, usual) << surely_not;
+}
+
+TEST_P(WideElementsAt, LinesThroughAnEdgeOfTheSlavesFaceAreNotDecidedUntilTheyAreSurelyOffIt) {
+  if (GetParam() != 1) return;
+  // The line is x = y = 1, and an edge of the slave's face lies on x = 1 + off.
+  const FacePoints master{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(0, 3, 0)};
+  for (const double off : {0.0, 0x1p-52, -0x1p-52, 0x1p-40, -0x1p-40}) {
+    const FacePoints slave{Eigen::Vector3d(1 + off, 5, -1), Eigen::Vector3d(4, 0, -1),
+                           Eigen::Vector3d(1 + off, -2, -1)};
+    ElementLanes lanes;
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        lanes.master_corners[k][lane] = master[k].data();
+        lanes.slave_corners[k][lane] = slave[k].data();
+      }
+    }
+    for (const WideElements* set : all_wide_elements()) {
+      if (set == nullptr) continue;
+      set->geometry(lanes);
+      const LeavingLanes leaving = set->leave(lanes, limits());
+      const bool decided = std::abs(off) > 0x1p-45;
+      EXPECT_EQ(leaving.surely, decided && leaves_through(master, slave) ? 0xfU : 0U) << off;
+      EXPECT_EQ(leaving.surely_not, decided && !leaves_through(master, slave) ? 0xfU : 0U) << off;
     }
   }
 }
