@@ -206,7 +206,7 @@ class Relabelling {
   struct Lines {
     SideLine cut, far;
   };
-  std::array<Lines, kMostHalfPlanes> lines_;
+  std::array<Lines, kMostHalfPlanes + 1> lines_;
   std::size_t count_ = 0;
 };
 
@@ -242,9 +242,9 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
         remaining.push_back(piece);
         dropped = area_of(cuts.common());
       } else {
-        Relabelling strip;
-        strip.note(cuts.kept[certain_cut], cuts.lines[certain_cut]);
-        strip.apply(remaining.back());
+        // Its far side may lie along an earlier cut that took nothing itself.
+        relabelling.note(cuts.kept[certain_cut], cuts.lines[certain_cut]);
+        relabelling.apply(remaining.back());
       }
     }
     clipping_error.area += dropped;

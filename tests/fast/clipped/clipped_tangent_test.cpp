@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "meshes/generate/degenerate/hard_bodies.h"
 #include "meshes/generate/parts.h"
 #include "tests/fast/engine_support.h"
 
@@ -114,6 +115,19 @@ TEST(ClippedTangent, OfASideThatAnEdgeLiesOnIsNotTheEdgesBeyondItsEnds) {
       EXPECT_LE(std::abs(by_bar), kStiffness * here.kDepth * here.kWidth + 1e-12)
           << i << (within ? " within" : " beside");
     }
+}
+
+/// The cube's faces beside the one that is seen stand upright, so that edges of theirs look shorter than roundings and
+/// run anywhere, here along the side of that face (`pcm verify`, seed 19, near-degenerate pose 3020 of this pair).
+TEST(ClippedTangent, OfASideThatSeveralCutsDidNotQuiteReachIsThatOfTheFaceItself) {
+  Pose pose;
+  pose.A << 0, 0, -1, 1, 0, 0, 0, -1, 0;
+  pose.r = {-0x1p-4, -0x1.6000000000007p-1, 0x1.1fffffffffffbp-1};
+  const Contact contact =
+      clipped(generate::gridded_box(0.25, 2), degenerate::figure_of_eight(), pose, stiffness(kStiffness), Mode::F);
+  ASSERT_TRUE(contact.touching);
+  // No side is longer, no arm nor depth greater than 1 m.
+  EXPECT_LT(contact.tangent->lpNorm<Eigen::Infinity>(), 10 * kStiffness);
 }
 
 TEST(ClippedTangent, AtTheClampIsThatOfConstantPenetrations) {
