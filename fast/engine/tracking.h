@@ -43,6 +43,7 @@ class Tracking {
     std::vector<Index> intersected, inner, pockets;
   };
 
+  void list_pairs(PosedPair& posed, double margin, NodePairs& open);
   void start_lines(double way);
 
   BoundingBall ball_F_;
@@ -50,6 +51,7 @@ class Tracking {
   std::array<double, 2> spread_;  ///< how far lines of a master are from where they were, over what F has travelled
   std::size_t fewest_vertices_;   ///< of a component of either surface
   std::optional<Pose> last_;
+  double longest_since_long_ = 0;  ///< way of points of F on a short step since the last long one, 0: there was none, m
   // How far points have travelled since pairs were listed, at most, m:
   double travelled_ = 0;         ///< those of F
   double listed_travelled_ = 0;  ///< those of the faces listed alone

@@ -48,6 +48,25 @@ TEST(Tracking, ShortStepsNeedNoSearchFromTheRoots) {
   EXPECT_EQ(searched_without, 100);
 }
 
+TEST(Tracking, ShortStepsAboutPlacesThatAreFarFromEachOtherNeedNoSearchFromTheRoots) {
+  const Surface bubble(generate::bubble());
+  const Pairing pairing(bubble, bubble, test::rough(1e5));
+  PairingMemory memory(pairing);
+  Workspace one, other;
+  std::int64_t searched = 0;
+  for (int place = 0; place < 20; ++place) {
+    for (int i = 0; i < 5; ++i) {
+      const Pose pose = test::turned(0.3, {0.05 + 2e-3 * place, 0.1, 0.12 + 1e-6 * i * (i % 2 == 0 ? 1 : -1)});
+      const Contact& followed = memory.evaluate(pose, {}, kForceOnly, one);
+      EXPECT_TRUE(test::same(followed, evaluate(pairing, pose, {}, kForceOnly, other))) << place << ' ' << i;
+      searched += followed.work.candidate_pairs > 0 ? 1 : 0;
+    }
+  }
+  // At each place once, at the first one again after the first short step, at another one now and then.
+  EXPECT_GE(searched, 20);
+  EXPECT_LE(searched, 24);
+}
+
 /// Where squares of areas leave the range of doubles, too.
 TEST(Tracking, AnswersAlikeAtAllScales) {
   for (const int exponent : {-297, -280, -269, 0, 250}) {
