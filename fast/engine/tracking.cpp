@@ -17,8 +17,7 @@ constexpr double kLongestStep = 0x1p-7;
 /// How many steps as long as the last one a list of pairs is made for, and a line's faces are. Longer lists cost more
 /// at each.
 constexpr double kStepsAhead = 16, kLineStepsAhead = 8, kLineStepsAheadOfF = 2;
-/// The same after a longer step, if short ones followed the one before: times the longest of them. Integrators go far
-/// and then iterate, or take difference quotients, about the place they have come to.
+/// The same after a longer step, of the longest short one that is awaited.
 constexpr double kStepsAheadOfLong = 3;
 
 /// Adds up ways, the sum rounded up.
@@ -46,6 +45,11 @@ void Tracking::start_lines(double way) {
   }
 }
 
+void Tracking::forget() {
+  pairs_.clear();
+  for (LineMemory& lines : lines_) lines.clear();
+}
+
 void Tracking::list_pairs(PosedPair& posed, double margin, NodePairs& open) {
   pairs_.list(posed, margin, open);
   travelled_ = listed_travelled_ = 0;
@@ -56,17 +60,20 @@ Tracking::Known Tracking::move_to(const Pose& pose, PosedPair& posed, NodePairs&
   const bool had_kept = std::exchange(has_kept_, false);
   const double way = last ? greatest_travel(*last, pose, ball_F_) : std::numeric_limits<double>::infinity();
   if (!(way < longest_step_)) {
-    const double awaited = std::exchange(longest_since_long_, 0);
-    pairs_.clear();
-    for (LineMemory& lines : lines_) lines.clear();
-    if (!(awaited > 0)) return Known::nothing;
-    list_pairs(posed, kStepsAheadOfLong * awaited, open);
-    start_lines(awaited);
+    if (last) short_steps_.note_long();
+    forget();
+    if (!short_steps_.awaited()) return Known::nothing;
+    list_pairs(posed, kStepsAheadOfLong * short_steps_.longest_awaited(), open);
+    start_lines(short_steps_.longest_awaited());
     return Known::crossing_pairs;
   }
-  longest_since_long_ = std::max(longest_since_long_, way);
+  short_steps_.note_short(way);
   add_way(way, travelled_);
   if (!pairs_.holds(travelled_)) {
+    if (!short_steps_.go_on()) {
+      forget();
+      return Known::nothing;
+    }
     for (LineMemory& lines : lines_) lines.start_travel_anew(travelled_);
     list_pairs(posed, kStepsAhead * way, open);
     start_lines(way);

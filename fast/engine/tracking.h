@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fast/active/active_areas.h"
@@ -14,6 +16,33 @@
 #include "fast/posed/motion.h"
 
 namespace pcm::fast {
+
+/// How steps that are short enough to be followed came among longer ones of late, and so whether more of them are to be
+/// awaited: integrators go far and then iterate, or take difference quotients, about the place they have come to, or
+/// come to each place but once. Decides what is looked for beforehand, and no bit.
+class ShortSteps {
+ public:
+  /// `way`: of points of F, m.
+  void note_short(double way) {
+    ++count_;
+    longest_ = std::max(longest_, way);
+  }
+  void note_long() {
+    counts_before_ = {std::exchange(count_, 0), counts_before_[0]};
+    longest_before_ = std::exchange(longest_, 0);
+  }
+
+  /// After a short step: whether others follow.
+  bool go_on() const { return count_ > 1 || counts_before_[0] > 1; }
+  /// After a long step: whether short ones follow, as they did after the last two; and how long the longest may be, m.
+  bool awaited() const { return longest_before_ > 0 && counts_before_[0] > 0 && counts_before_[1] > 0; }
+  double longest_awaited() const { return longest_before_; }
+
+ private:
+  int count_ = 0;                           ///< since the last long step
+  std::array<int, 2> counts_before_{2, 0};  ///< between long steps before, the last ones first; at first others follow
+  double longest_ = 0, longest_before_ = 0;
+};
 
 /// What is known of a pairing along a trajectory: which pairs of faces cross, for as long as F moves by little from
 /// pose to pose, and what followed from it at the last one.
@@ -43,6 +72,7 @@ class Tracking {
     std::vector<Index> intersected, inner, pockets;
   };
 
+  void forget();
   void list_pairs(PosedPair& posed, double margin, NodePairs& open);
   void start_lines(double way);
 
@@ -51,7 +81,7 @@ class Tracking {
   std::array<double, 2> spread_;  ///< how far lines of a master are from where they were, over what F has travelled
   std::size_t fewest_vertices_;   ///< of a component of either surface
   std::optional<Pose> last_;
-  double longest_since_long_ = 0;  ///< way of points of F on a short step since the last long one, 0: there was none, m
+  ShortSteps short_steps_;
   // How far points have travelled since pairs were listed, at most, m:
   double travelled_ = 0;         ///< those of F
   double listed_travelled_ = 0;  ///< those of the faces listed alone

@@ -62,9 +62,32 @@ TEST(Tracking, ShortStepsAboutPlacesThatAreFarFromEachOtherNeedNoSearchFromTheRo
       searched += followed.work.candidate_pairs > 0 ? 1 : 0;
     }
   }
-  // At each place once, at the first one again after the first short step, at another one now and then.
-  EXPECT_GE(searched, 20);
-  EXPECT_LE(searched, 24);
+  // At each place once, and at the first one again after the first short step, before any was awaited.
+  EXPECT_EQ(searched, 21);
+}
+
+TEST(Tracking, OneShortStepAmongLongOnesIsNotPreparedFor) {
+  ShortSteps steps;
+  for (int stage = 0; stage < 20; ++stage) {
+    if (stage % 5 == 4) {
+      steps.note_short(1e-6);
+      EXPECT_FALSE(steps.go_on()) << stage;
+    } else {
+      steps.note_long();
+      EXPECT_FALSE(steps.awaited()) << stage;
+    }
+  }
+}
+
+TEST(Tracking, ShortStepsAreAwaitedAfterTheyCameTwice) {
+  ShortSteps steps;
+  for (int step = 0; step < 5; ++step) {
+    steps.note_long();
+    EXPECT_EQ(steps.awaited(), step >= 2) << step;
+    EXPECT_EQ(steps.longest_awaited(), step == 0 ? 0 : 3e-6);
+    for (const double way : {1e-6, 3e-6, 2e-6}) steps.note_short(way);
+    EXPECT_TRUE(steps.go_on());
+  }
 }
 
 /// Where squares of areas leave the range of doubles, too.
