@@ -59,8 +59,8 @@ class LineMemory {
   static bool meets_nothing(const Line& line) {
     return line.slave_count == 0 && line.slave_searched == std::numeric_limits<double>::infinity();
   }
-  /// The one face of the slave that such a line may meet up to `slave_searched`, where there is but one and other faces
-  /// of the master are out of the question; else -1.
+  /// The one face of the slave that such a line may meet up to `slave_searched`, where there is but one and no face of
+  /// the master is remembered, which the thickness has to tell; else -1.
   Index only_slave_face(const Line& line) const {
     return line.slave_count == 1 && line.own_count == 0 ? *slave_faces(line) : -1;
   }

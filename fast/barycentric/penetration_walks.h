@@ -7,12 +7,14 @@
 
 #include "fast/barycentric/line_memory.h"
 #include "fast/barycentric/penetration_line.h"
+#include "fast/base/fast_clear_array.h"
 #include "fast/crossings/crossings.h"
+#include "fast/simd/elements.h"
 #include "fast/simd/face_lanes.h"
 
 namespace pcm::fast {
 
-/// Where walks over the slave start, and scratch memory.
+/// Where walks over the slave start, what their ends are compared with, and scratch memory.
 struct PenetrationWalks {
   FastClearArray<Index> slave_nearby;  ///< by face of the master: a face of the slave near its penetration line
   Index last = -1;                     ///< face of the slave near the last penetration line, -1: none
@@ -26,9 +28,10 @@ struct PenetrationWalks {
 };
 
 /// The results of find_penetration but for `first_met`, for up to four faces at once, by walks over the slave, each
-/// from the face found for a neighbour or, where there is none, for the last. Where the faces' clearance and thickness
-/// say that nothing else is met: near O(1). Else by find_penetration. The lanes hold the faces' geometry and
-/// receive their depths. `memory`: of the lines at the last pose, or nullptr.
+/// from the face found at the last pose, for a neighbour or, where there is none, for the last face. Where the faces'
+/// clearance and thickness, or what is remembered, say that nothing else is met: near O(1). Else by find_penetration.
+/// The lanes hold the faces' geometry and receive their depths. `walks` has been started for this pose and master.
+/// `memory`: of the lines at the last pose, or nullptr.
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
                        PenetrationWalks& walks, LineMemory* memory,
                        std::array<Penetration, kElementLanes>& penetrations);

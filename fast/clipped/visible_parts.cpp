@@ -206,7 +206,7 @@ class Relabelling {
   struct Lines {
     SideLine cut, far;
   };
-  std::array<Lines, kMostHalfPlanes + 1> lines_;
+  std::array<Lines, kMostHalfPlanes> lines_;  ///< no cut is noted twice
   std::size_t count_ = 0;
 };
 

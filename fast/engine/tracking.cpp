@@ -50,9 +50,10 @@ void Tracking::forget() {
   for (LineMemory& lines : lines_) lines.clear();
 }
 
-void Tracking::list_pairs(PosedPair& posed, double margin, NodePairs& open) {
-  pairs_.list(posed, margin, open);
+void Tracking::list_pairs(PosedPair& posed, double steps, double way, NodePairs& open) {
+  pairs_.list(posed, steps * way, open);
   travelled_ = listed_travelled_ = 0;
+  start_lines(way);
 }
 
 Tracking::Known Tracking::move_to(const Pose& pose, PosedPair& posed, NodePairs& open) {
@@ -63,8 +64,7 @@ Tracking::Known Tracking::move_to(const Pose& pose, PosedPair& posed, NodePairs&
     if (last) short_steps_.note_long();
     forget();
     if (!short_steps_.awaited()) return Known::nothing;
-    list_pairs(posed, kStepsAheadOfLong * short_steps_.longest_awaited(), open);
-    start_lines(short_steps_.longest_awaited());
+    list_pairs(posed, kStepsAheadOfLong, short_steps_.longest_awaited(), open);
     return Known::crossing_pairs;
   }
   short_steps_.note_short(way);
@@ -75,8 +75,7 @@ Tracking::Known Tracking::move_to(const Pose& pose, PosedPair& posed, NodePairs&
       return Known::nothing;
     }
     for (LineMemory& lines : lines_) lines.start_travel_anew(travelled_);
-    list_pairs(posed, kStepsAhead * way, open);
-    start_lines(way);
+    list_pairs(posed, kStepsAhead, way, open);
     return Known::crossing_pairs;
   }
   start_lines(way);

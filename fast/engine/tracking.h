@@ -73,7 +73,7 @@ class Tracking {
   };
 
   void forget();
-  void list_pairs(PosedPair& posed, double margin, NodePairs& open);
+  void list_pairs(PosedPair& posed, double steps, double way, NodePairs& open);
   void start_lines(double way);
 
   BoundingBall ball_F_;

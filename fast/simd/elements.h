@@ -59,7 +59,8 @@ struct ElementLanes : FoundLanes {
   CornerLanes slave_corners{};
   DoubleLanes thickness;                             ///< of the master faces, fast/surface/thickness.h, m
   std::array<Clearance, kElementLanes> clearance{};  ///< of the slave faces
-  DoubleLanes slave_free;  ///< so far along the line no other face of the slave is met, whatever the clearance says, m
+  /// So far along the line no other face of the slave is met, whatever the clearance says, m; infinite: nowhere.
+  DoubleLanes slave_free;
   // `decide` fills depth.
   // What `force` fills: see Element; the torque is about Mf.
   DoubleLanes normal_velocity, tangential_velocity, normal_force, tangential_force;

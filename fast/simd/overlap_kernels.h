@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The tests of fast/simd/overlap.h, for files that are compiled for different instructions: everything here is local to
-// the file that includes it, and no function of another header is called, so that no wide instruction leaks out.
+// the file that includes it, and no function of another header is called but accessors, which optimized builds do not
+// call, so that no wide instruction leaks out.
 #pragma once
 
 #include "fast/simd/overlap.h"
@@ -112,7 +113,8 @@ LanePairs test_boxes(const WideNode& E, const WideNode& F, const WidePose& pose)
   for (; of_F != 0; of_F &= of_F - 1) {
     const auto j = static_cast<unsigned>(__builtin_ctz(of_F));
     const std::uint32_t of_E =
-        touching(boxes_E, all(boxes_F.in_E.centre, j), all(boxes_F.in_E.half, j), all(boxes_F.half, j), pose) & E.used();
+        touching(boxes_E, all(boxes_F.in_E.centre, j), all(boxes_F.in_E.half, j), all(boxes_F.half, j), pose) &
+        E.used();
     pairs |= static_cast<LanePairs>(of_E) << (8 * j);
   }
   return pairs;

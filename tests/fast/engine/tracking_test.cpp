@@ -142,6 +142,39 @@ TEST(Tracking, SpeckThatPassesThroughASurfaceBetweenPosesIsFound) {
   }
 }
 
+/// Plates one beneath the other, so that behind a face that a line leaves others are left.
+TriangleMesh stacked_plates() {
+  TriangleMesh plates = generate::plate(2, 2, 0.1, 6, 6);
+  for (int k = 1; k < 4; ++k)
+    plates = degenerate::joined(
+        plates, translated(generate::plate(2, 2, 0.1, 5 + k, 5 + k), Vector3d(0.01 * k, 0.02 * k, -0.0137 * k)));
+  return plates;
+}
+
+TEST(Tracking, LinesThroughStackedPlatesFindTheFirstOneThatTheyLeave) {
+  const Surface plates(stacked_plates());
+  const Pairing pairing(plates, plates, test::stiffness(1), Mode::both);
+  compare::PoseRandom random(20261127, 0, 0, 0);
+  const auto away = [&random](double length) -> Vector3d { return length * random.uniform() * random.direction(); };
+  Workspace one, other;
+  int followed = 0;
+  for (int walk = 0; walk < 10; ++walk) {
+    PairingMemory memory(pairing);
+    Pose pose;
+    pose.A = Eigen::AngleAxisd(random.uniform(-0.3, 0.3), random.direction()).toRotationMatrix();
+    pose.r = away(0.4).cwiseProduct(Vector3d(1, 1, 0.2));
+    for (int step = 0; step < 60; ++step) {
+      const Contact& known = memory.evaluate(pose, {}, kForceOnly, one);
+      ASSERT_TRUE(test::same(known, evaluate(pairing, pose, {}, kForceOnly, other))) << walk << ' ' << step;
+      followed += known.touching && known.work.candidate_pairs == 0 ? 1 : 0;
+      const double length = step % 12 == 11 ? 0.03 : std::exp2(random.uniform(-17, -9));
+      pose.r += away(length);
+      pose.A = (Eigen::AngleAxisd(length * random.uniform(), random.direction()) * pose.A).eval();
+    }
+  }
+  EXPECT_GT(followed, 200);
+}
+
 /// Three balls that roll on a plate, by all threads at once.
 TEST(Tracking, ScenesFollowTheirPairingsAndAnswerAlike) {
   Savings off;

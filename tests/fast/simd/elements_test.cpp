@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -140,27 +141,79 @@ TEST_P(WideElementsAt, LeavingIsSaidWhereItIsSoAndNotWhereItIsNot) {
   EXPECT_EQ(surely_not > 500, usual) << surely_not;
 }
 
-TEST_P(WideElementsAt, LinesThroughAnEdgeOfTheSlavesFaceAreNotDecidedUntilTheyAreSurelyOffIt) {
-  if (GetParam() != 1) return;
+/// Four times the same two faces.
+ElementLanes lanes_of(const FacePoints& master, const FacePoints& slave) {
+  ElementLanes lanes;
+  for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      lanes.master_corners[k][lane] = master[k].data();
+      lanes.slave_corners[k][lane] = slave[k].data();
+    }
+  }
+  return lanes;
+}
+
+DecisionLimits usual_limits() {
+  DecisionLimits limits;
+  limits.least_share = 0x1p-10;
+  limits.max_coordinate = limits.slave_max_coordinate = 16;
+  limits.error = 0x1p-30;
+  limits.thick_area = 1;
+  limits.cone_cosine_square = {0.9, 0.3};
+  return limits;
+}
+
+TEST(WideElements, LinesThroughAnEdgeOfTheSlavesFaceAreNotDecidedUntilTheyAreSurelyOffIt) {
   // The line is x = y = 1, and an edge of the slave's face lies on x = 1 + off.
   const FacePoints master{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(0, 3, 0)};
-  for (const double off : {0.0, 0x1p-52, -0x1p-52, 0x1p-40, -0x1p-40}) {
-    const FacePoints slave{Eigen::Vector3d(1 + off, 5, -1), Eigen::Vector3d(4, 0, -1),
-                           Eigen::Vector3d(1 + off, -2, -1)};
-    ElementLanes lanes;
-    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        lanes.master_corners[k][lane] = master[k].data();
-        lanes.slave_corners[k][lane] = slave[k].data();
+  // D of the edge is 63 times its distance; 128 u M |a| |b| W is 2^-36.9 with M = 16, |a| = |b| = 3 and W = 4.
+  for (const double off : {0.0, 0x1p-52, 0x1.2p-43, 0x1p-42, 0x1p-40}) {
+    for (const double x : {1 + off, 1 - off}) {
+      const FacePoints slave{Eigen::Vector3d(x, 5, -1), Eigen::Vector3d(4, 0, -1), Eigen::Vector3d(x, -2, -1)};
+      ElementLanes lanes = lanes_of(master, slave);
+      for (const WideElements* set : all_wide_elements()) {
+        if (set == nullptr) continue;
+        set->geometry(lanes);
+        const LeavingLanes leaving = set->leave(lanes, usual_limits());
+        const bool decided = off >= 0x1p-42;
+        EXPECT_EQ(leaving.surely, decided && leaves_through(master, slave) ? 0xfU : 0U) << x - 1;
+        EXPECT_EQ(leaving.surely_not, decided && !leaves_through(master, slave) ? 0xfU : 0U) << x - 1;
       }
     }
+  }
+}
+
+TEST(WideElements, OfALineFromANeedleNothingIsSaid) {
+  const FacePoints master{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(1.5, 0x1p-12, 0)};
+  for (const double x : {-4.0, 4.0}) {
+    const FacePoints slave{Eigen::Vector3d(x, 5, -1), Eigen::Vector3d(8, 0, -1), Eigen::Vector3d(x, -2, -1)};
+    ElementLanes lanes = lanes_of(master, slave);
     for (const WideElements* set : all_wide_elements()) {
       if (set == nullptr) continue;
       set->geometry(lanes);
-      const LeavingLanes leaving = set->leave(lanes, limits());
-      const bool decided = std::abs(off) > 0x1p-45;
-      EXPECT_EQ(leaving.surely, decided && leaves_through(master, slave) ? 0xfU : 0U) << off;
-      EXPECT_EQ(leaving.surely_not, decided && !leaves_through(master, slave) ? 0xfU : 0U) << off;
+      const LeavingLanes leaving = set->leave(lanes, usual_limits());
+      EXPECT_EQ(leaving.surely | leaving.surely_not, 0U) << x;
+    }
+  }
+}
+
+TEST(WideElements, ALineFindsWhatItLeavesWhereNoOtherFaceIsMetSoFar) {
+  const FacePoints master{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(0, 3, 0)};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double depth : {1.0, -1.0}) {
+    const FacePoints slave{Eigen::Vector3d(0, 0, -depth), Eigen::Vector3d(0, 3, -depth), Eigen::Vector3d(3, 0, -depth)};
+    for (const double free : {0.0, 0.5, 1.0, 1 + 0x1p-31, 1 + 0x1p-29, 2.0, kInfinity}) {
+      ElementLanes lanes = lanes_of(master, slave);
+      lanes.thickness.value.fill(4);
+      lanes.slave_free.value.fill(free);
+      for (const WideElements* set : all_wide_elements()) {
+        if (set == nullptr) continue;
+        set->geometry(lanes);
+        const DecidedLanes decided = set->decide(lanes, usual_limits());
+        EXPECT_EQ(decided.left, depth > 0 ? 0xfU : 0U);
+        EXPECT_EQ(decided.element, depth > 0 && free > 1 + 0x1p-30 ? 0xfU : 0U) << free;
+        EXPECT_EQ(decided.nothing, depth < 0 && free == kInfinity ? 0xfU : 0U) << free;
+      }
     }
   }
 }
