@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "fast/posed/transform.h"
+#include "fast/predicates/side_bound.h"
 #include "fast/search/line_search.h"
 
 namespace pcm::fast {
@@ -33,8 +34,8 @@ class LineCoordinates {
   LineCoordinates(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& barycentre, double a, double b,
                   double max_coordinate)
       : C_(barycentre), a_(p[1] - p[0]), b_(p[2] - p[0]) {
-    error_per_width_ = 128 * 0x1p-53 * max_coordinate * a * b;
-    usable_ = max_coordinate * a > 0x1p-500 && max_coordinate * b > 0x1p-500;
+    error_per_width_ = kSideError * max_coordinate * a * b;
+    usable_ = max_coordinate * a > kLeastSideProduct && max_coordinate * b > kLeastSideProduct;
   }
 
   /// Whether numbers are neither so large nor so small that the bound fails.
@@ -47,8 +48,8 @@ class LineCoordinates {
 
   /// What |D| of edges between points no wider than `width` must exceed for its sign to be sure.
   double error(double width) const {
-    const double error = error_per_width_ * width + 0x1p-900;
-    return error < 0x1p970 ? error : std::numeric_limits<double>::infinity();
+    const double error = error_per_width_ * width + kSideUnderflow;
+    return error < kGreatestSideBound ? error : std::numeric_limits<double>::infinity();
   }
 
  private:

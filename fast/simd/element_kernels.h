@@ -6,6 +6,7 @@
 #pragma once
 
 #include "fast/law/element_force.h"
+#include "fast/predicates/side_bound.h"
 #include "fast/simd/element_vectors.h"
 #include "fast/simd/elements.h"
 #include "fast/simd/tangent_kernels.h"
@@ -56,8 +57,9 @@ LeavingLanes leave(const ElementLanes& lanes, const DecisionLimits& limits) {
     width = greatest(width, greatest(greatest(absolute(from_C.x), absolute(from_C.y)), absolute(from_C.z)));
   }
   const Double4 M = four(limits.max_coordinate), side_a = load(lanes.side[0]), side_b = load(lanes.side[1]);
-  const Double4 error = four(128 * 0x1p-53) * M * side_a * side_b * width + four(0x1p-900);
-  const Long4 usable = (M * side_a > four(0x1p-500)) & (M * side_b > four(0x1p-500)) & (error < four(0x1p970)) &
+  const Double4 error = four(kSideError) * M * side_a * side_b * width + four(kSideUnderflow);
+  const Long4 usable = (M * side_a > four(kLeastSideProduct)) & (M * side_b > four(kLeastSideProduct)) &
+                       (error < four(kGreatestSideBound)) &
                        (load(lanes.area) > four(limits.least_share) * (side_a * side_b));
   Long4 inside = usable, outside = usable & (four(0) > four(0));
   for (std::size_t k = 0; k < 3; ++k) {

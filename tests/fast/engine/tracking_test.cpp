@@ -152,27 +152,18 @@ TriangleMesh stacked_plates() {
 }
 
 TEST(Tracking, LinesThroughStackedPlatesFindTheFirstOneThatTheyLeave) {
-  const Surface plates(stacked_plates());
-  const Pairing pairing(plates, plates, test::stiffness(1), Mode::both);
-  compare::PoseRandom random(20261127, 0, 0, 0);
-  const auto away = [&random](double length) -> Vector3d { return length * random.uniform() * random.direction(); };
-  Workspace one, other;
-  int followed = 0;
-  for (int walk = 0; walk < 10; ++walk) {
-    PairingMemory memory(pairing);
-    Pose pose;
-    pose.A = Eigen::AngleAxisd(random.uniform(-0.3, 0.3), random.direction()).toRotationMatrix();
-    pose.r = away(0.4).cwiseProduct(Vector3d(1, 1, 0.2));
-    for (int step = 0; step < 60; ++step) {
-      const Contact& known = memory.evaluate(pose, {}, kForceOnly, one);
-      ASSERT_TRUE(test::same(known, evaluate(pairing, pose, {}, kForceOnly, other))) << walk << ' ' << step;
-      followed += known.touching && known.work.candidate_pairs == 0 ? 1 : 0;
-      const double length = step % 12 == 11 ? 0.03 : std::exp2(random.uniform(-17, -9));
-      pose.r += away(length);
-      pose.A = (Eigen::AngleAxisd(length * random.uniform(), random.direction()) * pose.A).eval();
-    }
-  }
-  EXPECT_GT(followed, 200);
+  compare::SurfacePair pair;
+  pair.name = "stacked plates";
+  pair.E = pair.F = stacked_plates();
+  pair.law = test::stiffness(1);
+  const Surface plates(pair.E);
+  const Pairing pairing(plates, plates, pair.law, Mode::both);
+  const compare::FeaturePair features(pair.E, pair.F);
+  test::WalkTally tally;
+  for (std::uint64_t walk = 0; walk < 20; ++walk)
+    tally.add(test::take_walk(pair, compare::Stratum::generic, pairing, features, 20261127, walk, 60));
+  EXPECT_EQ(tally.different, 0) << tally.first_difference;
+  EXPECT_GT(tally.followed, 200);
 }
 
 /// Three balls that roll on a plate, by all threads at once.

@@ -28,6 +28,26 @@ void expect_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   for (int k = 0; k < 3; ++k) EXPECT_EQ(bits(a[k]), bits(b[k])) << a.transpose() << " against " << b.transpose();
 }
 
+/// For faces of size `scale`, no farther than 16 times that from the origin.
+DecisionLimits limits_at(double scale) {
+  DecisionLimits limits;
+  limits.least_share = 0x1p-10;
+  limits.max_coordinate = 16 * scale;
+  limits.slave_max_coordinate = scale;
+  limits.error = 0x1p-30 * scale;
+  limits.thick_edges = 0x1p-40;
+  limits.thick_area = 1 / scale;
+  limits.cone_cosine_square = {0.9, 0.3};
+  return limits;
+}
+
+/// Calls `visit` with each set of kernels that this processor can run.
+template <class Visit>
+void for_each_set(const Visit& visit) {
+  for (const WideElements* set : all_wide_elements())
+    if (set != nullptr) visit(*set);
+}
+
 /// Master faces and slave faces somewhere beneath them, of size `scale`.
 class WideElementsAt : public testing::TestWithParam<double> {
  protected:
@@ -59,17 +79,7 @@ class WideElementsAt : public testing::TestWithParam<double> {
     law.damping_mode = static_cast<DampingMode>(round % 3);
     return law;
   }
-  DecisionLimits limits() const {
-    DecisionLimits limits;
-    limits.least_share = 0x1p-10;
-    limits.max_coordinate = 16 * GetParam();
-    limits.slave_max_coordinate = GetParam();
-    limits.error = 0x1p-30 * GetParam();
-    limits.thick_edges = 0x1p-40;
-    limits.thick_area = 1 / GetParam();
-    limits.cone_cosine_square = {0.9, 0.3};
-    return limits;
-  }
+  static DecisionLimits limits() { return limits_at(GetParam()); }
 
   // What the lanes last drawn refer to.
   std::array<std::array<Eigen::Vector3d, 3>, kElementLanes> master_points, slave_points;
@@ -78,13 +88,12 @@ class WideElementsAt : public testing::TestWithParam<double> {
 };
 
 TEST_P(WideElementsAt, GeometryIsThatOfEachFace) {
-  for (const WideElements* set : all_wide_elements()) {
-    if (set == nullptr) continue;
+  for_each_set([&](const WideElements& set) {
     for (int round = 0; round < 200; ++round) {
       ElementLanes lanes;
       draw(lanes);
       if (round % 7 == 0) master_points[1][2] = master_points[1][0];  // no area
-      const LaneBits known = set->geometry(lanes);
+      const LaneBits known = set.geometry(lanes);
       for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
         const FaceGeometry face(master_points[lane]);
         for (std::size_t k = 0; k < 3; ++k) expect_same(lanes.p_Me[k][lane], master_points[lane][k]);
@@ -95,7 +104,7 @@ TEST_P(WideElementsAt, GeometryIsThatOfEachFace) {
         expect_same(lanes.n_Me[lane], face.n_Me);
       }
     }
-  }
+  });
 }
 
 /// Whether the line passes through the face from within its body, exactly.
@@ -153,32 +162,21 @@ ElementLanes lanes_of(const FacePoints& master, const FacePoints& slave) {
   return lanes;
 }
 
-DecisionLimits usual_limits() {
-  DecisionLimits limits;
-  limits.least_share = 0x1p-10;
-  limits.max_coordinate = limits.slave_max_coordinate = 16;
-  limits.error = 0x1p-30;
-  limits.thick_area = 1;
-  limits.cone_cosine_square = {0.9, 0.3};
-  return limits;
-}
-
 TEST(WideElements, LinesThroughAnEdgeOfTheSlavesFaceAreNotDecidedUntilTheyAreSurelyOffIt) {
   // The line is x = y = 1, and an edge of the slave's face lies on x = 1 + off.
   const FacePoints master{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(0, 3, 0)};
-  // D of the edge is 63 times its distance; 128 u M |a| |b| W is 2^-36.9 with M = 16, |a| = |b| = 3 and W = 4.
+  // D of the edge is 63 times its distance; 128 u M |a| |b| W is 2^-36.8 with M = 16, |a| = |b| = 3 and W = 4.
   for (const double off : {0.0, 0x1p-52, 0x1.2p-43, 0x1p-42, 0x1p-40}) {
     for (const double x : {1 + off, 1 - off}) {
       const FacePoints slave{Eigen::Vector3d(x, 5, -1), Eigen::Vector3d(4, 0, -1), Eigen::Vector3d(x, -2, -1)};
       ElementLanes lanes = lanes_of(master, slave);
-      for (const WideElements* set : all_wide_elements()) {
-        if (set == nullptr) continue;
-        set->geometry(lanes);
-        const LeavingLanes leaving = set->leave(lanes, usual_limits());
+      for_each_set([&](const WideElements& set) {
+        set.geometry(lanes);
+        const LeavingLanes leaving = set.leave(lanes, limits_at(1));
         const bool decided = off >= 0x1p-42;
         EXPECT_EQ(leaving.surely, decided && leaves_through(master, slave) ? 0xfU : 0U) << x - 1;
         EXPECT_EQ(leaving.surely_not, decided && !leaves_through(master, slave) ? 0xfU : 0U) << x - 1;
-      }
+      });
     }
   }
 }
@@ -188,12 +186,11 @@ TEST(WideElements, OfALineFromANeedleNothingIsSaid) {
   for (const double x : {-4.0, 4.0}) {
     const FacePoints slave{Eigen::Vector3d(x, 5, -1), Eigen::Vector3d(8, 0, -1), Eigen::Vector3d(x, -2, -1)};
     ElementLanes lanes = lanes_of(master, slave);
-    for (const WideElements* set : all_wide_elements()) {
-      if (set == nullptr) continue;
-      set->geometry(lanes);
-      const LeavingLanes leaving = set->leave(lanes, usual_limits());
+    for_each_set([&](const WideElements& set) {
+      set.geometry(lanes);
+      const LeavingLanes leaving = set.leave(lanes, limits_at(1));
       EXPECT_EQ(leaving.surely | leaving.surely_not, 0U) << x;
-    }
+    });
   }
 }
 
@@ -206,14 +203,13 @@ TEST(WideElements, ALineFindsWhatItLeavesWhereNoOtherFaceIsMetSoFar) {
       ElementLanes lanes = lanes_of(master, slave);
       lanes.thickness.value.fill(4);
       lanes.slave_free.value.fill(free);
-      for (const WideElements* set : all_wide_elements()) {
-        if (set == nullptr) continue;
-        set->geometry(lanes);
-        const DecidedLanes decided = set->decide(lanes, usual_limits());
+      for_each_set([&](const WideElements& set) {
+        set.geometry(lanes);
+        const DecidedLanes decided = set.decide(lanes, limits_at(1));
         EXPECT_EQ(decided.left, depth > 0 ? 0xfU : 0U);
         EXPECT_EQ(decided.element, depth > 0 && free > 1 + 0x1p-30 ? 0xfU : 0U) << free;
         EXPECT_EQ(decided.nothing, depth < 0 && free == kInfinity ? 0xfU : 0U) << free;
-      }
+      });
     }
   }
 }
@@ -248,12 +244,11 @@ TEST_P(WideElementsAt, DepthIsThatOfEachPair) {
 }
 
 TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
-  for (const WideElements* set : all_wide_elements()) {
-    if (set == nullptr) continue;
+  for_each_set([&](const WideElements& set) {
     for (int round = 0; round < 400; ++round) {
       ElementLanes lanes;
       draw(lanes);
-      const LaneBits with_geometry = set->geometry(lanes);
+      const LaneBits with_geometry = set.geometry(lanes);
       for (double& depth : lanes.depth.value) depth = GetParam() * (number(random) + 1);
       const ContactLaw law = law_of(round);
       const Pose pose{Eigen::Matrix3d::Identity(), draw()};
@@ -262,7 +257,7 @@ TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
       ForceProblem problem(law, pose, velocity, {});
       problem.with_velocities = round % 6 != 0;
       const Side master = round % 2 == 0 ? Side::E : Side::F;
-      const LaneBits known = with_geometry & set->force(lanes, force_limits(problem, master));
+      const LaneBits known = with_geometry & set.force(lanes, force_limits(problem, master));
       for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
         if (!has_lane(known, lane)) continue;
         Element element;
@@ -280,7 +275,7 @@ TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
         expect_same(lanes.torque_Me[lane], (element.position_Me - pose.r).cross(element.force_Me));
       }
     }
-  }
+  });
 }
 
 /// Lanes by the bits of all numbers that a tangent is made of; what is no number has no sign.
