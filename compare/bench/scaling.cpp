@@ -48,7 +48,7 @@ struct Spheres {
   std::int64_t faces() const { return static_cast<std::int64_t>(barycentric.surface_E().mesh().faces.size()); }
 
   fast::Pairing barycentric, clipped;
-  fast::Workspace workspace;
+  fast::Workspace workspace, workspace_of_two{2};
 };
 
 fast::Surface prepared_sphere(Index level, SetupResult& setup) {
@@ -87,6 +87,7 @@ struct Question {
   Asked asked;
   bool clipped;
   Wanted wanted;
+  bool of_two_threads = false;
 };
 constexpr std::array<Question, kAsked> kQuestions{{
     {Asked::touch, false, kTouchOnly},
@@ -94,6 +95,8 @@ constexpr std::array<Question, kAsked> kQuestions{{
     {Asked::force, false, kForceOnly},
     {Asked::everything, false, {}},
     {Asked::clipped_everything, true, {}},
+    {Asked::force_of_two_threads, false, kForceOnly, true},
+    {Asked::clipped_everything_of_two_threads, true, {}, true},
 }};
 
 ScalingPoint measure(Spheres& spheres, double depth, std::int64_t poses) {
@@ -106,7 +109,8 @@ ScalingPoint measure(Spheres& spheres, double depth, std::int64_t poses) {
     for (const Question& question : kQuestions) {
       const fast::Pairing& pairing = question.clipped ? spheres.clipped : spheres.barycentric;
       const auto ask = [&]() -> const fast::Contact& {
-        return fast::evaluate(pairing, pose, bench_velocity(), question.wanted, spheres.workspace);
+        return fast::evaluate(pairing, pose, bench_velocity(), question.wanted,
+                              question.of_two_threads ? spheres.workspace_of_two : spheres.workspace);
       };
       times[static_cast<std::size_t>(question.asked)].push_back(least_time([] {}, ask).query_us);
       if (question.asked != Asked::everything) continue;

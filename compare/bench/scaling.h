@@ -17,8 +17,17 @@ namespace pcm::compare {
 
 /// What an evaluation is asked for: whether surfaces touch, which ends at the first crossing; polygons, which cost what
 /// the border of the patch is long; and what needs all of its faces.
-enum class Asked : std::uint8_t { touch, polygons, force, everything, clipped_everything };
-inline constexpr std::size_t kAsked = 5;
+/// The last two are asked of two threads together.
+enum class Asked : std::uint8_t {
+  touch,
+  polygons,
+  force,
+  everything,
+  clipped_everything,
+  force_of_two_threads,
+  clipped_everything_of_two_threads,
+};
+inline constexpr std::size_t kAsked = 7;
 
 /// Setting up two surfaces of one resolution.
 struct SetupResult {
@@ -40,6 +49,8 @@ struct ScalingPoint {
   std::array<double, kAsked> median_us{};
 
   double us(Asked asked) const { return median_us[static_cast<std::size_t>(asked)]; }
+  /// How many times as fast two threads are.
+  double gain_of_two_threads(Asked one, Asked two) const { return us(one) / us(two); }
   /// Cost of a crossing or an element in nanoseconds, everything asked for.
   double unit_cost_ns() const { return 1e3 * us(Asked::everything) / (crossings + elements); }
 };

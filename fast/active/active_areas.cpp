@@ -3,6 +3,7 @@
 #include "fast/active/active_areas.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "fast/active/winding.h"
@@ -22,13 +23,13 @@ constexpr Index kUnknown = kWaiting + 2;
 class ActiveAreaInClosed {
  public:
   ActiveAreaInClosed(PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
-                     ActiveAreas& areas)
+                     ActiveFaces& found)
       : posed_(posed),
         side_(side),
         surface_(posed.surface(side)),
         crossed_(crossings.of(side)),
         scratch_(scratch),
-        found_(areas.of(side)) {}
+        found_(found) {}
 
   void find() {
     found_.winding.start(surface_.mesh.vertices.size());
@@ -157,29 +158,53 @@ bool ActiveAreaInClosed::find_nested() {
   return nested;
 }
 
-}  // namespace
+/// More crossings than these go with areas that take threads longer to find than to start.
+constexpr std::size_t kEnoughForThreads = 1024;
 
-void find_active_area_in_closed(PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
-                                ActiveAreas& areas) {
-  ActiveAreaInClosed search(posed, crossings, side, scratch, areas);
-  search.find();
-  if (search.find_nested()) areas.nested = true;
+/// What is to be told of a side beside its faces.
+struct SideFindings {
+  bool nested = false, ambiguous = false;
+};
+
+SideFindings find_active_area(PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
+                              ActiveFaces& found) {
+  found.inner.clear();
+  found.pockets.clear();
+  SideFindings findings;
+  if (posed.surface(opposite(side)).closed) {
+    findings.nested = find_active_area_in_closed(posed, crossings, side, scratch, found);
+  } else {
+    findings.ambiguous = find_active_area_in_open(posed, crossings, side, scratch, found);
+  }
+  sort_ascending(found.inner, scratch.marks);
+  sort_ascending(found.pockets, scratch.marks);
+  return findings;
 }
 
-void find_active_areas(PosedPair& posed, const Crossings& crossings, ActiveAreaScratch& scratch, ActiveAreas& areas) {
-  areas.nested = areas.ambiguous = false;
-  for (const Side side : {Side::E, Side::F}) {
-    ActiveFaces& found = areas.of(side);
-    found.inner.clear();
-    found.pockets.clear();
-    if (posed.surface(opposite(side)).closed) {
-      find_active_area_in_closed(posed, crossings, side, scratch, areas);
-    } else {
-      find_active_area_in_open(posed, crossings, side, scratch, areas);
-    }
-    sort_ascending(found.inner, scratch.marks);
-    sort_ascending(found.pockets, scratch.marks);
+}  // namespace
+
+bool find_active_area_in_closed(PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
+                                ActiveFaces& found) {
+  ActiveAreaInClosed search(posed, crossings, side, scratch, found);
+  search.find();
+  return search.find_nested();
+}
+
+void find_active_areas(PosedPair& posed, const Crossings& crossings, PosedTeam& team,
+                       std::array<ActiveAreaScratch, 2>& scratch, ActiveAreas& areas) {
+  std::array<SideFindings, 2> findings;
+  const auto find_side = [&](std::size_t side, PosedPair& own_posed) {
+    findings[side] =
+        find_active_area(own_posed, crossings, static_cast<Side>(side), scratch[side], areas.surfaces[side]);
+  };
+  if (team.threads() > 1 && crossings.nodes.size() > kEnoughForThreads) {
+    team.run(2, posed, std::cref(find_side));
+  } else {
+    find_side(0, posed);
+    find_side(1, posed);
   }
+  areas.nested = findings[0].nested || findings[1].nested;
+  areas.ambiguous = findings[0].ambiguous || findings[1].ambiguous;
 }
 
 }  // namespace pcm::fast

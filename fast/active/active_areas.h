@@ -35,7 +35,7 @@ struct ActiveAreas {
   const ActiveFaces& of(Side side) const { return surfaces[static_cast<std::size_t>(side)]; }
 };
 
-/// Scratch memory of find_active_areas.
+/// Scratch memory of find_active_areas, of a side.
 struct ActiveAreaScratch {
   std::vector<Index> nodes;          ///< of the search along a line
   std::vector<Index> stack;          ///< of the floods
@@ -55,13 +55,17 @@ struct ActiveAreaScratch {
 /// without crossing is located by one vertex. Cost near the size of the active area, in memory that has grown.
 /// Open other surface: labels come from crossed edges alone and spread over sets of uncrossed faces, as PCM section 5
 /// says; nothing is nested. Cost up to the size of the components touched.
-void find_active_areas(PosedPair& posed, const Crossings& crossings, ActiveAreaScratch& scratch, ActiveAreas& areas);
+///
+/// Where there are many crossings, and threads, one for each side.
+void find_active_areas(PosedPair& posed, const Crossings& crossings, PosedTeam& team,
+                       std::array<ActiveAreaScratch, 2>& scratch, ActiveAreas& areas);
 
-/// The part for one side whose other surface is closed, and open.
-void find_active_area_in_closed(PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
-                                ActiveAreas& areas);
-void find_active_area_in_open(const PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
-                              ActiveAreas& areas);
+/// Finds the active area of a side whose other surface is closed; true where a component of it is nested there.
+bool find_active_area_in_closed(PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
+                                ActiveFaces& found);
+/// The same where it is open; true where that labels a set of faces both ways.
+bool find_active_area_in_open(const PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
+                              ActiveFaces& found);
 
 /// Change of the other surface's winding number along edge k of a face, from its vertex k on.
 inline Index winding_change_along(const PreparedSurface& surface, const CrossedSurface& crossed, Index face,

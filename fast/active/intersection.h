@@ -21,6 +21,9 @@ struct Intersection {
     const std::vector<Index>& inner = active.of(side).inner;
     return crossings.of(side).is_intersected.contains(face) || std::binary_search(inner.begin(), inner.end(), face);
   }
+  std::size_t active_faces(Side side) const {
+    return crossings.of(side).intersected.size() + active.of(side).inner.size();
+  }
 };
 
 /// Calls `visit(face)` for the active faces of a side, intersected and inner, in face-index order.

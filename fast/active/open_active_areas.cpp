@@ -34,9 +34,8 @@ void label_vertex(ActiveFaces& side, std::vector<Index>& labelled, Index v, Labe
 
 }  // namespace
 
-void find_active_area_in_open(const PosedPair& posed, const Crossings& crossings, Side side_name,
-                              ActiveAreaScratch& scratch, ActiveAreas& areas) {
-  ActiveFaces& side = areas.of(side_name);
+bool find_active_area_in_open(const PosedPair& posed, const Crossings& crossings, Side side_name,
+                              ActiveAreaScratch& scratch, ActiveFaces& side) {
   const CrossedSurface& crossed = crossings.of(side_name);
   const PreparedSurface& surface = posed.surface(side_name);
   side.label.start(surface.mesh.vertices.size());
@@ -63,11 +62,12 @@ void find_active_area_in_open(const PosedPair& posed, const Crossings& crossings
       bits = static_cast<std::uint8_t>(bits | side.label[v]);
     }
   }
+  bool ambiguous = false;
   for (std::size_t set = 0; set < scratch.face_sets.size(); ++set) {
     const std::uint8_t bits = scratch.set_labels[set];
     const auto [begin, end] = scratch.face_sets[set];
     if (bits == (kInside | kOutside)) {
-      areas.ambiguous = true;
+      ambiguous = true;
       continue;
     }
     for (Index i = begin; i < end; ++i) {
@@ -76,6 +76,7 @@ void find_active_area_in_open(const PosedPair& posed, const Crossings& crossings
       for (const Index v : surface.face(face)) label_vertex(side, labelled, v, static_cast<Label>(bits));
     }
   }
+  return ambiguous;
 }
 
 }  // namespace pcm::fast

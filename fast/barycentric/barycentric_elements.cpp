@@ -5,54 +5,47 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 
 namespace pcm::fast {
 
 namespace {
 
-/// The elements of active faces, formed kElementLanes at a time and summed in face-index order.
-class ElementBatch {
+/// From so many faces on threads have enough to do: these take some 200 us.
+constexpr std::size_t kEnoughForThreads = 2048;
+/// Whoever finds some of them knows where neighbours' lines are; shares are whole lanes.
+constexpr std::size_t kFacesAtOnce = 256;
+static_assert(kFacesAtOnce % kElementLanes == 0);
+
+/// Elements before the law: those of up to kElementLanes faces at a time, in the lanes of the scratch.
+class ElementSearch {
  public:
-  ElementBatch(const Intersection& intersection, Side master, const ForceProblem& problem, BarycentricScratch& scratch,
-               LineMemory* memory, ElementRecord& record)
-      : posed_(intersection.posed),
-        master_(master),
-        problem_(problem),
-        scratch_(scratch),
-        memory_(memory),
-        record_(record),
-        queue_(problem, master, record, posed_.work, scratch.lanes) {
+  ElementSearch(const Intersection& intersection, Side master, const ForceProblem& problem, BarycentricSearch& scratch,
+                LineMemory* memory)
+      : posed_(intersection.posed), master_(master), problem_(problem), scratch_(scratch), memory_(memory) {
     scratch.walks.start(posed_, intersection.crossings, master);
   }
 
-  void add(Index face) {
-    faces_[count_++] = face;
-    if (count_ == kElementLanes) form_elements();
-  }
-  /// After the last face.
-  MasterForce total() {
-    if (count_ > 0) form_elements();
-    return queue_.total();
-  }
-
- private:
-  void form_elements() {
+  /// The lanes that hold an element; `of` tells of their faces.
+  LaneBits find(const FaceBatch& faces, std::size_t count, std::array<ElementFaces, kElementLanes>& of) {
     ElementLanes& lanes = scratch_.lanes;
-    find_geometry(posed_, master_, faces_, count_, lanes);
+    find_geometry(posed_, master_, faces, count, lanes);
     std::array<Penetration, kElementLanes> found;
-    find_penetrations(posed_, master_, faces_, count_, lanes, scratch_.walks, memory_, found);
+    find_penetrations(posed_, master_, faces, count, lanes, scratch_.walks, memory_, found);
     LaneBits elements = 0;
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-      if (found[lane].outcome == Penetration::Outcome::too_deep) ++record_.too_deep;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      if (found[lane].outcome == Penetration::Outcome::too_deep) ++too_deep_;
       if (found[lane].outcome == Penetration::Outcome::element) elements |= 1U << lane;
       lanes.depth.value[lane] = std::min(found[lane].depth, problem_.law.max_penetration);
-      queue_.set_faces(lane, faces_[lane], found[lane].slave_face, found[lane].depth);
+      of[lane] = {faces[lane], found[lane].slave_face, found[lane].depth};
     }
     if (problem_.with_tangent && elements != 0) find_gradients(found, elements);
-    queue_.add_lanes(elements);
-    count_ = 0;
+    return elements;
   }
+  /// Of all faces so far.
+  Index too_deep() const { return too_deep_; }
 
+ private:
   void find_gradients(const std::array<Penetration, kElementLanes>& found, LaneBits elements) {
     ElementLanes& lanes = scratch_.lanes;
     const auto some = static_cast<std::size_t>(std::countr_zero(elements));
@@ -70,21 +63,104 @@ class ElementBatch {
   PosedPair& posed_;
   Side master_;
   const ForceProblem& problem_;
-  BarycentricScratch& scratch_;
+  BarycentricSearch& scratch_;
   LineMemory* memory_;
-  ElementRecord& record_;
-  ElementQueue queue_;
-  FaceBatch faces_{};
-  std::size_t count_ = 0;
+  Index too_deep_ = 0;
 };
+
+/// What one thread finds of its shares: loads where they alone are wanted, else elements before the law.
+class SearchOfThread {
+ public:
+  SearchOfThread(const Intersection& intersection, Side master, const ForceProblem& problem, BarycentricOfThread& own)
+      : search_(intersection, master, problem, own.search, nullptr),
+        law_(problem, master),
+        counter_(problem, own.record, intersection.posed.work),
+        loads_alone_(wants_loads_alone(problem)),
+        own_(own) {
+    own.loads.clear();
+    own.found.clear();
+    own.record.clear();
+  }
+
+  std::size_t found() const { return loads_alone_ ? own_.loads.size() : own_.found.size(); }
+  void operator()(std::span<const Index> faces) {
+    FaceBatch batch{};
+    std::array<ElementFaces, kElementLanes> of{};
+    for (std::size_t i = 0; i < faces.size(); i += kElementLanes) {
+      const std::size_t count = std::min(kElementLanes, faces.size() - i);
+      std::copy_n(faces.begin() + static_cast<std::ptrdiff_t>(i), count, batch.begin());
+      const LaneBits which = search_.find(batch, count, of);
+      if (which != 0) keep(of, which);
+    }
+    own_.record.too_deep = search_.too_deep();
+  }
+
+ private:
+  void keep(const std::array<ElementFaces, kElementLanes>& of, LaneBits which) {
+    ElementLanes& lanes = own_.search.lanes;
+    if (!loads_alone_) {
+      own_.found.push_back({lanes, of, which});
+      return;
+    }
+    law_.apply(of, which, lanes);
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      if (has_lane(which, lane)) counter_.count(of[lane].greatest_penetration);
+    }
+    own_.loads.push_back({lanes.force_Me, lanes.torque_Me, which});
+  }
+
+  ElementSearch search_;
+  LawForLanes law_;
+  ElementSum counter_;
+  bool loads_alone_;
+  BarycentricOfThread& own_;
+};
+
+MasterForce sum_by_threads(const Intersection& intersection, Side master, const ForceProblem& problem, PosedTeam& team,
+                           BarycentricScratch& scratch, ElementRecord& record) {
+  scratch.of_threads.resize(team.threads());
+  scratch.shares.start(intersection, master, kFacesAtOnce);
+  scratch.shares.find(intersection, team, [&](std::size_t thread, const Intersection& own) {
+    return SearchOfThread(own, master, problem, scratch.of_threads[thread]);
+  });
+  for (const BarycentricOfThread& own : scratch.of_threads) record.add(own.record);
+  ElementQueue queue(problem, master, record, intersection.posed.work, scratch.search.lanes);
+  const bool loads_alone = wants_loads_alone(problem);
+  scratch.shares.for_each_range([&](std::size_t thread, std::size_t begin, std::size_t end) {
+    const BarycentricOfThread& own = scratch.of_threads[thread];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (loads_alone) {
+        queue.add_loads(own.loads[i]);
+      } else {
+        queue.add_kept(own.found[i]);
+      }
+    }
+  });
+  return queue.total();
+}
 
 }  // namespace
 
 MasterForce sum_barycentric_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
-                                     BarycentricScratch& scratch, LineMemory* memory, ElementRecord& record) {
-  ElementBatch batch(intersection, master, problem, scratch, memory, record);
-  for_each_active_face(intersection, master, [&batch](Index face) { batch.add(face); });
-  return batch.total();
+                                     PosedTeam& team, BarycentricScratch& scratch, LineMemory* memory,
+                                     ElementRecord& record) {
+  const bool for_threads = team.threads() > 1 && intersection.active_faces(master) >= kEnoughForThreads;
+  if (for_threads && memory == nullptr) return sum_by_threads(intersection, master, problem, team, scratch, record);
+  ElementSearch search(intersection, master, problem, scratch.search, memory);
+  ElementQueue queue(problem, master, record, intersection.posed.work, scratch.search.lanes);
+  FaceBatch faces{};
+  std::size_t count = 0;
+  const auto form_elements = [&] {
+    queue.add_lanes(search.find(faces, count, queue.faces()));
+    count = 0;
+  };
+  for_each_active_face(intersection, master, [&](Index face) {
+    faces[count++] = face;
+    if (count == kElementLanes) form_elements();
+  });
+  if (count > 0) form_elements();
+  record.too_deep += search.too_deep();
+  return queue.total();
 }
 
 }  // namespace pcm::fast

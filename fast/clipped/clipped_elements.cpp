@@ -124,19 +124,91 @@ void record_beside_elements(const ClippedFace& face, const ContactLaw& law, Elem
   }
 }
 
+namespace {
+
+/// From so many faces on threads have enough to do: these take some 200 us.
+constexpr std::size_t kEnoughForThreads = 128;
+constexpr std::size_t kFacesAtOnce = 16;
+
+/// Calls `add(element, motion)` for each element of a face; `motion` is null where none was asked for.
+template <class Add>
+void for_each_element(const ClippedFace& seen, const Add& add) {
+  const ElementMotion* motion = seen.motions.data();
+  const bool with_motions = !seen.motions.empty();
+  for (const VisiblePart& part : seen.parts) {
+    if (!part.is_element()) continue;
+    add(ClippedElement{{seen.face, part.slave_face, part.moments.greatest},
+                       part.area,
+                       part.penetration,
+                       seen.geometry.n_Me,
+                       seen.foot_Me(part)},
+        with_motions ? motion++ : nullptr);
+  }
+}
+
+void add_to(ElementQueue& queue, const ClippedElement& element, const ElementMotion* motion) {
+  queue.add(element.faces, element.area, element.penetration, element.n_Me, element.foot_Me, motion);
+}
+
+/// What one thread finds of its shares.
+class FacesOfThread {
+ public:
+  FacesOfThread(const Intersection& intersection, Side master, const ForceProblem& problem, ClippedOfThread& own)
+      : intersection_(intersection), master_(master), problem_(problem), own_(own) {
+    own.found.clear();
+    own.motions.clear();
+    own.beside.clear();
+  }
+
+  std::size_t found() const { return own_.found.size(); }
+  void operator()(std::span<const Index> faces) {
+    for (const Index face : faces) {
+      const ClippedFace seen = clip_face(intersection_, master_, face, problem_.law, problem_.with_tangent, own_.face);
+      record_beside_elements(seen, problem_.law, own_.beside);
+      for_each_element(seen, [this](const ClippedElement& element, const ElementMotion* motion) {
+        own_.found.push_back(element);
+        if (motion != nullptr) own_.motions.push_back(*motion);
+      });
+    }
+  }
+
+ private:
+  Intersection intersection_;
+  Side master_;
+  const ForceProblem& problem_;
+  ClippedOfThread& own_;
+};
+
+MasterForce sum_by_threads(const Intersection& intersection, Side master, const ForceProblem& problem, PosedTeam& team,
+                           ClippedScratch& scratch, ElementRecord& record) {
+  scratch.of_threads.resize(team.threads());
+  scratch.shares.start(intersection, master, kFacesAtOnce);
+  scratch.shares.find(intersection, team, [&](std::size_t thread, const Intersection& own) {
+    return FacesOfThread(own, master, problem, scratch.of_threads[thread]);
+  });
+  for (const ClippedOfThread& own : scratch.of_threads) record.add(own.beside);
+  ElementQueue queue(problem, master, record, intersection.posed.work, scratch.lanes);
+  scratch.shares.for_each_range([&](std::size_t thread, std::size_t begin, std::size_t end) {
+    const ClippedOfThread& own = scratch.of_threads[thread];
+    for (std::size_t i = begin; i < end; ++i) {
+      add_to(queue, own.found[i], problem.with_tangent ? &own.motions[i] : nullptr);
+    }
+  });
+  return queue.total();
+}
+
+}  // namespace
+
 MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
-                                 ClippedScratch& scratch, ElementRecord& record) {
-  PosedPair& posed = intersection.posed;
-  ElementQueue queue(problem, master, record, posed.work, scratch.lanes);
+                                 PosedTeam& team, ClippedScratch& scratch, ElementRecord& record) {
+  const bool for_threads = team.threads() > 1 && intersection.active_faces(master) >= kEnoughForThreads;
+  if (for_threads) return sum_by_threads(intersection, master, problem, team, scratch, record);
+  ElementQueue queue(problem, master, record, intersection.posed.work, scratch.lanes);
   for_each_active_face(intersection, master, [&](Index face) {
     const ClippedFace seen = clip_face(intersection, master, face, problem.law, problem.with_tangent, scratch.face);
     record_beside_elements(seen, problem.law, record);
-    auto motion = seen.motions.begin();
-    for (const VisiblePart& part : seen.parts) {
-      if (!part.is_element()) continue;
-      queue.add({seen.face, part.slave_face, part.moments.greatest}, part.area, part.penetration, seen.geometry.n_Me,
-                seen.foot_Me(part), problem.with_tangent ? &*motion++ : nullptr);
-    }
+    for_each_element(
+        seen, [&queue](const ClippedElement& element, const ElementMotion* motion) { add_to(queue, element, motion); });
   });
   return queue.total();
 }

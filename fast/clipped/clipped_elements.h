@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "fast/active/face_shares.h"
 #include "fast/active/intersection.h"
 #include "fast/clipped/face_view.h"
 #include "fast/clipped/part_motion.h"
@@ -80,10 +81,27 @@ ClippedFace clip_face(const Intersection& intersection, Side master, Index face,
 /// Records what the face has beside elements.
 void record_beside_elements(const ClippedFace& face, const ContactLaw& law, ElementRecord& record);
 
+/// An element of the clipped scheme before the law.
+struct ClippedElement {
+  ElementFaces faces;
+  double area = 0, penetration = 0;
+  Eigen::Vector3d n_Me, foot_Me;  ///< the master face's outward normal; the centre of pressure
+};
+
+/// What one of several threads finds.
+struct alignas(kApart) ClippedOfThread {
+  ClippedFaceScratch face;
+  std::vector<ClippedElement> found;
+  std::vector<ElementMotion> motions;  ///< of those, where they are asked for
+  ElementRecord beside;                ///< what faces have beside elements
+};
+
 /// Scratch memory of sum_clipped_elements.
 struct ClippedScratch {
   ClippedFaceScratch face;
   ElementLanes lanes;
+  FaceShares shares;
+  std::vector<ClippedOfThread> of_threads;
 };
 
 /// Forms the contact elements of a master in the clipped scheme (PCM section 6): for each active face e and each slave
@@ -99,8 +117,8 @@ struct ClippedScratch {
 /// depths moved by a few ulps of the greatest coordinate S (fast/clipped/visible_parts.h), so relative to the sum of
 /// |F_k| a few ulps times S over the mean penetration, or over the width of what is seen where that is less; flush and
 /// nearly flush faces included. Cost: near O(log n + overlapping faces) a master face; parts are cut only where sheets
-/// overlap.
+/// overlap. Where there are many faces all threads of the team look through them; one applies the law and sums.
 MasterForce sum_clipped_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
-                                 ClippedScratch& scratch, ElementRecord& record);
+                                 PosedTeam& team, ClippedScratch& scratch, ElementRecord& record);
 
 }  // namespace pcm::fast

@@ -5,17 +5,17 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <functional>
 
 #include "fast/base/ascending.h"
-#include "fast/crossings/pair_signs.h"
-#include "fast/simd/overlap_sets.h"
+#include "fast/base/shares.h"
 
 namespace pcm::fast {
 
 namespace {
 
-Index enter_crossing(const PosedPair& posed, const PairSigns& signs, const EdgePassage& passage, Index face_E,
-                     Index face_F, CrossingIndex& index, std::vector<CrossingNode>& nodes) {
+CrossingNode crossing_node(const PosedPair& posed, const PairSigns& signs, const EdgePassage& passage, Index face_E,
+                           Index face_F) {
   const bool of_E = passage.edge_side == Side::E;
   const PreparedSurface& surface = posed.surface(passage.edge_side);
   const Index edge_face = of_E ? face_E : face_F;
@@ -26,6 +26,16 @@ Index enter_crossing(const PosedPair& posed, const PairSigns& signs, const EdgeP
   node.edge = surface.edges_of(edge_face)[corner];
   node.face = of_E ? face_F : face_E;
   node.from_above = is_above(above, corner) == surface.runs_forwards(edge_face, corner);
+  return node;
+}
+
+CrossingPair crossing_pair(const PosedPair& posed, Index face_E, Index face_F, const PairSigns& signs) {
+  const PairCrossing pair = pair_crossing(signs);
+  return {face_E, face_F, crossing_node(posed, signs, pair.start, face_E, face_F),
+          crossing_node(posed, signs, pair.end, face_E, face_F)};
+}
+
+Index enter_crossing(const CrossingNode& node, CrossingIndex& index, std::vector<CrossingNode>& nodes) {
   const auto fresh = static_cast<Index>(nodes.size());
   const Index found = index.find_or_insert(node.key(), fresh);
   if (found == fresh) nodes.push_back(node);
@@ -49,22 +59,78 @@ void start_crossings(const PosedPair& posed, CrossingScratch& scratch, Crossings
 }
 
 /// Enters the segment of two faces that cross, with both its ends.
-void enter_pair(const PosedPair& posed, Index face_E, Index face_F, const PairSigns& signs, CrossingScratch& scratch,
-                Crossings& crossings) {
-  const PairCrossing pair = pair_crossing(signs);
-  const Index start = enter_crossing(posed, signs, pair.start, face_E, face_F, scratch.index, crossings.nodes);
-  const Index end = enter_crossing(posed, signs, pair.end, face_E, face_F, scratch.index, crossings.nodes);
+void enter_pair(const CrossingPair& pair, CrossingScratch& scratch, Crossings& crossings) {
+  const Index start = enter_crossing(pair.start, scratch.index, crossings.nodes);
+  const Index end = enter_crossing(pair.end, scratch.index, crossings.nodes);
   CrossingNode& first = crossings.nodes[static_cast<std::size_t>(start)];
   assert(first.next < 0);
   first.next = end;
-  first.segment_face = {face_E, face_F};
+  first.segment_face = {pair.face_E, pair.face_F};
   crossings.nodes[static_cast<std::size_t>(end)].has_previous = true;
-  mark_intersected(crossings.of(Side::E), face_E);
-  mark_intersected(crossings.of(Side::F), face_F);
+  mark_intersected(crossings.of(Side::E), pair.face_E);
+  mark_intersected(crossings.of(Side::F), pair.face_F);
 }
 
 void sort_intersected(CrossingScratch& scratch, Crossings& crossings) {
   for (CrossedSurface& side : crossings.surfaces) sort_ascending(side.intersected, scratch.marks);
+}
+
+/// So many pairs of nodes are enough for threads to share: what is below them takes some 100 us.
+constexpr std::size_t kEnoughForThreads = 256;
+/// And so many are taken at once.
+constexpr std::size_t kNodePairsAtOnce = 8;
+
+/// Decides pairs that may cross.
+class PairTest {
+ public:
+  PairTest(PosedPair& posed, const CrossingOptions& options)
+      : posed_(posed),
+        filtered_(options.filtered),
+        sure_(options.filtered ? sure_determinant(posed.placement.extent) : kNeverSure) {}
+
+  PairSigns signs(Index face_E, Index face_F, const SureSigns& known) const {
+    if (known.of_passing() && filtered_) return {known.above_of_E(), known.above_of_F(), known.passing()};
+    return find_signs(posed_[Side::E].face_points(face_E, posed_.work),
+                      posed_[Side::F].face_points(face_F, posed_.work), filtered_ ? known : SureSigns(), sure_,
+                      posed_.work);
+  }
+
+ private:
+  PosedPair& posed_;
+  bool filtered_;
+  double sure_;
+};
+
+/// Searches below all open pairs, and leaves none.
+void find_pairs_by_threads(const CandidateSearch& search, PosedPair& posed, const CrossingOptions& options,
+                           PosedTeam& team, CrossingScratch& scratch, Crossings& crossings) {
+  scratch.of_threads.resize(team.threads());
+  const NodePairs& open = scratch.open;
+  Shares shares(open.size(), kNodePairsAtOnce);
+  const auto take_part = [&](std::size_t thread, PosedPair& own_posed) {
+    PairsOfThread& own = scratch.of_threads[thread];
+    own.crossing.clear();
+    own.candidates.clear();
+    const PairTest test(own_posed, options);
+    const auto visit = [&](Index face_E, Index face_F, const SureSigns& known) {
+      if (options.keep_candidates) own.candidates.emplace_back(face_E, face_F);
+      const PairSigns signs = test.signs(face_E, face_F, known);
+      if (signs.passing != 0) own.crossing.push_back(crossing_pair(own_posed, face_E, face_F, signs));
+      return true;
+    };
+    for (Shares::Share share = shares.take(); !share.empty(); share = shares.take()) {
+      own.open.assign(open.begin() + static_cast<std::ptrdiff_t>(share.begin),
+                      open.begin() + static_cast<std::ptrdiff_t>(share.end));
+      search.visit_below(own.open, own_posed.work, visit);
+    }
+  };
+  team.run(team.threads(), posed, std::cref(take_part));
+  scratch.open.clear();
+  for (const PairsOfThread& found : scratch.of_threads) {
+    posed.work.crossing_pairs += static_cast<std::int64_t>(found.crossing.size());
+    for (const CrossingPair& pair : found.crossing) enter_pair(pair, scratch, crossings);
+    crossings.candidates.insert(crossings.candidates.end(), found.candidates.begin(), found.candidates.end());
+  }
 }
 
 }  // namespace
@@ -98,35 +164,35 @@ Index CrossingIndex::find_or_insert(std::uint64_t key, Index fresh) {
   return fresh;
 }
 
-bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingScratch& scratch, Crossings& crossings) {
+bool find_crossings(PosedPair& posed, const CrossingOptions& options, PosedTeam& team, CrossingScratch& scratch,
+                    Crossings& crossings) {
   start_crossings(posed, scratch, crossings);
-  const double sure = options.filtered ? sure_determinant(posed.placement.extent) : kNeverSure;
-  bool found = false;
+  NodePairs& open = scratch.open;
+  const CandidateSearch search(posed.surface(Side::E), posed.surface(Side::F), posed.placement, 0, open, posed.work);
+  if (team.threads() > 1 && !options.stop_at_first) {
+    search.descend(kEnoughForThreads, open, scratch.next, posed.work);
+    if (open.size() >= kEnoughForThreads) find_pairs_by_threads(search, posed, options, team, scratch, crossings);
+  }
+  const PairTest test(posed, options);
   const auto visit = [&](Index face_E, Index face_F, const SureSigns& known) {
     if (options.keep_candidates) crossings.candidates.emplace_back(face_E, face_F);
-    PairSigns signs{known.above_of_E(), known.above_of_F(), known.passing()};
-    if (!known.of_passing() || !options.filtered) {
-      signs = find_signs(posed[Side::E].face_points(face_E, posed.work), posed[Side::F].face_points(face_F, posed.work),
-                         options.filtered ? known : SureSigns(), sure, posed.work);
-    }
+    const PairSigns signs = test.signs(face_E, face_F, known);
     if (signs.passing == 0) return true;
     ++posed.work.crossing_pairs;
-    found = true;
     if (options.stop_at_first) return false;
-    enter_pair(posed, face_E, face_F, signs, scratch, crossings);
+    enter_pair(crossing_pair(posed, face_E, face_F, signs), scratch, crossings);
     return true;
   };
-  for_each_candidate(posed.surface(Side::E), posed.surface(Side::F), posed.placement, fastest_wide_tests(),
-                     scratch.open, posed.work, visit);
+  search.visit_below(open, posed.work, visit);
   sort_intersected(scratch, crossings);
-  return found;
+  return posed.work.crossing_pairs > 0;
 }
 
 void find_crossings_among(const TrackedPairs& pairs, PosedPair& posed, CrossingScratch& scratch, Crossings& crossings) {
   start_crossings(posed, scratch, crossings);
   pairs.for_each_crossing([&](Index face_E, Index face_F, const PairSigns& signs) {
     ++posed.work.crossing_pairs;
-    enter_pair(posed, face_E, face_F, signs, scratch, crossings);
+    enter_pair(crossing_pair(posed, face_E, face_F, signs), scratch, crossings);
   });
   sort_intersected(scratch, crossings);
 }

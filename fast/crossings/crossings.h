@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "fast/base/fast_clear_array.h"
+#include "fast/base/shares.h"
+#include "fast/crossings/pair_signs.h"
 #include "fast/crossings/tracked_pairs.h"
-#include "fast/posed/posed_pair.h"
+#include "fast/posed/posed_team.h"
 #include "fast/search/candidates.h"
 
 namespace pcm::fast {
@@ -82,10 +84,24 @@ class CrossingIndex {
   std::size_t capacity_ = 0;
 };
 
+/// Two faces that cross: where the segment that they share starts and ends.
+struct CrossingPair {
+  Index face_E, face_F;
+  CrossingNode start, end;
+};
+
+/// What one of several threads finds.
+struct alignas(kApart) PairsOfThread {
+  NodePairs open;
+  std::vector<CrossingPair> crossing;
+  std::vector<std::pair<Index, Index>> candidates;  ///< where they are to be kept
+};
+
 /// Scratch memory of find_crossings.
 struct CrossingScratch {
   CrossingIndex index;
-  NodePairs open;
+  NodePairs open, next;
+  std::vector<PairsOfThread> of_threads;
   std::vector<std::uint64_t> marks;  ///< of sort_ascending
 };
 
@@ -103,7 +119,10 @@ struct CrossingOptions {
 /// the tie rule, and each of its edges decided alone, by signs that agree; two edges that meet cross or don't; an edge
 /// in the plane of a face, faces in one plane and a face without area never cross. Each crossing pair of faces has
 /// exactly two crossings.
-bool find_crossings(PosedPair& posed, const CrossingOptions& options, CrossingScratch& scratch, Crossings& crossings);
+///
+/// Where many pairs of nodes may touch, all threads of the team search below them; but for a search that stops.
+bool find_crossings(PosedPair& posed, const CrossingOptions& options, PosedTeam& team, CrossingScratch& scratch,
+                    Crossings& crossings);
 
 /// The same, where it is known which pairs cross.
 void find_crossings_among(const TrackedPairs& pairs, PosedPair& posed, CrossingScratch& scratch, Crossings& crossings);

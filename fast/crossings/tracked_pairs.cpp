@@ -50,8 +50,7 @@ void TrackedPairs::list(PosedPair& posed, double margin, NodePairs& open) {
     }
     return true;
   };
-  for_each_candidate(posed.surface(Side::E), posed.surface(Side::F), posed.placement, fastest_wide_tests(), open,
-                     posed.work, visit, margin);
+  for_each_candidate(posed.surface(Side::E), posed.surface(Side::F), posed.placement, open, posed.work, visit, margin);
   if (!faces_.empty()) ball_of_listed_ = ball_about(low, high);
   listed_until_ = kShorter * margin;
 }

@@ -129,7 +129,8 @@ namespace {
 void find_active_faces(const Wanted& wanted, Tracking::Known known, Tracking* tracking, const Savings& savings,
                        Workspace::Data& data) {
   if (known == Tracking::Known::nothing) {
-    find_crossings(data.posed, {false, wanted.bound, savings.filters}, data.crossing_scratch, data.crossings);
+    find_crossings(data.posed, {false, wanted.bound, savings.filters}, data.team, data.crossing_scratch,
+                   data.crossings);
   } else {
     find_crossings_among(tracking->pairs(), data.posed, data.crossing_scratch, data.crossings);
   }
@@ -139,7 +140,7 @@ void find_active_faces(const Wanted& wanted, Tracking::Known known, Tracking* tr
     locate_crossings(data.posed, data.crossings);
   }
   list_crossings_by_edge(data.posed, data.polygons.crossing_order, data.crossings);
-  find_active_areas(data.posed, data.crossings, data.active_scratch, data.active);
+  find_active_areas(data.posed, data.crossings, data.team, data.active_scratch, data.active);
   if (known != Tracking::Known::nothing) tracking->keep_active_faces(data.crossings, data.active);
 }
 
@@ -154,10 +155,11 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, double orthogonal
   // The barycentric scheme's bound asks no vertex of its rounding.
   data.posed.place(surface_E, surface_F, pose, orthogonality_error,
                    wanted.bound && pairing.scheme() == Scheme::clipped);
+  data.team.start();
   if (!savings.lazy_vertices) data.posed[Side::F].transform_all(data.posed.work);
 
   if (wants_only_touch(wanted)) {
-    contact.touching = find_crossings(data.posed, {savings.first_crossing, wanted.bound, savings.filters},
+    contact.touching = find_crossings(data.posed, {savings.first_crossing, wanted.bound, savings.filters}, data.team,
                                       data.crossing_scratch, data.crossings);
     return;
   }
@@ -185,9 +187,9 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, double orthogonal
     problem.keep_found = kept.found;
     LineMemories* const memories = known == Tracking::Known::nothing ? nullptr : &kept.tracking->lines();
     if (!savings.one_sided) {
-      form_elements_of_slave(found, pairing.scheme(), pairing.mode(), problem, data.force_scratch);
+      form_elements_of_slave(found, pairing.scheme(), pairing.mode(), problem, data.team, data.force_scratch);
     }
-    const PairingForce force = compute_force(found, pairing.scheme(), pairing.mode(), problem, wanted.bound,
+    const PairingForce force = compute_force(found, pairing.scheme(), pairing.mode(), problem, wanted.bound, data.team,
                                              data.force_scratch, memories, data.elements);
     report_elements(problem, force.total, data.elements, contact);
     contact.bound = force.bound;

@@ -7,10 +7,10 @@ namespace pcm::fast {
 namespace {
 
 MasterForce sum_elements(const Intersection& intersection, Scheme scheme, Side master, const ForceProblem& problem,
-                         ForceScratch& scratch, LineMemory* memory, ElementRecord& record) {
+                         PosedTeam& team, ForceScratch& scratch, LineMemory* memory, ElementRecord& record) {
   return scheme == Scheme::clipped
-             ? sum_clipped_elements(intersection, master, problem, scratch.clipped, record)
-             : sum_barycentric_elements(intersection, master, problem, scratch.barycentric, memory, record);
+             ? sum_clipped_elements(intersection, master, problem, team, scratch.clipped, record)
+             : sum_barycentric_elements(intersection, master, problem, team, scratch.barycentric, memory, record);
 }
 
 /// Where nobody hears of the elements.
@@ -21,7 +21,8 @@ ForceProblem unheard(const ForceProblem& problem) {
 }
 
 PairingForce sum_bounded_elements(const Intersection& intersection, Scheme scheme, Side master,
-                                  const ForceProblem& problem, ForceScratch& scratch, ElementRecord& record) {
+                                  const ForceProblem& problem, PosedTeam& team, ForceScratch& scratch,
+                                  ElementRecord& record) {
   MasterBound bound(intersection, master, problem, scratch.undecided);
   MasterForce total =
       scheme == Scheme::clipped
@@ -31,7 +32,7 @@ PairingForce sum_bounded_elements(const Intersection& intersection, Scheme schem
   if (problem.with_tangent) {
     ElementRecord none;
     const ForceProblem once_more = unheard(problem);
-    total.tangent = sum_elements(intersection, scheme, master, once_more, scratch, nullptr, none).tangent;
+    total.tangent = sum_elements(intersection, scheme, master, once_more, team, scratch, nullptr, none).tangent;
   }
   return {total, bound.result()};
 }
@@ -55,12 +56,13 @@ PairingForce force_by_mode(Mode mode, const OfMaster& of_master) {
 }  // namespace
 
 PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
-                           bool with_bound, ForceScratch& scratch, LineMemories* memories, ElementRecord& record) {
+                           bool with_bound, PosedTeam& team, ForceScratch& scratch, LineMemories* memories,
+                           ElementRecord& record) {
   record.clear();
   return force_by_mode(mode, [&](Side master) -> PairingForce {
-    if (with_bound) return sum_bounded_elements(intersection, scheme, master, problem, scratch, record);
+    if (with_bound) return sum_bounded_elements(intersection, scheme, master, problem, team, scratch, record);
     LineMemory* const memory = memories != nullptr ? &(*memories)[static_cast<std::size_t>(master)] : nullptr;
-    return {sum_elements(intersection, scheme, master, problem, scratch, memory, record), std::nullopt};
+    return {sum_elements(intersection, scheme, master, problem, team, scratch, memory, record), std::nullopt};
   });
 }
 
@@ -68,7 +70,7 @@ MasterForce repeat_force(const FoundElements& found, Mode mode, const ForceProbl
                          ElementRecord& record, WorkCounters& work) {
   record.clear();
   const auto of_master = [&](Side master) -> PairingForce {
-    ElementQueue queue(problem, master, record, work, scratch.barycentric.lanes);
+    ElementQueue queue(problem, master, record, work, scratch.barycentric.search.lanes);
     for (const KeptLanes& kept : found.of(master)) queue.add_kept(kept);
     return {queue.total(), std::nullopt};
   };
@@ -76,10 +78,11 @@ MasterForce repeat_force(const FoundElements& found, Mode mode, const ForceProbl
 }
 
 void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
-                            ForceScratch& scratch) {
+                            PosedTeam& team, ForceScratch& scratch) {
   if (mode == Mode::both) return;
   ElementRecord none;
-  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, unheard(problem), scratch, nullptr, none);
+  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, unheard(problem), team, scratch, nullptr,
+               none);
 }
 
 }  // namespace pcm::fast

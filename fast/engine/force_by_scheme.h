@@ -31,9 +31,11 @@ struct PairingForce {
 };
 
 /// Of the master's elements, in mode `both` the mean of both masters'. Records the elements. Throws BadInput where
-/// force or torque overflow. `memories`: of the penetration lines at the last pose, or nullptr.
+/// force or torque overflow. `memories`: of the penetration lines at the last pose, or nullptr. Where a bound is
+/// wanted, one thread of the team forms all elements.
 PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
-                           bool with_bound, ForceScratch& scratch, LineMemories* memories, ElementRecord& record);
+                           bool with_bound, PosedTeam& team, ForceScratch& scratch, LineMemories* memories,
+                           ElementRecord& record);
 
 /// Of elements that were found at the problem's pose and kept: the law, at another velocity, in the same order and to
 /// the bits of compute_force, which throws likewise. Records what velocities change.
@@ -42,6 +44,6 @@ MasterForce repeat_force(const FoundElements& found, Mode mode, const ForceProbl
 
 /// Forms the elements that modes E and F do without, and forgets them: what a one-sided mode saves.
 void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
-                            ForceScratch& scratch);
+                            PosedTeam& team, ForceScratch& scratch);
 
 }  // namespace pcm::fast

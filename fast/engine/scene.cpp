@@ -101,6 +101,9 @@ struct RememberedPose {
   std::optional<PairingMemory> memory;
 };
 
+/// From so many crossing pairs and elements on an evaluation has enough for all threads to do.
+constexpr std::int64_t kLargeWork = 4000;
+
 struct ScenePairing {
   Index body_E, body_F;
   Pairing pairing;
@@ -110,6 +113,7 @@ struct ScenePairing {
   Patience patience;
   std::unique_ptr<RememberedPose> remembered;
   std::unique_ptr<Tracking> tracking;  ///< once it was looked at
+  bool large = false;                  ///< when it was last evaluated
   // Since the last move, written by the one thread that has the pairing.
   Outcome outcome = Outcome::not_asked;
   bool sought = false;
@@ -117,19 +121,6 @@ struct ScenePairing {
   PairingLoad load;
   std::exception_ptr failure;
 };
-
-void add(WorkCounters& sum, const WorkCounters& work) {
-  sum.box_tests += work.box_tests;
-  sum.candidate_pairs += work.candidate_pairs;
-  sum.crossing_pairs += work.crossing_pairs;
-  sum.vertices_transformed += work.vertices_transformed;
-  sum.predicates += work.predicates;
-  sum.exact_predicates += work.exact_predicates;
-  sum.tie_breaks += work.tie_breaks;
-  sum.elements += work.elements;
-  sum.velocities += work.velocities;
-  sum.law_only += work.law_only;
-}
 
 [[noreturn]] void refuse(std::size_t body, const std::string& why) {
   throw BadInput("body " + std::to_string(body) + ": " + why);
@@ -158,7 +149,11 @@ struct Scene::Data {
   Savings savings;
   std::vector<Body> bodies;
   std::vector<ScenePairing> pairings;
-  std::vector<Workspace> workspaces;  ///< of evaluate_all, one a thread
+  // Of evaluate_all:
+  std::vector<Workspace> workspaces;    ///< one a thread
+  std::vector<std::size_t> taken_last;  ///< pairings that all threads take part in
+  Workspace shared_workspace;           ///< of these
+  int shared_workspace_threads = 1;
   ThreadTeam team;
 
   ScenePairing& at(Index pairing) {
@@ -175,6 +170,8 @@ struct Scene::Data {
 
   /// Evaluates the pairing where it may be in contact; nullptr where it surely is apart.
   const Contact* answer(ScenePairing& pairing, Workspace& workspace) const;
+  /// The same, for evaluate_all.
+  void answer_and_keep_load(std::size_t pairing, Workspace& workspace, const Visit& visit);
   const Contact& evaluate_at(const Pose& pose, ScenePairing& pairing, Workspace& workspace) const;
 };
 
@@ -223,6 +220,7 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
   pairing.outcome = Outcome::evaluated;
   const Contact& contact = evaluate_at(pose, pairing, workspace);
   pairing.work = contact.work;
+  pairing.large = contact.work.crossing_pairs + contact.work.elements >= kLargeWork;
   // Then the workspace holds nothing of this pairing; where it is apart, that was looked into when it was found.
   if (contact.work.law_only != 0) return &contact;
   const bool apart =
@@ -237,6 +235,19 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
     pairing.certificate = SeparationCertificate(pose, gap);
   }
   return &contact;
+}
+
+void Scene::Data::answer_and_keep_load(std::size_t index, Workspace& workspace, const Visit& visit) {
+  ScenePairing& pairing = pairings[index];
+  pairing.load = {};
+  try {
+    const Contact* contact = answer(pairing, workspace);
+    if (contact == nullptr || !(contact->touching || contact->nested)) return;
+    pairing.load = {contact->touching, contact->nested, contact->force_Me, contact->torque_Me};
+    if (visit) visit(static_cast<Index>(index), *contact);
+  } catch (...) {
+    pairing.failure = std::current_exception();
+  }
 }
 
 Scene::Scene(Savings savings) : data_(std::make_unique<Data>(savings)) {}
@@ -271,6 +282,7 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
                        {},
                        nullptr,
                        nullptr,
+                       false,
                        Outcome::not_asked,
                        false,
                        {},
@@ -349,25 +361,30 @@ void Scene::evaluate_all(int threads, const Visit& visit) {
   constexpr std::size_t kChunk = 16;
   std::atomic<std::size_t> next = 0;
   std::vector<ScenePairing>& all = data_->pairings;
+  // Large pairings that are fewer than the threads come last, one by one, and all threads take part in each.
+  const auto large = std::count_if(all.begin(), all.end(), [](const ScenePairing& pairing) { return pairing.large; });
+  std::vector<std::size_t>& last = data_->taken_last;
+  last.clear();
+  for (std::size_t i = 0; threads > 1 && large < threads && i < all.size(); ++i) {
+    if (all[i].large) last.push_back(i);
+  }
   const auto take_part = [&](std::size_t member) {
     const DefaultFloatingPoint environment;
     Workspace& workspace = data_->workspaces[member];
     for (std::size_t begin = next.fetch_add(kChunk); begin < all.size(); begin = next.fetch_add(kChunk)) {
       for (std::size_t i = begin; i < std::min(begin + kChunk, all.size()); ++i) {
-        all[i].load = {};
-        try {
-          const Contact* contact = data_->answer(all[i], workspace);
-          if (contact == nullptr || !(contact->touching || contact->nested)) continue;
-          all[i].load = {contact->touching, contact->nested, contact->force_Me, contact->torque_Me};
-          if (visit) visit(static_cast<Index>(i), *contact);
-        } catch (...) {
-          all[i].failure = std::current_exception();
-        }
+        if (last.empty() || !all[i].large) data_->answer_and_keep_load(i, workspace, visit);
       }
     }
   };
   // By reference, so that no copy is allocated.
   data_->team.run(members, std::cref(take_part));
+  if (!last.empty()) {
+    const DefaultFloatingPoint environment;
+    if (std::exchange(data_->shared_workspace_threads, threads) != threads)
+      data_->shared_workspace = Workspace(threads);
+    for (const std::size_t i : last) data_->answer_and_keep_load(i, data_->shared_workspace, visit);
+  }
   std::exception_ptr first;
   for (ScenePairing& pairing : all) {
     if (const std::exception_ptr failure = std::exchange(pairing.failure, nullptr); !first) first = failure;
@@ -406,7 +423,7 @@ SceneCounters Scene::counters() const {
     sum.apart_by_certificate += pairing.outcome == Outcome::apart_by_certificate;
     sum.evaluated += pairing.outcome == Outcome::evaluated;
     sum.certificates_sought += pairing.sought;
-    add(sum.work, pairing.work);
+    sum.work += pairing.work;
   }
   return sum;
 }

@@ -9,7 +9,7 @@
 #include "fast/crossings/polygons.h"
 #include "fast/engine/force_by_scheme.h"
 #include "fast/engine/separation.h"
-#include "fast/posed/posed_pair.h"
+#include "fast/posed/posed_team.h"
 #include "pcm/contact.h"
 #include "pcm/workspace.h"
 
@@ -17,6 +17,9 @@ namespace pcm::fast {
 
 /// The values that each step hands to the next, each step's own scratch memory, and the answer.
 struct Workspace::Data {
+  explicit Data(std::size_t threads) : team(threads) {}
+
+  PosedTeam team;
   PosedPair posed;
   Crossings crossings;
   PolygonChains polygons;
@@ -26,7 +29,7 @@ struct Workspace::Data {
 
   CrossingScratch crossing_scratch;
   std::vector<Index> polygon_scratch;
-  ActiveAreaScratch active_scratch;
+  std::array<ActiveAreaScratch, 2> active_scratch;  ///< by side
   PatchScratch patch_scratch;
   InsideAreaScratch area_scratch;
   ForceScratch force_scratch;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "fast/simd/element_sets.h"
@@ -23,6 +24,13 @@ Eigen::Vector3d torque_Me(const ForceProblem& problem, const Element& element) {
 void ElementRecord::note_depth(double greatest_penetration, const ContactLaw& law) {
   max_penetration = std::max(max_penetration, greatest_penetration);
   if (greatest_penetration > law.max_penetration) penetration_exceeded = true;
+}
+
+void ElementRecord::add(const ElementRecord& other) {
+  element_count += other.element_count;
+  too_deep += other.too_deep;
+  max_penetration = std::max(max_penetration, other.max_penetration);
+  penetration_exceeded = penetration_exceeded || other.penetration_exceeded;
 }
 
 void ElementRecord::clear() {
@@ -88,12 +96,53 @@ void ElementSum::add(double greatest_penetration, const Eigen::Vector3d& foot_Me
   add_forced(element, torque_Me(problem_, element));
 }
 
+LawForLanes::LawForLanes(const ForceProblem& problem, Side master)
+    : problem_(problem), master_(master), limits_(force_limits(problem, master)) {}
+
+void LawForLanes::apply(const std::array<ElementFaces, kElementLanes>& faces, LaneBits which,
+                        ElementLanes& lanes) const {
+  const LaneBits forced = fastest_wide_elements().force(lanes, limits_);
+  for (LaneBits left = which & ~forced; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    Element element = unforced(faces[lane], lanes, lane);
+    apply_force(problem_, lanes.barycentre_Me[lane], element);
+    lanes.normal_velocity.value[lane] = element.normal_velocity;
+    lanes.tangential_velocity.value[lane] = element.tangential_velocity;
+    lanes.normal_force.value[lane] = element.normal_force;
+    lanes.tangential_force.value[lane] = element.tangential_force;
+    lanes.position_Me.set(lane, element.position_Me);
+    lanes.force_Me.set(lane, element.force_Me);
+    lanes.torque_Me.set(lane, torque_Me(problem_, element));
+  }
+}
+
+Element LawForLanes::unforced(const ElementFaces& faces, const ElementLanes& lanes, std::size_t lane) const {
+  Element element;
+  element.master = master_;
+  element.master_face = faces.master;
+  element.slave_face = faces.slave;
+  element.area = lanes.area.value[lane];
+  element.penetration = lanes.depth.value[lane];
+  element.normal_Me = -lanes.n_Me[lane];
+  return element;
+}
+
+Element LawForLanes::element(const ElementFaces& faces, const ElementLanes& lanes, std::size_t lane) const {
+  Element element = unforced(faces, lanes, lane);
+  element.normal_velocity = lanes.normal_velocity.value[lane];
+  element.tangential_velocity = lanes.tangential_velocity.value[lane];
+  element.normal_force = lanes.normal_force.value[lane];
+  element.tangential_force = lanes.tangential_force.value[lane];
+  element.position_Me = lanes.position_Me[lane];
+  element.force_Me = lanes.force_Me[lane];
+  return element;
+}
+
 ElementQueue::ElementQueue(const ForceProblem& problem, Side master, ElementRecord& record, WorkCounters& work,
                            ElementLanes& lanes)
-    : problem_(problem),
-      master_(master),
+    : law_(problem, master),
+      loads_alone_(wants_loads_alone(problem)),
       lanes_(lanes),
-      limits_(force_limits(problem, master)),
       kept_(problem.keep_found ? &record.found.of(master) : nullptr),
       sum_(problem, record, work) {
   if (problem.with_tangent) tangent_.emplace();
@@ -113,20 +162,25 @@ void ElementQueue::add(const ElementFaces& faces, double area, double penetratio
 
 void ElementQueue::add_lanes(LaneBits which) {
   assert(waiting_ == 0);
-  if (kept_ != nullptr && which != 0) kept_->push_back({lanes_, faces_, which});
-  const LaneBits forced = which != 0 ? fastest_wide_elements().force(lanes_, limits_) : 0;
+  if (which == 0) return;
+  if (kept_ != nullptr) kept_->push_back({lanes_, faces_, which});
+  law_.apply(faces_, which, lanes_);
   for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
     if (!has_lane(which, lane)) continue;
     sum_.count(faces_[lane].greatest_penetration);
-    add_lane(lane, has_lane(forced, lane));
+    if (loads_alone_) {
+      sum_.add_load(lanes_.force_Me[lane], lanes_.torque_Me[lane]);
+    } else {
+      sum_.add_forced(law_.element(faces_[lane], lanes_, lane), lanes_.torque_Me[lane]);
+    }
   }
-  if (tangent_ && which != 0) tangent_->add(lanes_, limits_, which);
+  if (tangent_) tangent_->add(lanes_, law_.limits(), which);
 }
 
 MasterForce ElementQueue::total() {
   form_waiting();
   MasterForce total = sum_.total();
-  if (tangent_) total.tangent = tangent_->total(limits_, total.force_Me, total.torque_Me);
+  if (tangent_) total.tangent = tangent_->total(law_.limits(), total.force_Me, total.torque_Me);
   return total;
 }
 
@@ -134,32 +188,6 @@ void ElementQueue::form_waiting() {
   const LaneBits all = (1U << waiting_) - 1;
   waiting_ = 0;
   add_lanes(all);
-}
-
-void ElementQueue::add_lane(std::size_t lane, bool forced) {
-  Element element;
-  element.master = master_;
-  element.master_face = faces_[lane].master;
-  element.slave_face = faces_[lane].slave;
-  element.area = lanes_.area.value[lane];
-  element.penetration = lanes_.depth.value[lane];
-  element.normal_Me = -lanes_.n_Me[lane];
-  if (forced) {
-    element.normal_velocity = lanes_.normal_velocity.value[lane];
-    element.tangential_velocity = lanes_.tangential_velocity.value[lane];
-    element.normal_force = lanes_.normal_force.value[lane];
-    element.tangential_force = lanes_.tangential_force.value[lane];
-    element.position_Me = lanes_.position_Me[lane];
-    element.force_Me = lanes_.force_Me[lane];
-    sum_.add_forced(element, lanes_.torque_Me[lane]);
-  } else {
-    apply_force(problem_, lanes_.barycentre_Me[lane], element);
-    sum_.add_forced(element, torque_Me(problem_, element));
-    lanes_.normal_velocity.value[lane] = element.normal_velocity;
-    lanes_.tangential_velocity.value[lane] = element.tangential_velocity;
-    lanes_.position_Me.set(lane, element.position_Me);
-    lanes_.force_Me.set(lane, element.force_Me);
-  }
 }
 
 }  // namespace pcm::fast

@@ -35,6 +35,8 @@ struct ElementRecord {
 
   /// Enters the greatest penetration of an element, or of a part that underflow keeps from being one, m.
   void note_depth(double greatest_penetration, const ContactLaw& law);
+  /// Adds what a record without lists, statistics and found elements tells of other faces.
+  void add(const ElementRecord& other);
   /// Empties it and keeps its memory.
   void clear();
   /// Takes back the list that an answer got from report_elements where it has grown more than its own: to be called
@@ -67,6 +69,11 @@ class ElementSum {
   /// The same in two steps, for an element whose force was computed elsewhere; `torque_Me` about Mf.
   void count(double greatest_penetration);
   void add_forced(const Element& element, const Eigen::Vector3d& torque_Me);
+  /// Of one that was counted elsewhere, and that nothing else is told of.
+  void add_load(const Eigen::Vector3d& force_Me, const Eigen::Vector3d& torque_Me) {
+    total_.force_Me += force_Me;
+    total_.torque_Me += torque_Me;
+  }
 
   const MasterForce& total() const { return total_; }
 
@@ -75,6 +82,36 @@ class ElementSum {
   ElementRecord& record_;
   WorkCounters& work_;
   MasterForce total_;
+};
+
+/// Forces and torques of up to four elements, all that their sum takes.
+struct LoadLanes {
+  VectorLanes force_Me, torque_Me;
+  LaneBits which = 0;  ///< lanes that hold one
+};
+
+/// Whether the answer takes no more than loads and counts.
+inline bool wants_loads_alone(const ForceProblem& problem) {
+  return !problem.keep_elements && !problem.with_statistics && !problem.with_tangent && !problem.keep_found;
+}
+
+/// The law, for elements whose areas, normals, feet and penetrations are in the lanes.
+class LawForLanes {
+ public:
+  LawForLanes(const ForceProblem& problem, Side master);
+
+  /// Fills the lanes' forces.
+  void apply(const std::array<ElementFaces, kElementLanes>& faces, LaneBits which, ElementLanes& lanes) const;
+  const ForceLimits& limits() const { return limits_; }
+  /// The element of a lane, with its force.
+  Element element(const ElementFaces& faces, const ElementLanes& lanes, std::size_t lane) const;
+
+ private:
+  Element unforced(const ElementFaces& faces, const ElementLanes& lanes, std::size_t lane) const;
+
+  const ForceProblem& problem_;
+  Side master_;
+  ForceLimits limits_;
 };
 
 /// The same, with forces computed kElementLanes at a time, to the same bits; and their derivatives where the problem
@@ -91,27 +128,29 @@ class ElementQueue {
            const Eigen::Vector3d& foot_Me, const ElementMotion* motion);
   /// Elements whose areas, normals, feet and penetrations are in the lanes already; none may wait.
   void add_lanes(LaneBits which);
+  /// Loads of elements that were counted elsewhere, where loads alone are wanted.
+  void add_loads(const LoadLanes& loads) {
+    for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+      if (has_lane(loads.which, lane)) sum_.add_load(loads.force_Me[lane], loads.torque_Me[lane]);
+    }
+  }
   /// Elements that such a queue kept at this pose.
   void add_kept(const KeptLanes& kept) {
     static_cast<FoundLanes&>(lanes_) = kept;
     faces_ = kept.faces;
     add_lanes(kept.which);
   }
-  /// The faces of a lane for `add_lanes`.
-  void set_faces(std::size_t lane, Index master_face, Index slave_face, double greatest_penetration) {
-    faces_[lane] = {master_face, slave_face, greatest_penetration};
-  }
+  /// Those of the lanes, for `add_lanes`.
+  std::array<ElementFaces, kElementLanes>& faces() { return faces_; }
   /// After the last element.
   MasterForce total();
 
  private:
   void form_waiting();
-  void add_lane(std::size_t lane, bool forced);
 
-  const ForceProblem& problem_;
-  Side master_;
+  LawForLanes law_;
+  bool loads_alone_;
   ElementLanes& lanes_;
-  ForceLimits limits_;
   std::array<ElementFaces, kElementLanes> faces_{};
   std::vector<KeptLanes>* kept_;  ///< null where the problem keeps none
   std::size_t waiting_ = 0;

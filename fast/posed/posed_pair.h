@@ -33,6 +33,14 @@ struct PosedPair {
     (*this)[Side::E].place_E(E);
     (*this)[Side::F].place_F(F, pose, E.mesh.vertices.size(), with_roundings);
   }
+  /// The same surfaces at the same pose, where no sharp rounding will be asked for.
+  void place_like(const PosedPair& other) {
+    work = {};
+    placement = other.placement;
+    const PreparedSurface& E = other.surface(Side::E);
+    (*this)[Side::E].place_E(E);
+    (*this)[Side::F].place_F(other.surface(Side::F), other.surfaces[1].pose(), E.mesh.vertices.size(), false);
+  }
 };
 
 }  // namespace pcm::fast

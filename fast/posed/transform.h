@@ -55,6 +55,8 @@ class PosedSurface {
   }
 
   const PreparedSurface& surface() const { return *surface_; }
+  /// F's.
+  const Pose& pose() const { return pose_; }
 
   const Eigen::Vector3d& vertex_Me(Index v, WorkCounters& work) {
     const auto i = static_cast<std::size_t>(v);

@@ -86,7 +86,9 @@ class Scene {
 
   /// Called with each answer in `evaluate_all`, from the thread that has it.
   using Visit = std::function<void(Index pairing, const Contact& contact)>;
-  /// Answers all pairings, `threads` at once (at least 1, else BadInput), and keeps their loads. `visit`, where given,
+  /// Answers all pairings, `threads` at once (at least 1, else BadInput), and keeps their loads. Pairings whose last
+  /// contact was large, if they are fewer than the threads, are answered one by one, all threads at work within each
+  /// (see Workspace). `visit`, where given,
   /// sees the answers of those that touch or are nested, at once and in any order, and in the default floating-point
   /// environment. What is thrown for the first pairing that fails is thrown on, when all threads are done.
   void evaluate_all(int threads = 1, const Visit& visit = {});

@@ -6,11 +6,18 @@
 
 namespace pcm::fast {
 
-/// Scratch memory and the last answer; one per thread. It grows to what the poses need and then allocates no more.
-/// What it holds never changes an answer. One that was moved from starts anew.
+/// Scratch memory and the last answer; one for each thread that evaluates. It grows to what the poses need and then
+/// allocates no more. What it holds never changes an answer, nor does the number of its threads. One that was moved
+/// from starts anew, with one thread.
 class Workspace {
  public:
-  Workspace();
+  Workspace() : Workspace(1) {}
+  /// `threads`, at least 1 (else BadInput), take part in an evaluation, the caller's among them: as far as there is
+  /// enough for them to do, some 300 us. The others are started when they are first needed, and wait in between; each
+  /// has memory of its own. Sums are taken by one, in the same order, so that answers are the same, bit for bit. Where
+  /// a bound is wanted its elements are formed by one thread, and at short steps of a Scene penetration lines are
+  /// followed by one.
+  explicit Workspace(int threads);
   ~Workspace();
   Workspace(Workspace&&) noexcept;
   Workspace& operator=(Workspace&&) noexcept;

@@ -113,18 +113,17 @@ TEST_P(WideTestsOn, CandidatesHoldEveryCrossingPairOnce) {
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_EQ(orientation(p[0], p[1], p[2], x[k], work) > 0, (above >> k & 1U) != 0);
   };
-  for_each_candidate(E.data(), F.data(), placement, fastest_wide_tests(), open, work,
-                     [&](Index e, Index f, const SureSigns& sure) {
-                       EXPECT_TRUE(candidates.emplace(e, f).second) << e << ' ' << f;
-                       if (sure.of_E()) expect_sides(0, e, f, sure.above_of_E());
-                       if (sure.of_F()) expect_sides(1, f, e, sure.above_of_F());
-                       if (sure.of_passing()) {
-                         ++surely_passing;
-                         EXPECT_EQ(edges_that_pass(0, e, f, sure.above_of_E()), sure.passing() & 3U);
-                         EXPECT_EQ(edges_that_pass(1, f, e, sure.above_of_F()), sure.passing() >> 2);
-                       }
-                       return true;
-                     });
+  for_each_candidate(E.data(), F.data(), placement, open, work, [&](Index e, Index f, const SureSigns& sure) {
+    EXPECT_TRUE(candidates.emplace(e, f).second) << e << ' ' << f;
+    if (sure.of_E()) expect_sides(0, e, f, sure.above_of_E());
+    if (sure.of_F()) expect_sides(1, f, e, sure.above_of_F());
+    if (sure.of_passing()) {
+      ++surely_passing;
+      EXPECT_EQ(edges_that_pass(0, e, f, sure.above_of_E()), sure.passing() & 3U);
+      EXPECT_EQ(edges_that_pass(1, f, e, sure.above_of_F()), sure.passing() >> 2);
+    }
+    return true;
+  });
   const auto faces_E = static_cast<Index>(GetParam().E.faces.size()),
              faces_F = static_cast<Index>(GetParam().F.faces.size());
   int crossing = 0;

@@ -34,12 +34,11 @@ class Decisions {
     posed_[0].place_E(E_.data());
     posed_[1].place_F(F_.data(), pose, E_.mesh().vertices.size(), false);
     std::set<std::pair<Index, Index>> candidates;
-    for_each_candidate(E_.data(), F_.data(), placement, fastest_wide_tests(), open_, work_,
-                       [&](Index e, Index f, const SureSigns& sure) {
-                         candidates.emplace(e, f);
-                         hold_signs(e, f, sure);
-                         return true;
-                       });
+    for_each_candidate(E_.data(), F_.data(), placement, open_, work_, [&](Index e, Index f, const SureSigns& sure) {
+      candidates.emplace(e, f);
+      hold_signs(e, f, sure);
+      return true;
+    });
     for (Index e = 0; e < static_cast<Index>(E_.mesh().faces.size()); ++e) {
       for (Index f = 0; f < static_cast<Index>(F_.mesh().faces.size()); ++f) {
         if (candidates.count({e, f}) == 0) lost_ += cross(e, f);
