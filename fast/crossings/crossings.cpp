@@ -110,10 +110,8 @@ void find_pairs_by_threads(const CandidateSearch& search, PosedPair& posed, cons
   const auto take_part = [&](std::size_t thread, PosedPair& own_posed) {
     PairsOfThread& own = scratch.of_threads[thread];
     own.crossing.clear();
-    own.candidates.clear();
     const PairTest test(own_posed, options);
     const auto visit = [&](Index face_E, Index face_F, const SureSigns& known) {
-      if (options.keep_candidates) own.candidates.emplace_back(face_E, face_F);
       const PairSigns signs = test.signs(face_E, face_F, known);
       if (signs.passing != 0) own.crossing.push_back(crossing_pair(own_posed, face_E, face_F, signs));
       return true;
@@ -129,7 +127,6 @@ void find_pairs_by_threads(const CandidateSearch& search, PosedPair& posed, cons
   for (const PairsOfThread& found : scratch.of_threads) {
     posed.work.crossing_pairs += static_cast<std::int64_t>(found.crossing.size());
     for (const CrossingPair& pair : found.crossing) enter_pair(pair, scratch, crossings);
-    crossings.candidates.insert(crossings.candidates.end(), found.candidates.begin(), found.candidates.end());
   }
 }
 
@@ -169,7 +166,7 @@ bool find_crossings(PosedPair& posed, const CrossingOptions& options, PosedTeam&
   start_crossings(posed, scratch, crossings);
   NodePairs& open = scratch.open;
   const CandidateSearch search(posed.surface(Side::E), posed.surface(Side::F), posed.placement, 0, open, posed.work);
-  if (team.threads() > 1 && !options.stop_at_first) {
+  if (team.threads() > 1 && !options.stop_at_first && !options.keep_candidates) {
     search.descend(kEnoughForThreads, open, scratch.next, posed.work);
     if (open.size() >= kEnoughForThreads) find_pairs_by_threads(search, posed, options, team, scratch, crossings);
   }

@@ -57,7 +57,7 @@ struct CrossedSurface {
 struct Crossings {
   std::vector<CrossingNode> nodes;
   std::array<CrossedSurface, 2> surfaces;
-  /// Face pairs (E, F) that may touch, in whatever order: where they are to be kept.
+  /// Face pairs (E, F) that may touch, in the order of the search: where they are to be kept.
   std::vector<std::pair<Index, Index>> candidates;
 
   CrossedSurface& of(Side side) { return surfaces[static_cast<std::size_t>(side)]; }
@@ -94,7 +94,6 @@ struct CrossingPair {
 struct alignas(kApart) PairsOfThread {
   NodePairs open;
   std::vector<CrossingPair> crossing;
-  std::vector<std::pair<Index, Index>> candidates;  ///< where they are to be kept
 };
 
 /// Scratch memory of find_crossings.
@@ -120,7 +119,8 @@ struct CrossingOptions {
 /// in the plane of a face, faces in one plane and a face without area never cross. Each crossing pair of faces has
 /// exactly two crossings.
 ///
-/// Where many pairs of nodes may touch, all threads of the team search below them; but for a search that stops.
+/// Where many pairs of nodes may touch, all threads of the team search below them; but for a search that stops, and for
+/// one that keeps candidates, over which bounds are summed in the order they are found.
 bool find_crossings(PosedPair& posed, const CrossingOptions& options, PosedTeam& team, CrossingScratch& scratch,
                     Crossings& crossings);
 

@@ -15,8 +15,8 @@ class Workspace {
   /// `threads`, at least 1 (else BadInput), take part in an evaluation, the caller's among them: as far as there is
   /// enough for them to do, some 300 us. The others are started when they are first needed, and wait in between; each
   /// has memory of its own. Sums are taken by one, in the same order, so that answers are the same, bit for bit. Where
-  /// a bound is wanted its elements are formed by one thread, and at short steps of a Scene penetration lines are
-  /// followed by one.
+  /// a bound is wanted one thread finds crossings and forms elements, and at short steps of a Scene one follows
+  /// penetration lines.
   explicit Workspace(int threads);
   ~Workspace();
   Workspace(Workspace&&) noexcept;

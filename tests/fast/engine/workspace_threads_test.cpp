@@ -19,6 +19,9 @@ using Eigen::Vector3d;
 
 const Velocity kAlong{{0.3, -0.2, 0.5}, {0.7, 0.4, -0.6}};
 
+/// The overlap of spheres that are one and the same, nearly all of whose faces are undecided.
+constexpr double kCoincide = 2;
+
 struct Case {
   std::string name;
   Scheme scheme;
@@ -55,7 +58,9 @@ TEST_P(WorkspaceThreads, GiveTheBitsOfOneThread) {
   std::int64_t crossing = 0;
   for (int step = 0; step < 3; ++step) {
     const double overlap = step == 1 ? 0.002 : asked.overlap;
-    const Pose pose = test::turned(0.4 + step, (2 - overlap) * Vector3d(1, 2 - step, -1).normalized());
+    const Pose pose = overlap == kCoincide
+                          ? Pose()
+                          : test::turned(0.4 + step, (2 - overlap) * Vector3d(1, 2 - step, -1).normalized());
     const Contact& expected = evaluate(pairing, pose, kAlong, asked.wanted, one, asked.savings);
     crossing = std::max(crossing, expected.work.crossing_pairs);
     for (Workspace& workspace : many) {
@@ -71,19 +76,20 @@ TEST_P(WorkspaceThreads, GiveTheBitsOfOneThread) {
   EXPECT_GT(crossing, least);
 }
 
-INSTANTIATE_TEST_SUITE_P(, WorkspaceThreads,
-                         testing::Values(Case{"Force", Scheme::barycentric, kForceAlone, 6, 1},
-                                         Case{"Everything", Scheme::barycentric, {}, 6, 1},
-                                         Case{"Tangent", Scheme::barycentric, test::kTangent, 6, 0.3},
-                                         Case{"Touch", Scheme::barycentric, kTouchAlone, 6, 1},
-                                         Case{"Bound", Scheme::barycentric, kForceAndBound, 5, 0.1},
-                                         Case{"Open", Scheme::barycentric, {}, 6, 1, true},
-                                         Case{"NothingSaved", Scheme::barycentric, kForceAlone, 5, 0.3, false,
-                                              Savings::none()},
-                                         Case{"ClippedForce", Scheme::clipped, kForceAlone, 5, 0.1},
-                                         Case{"ClippedEverything", Scheme::clipped, {}, 5, 0.1},
-                                         Case{"ClippedTangent", Scheme::clipped, test::kTangent, 5, 0.1}),
-                         [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    , WorkspaceThreads,
+    testing::Values(Case{"Force", Scheme::barycentric, kForceAlone, 6, 1},
+                    Case{"Everything", Scheme::barycentric, {}, 6, 1},
+                    Case{"Tangent", Scheme::barycentric, test::kTangent, 6, 0.3},
+                    Case{"Touch", Scheme::barycentric, kTouchAlone, 6, 1},
+                    Case{"Bound", Scheme::barycentric, kForceAndBound, 6, 0.3},
+                    Case{"BoundWhereAllCoincides", Scheme::barycentric, kForceAndBound, 4, kCoincide},
+                    Case{"Open", Scheme::barycentric, {}, 6, 1, true},
+                    Case{"NothingSaved", Scheme::barycentric, kForceAlone, 5, 0.3, false, Savings::none()},
+                    Case{"ClippedForce", Scheme::clipped, kForceAlone, 5, 0.1},
+                    Case{"ClippedEverything", Scheme::clipped, {}, 5, 0.1},
+                    Case{"ClippedTangent", Scheme::clipped, test::kTangent, 5, 0.1}),
+    [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
 TEST(WorkspaceThreadsTest, FewerThanOneAreRefused) {
   expect_bad_input([] { Workspace(0); }, "workspace: needs at least 1 thread, not 0");
