@@ -73,7 +73,7 @@ IdleFace PathForce::why_idle(Side master, Index face) {
   fast::Workspace::Data& data = workspace_.data();
   const fast::FaceGeometry geometry(data.posed.face_Me(master, face));
   const fast::Penetration line =
-      fast::find_penetration(data.posed, master, face, geometry, data.force_scratch.barycentric.walks.open);
+      fast::find_penetration(data.posed, master, face, geometry, data.force_scratch.barycentric.search.walks.open);
   IdleFace idle;
   idle.first_met = line.first_met;
   if (fast::Intersection{data.posed, data.crossings, data.active}.is_active(master, face)) {
