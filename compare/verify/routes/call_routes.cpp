@@ -76,15 +76,21 @@ bool keeps_poses(const Ask& ask, Scheme scheme) {
   return ask.savings.known_poses && ask.savings.only_wanted && hangs_on_elements;
 }
 
+/// Calls `ask`: with which words it refuses to answer; none where it does not.
+template <class Call>
+std::string refusal_of(const Call& ask) {
+  try {
+    ask();
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 /// Calls `ask`; false where it throws: on the way to a question, the force may be beyond all doubles.
 template <class Call>
 bool is_answered(const Call& ask) {
-  try {
-    ask();
-    return true;
-  } catch (const std::exception&) {
-    return false;
-  }
+  return refusal_of(ask).empty();
 }
 
 void hold_law_only(Route route, bool expected, bool found, Checks& checks) {
@@ -262,6 +268,34 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   hold_route(Route::scene, there, seam.evaluate_in(scene, workspace), ask.wanted, checks);
 }
 
+/// Holds that every route on which a tangent is asked for refuses it in these words.
+void hold_refusal(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                  const std::string& refusal, fast::Workspace& workspace, Checks& checks) {
+  const auto hold = [&](Route route, const auto& ask) {
+    checks.checked(Kind::paths);
+    const std::string said = refusal_of(ask);
+    if (said == refusal) return;
+    checks.add(Kind::paths, "{}: a tangent is refused with \"{}\", on another route with \"{}\"", name(route), said,
+               refusal);
+  };
+  for (Ask ask : asks_at(pose, velocity)) {
+    ask.wanted.tangent = true;
+    hold(ask.route, [&] { seam.evaluate(pairing, pose, velocity, ask, workspace); });
+  }
+  fast::PairingMemory memory(pairing);
+  for (Ask ask : known_pose_asks_at(pose, velocity)) {
+    ask.wanted.tangent = true;
+    hold(ask.route, [&] { seam.evaluate_known(memory, pose, velocity, ask, workspace); });
+  }
+  if (!is_pose_for_scenes(pose)) return;
+  for (Ask ask : scene_asks_at(pose, velocity)) {
+    ask.wanted.tangent = true;
+    fast::Scene scene = scene_of(pairing, ask.wanted, ask.savings);
+    scene.move({{}, {pose, velocity}});
+    hold(ask.route, [&] { seam.evaluate_in(scene, workspace); });
+  }
+}
+
 }  // namespace
 
 std::string_view name(Route route) {
@@ -342,9 +376,11 @@ void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pos
     return asks;
   };
   if (tangent_may_overflow) {
-    has_tangent = is_answered([&] {
+    const std::string refusal = refusal_of([&] {
       seam.evaluate(pairing, pose, velocity, {Route::tangent, kForceAndTangent, {}}, workspace);
     });
+    has_tangent = refusal.empty();
+    if (!has_tangent) hold_refusal(seam, pairing, pose, velocity, refusal, workspace, checks);
   }
   for (const Ask& ask : with_what_there_is(asks_at(pose, velocity))) {
     if (ask.route == Route::plain || (ask.route == Route::tangent && !has_tangent)) continue;

@@ -89,8 +89,8 @@ class EngineSeam {
 
 /// Asks by every route but the plain one and `motion`, and holds each answer against the plain one, `whole`, bit by
 /// bit; `on_bound` hears of the answer that has a bound, `on_tangent` of that which has a tangent. A tangent that may
-/// be beyond all doubles may be refused, and is asked for no more then. `step`: a length by which F is moved first, m;
-/// in scenes it is turned besides, or turned in place.
+/// be beyond all doubles may be refused, by all routes in the same words, and is asked for no more then. `step`: a
+/// length by which F is moved first, m; in scenes it is turned besides, or turned in place.
 void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                  const fast::Contact& whole, double step, fast::Workspace& workspace, Checks& checks,
                  const std::function<void(const fast::Contact&)>& on_bound, bool tangent_may_overflow,

@@ -132,6 +132,7 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
 
     who = "oracle, tangent";
     const reference::Tangent true_tangent = inquiry.tangent(reference::Problem::rounded, engine.mode());
+    const fast::Tangent allowed = allowed_errors(asked, subj.elements, true_rounded, true_tangent);
 
     who = "engine on another path";
     if (!state.before.empty())
@@ -145,10 +146,8 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
           checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
           outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
         },
-        !true_tangent.error.allFinite(),
-        [&](const fast::Contact& with_tangent) {
-          check_tangent(asked, with_tangent, subj.elements, true_rounded, true_tangent, checks);
-        });
+        may_overflow(true_tangent, allowed),
+        [&](const fast::Contact& with_tangent) { check_tangent(with_tangent, true_tangent, allowed, checks); });
     outcome.disagreements = checks.sorted();
     outcome.widths = checks.widths();
     outcome.backward_error_ulps = backward_error_ulps(mesh_F_, pose);

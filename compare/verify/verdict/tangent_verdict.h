@@ -11,10 +11,17 @@
 
 namespace pcm::compare {
 
-/// Holds the engine's tangent against the oracle's of the rounded problem, every entry within its bound
-/// (tangent_bounds.h); widths are told block by block. `true_rounded` has the oracle's elements, `found` are the
-/// engine's: where it alone has one, a sliver, nothing is known.
-void check_tangent(const Question& question, const fast::Contact& subj, const std::vector<fast::Element>& found,
-                   const reference::Answer& true_rounded, const reference::Tangent& truth, Checks& checks);
+/// How far the engine's tangent may be from the oracle's of the rounded problem, entry by entry: tangent_bounds, and
+/// what the oracle leaves open. `true_rounded` has the oracle's elements, `found` are the engine's: where it alone has
+/// one, a sliver, nothing is known.
+fast::Tangent allowed_errors(const Question& question, const std::vector<fast::Element>& found,
+                             const reference::Answer& true_rounded, const reference::Tangent& truth);
+
+/// Whether a tangent off by no more than that may be beyond all doubles: the engine may refuse it then.
+bool may_overflow(const reference::Tangent& truth, const fast::Tangent& allowed);
+
+/// Holds the engine's tangent against the oracle's, every entry within what is allowed; widths are told block by block.
+void check_tangent(const fast::Contact& subj, const reference::Tangent& truth, const fast::Tangent& allowed,
+                   Checks& checks);
 
 }  // namespace pcm::compare

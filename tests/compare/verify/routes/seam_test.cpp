@@ -20,7 +20,10 @@
 #include "compare/verify/bounds/element_law.h"
 #include "compare/verify/routes/held_pairing.h"
 #include "compare/verify/routes/state_draw.h"
+#include "compare/verify/routes/wanted_presets.h"
 #include "compare/verify/run/verify.h"
+#include "meshes/generate/boxes.h"
+#include "pcm/bad_input.h"
 #include "tests/compare/small_pair.h"
 #include "tests/compare/verify/routes/held_altered.h"
 
@@ -259,6 +262,76 @@ TEST(Seam, EngineThatThrowsIsAFailure) {
   const PoseOutcome outcome = held.hold(Pose{}, Velocity{}, workspace, seam).front();
   ASSERT_EQ(outcome.disagreements.size(), 1U);
   EXPECT_EQ(outcome.disagreements.front().kind, Kind::failure);
+}
+
+/// Two wedges of some 2^240 m: where one slides along its own face, friction without v_eps hangs on a slip that is all
+/// roundings, and its derivative on the spin is beyond all doubles (`pcm verify`, seed 19, extreme pose 16759).
+struct HugeWedges {
+  ContactLaw law;
+  HeldPairing::State state;
+  TriangleMesh wedge = generate::wedge(45, 1, 1);
+
+  HugeWedges() {
+    for (Eigen::Vector3d& x : wedge.vertices) x = 0x1p240 * (0x1p-12 * (0x1p12 * x).array().round()).matrix();
+    law.stiffness = 0x1.7ca37b5ddf402p+26;
+    law.damping = 0x1.ba6750ba7d68fp+15;
+    law.transition_depth = 0x1.bca3b03a40f6dp+225;
+    law.friction = 0x1.577c1e5daf6c4p-5;
+    law.max_penetration = 0x1.b6fbc05acb631p+238;
+    law.damping_mode = DampingMode::compression;
+    state.pose.r = {0, -0x1.8000000000001p+239, -0x1p+189};
+    state.velocity.v = {-0x1.53ae900a451e1p+228, 0, -0x1.53ae900a451e1p+228};
+    state.law = law;
+    state.scheme = Scheme::clipped;
+  }
+  std::vector<Disagreement> held_by(const EngineSeam& seam) const {
+    fast::Workspace workspace;
+    const HeldPairing held(wedge, wedge, law, Mode::both, Scheme::clipped);
+    EXPECT_THROW(fast::evaluate(held.engine(), state.pose, state.velocity, kForceAndTangent, workspace), BadInput);
+    return held.hold(state, workspace, seam).front().disagreements;
+  }
+};
+
+/// Does without the tangent where that is refused on a route.
+class ForgivingSeam final : public EngineSeam {
+ public:
+  explicit ForgivingSeam(Route forgiving) : forgiving_(forgiving) {}
+
+  const fast::Contact& evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                                const Ask& ask, fast::Workspace& workspace) const override {
+    return EngineSeam::evaluate(pairing, pose, velocity, forgiven(ask), workspace);
+  }
+  const fast::Contact& evaluate_known(fast::PairingMemory& memory, const Pose& pose, const Velocity& velocity,
+                                      const Ask& ask, fast::Workspace& workspace) const override {
+    return EngineSeam::evaluate_known(memory, pose, velocity, forgiven(ask), workspace);
+  }
+  const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const override {
+    try {
+      return EngineSeam::evaluate_in(scene, workspace);
+    } catch (const BadInput&) {
+      if (forgiving_ == Route::scene) return nothing_;
+      throw;
+    }
+  }
+
+ private:
+  Ask forgiven(Ask ask) const {
+    ask.wanted.tangent = ask.wanted.tangent && ask.route != forgiving_;
+    return ask;
+  }
+
+  Route forgiving_;
+  fast::Contact nothing_;
+};
+
+TEST(Seam, TangentThatMayBeBeyondAllDoublesIsRefusedOnAllRoutesOrNone) {
+  const HugeWedges wedges;
+  EXPECT_TRUE(wedges.held_by(EngineSeam::none()).empty());
+  for (const Route route : {Route::bounded, Route::drawn, Route::known_pose, Route::scene}) {
+    const std::vector<Disagreement> found = wedges.held_by(ForgivingSeam(route));
+    ASSERT_FALSE(found.empty()) << name(route);
+    EXPECT_EQ(found.front().kind, Kind::paths) << name(route);
+  }
 }
 
 TEST(Seam, OracleThatAnswersOtherwiseAfreshIsFlagged) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "compare/poses/rounded_vertices.h"
 #include "compare/verify/bounds/tangent_bounds.h"
@@ -54,7 +55,7 @@ void for_each_tangent(Scheme scheme, Stratum stratum, Mode mode, int count, cons
 bool is_flagged(const Question& question, const fast::Contact& subj, const reference::Answer& answer,
                 const reference::Tangent& truth) {
   Checks checks;
-  check_tangent(question, subj, subj.elements, answer, truth, checks);
+  check_tangent(subj, truth, allowed_errors(question, subj.elements, answer, truth), checks);
   return !checks.disagreements().empty();
 }
 
@@ -122,6 +123,21 @@ TEST_P(TangentVerdict, BoundsHangOnRoundingsAlone) {
                      EXPECT_GT(bounds.maxCoeff(), 0);
                      EXPECT_LT(bounds.leftCols(6).norm(), widest * truth.slope.leftCols(6).norm());
                    });
+}
+
+TEST(ClippedTangentVerdict, MayBeRefusedWhereWhatIsAllowedReachesBeyondAllDoubles) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  reference::Tangent truth;
+  fast::Tangent allowed = fast::Tangent::Constant(1);
+  EXPECT_FALSE(may_overflow(truth, allowed));
+  truth.slope(3, 9) = -kMost;
+  EXPECT_FALSE(may_overflow(truth, allowed));
+  allowed(3, 9) = kMost / 2;
+  EXPECT_TRUE(may_overflow(truth, allowed));
+  truth.slope(3, 9) = 0;
+  EXPECT_FALSE(may_overflow(truth, allowed));
+  allowed(5, 11) = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(may_overflow(truth, allowed));
 }
 
 }  // namespace
