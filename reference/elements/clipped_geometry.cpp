@@ -78,7 +78,8 @@ struct Moments {
 /// polygon min(d, q_max) is at least the mean of min(d_i, q_max) with that point's weights, and at most that of d_i and
 /// at most q_max; and s and t are not negative. So to enclose both d_i and q_max at such corners encloses the moments.
 /// Where there are corners on both sides as well, d_i and min(d_i, q_max) at all of them do, if not tightly.
-/// Derivatives are not enclosed by that: of them nothing is known then.
+/// Derivatives are not enclosed by that: of them nothing is known then. Where all corners are surely no deeper than the
+/// line and some before it, it has no area in common with the polygon, and d_i is what changes also at corners on it.
 template <class T>
 void add_clamped(const std::vector<Sample<T>>& polygon, const T& q_max, Moments<T>& sum) {
   std::vector<std::optional<int>> signs;
@@ -98,10 +99,12 @@ void add_clamped(const std::vector<Sample<T>>& polygon, const T& q_max, Moments<
         const T zero = q_max - q_max;
         sum.d6 = sum.d6 + zero / zero;
       }
+    const bool surely_before = in_doubt == nullptr && any_before;
     for (const Sample<T>& x : polygon)
       before.push_back({x.s, x.t,
-                        both ? where_negative(T(*in_doubt - q_max), x.d, min(x.d, q_max))
-                             : where_negative(T(x.d - q_max), x.d, q_max)});
+                        surely_before ? x.d
+                        : both        ? where_negative(T(*in_doubt - q_max), x.d, min(x.d, q_max))
+                                      : where_negative(T(x.d - q_max), x.d, q_max)});
     sum.add(before);
     return;
   }

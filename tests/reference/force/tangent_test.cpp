@@ -172,6 +172,21 @@ TEST(OracleTangent, AtAKinkIsThatOfOneSide) {
   EXPECT_EQ(parting.tangent(law).slope(2, 8), 0);
 }
 
+TEST(OracleTangent, WhereOnlyTheBorderOfAPartIsAtTheClampIsThatOfPenetrationsBelowIt) {
+  // An edge a quarter deep in a plate, between two faces that rise by 45 degrees: 1/2 wide, and 1 long.
+  const TriangleMesh plate = generate::box({-2, -2, -1}, {2, 2, 0}), wedge = generate::wedge(45, 1, 1);
+  ContactLaw law;
+  law.stiffness = 100;
+  for (const double most : {0.25, 0.5}) {
+    law.max_penetration = most;
+    for (const Problem problem : kProblems)
+      EXPECT_NEAR(tangent_of(Oracle(plate, wedge, law, Mode::E, Scheme::clipped), problem, {shifted(0, 0, -0.25), {}})
+                      .slope(2, 2),
+                  50, 1e-12)
+          << most;
+  }
+}
+
 TEST(OracleTangent, OfFrictionAtRestIsItsSlopeThereAndWithoutSlipVelocityNone) {
   ContactLaw law;
   law.stiffness = 100;
