@@ -157,25 +157,54 @@ struct Cuts {
   }
 };
 
-/// Appends a piece, in two where it has too many vertices for the cuts to come.
+double area_of(const ConvexPolygon& polygon) {
+  return polygon.empty() ? 0 : 0.5 * std::abs(twice_area(polygon));
+}
+
+/// A piece in two, along a line that no face has: each then ends there only where the other one begins.
+struct Halves {
+  ConvexPolygon first, second;
+
+  /// From a vertex to a place on the side that begins as many sides after it. A line between two vertices may be an
+  /// edge's, and that to the middle of a side as well, where faces make a grid.
+  Halves(const ConvexPolygon& piece, int vertex, int sides) {
+    constexpr double kAlongSide = 0.38196601125010515;  // the golden section
+    const auto number = [&](int after) { return (vertex + after) % piece.count; };
+    const auto line_from = [&](int after) { return piece.lines[static_cast<std::size_t>(number(after))]; };
+    const PrismPoint &from = piece[number(sides)], &to = piece[number(sides + 1)];
+    const PrismPoint end = from + kAlongSide * (to - from);
+    first.cuts = second.cuts = piece.cuts + 1;  // the end is rounded as where a line cuts
+    for (int k = 0; k <= sides; ++k) first.add(piece[number(k)], line_from(k));
+    first.add(end);
+    second.add(end, line_from(sides));
+    for (int k = sides + 1; k < piece.count; ++k) second.add(piece[number(k)], line_from(k));
+    second.add(piece[vertex]);
+  }
+  double lesser_area() const { return std::min(area_of(first), area_of(second)); }
+};
+
+/// Each with fewer vertices, and no sliver as long as there is another way: some vertices may lie in one place but for
+/// roundings, or on one line.
+Halves halves_of(const ConvexPolygon& piece) {
+  Halves best(piece, 0, 2);
+  for (int vertex = 0; vertex < piece.count; ++vertex) {
+    for (int sides = 2; sides + 3 <= piece.count; ++sides) {
+      const Halves halves(piece, vertex, sides);
+      if (halves.lesser_area() > best.lesser_area()) best = halves;
+    }
+  }
+  return best;
+}
+
+/// Appends a piece, in parts where it has too many vertices for the cuts to come.
 void append(const ConvexPolygon& piece, std::vector<ConvexPolygon>& pieces) {
   if (piece.count <= ConvexPolygon::kMost) {
     pieces.push_back(piece);
     return;
   }
-  const int half = piece.count / 2;
-  ConvexPolygon first, second;
-  first.cuts = second.cuts = piece.cuts;
-  const auto line_from = [&piece](int i) { return piece.lines[static_cast<std::size_t>(i)]; };
-  for (int i = 0; i <= half; ++i) first.add(piece[i], i < half ? line_from(i) : kNoLine);
-  for (int i = half; i < piece.count; ++i) second.add(piece[i], line_from(i));
-  second.add(piece[0]);
-  pieces.push_back(first);
-  pieces.push_back(second);
-}
-
-double area_of(const ConvexPolygon& polygon) {
-  return polygon.empty() ? 0 : 0.5 * std::abs(twice_area(polygon));
+  const Halves halves = halves_of(piece);
+  append(halves.first, pieces);
+  append(halves.second, pieces);
 }
 
 /// A part that was cut off along a line and dropped, for it may have no area: its longest other side.

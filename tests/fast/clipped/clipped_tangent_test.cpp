@@ -203,6 +203,21 @@ Tangent differences(const TriangleMesh& E, const TriangleMesh& F, const Pose& po
   return result;
 }
 
+/// What one face of the cube sees of the hollow one is kept in pieces; the line between two of them runs through both
+/// ends of an edge, of a face that hides what is beyond (`pcm verify`, seed 19, adversarial pose 2622 of this pair).
+TEST(ClippedTangent, OfASideThatAlsoPartedTwoPiecesIsThatOfTheEdgeThere) {
+  const TriangleMesh cube = generate::box({1, 1, 1}), hollow = degenerate::hollow_cube(0.5);
+  Pose pose;
+  pose.A << 0x1.23840455d1c52p-1, 0x1.2ddcc34bae813p-1, 0x1.255425098f0f6p-1,  //
+      0x1.9b8ee10c8c75cp-1, -0x1.0346e6e3a80a4p-2, -0x1.139ab8fb006a4p-1,      //
+      -0x1.60dfce6398cd6p-3, 0x1.88b4675bddb47p-1, -0x1.3c74c7084b618p-1;
+  pose.r = {0x1.fb4f5cb9aea16p-5, -0x1.15a7800c71dd1p-2, -0x1.adc43609c3bcdp-2};
+  const ContactLaw law = stiffness(kStiffness);
+  const Tangent tangent = *clipped(cube, hollow, pose, law, Mode::E).tangent;
+  const Tangent expected = differences(cube, hollow, pose, law, Mode::E, {});
+  EXPECT_LT((tangent - expected).norm(), 1e-5 * expected.norm());
+}
+
 struct Pair {
   const char* name;
   TriangleMesh E, F;

@@ -11,6 +11,9 @@
 #include "compare/poses/rounded_vertices.h"
 #include "compare/verify/bounds/tangent_bounds.h"
 #include "compare/verify/routes/held_pairing.h"
+#include "meshes/generate/boxes.h"
+#include "meshes/generate/degenerate/hard_bodies.h"
+#include "meshes/generate/round.h"
 #include "tests/compare/small_pair.h"
 
 namespace pcm::compare {
@@ -123,6 +126,47 @@ TEST_P(TangentVerdict, BoundsHangOnRoundingsAlone) {
                      EXPECT_GT(bounds.maxCoeff(), 0);
                      EXPECT_LT(bounds.leftCols(6).norm(), widest * truth.slope.leftCols(6).norm());
                    });
+}
+
+struct PosedPair {
+  TriangleMesh E, F;
+  Pose pose;
+  bool is_flagged() const {
+    const ContactLaw law = law_of_all();
+    const Velocity velocity{{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}};
+    const HeldPairing held(E, F, law, Mode::both, Scheme::clipped);
+    fast::Workspace workspace;
+    Wanted wanted;
+    wanted.tangent = true;
+    const fast::Contact& subj = fast::evaluate(held.engine(), pose, velocity, wanted, workspace);
+    EXPECT_GT(subj.element_count, 0);
+    reference::Inquiry inquiry(held.oracle(), pose, velocity, {}, law, Scheme::clipped);
+    return compare::is_flagged(held.question(pose, velocity), subj,
+                               inquiry.answer(reference::Problem::rounded, Mode::both),
+                               inquiry.tangent(reference::Problem::rounded, Mode::both));
+  }
+};
+
+/// Here what is left of a face has more vertices than the engine keeps in one piece. Two of them are those of an edge
+/// of a face that hides all on one side of it (`pcm verify`, seed 19, adversarial pose 2622 of this pair).
+TEST(ClippedTangentVerdict, PassesTheEnginesWhereAPieceInPartsHasTwoVerticesOfAnEdge) {
+  PosedPair pair{generate::box({1, 1, 1}), degenerate::hollow_cube(0.5), {}};
+  pair.pose.A << 0x1.23840455d1c52p-1, 0x1.2ddcc34bae813p-1, 0x1.255425098f0f6p-1,  //
+      0x1.9b8ee10c8c75cp-1, -0x1.0346e6e3a80a4p-2, -0x1.139ab8fb006a4p-1,           //
+      -0x1.60dfce6398cd6p-3, 0x1.88b4675bddb47p-1, -0x1.3c74c7084b618p-1;
+  pair.pose.r = {0x1.fb4f5cb9aea16p-5, -0x1.15a7800c71dd1p-2, -0x1.adc43609c3bcdp-2};
+  EXPECT_FALSE(pair.is_flagged());
+}
+
+/// Here two of them lie in one place but for roundings, so that a line from one to a third is nearly a side
+/// (adversarial pose 2763 of this pair).
+TEST(ClippedTangentVerdict, PassesTheEnginesWhereAPieceInPartsHasASideOfNoLength) {
+  PosedPair pair{generate::torus(1, 0.25, 4, 4), degenerate::torus_chain(3, 1, 0.25, 4, 4), {}};
+  pair.pose.A << -0x1.685b7dec88ac4p-1, 0x1.140a502708e25p-4, -0x1.6a125e5c7fdcp-1,  //
+      -0x1.a5b9cc6082e98p-2, -0x1.b31cbea3ab02ap-1, 0x1.50cc2a8da3e47p-2,            //
+      -0x1.2859a182e24a3p-1, 0x1.0ba39de6287e8p-1, 0x1.4073e117a17b4p-1;
+  pair.pose.r = {-0x1.512eae9283e78p-4, 0x1.079931c36dcb6p+1, -0x1.9d5c1a10f9b76p-2};
+  EXPECT_FALSE(pair.is_flagged());
 }
 
 TEST(ClippedTangentVerdict, MayBeRefusedWhereWhatIsAllowedReachesBeyondAllDoubles) {
