@@ -220,9 +220,27 @@ PICKED = [
     ),
     (
         "fast/active/open_active_areas.cpp",
-        "      areas.ambiguous = true;\n      continue;\n",
-        "      areas.ambiguous = true;\n",
+        "      ambiguous = true;\n      continue;\n",
+        "      ambiguous = true;\n",
         "faces of an ambiguous set are labelled all the same",
+    ),
+    (
+        "fast/active/face_shares.h",
+        "for (const Range& range : ranges_) visit(range.thread, range.begin, range.end);",
+        "for (std::size_t i = ranges_.size(); i-- > 0;) visit(ranges_[i].thread, ranges_[i].begin, ranges_[i].end);",
+        "what threads found is summed from the last face to the first",
+    ),
+    (
+        "fast/engine/engine.cpp",
+        "  data.team.start();\n",
+        "",
+        "other threads stay at the first pose they were asked about",
+    ),
+    (
+        "fast/clipped/clipped_elements.cpp",
+        "record.add(own.beside);",
+        "(void)own;",
+        "what faces have beside elements is lost where threads looked through them",
     ),
     (
         "fast/active/inside_areas.cpp",
