@@ -13,25 +13,23 @@
 
 namespace pcm::fast {
 
-/// The active faces of a side, in shares for threads, each of which appends what it finds to a list of its own. Then
-/// all of it can be read in the order of the faces, whoever found it.
+/// The active faces of a side, in shares for threads, each of which appends what it finds to lists of its own, in an
+/// `OfThread`. Then all of it can be read in the order of the faces, whoever found it.
+template <class OfThread>
 class FaceShares {
  public:
-  /// Lists the faces.
-  void start(const Intersection& intersection, Side side, std::size_t faces_at_once) {
-    at_once_ = faces_at_once;
+  /// Makes `find_of(own, intersection)` in each thread of the team, for what is the thread's own and its posed pair,
+  /// and calls that with one share of faces after the other; its `found()` is the length of the thread's lists.
+  template <class FindOf>
+  void find(const Intersection& intersection, Side side, std::size_t faces_at_once, PosedTeam& team,
+            const FindOf& find_of) {
     faces_.clear();
     for_each_active_face(intersection, side, [this](Index face) { faces_.push_back(face); });
-  }
-
-  /// Makes `find_of(thread, intersection)` in each thread of the team, for the posed pair of its own, and calls that
-  /// with one share of faces after the other; its `found()` is the length of the thread's list.
-  template <class FindOf>
-  void find(const Intersection& intersection, PosedTeam& team, const FindOf& find_of) {
-    Shares shares(faces_.size(), at_once_);
+    Shares shares(faces_.size(), faces_at_once);
     ranges_.resize(shares.shares());
+    of_threads_.resize(team.threads());
     const auto take_part = [&](std::size_t thread, PosedPair& own_posed) {
-      auto find = find_of(thread, Intersection{own_posed, intersection.crossings, intersection.active});
+      auto find = find_of(of_threads_[thread], Intersection{own_posed, intersection.crossings, intersection.active});
       for (Shares::Share share = shares.take(); !share.empty(); share = shares.take()) {
         const std::size_t before = find.found();
         find({faces_.data() + share.begin, share.end - share.begin});
@@ -41,10 +39,13 @@ class FaceShares {
     team.run(team.threads(), intersection.posed, std::cref(take_part));
   }
 
-  /// Calls `visit(thread, begin, end)`: what lies there in the thread's list is next in the order of the faces.
+  const std::vector<OfThread>& of_threads() const { return of_threads_; }
+  /// Calls `visit(own, i)` for entry i of a thread's lists, in the order of the faces.
   template <class Visit>
-  void for_each_range(const Visit& visit) const {
-    for (const Range& range : ranges_) visit(range.thread, range.begin, range.end);
+  void for_each_found(const Visit& visit) const {
+    for (const Range& range : ranges_) {
+      for (std::size_t i = range.begin; i < range.end; ++i) visit(of_threads_[range.thread], i);
+    }
   }
 
  private:
@@ -52,9 +53,9 @@ class FaceShares {
     std::size_t thread, begin, end;
   };
 
-  std::size_t at_once_ = 1;
   std::vector<Index> faces_;
   std::vector<Range> ranges_;
+  std::vector<OfThread> of_threads_;
 };
 
 }  // namespace pcm::fast

@@ -118,22 +118,18 @@ class SearchOfThread {
 
 MasterForce sum_by_threads(const Intersection& intersection, Side master, const ForceProblem& problem, PosedTeam& team,
                            BarycentricScratch& scratch, ElementRecord& record) {
-  scratch.of_threads.resize(team.threads());
-  scratch.shares.start(intersection, master, kFacesAtOnce);
-  scratch.shares.find(intersection, team, [&](std::size_t thread, const Intersection& own) {
-    return SearchOfThread(own, master, problem, scratch.of_threads[thread]);
-  });
-  for (const BarycentricOfThread& own : scratch.of_threads) record.add(own.record);
+  const auto search_of = [&](BarycentricOfThread& own, const Intersection& own_intersection) {
+    return SearchOfThread(own_intersection, master, problem, own);
+  };
+  scratch.shares.find(intersection, master, kFacesAtOnce, team, search_of);
+  for (const BarycentricOfThread& own : scratch.shares.of_threads()) record.add(own.record);
   ElementQueue queue(problem, master, record, intersection.posed.work, scratch.search.lanes);
   const bool loads_alone = wants_loads_alone(problem);
-  scratch.shares.for_each_range([&](std::size_t thread, std::size_t begin, std::size_t end) {
-    const BarycentricOfThread& own = scratch.of_threads[thread];
-    for (std::size_t i = begin; i < end; ++i) {
-      if (loads_alone) {
-        queue.add_loads(own.loads[i]);
-      } else {
-        queue.add_kept(own.found[i]);
-      }
+  scratch.shares.for_each_found([&](const BarycentricOfThread& own, std::size_t i) {
+    if (loads_alone) {
+      queue.add_loads(own.loads[i]);
+    } else {
+      queue.add_kept(own.found[i]);
     }
   });
   return queue.total();

@@ -26,14 +26,14 @@ struct alignas(kApart) BarycentricOfThread {
 /// Scratch memory of sum_barycentric_elements.
 struct BarycentricScratch {
   BarycentricSearch search;
-  FaceShares shares;
-  std::vector<BarycentricOfThread> of_threads;
+  FaceShares<BarycentricOfThread> shares;
 };
 
 /// Forms the contact elements of a master in the barycentric scheme (PCM section 6), in face-index order, records them
 /// and sums their forces (21)-(24): one element for each active face whose penetration line leaves the slave at u > 0.
 /// kElementLanes are formed at a time. `memory`: of the penetration lines at the last pose, or nullptr. Where there are
-/// many faces, and no memory, all threads of the team follow lines; one applies the law and sums.
+/// many faces, and no memory, all threads of the team follow lines, and apply the law where loads alone are wanted; one
+/// sums.
 MasterForce sum_barycentric_elements(const Intersection& intersection, Side master, const ForceProblem& problem,
                                      PosedTeam& team, BarycentricScratch& scratch, LineMemory* memory,
                                      ElementRecord& record);

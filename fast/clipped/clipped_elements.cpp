@@ -181,18 +181,14 @@ class FacesOfThread {
 
 MasterForce sum_by_threads(const Intersection& intersection, Side master, const ForceProblem& problem, PosedTeam& team,
                            ClippedScratch& scratch, ElementRecord& record) {
-  scratch.of_threads.resize(team.threads());
-  scratch.shares.start(intersection, master, kFacesAtOnce);
-  scratch.shares.find(intersection, team, [&](std::size_t thread, const Intersection& own) {
-    return FacesOfThread(own, master, problem, scratch.of_threads[thread]);
-  });
-  for (const ClippedOfThread& own : scratch.of_threads) record.add(own.beside);
+  const auto faces_of = [&](ClippedOfThread& own, const Intersection& own_intersection) {
+    return FacesOfThread(own_intersection, master, problem, own);
+  };
+  scratch.shares.find(intersection, master, kFacesAtOnce, team, faces_of);
+  for (const ClippedOfThread& own : scratch.shares.of_threads()) record.add(own.beside);
   ElementQueue queue(problem, master, record, intersection.posed.work, scratch.lanes);
-  scratch.shares.for_each_range([&](std::size_t thread, std::size_t begin, std::size_t end) {
-    const ClippedOfThread& own = scratch.of_threads[thread];
-    for (std::size_t i = begin; i < end; ++i) {
-      add_to(queue, own.found[i], problem.with_tangent ? &own.motions[i] : nullptr);
-    }
+  scratch.shares.for_each_found([&](const ClippedOfThread& own, std::size_t i) {
+    add_to(queue, own.found[i], problem.with_tangent ? &own.motions[i] : nullptr);
   });
   return queue.total();
 }

@@ -100,8 +100,7 @@ struct alignas(kApart) ClippedOfThread {
 struct ClippedScratch {
   ClippedFaceScratch face;
   ElementLanes lanes;
-  FaceShares shares;
-  std::vector<ClippedOfThread> of_threads;
+  FaceShares<ClippedOfThread> shares;
 };
 
 /// Forms the contact elements of a master in the clipped scheme (PCM section 6): for each active face e and each slave

@@ -365,8 +365,10 @@ void Scene::evaluate_all(int threads, const Visit& visit) {
   const auto large = std::count_if(all.begin(), all.end(), [](const ScenePairing& pairing) { return pairing.large; });
   std::vector<std::size_t>& last = data_->taken_last;
   last.clear();
-  for (std::size_t i = 0; threads > 1 && large < threads && i < all.size(); ++i) {
-    if (all[i].large) last.push_back(i);
+  if (threads > 1 && large < threads) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].large) last.push_back(i);
+    }
   }
   const auto take_part = [&](std::size_t member) {
     const DefaultFloatingPoint environment;

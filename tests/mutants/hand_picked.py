@@ -226,9 +226,9 @@ PICKED = [
     ),
     (
         "fast/active/face_shares.h",
-        "for (const Range& range : ranges_) visit(range.thread, range.begin, range.end);",
-        "for (std::size_t i = ranges_.size(); i-- > 0;) visit(ranges_[i].thread, ranges_[i].begin, ranges_[i].end);",
-        "what threads found is summed from the last face to the first",
+        "      for (std::size_t i = range.begin; i < range.end; ++i) visit(of_threads_[range.thread], i);\n",
+        "      for (std::size_t i = range.end; i-- > range.begin;) visit(of_threads_[range.thread], i);\n",
+        "what a thread found is summed from the last face of a share to the first",
     ),
     (
         "fast/engine/engine.cpp",
