@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "compare/verify/routes/call_routes.h"
+#include "compare/verify/routes/engine_seam.h"
 
 namespace pcm::fuzz {
 

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "compare/poses/rounded_vertices.h"
+#include "compare/verify/routes/call_routes.h"
+#include "compare/verify/routes/refused_tangent.h"
 #include "compare/verify/verdict/tangent_verdict.h"
 #include "pcm/check.h"
 
@@ -135,10 +137,17 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
     const fast::Tangent allowed = allowed_errors(asked, subj.elements, true_rounded, true_tangent);
 
     who = "engine on another path";
+    const std::string refusal = may_overflow(true_tangent, allowed)
+                                    ? refusal_of_tangent(seam, engine, pose, velocity, workspace)
+                                    : std::string();
+    if (!refusal.empty()) {
+      hold_refusal(seam, engine, pose, velocity, refusal, workspace, checks);
+      checks.merge(hold_weak_tangent(engine, state, workspace, seam));
+    }
     if (!state.before.empty())
       hold_motion(seam, engine, state.before, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks);
     hold_routes(
-        seam, engine, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks,
+        seam, engine, pose, velocity, subj, features_.size() * kStepBefore, refusal.empty(), workspace, checks,
         [&](const fast::Contact& bounded) {
           outcome.unbounded =
               bounded.bound && !(bounded.bound->force_Me.allFinite() && bounded.bound->torque_Me.allFinite());
@@ -146,7 +155,6 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
           checks.merge(broken_bounds(asked, bounded, true_rounded, true_exact));
           outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
         },
-        may_overflow(true_tangent, allowed),
         [&](const fast::Contact& with_tangent) { check_tangent(with_tangent, true_tangent, allowed, checks); });
     outcome.disagreements = checks.sorted();
     outcome.widths = checks.widths();
@@ -155,6 +163,23 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
     outcome.disagreements.push_back({Kind::failure, std::string(who) + ": " + error.what()});
   }
   return outcome;
+}
+
+Checks HeldPairing::hold_weak_tangent(const fast::Pairing& engine, const State& state, fast::Workspace& workspace,
+                                      const EngineSeam& seam) const {
+  const ContactLaw weak = weakened(state.law);
+  const fast::Pairing asked(engine.surface_E(), engine.surface_F(), weak, engine.mode(), engine.scheme());
+  Wanted wanted;
+  wanted.tangent = true;
+  const fast::Contact& subj = seam.evaluate(asked, state.pose, state.velocity, {Route::tangent, wanted, {}}, workspace);
+  reference::Inquiry inquiry(oracle_, state.pose, state.velocity, {}, weak, engine.scheme());
+  const reference::Answer truth = inquiry.answer(reference::Problem::rounded, engine.mode());
+  const reference::Tangent true_tangent = inquiry.tangent(reference::Problem::rounded, engine.mode());
+  const Question question{features_.E, features_.F, weak, engine.mode(), engine.scheme(), state.pose, state.velocity};
+  Checks checks;
+  check_tangent(subj, true_tangent, allowed_errors(question, subj.elements, truth, true_tangent), checks);
+  if (subj.tangent) hold_beyond_doubles(*subj.tangent, checks);
+  return checks;
 }
 
 }  // namespace pcm::compare

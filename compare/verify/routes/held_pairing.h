@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/poses/strata.h"
-#include "compare/verify/routes/call_routes.h"
+#include "compare/verify/routes/engine_seam.h"
 #include "compare/verify/verdict/tally.h"
 #include "compare/verify/verdict/verdict.h"
 #include "pcm/engine.h"
@@ -37,7 +37,7 @@ class HeldPairing {
   Question question(const Pose& pose, const Velocity& velocity) const { return question(engine(), pose, velocity); }
 
   /// Asks both sides about one pose in every mode and compares: an outcome for each mode, in order. The engine is asked
-  /// by every call route (call_routes.h), the oracle's geometry is worked out once for all. What either side throws
+  /// by every call route (asks.h), the oracle's geometry is worked out once for all. What either side throws
   /// becomes a disagreement of kind `failure`.
   std::vector<PoseOutcome> hold(const Pose& pose, const Velocity& velocity, fast::Workspace& workspace,
                                 const EngineSeam& seam = EngineSeam::none()) const {
@@ -66,6 +66,9 @@ class HeldPairing {
   }
   PoseOutcome hold(const fast::Pairing& engine, reference::Inquiry& inquiry, const State& state,
                    fast::Workspace& workspace, const EngineSeam& seam) const;
+  /// Where the engine refuses the tangent: holds what it answers under a weakened law (refused_tangent.h).
+  Checks hold_weak_tangent(const fast::Pairing& engine, const State& state, fast::Workspace& workspace,
+                           const EngineSeam& seam) const;
 
   TriangleMesh mesh_E_;
   TriangleMesh mesh_F_;

@@ -34,7 +34,7 @@ std::optional<MissedMeasure> missed_measure(const Verification& run);
 /// Poses whose surfaces cross; each once, however many modes.
 std::int64_t touching_poses(const Verification& run);
 
-/// How many poses no scene was asked about (call_routes.h), each once, in the strata that have such poses.
+/// How many poses no scene was asked about (asks.h), each once, in the strata that have such poses.
 std::map<Stratum, std::int64_t> poses_without_scene(const Verification& run);
 /// A line for people, empty where there are none.
 std::string without_scene_line(const Verification& run);

@@ -17,7 +17,7 @@ namespace pcm::compare {
 
 /// What came of poses of one cell, whatever their order.
 struct CellOutcome {
-  std::int64_t without_scene = 0;  ///< which no scene was asked about (call_routes.h)
+  std::int64_t without_scene = 0;  ///< which no scene was asked about (asks.h)
   Tally tally;
 
   void merge(const CellOutcome& other);

@@ -44,7 +44,7 @@ enum class Kind : std::uint8_t {
   bound,                ///< the engine's own bound on the error of force or torque against the exact problem broken or
                         ///< infinite, or a flip it did not announce
   penetration_bound,    ///< its bounds on the exact problem's greatest penetration broken, or at odds with its own one
-  paths,                ///< an answer by another call route (call_routes.h) differs in a bit
+  paths,                ///< an answer by another call route (asks.h) differs in a bit
   work,                 ///< counters that contradict the answer or each other
   history,              ///< the oracle answers the exact problem otherwise when it is asked afresh
 };

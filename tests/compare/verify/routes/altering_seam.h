@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "compare/verify/routes/call_routes.h"
+#include "compare/verify/routes/engine_seam.h"
 
 namespace pcm::compare {
 

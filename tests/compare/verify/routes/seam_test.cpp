@@ -334,6 +334,45 @@ TEST(Seam, TangentThatMayBeBeyondAllDoublesIsRefusedOnAllRoutesOrNone) {
   }
 }
 
+/// Refuses the tangent under every law but a weakened one.
+class RefusingSeam final : public EngineSeam {
+ public:
+  explicit RefusingSeam(double stiffness) : stiffness_(stiffness) {}
+
+  const fast::Contact& evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
+                                const Ask& ask, fast::Workspace& workspace) const override {
+    if (ask.wanted.tangent && pairing.law().stiffness == stiffness_) throw BadInput(kRefusal);
+    return EngineSeam::evaluate(pairing, pose, velocity, ask, workspace);
+  }
+  const fast::Contact& evaluate_known(fast::PairingMemory& memory, const Pose& pose, const Velocity& velocity,
+                                      const Ask& ask, fast::Workspace& workspace) const override {
+    if (ask.wanted.tangent) throw BadInput(kRefusal);
+    return EngineSeam::evaluate_known(memory, pose, velocity, ask, workspace);
+  }
+  const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const override {
+    const fast::Contact& answer = EngineSeam::evaluate_in(scene, workspace);
+    if (answer.tangent) throw BadInput(kRefusal);
+    return answer;
+  }
+
+ private:
+  static constexpr const char* kRefusal = "beyond all doubles";
+  double stiffness_;
+};
+
+TEST(Seam, TangentThatIsNotBeyondAllDoublesMayNotBeRefused) {
+  HugeWedges wedges;
+  for (double* parameter : {&wedges.law.stiffness, &wedges.law.damping}) *parameter *= 0x1p-40;
+  wedges.state.law = wedges.law;
+  fast::Workspace workspace;
+  const HeldPairing held(wedges.wedge, wedges.wedge, wedges.law, Mode::both, Scheme::clipped);
+  EXPECT_TRUE(held.hold(wedges.state, workspace).front().disagreements.empty());
+  const std::vector<Disagreement> found =
+      held.hold(wedges.state, workspace, RefusingSeam(wedges.law.stiffness)).front().disagreements;
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().kind, Kind::tangent);
+}
+
 TEST(Seam, OracleThatAnswersOtherwiseAfreshIsFlagged) {
   reference::Answer asked, afresh;
   EXPECT_TRUE(hold_history(asked, afresh).disagreements().empty());

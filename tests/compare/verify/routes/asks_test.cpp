@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/verify/routes/call_routes.h"
+#include "compare/verify/routes/asks.h"
 
 namespace pcm::compare {
 namespace {
@@ -25,7 +25,7 @@ std::string switches(const Ask& ask) {
   return text;
 }
 
-TEST(CallRoutes, CoarseStatesAtRestDrawAllSwitchesBothWaysOnEachRouteThatDraws) {
+TEST(Asks, CoarseStatesAtRestDrawAllSwitchesBothWaysOnEachRouteThatDraws) {
   // Their doubles differ in few bits, all of them high ones.
   std::map<Route, std::set<std::string>> drawn;
   std::map<Route, std::array<int, 17>> on;
