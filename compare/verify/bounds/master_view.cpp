@@ -195,6 +195,9 @@ SlaveInView MasterView::sight(Index slave_face) const {
   sight.width = std::min(sight.outline / 2, face_.longest);
   add_uncertain_areas(slave, part, std::max(place, hiders.place), hiders, sight);
   const double depth_change = times(sight.slope, 2 * sight.strip);
+  sight.overshoot = is_wider_than(sight.strip)
+                        ? overshoot(slave, depth_field(opposite(master_), slave_face, sight.strip))
+                        : std::numeric_limits<double>::infinity();
   sight.deepest = std::min(greatest, deepest_over_master(slave_face, sight.strip)) + sight.depth_error;
   sight.tip_error = sine > 0 ? sight.depth_error + depth_change / sine : sight.at_tip;
   limit(sight);
@@ -214,6 +217,37 @@ double MasterView::deepest_over_master(Index slave_face, double strip) const {
         std::max(deepest, depth.at(x) + times(depth.error_per_distance, from_corner) + depth.slope.norm() * strip);
   }
   return std::isfinite(depth.error) ? deepest : depth.error;
+}
+
+// A cut puts a point between the ends of a segment. With W_k the greatest weight of that kind that a corner of the
+// slave face has, each weight there has three roundings of up to 2 W_k u, so that after four cuts it is off by 24 u W_k
+// from a point of the face. Where the master's side k cuts a segment with such ends it therefore does so too far along,
+// by that over what the weight changes from end to end, and the depth is off by 24 u W_k times what it changes for the
+// weight along the segment. Segments are the slave face's edges and the master's sides, along each of which two weights
+// change by 1 from corner to corner.
+double MasterView::overshoot(const SeenFace& slave, const DepthField& depth) const {
+  if (!std::isfinite(depth.error)) return std::numeric_limits<double>::infinity();
+  std::array<Eigen::Array4d, 3> corners;  // weights, depth
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Array2d st = weights(slave[k]);
+    corners[k] << 1 - st.sum(), st, slave[k].z();
+  }
+  Eigen::Array4d greatest = Eigen::Array4d::Zero();
+  Eigen::Array3d rise = Eigen::Array3d::Zero();
+  double range = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    greatest = greatest.max(corners[k].abs());
+    const Eigen::Array4d edge = (corners[next] - corners[k]).abs();
+    range = std::max(range, edge[3]);
+    rise = rise.max(edge[3] / edge.head<3>());
+    const double along_side = std::abs(depth.at(own_[next]) - depth.at(own_[k]));
+    for (const std::size_t weight : {k, next}) {
+      double& most = rise[static_cast<Eigen::Index>(weight)];
+      most = std::max(most, along_side);
+    }
+  }
+  return no_more(24 * u * ((greatest.head<3>() * rise).sum() + greatest[3]), range);
 }
 
 // Two points of bodies that touch are no farther apart than 6 times the greatest coordinate, a part of the face has no
@@ -236,6 +270,7 @@ void MasterView::limit(SlaveInView& sight) const {
   sight.at_tip = no_more(sight.at_tip, sight.deepest);
   sight.at_lowest = no_more(sight.at_lowest, sight.deepest);
   sight.tip_error = no_more(sight.tip_error, sight.at_tip);
+  sight.overshoot = no_more(sight.overshoot, anywhere);
 }
 
 }  // namespace pcm::compare

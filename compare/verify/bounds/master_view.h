@@ -34,6 +34,7 @@ struct SlaveInView {
   double at_tip = 0;     ///< the depth of its deepest corner, m
   double at_lowest = 0;  ///< and of its least deep one, m
   double tip_error = 0;  ///< what strips may take from that, m
+  double overshoot = 0;  ///< so much deeper than it is over the master may cuts by its sides leave it, m
 };
 
 /// A line, to either side as far as it may lie over both faces, at which what a right engine sees of a slave face may
@@ -170,10 +171,13 @@ class MasterView {
                      double width, double most) const;
   /// The greatest depth at which a right engine may see the slave face, but for the error of a depth, m.
   double deepest_over_master(Index slave_face, double strip) const;
-  /// s and t of a point.
+  /// How much deeper than anywhere over the master roundings of the cuts by its sides may leave the slave face, m. That
+  /// the engine sees its corners a little off is not counted.
+  double overshoot(const SeenFace& slave, const DepthField& depth) const;
   void limit(SlaveInView& sight) const;
   /// Of the corner farthest away, from one of which each weight is taken, m.
   double distance_from_corners(const SeenPoint& point) const;
+  /// s and t of a point.
   Eigen::Array2d weights(const SeenPoint& point) const;
   /// How far off a point may be seen by MasterPrism::uncertainty, m.
   double place_error(const SeenPoint& point) const;

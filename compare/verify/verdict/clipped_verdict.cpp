@@ -187,8 +187,8 @@ ClippedTotals check_clipped_elements(const Question& question, const fast::Conta
   return totals;
 }
 
-bool slivers_may_tell(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
-                      const reference::Answer& true_exact) {
+bool may_lie_outside(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
+                     const reference::Answer& true_exact) {
   const ClippedBounds bounds(question, true_rounded);
   std::set<ElementKey> certain;  // The engine has these.
   for (std::size_t k = 0; k < true_rounded.elements.size(); ++k) {
@@ -206,9 +206,12 @@ bool slivers_may_tell(const Question& question, const fast::Contact& subj, const
                   if (ours == nullptr) return;
                   if (theirs == nullptr || bounds.elements()[k].sliver) {
                     may = may || bounds.sliver(*ours).depth >= subj.max_penetration;
-                  } else if (bounds.elements()[k].may_keep_hidden) {
-                    may = may || bounds.elements()[k].greatest_at_most >= subj.max_penetration;
+                    return;
                   }
+                  const ClippedBounds::OfElement& bound = bounds.elements()[k];
+                  const double own = subj.max_penetration, beyond = subj.bound->penetration_at_most;
+                  may = may || (own <= bound.greatest_at_most &&
+                                (bound.may_keep_hidden || own <= beyond + bound.sight.overshoot));
                 });
   return may;
 }

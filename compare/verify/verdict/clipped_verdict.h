@@ -33,10 +33,11 @@ struct ClippedTotals {
 ClippedTotals check_clipped_elements(const Question& question, const fast::Contact& subj,
                                      const reference::Answer& truth, Checks& checks);
 
-/// Where the engine's greatest penetration does not lie between its bounds for the exact problem's: whether slivers
-/// alone make it so. Either all exact elements that reach as deep as the lower bound are slivers, which the engine need
-/// not have; or it has a sliver, or keeps a hidden strip of an element, that may reach as deep as it says.
-bool slivers_may_tell(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
-                      const reference::Answer& true_exact);
+/// Where a right engine's greatest penetration may lie outside its bounds for the exact problem's. Below them: where
+/// all exact elements that reach as deep are slivers, which it need not have. Above: where it has a sliver, or keeps a
+/// hidden strip of an element, that may reach as deep as it says; or by what roundings of its cuts leave beyond the
+/// master's sides.
+bool may_lie_outside(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
+                     const reference::Answer& true_exact);
 
 }  // namespace pcm::compare

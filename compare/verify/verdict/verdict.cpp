@@ -181,7 +181,8 @@ bool may_overflow(const Question& question) {
 
 /// The exact problem's greatest penetration lies between both. So does the engine's own: in the barycentric scheme but
 /// for the upper one, since an element that surely exists, in both problems, has its computed depth above the lower
-/// one; in the clipped scheme but for slivers, which are then what its own bound holds (clipped_bounds.h).
+/// one; in the clipped scheme but for slivers and sharp tips, which are then what its own bound holds
+/// (clipped_verdict.h).
 void check_penetration_bound(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
                              const reference::Answer& true_exact, Checks& checks) {
   const double own = subj.max_penetration, truth = true_exact.max_penetration;
@@ -194,11 +195,11 @@ void check_penetration_bound(const Question& question, const fast::Contact& subj
     checks.add(Kind::penetration_bound, "greatest penetration: engine says {} to {}", at_least, at_most);
   const bool is_clipped = question.scheme == Scheme::clipped;
   const bool too_small = !(at_least <= own), too_great = is_clipped && !(own <= at_most);
-  const bool by_slivers =
-      is_clipped && (too_small || too_great) && slivers_may_tell(question, subj, true_rounded, true_exact);
+  const bool is_outside =
+      is_clipped && (too_small || too_great) && may_lie_outside(question, subj, true_rounded, true_exact);
   if (is_clipped)
-    checks.checked(Kind::penetration, by_slivers ? std::numeric_limits<double>::infinity() : at_most - at_least, truth);
-  if (by_slivers) return;
+    checks.checked(Kind::penetration, is_outside ? std::numeric_limits<double>::infinity() : at_most - at_least, truth);
+  if (is_outside) return;
   if (too_small)
     checks.add(Kind::penetration_bound, "greatest penetration: engine has {}, and says {} to {}", own, at_least,
                at_most);
