@@ -197,7 +197,7 @@ void find_active_areas(PosedPair& posed, const Crossings& crossings, PosedTeam& 
     findings[side] =
         find_active_area(own_posed, crossings, static_cast<Side>(side), scratch[side], areas.surfaces[side]);
   };
-  if (team.threads() > 1 && crossings.nodes.size() > kEnoughForThreads) {
+  if (team.threads() > 1 && crossings.nodes.size() >= kEnoughForThreads) {
     team.run(2, posed, std::cref(find_side));
   } else {
     find_side(0, posed);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -27,7 +28,8 @@ class FaceShares {
     for_each_active_face(intersection, side, [this](Index face) { faces_.push_back(face); });
     Shares shares(faces_.size(), faces_at_once);
     ranges_.resize(shares.shares());
-    of_threads_.resize(team.threads());
+    taking_part_ = std::min(team.threads(), shares.shares());
+    if (of_threads_.size() < taking_part_) of_threads_.resize(taking_part_);
     const auto take_part = [&](std::size_t thread, PosedPair& own_posed) {
       auto find = find_of(of_threads_[thread], Intersection{own_posed, intersection.crossings, intersection.active});
       for (Shares::Share share = shares.take(); !share.empty(); share = shares.take()) {
@@ -36,10 +38,11 @@ class FaceShares {
         ranges_[share.number] = {thread, before, find.found()};
       }
     };
-    team.run(team.threads(), intersection.posed, std::cref(take_part));
+    team.run(taking_part_, intersection.posed, std::cref(take_part));
   }
 
-  const std::vector<OfThread>& of_threads() const { return of_threads_; }
+  /// Of those that took part.
+  std::span<const OfThread> of_threads() const { return {of_threads_.data(), taking_part_}; }
   /// Calls `visit(own, i)` for entry i of a thread's lists, in the order of the faces.
   template <class Visit>
   void for_each_found(const Visit& visit) const {
@@ -56,6 +59,7 @@ class FaceShares {
   std::vector<Index> faces_;
   std::vector<Range> ranges_;
   std::vector<OfThread> of_threads_;
+  std::size_t taking_part_ = 0;
 };
 
 }  // namespace pcm::fast

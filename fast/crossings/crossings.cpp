@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/crossings/crossings.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <functional>
+#include <span>
 
 #include "fast/base/ascending.h"
 #include "fast/base/shares.h"
@@ -104,9 +106,10 @@ class PairTest {
 /// Searches below all open pairs, and leaves none.
 void find_pairs_by_threads(const CandidateSearch& search, PosedPair& posed, const CrossingOptions& options,
                            PosedTeam& team, CrossingScratch& scratch, Crossings& crossings) {
-  scratch.of_threads.resize(team.threads());
   const NodePairs& open = scratch.open;
   Shares shares(open.size(), kNodePairsAtOnce);
+  const std::size_t threads = std::min(team.threads(), shares.shares());
+  if (scratch.of_threads.size() < threads) scratch.of_threads.resize(threads);
   const auto take_part = [&](std::size_t thread, PosedPair& own_posed) {
     PairsOfThread& own = scratch.of_threads[thread];
     own.crossing.clear();
@@ -122,9 +125,9 @@ void find_pairs_by_threads(const CandidateSearch& search, PosedPair& posed, cons
       search.visit_below(own.open, own_posed.work, visit);
     }
   };
-  team.run(team.threads(), posed, std::cref(take_part));
+  team.run(threads, posed, std::cref(take_part));
   scratch.open.clear();
-  for (const PairsOfThread& found : scratch.of_threads) {
+  for (const PairsOfThread& found : std::span(scratch.of_threads).first(threads)) {
     posed.work.crossing_pairs += static_cast<std::int64_t>(found.crossing.size());
     for (const CrossingPair& pair : found.crossing) enter_pair(pair, scratch, crossings);
   }

@@ -55,6 +55,8 @@ struct CrossedSurface {
 
 /// All crossings of a pose, with the segments between them.
 struct Crossings {
+  /// In the order in which they were found, which is nobody's where several threads searched: polygons are in an order
+  /// of their own.
   std::vector<CrossingNode> nodes;
   std::array<CrossedSurface, 2> surfaces;
   /// Face pairs (E, F) that may touch, in the order of the search: where they are to be kept.

@@ -32,7 +32,7 @@ struct PairingForce {
 
 /// Of the master's elements, in mode `both` the mean of both masters'. Records the elements. Throws BadInput where
 /// force or torque overflow. `memories`: of the penetration lines at the last pose, or nullptr. Where a bound is
-/// wanted, one thread of the team forms all elements.
+/// wanted, one thread of the team forms the elements that it is of; a tangent is still found by all of them.
 PairingForce compute_force(const Intersection& intersection, Scheme scheme, Mode mode, const ForceProblem& problem,
                            bool with_bound, PosedTeam& team, ForceScratch& scratch, LineMemories* memories,
                            ElementRecord& record);

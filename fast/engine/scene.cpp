@@ -113,7 +113,10 @@ struct ScenePairing {
   Patience patience;
   std::unique_ptr<RememberedPose> remembered;
   std::unique_ptr<Tracking> tracking;  ///< once it was looked at
-  bool large = false;                  ///< when it was last evaluated
+  // When it was last evaluated:
+  bool large = false;
+  bool for_threads = false;  ///< threads within an evaluation had something to do
+  bool goes_first = false;   ///< in the evaluate_all at hand
   // Since the last move, written by the one thread that has the pairing.
   Outcome outcome = Outcome::not_asked;
   bool sought = false;
@@ -150,9 +153,9 @@ struct Scene::Data {
   std::vector<Body> bodies;
   std::vector<ScenePairing> pairings;
   // Of evaluate_all:
-  std::vector<Workspace> workspaces;    ///< one a thread
-  std::vector<std::size_t> taken_last;  ///< pairings that all threads take part in
-  Workspace shared_workspace;           ///< of these
+  std::vector<Workspace> workspaces;        ///< one a thread
+  std::vector<std::size_t> first_pairings;  ///< taken one by one
+  Workspace shared_workspace;               ///< of a pairing that all threads take part in
   int shared_workspace_threads = 1;
   ThreadTeam team;
 
@@ -173,6 +176,11 @@ struct Scene::Data {
   /// The same, for evaluate_all.
   void answer_and_keep_load(std::size_t pairing, Workspace& workspace, const Visit& visit);
   const Contact& evaluate_at(const Pose& pose, ScenePairing& pairing, Workspace& workspace) const;
+  void list_first_pairings();
+  /// Whether the first pairing is the only one that goes first, and worth all threads.
+  bool is_first_for_threads(int threads) const {
+    return threads > 1 && first_pairings.size() == 1 && pairings[first_pairings.front()].for_threads;
+  }
 };
 
 [[gnu::noinline]] Pose Scene::Data::relative_pose(const ScenePairing& pairing) const {
@@ -221,6 +229,9 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
   const Contact& contact = evaluate_at(pose, pairing, workspace);
   pairing.work = contact.work;
   pairing.large = contact.work.crossing_pairs + contact.work.elements >= kLargeWork;
+  const bool follows_lines = pairing.pairing.scheme() == Scheme::barycentric && pairing.tracking &&
+                             pairing.tracking->known() != Tracking::Known::nothing;
+  pairing.for_threads = pairing.large && !pairing.wanted.bound && contact.work.law_only == 0 && !follows_lines;
   // Then the workspace holds nothing of this pairing; where it is apart, that was looked into when it was found.
   if (contact.work.law_only != 0) return &contact;
   const bool apart =
@@ -247,6 +258,16 @@ void Scene::Data::answer_and_keep_load(std::size_t index, Workspace& workspace, 
     if (visit) visit(static_cast<Index>(index), *contact);
   } catch (...) {
     pairing.failure = std::current_exception();
+  }
+}
+
+void Scene::Data::list_first_pairings() {
+  first_pairings.clear();
+  for (std::size_t i = 0; i < pairings.size(); ++i) {
+    ScenePairing& pairing = pairings[i];
+    pairing.goes_first = pairing.large;
+    pairing.failure = nullptr;
+    if (pairing.goes_first) first_pairings.push_back(i);
   }
 }
 
@@ -282,6 +303,8 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
                        {},
                        nullptr,
                        nullptr,
+                       false,
+                       false,
                        false,
                        Outcome::not_asked,
                        false,
@@ -357,36 +380,39 @@ void Scene::evaluate_all(int threads, const Visit& visit) {
   if (threads < 1) throw BadInput("scene: evaluate_all needs at least 1 thread, not " + std::to_string(threads));
   const auto members = static_cast<std::size_t>(threads);
   if (data_->workspaces.size() < members) data_->workspaces.resize(members);
-  // Few enough to share the work evenly, enough that sharing costs nothing beside pairings that are apart.
-  constexpr std::size_t kChunk = 16;
-  std::atomic<std::size_t> next = 0;
+  data_->list_first_pairings();
   std::vector<ScenePairing>& all = data_->pairings;
-  // Large pairings that are fewer than the threads come last, one by one, and all threads take part in each.
-  const auto large = std::count_if(all.begin(), all.end(), [](const ScenePairing& pairing) { return pairing.large; });
-  std::vector<std::size_t>& last = data_->taken_last;
-  last.clear();
-  if (threads > 1 && large < threads) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (all[i].large) last.push_back(i);
+  const std::vector<std::size_t>& first_pairings = data_->first_pairings;
+  const bool for_threads = data_->is_first_for_threads(threads);
+  if (for_threads) {
+    const DefaultFloatingPoint environment;
+    if (data_->shared_workspace_threads != threads) {
+      data_->shared_workspace = Workspace(threads);
+      data_->shared_workspace_threads = threads;
     }
+    data_->answer_and_keep_load(first_pairings.front(), data_->shared_workspace, visit);
   }
+  // Few enough to share the work evenly, enough that sharing costs nothing beside pairings that are apart.
+  const std::size_t chunk = std::clamp<std::size_t>(all.size() / (4 * members), 1, 16);
+  // The next of the first pairings, and then the next chunk of all, without these.
+  std::atomic<std::size_t> next = for_threads ? 1 : 0;
   const auto take_part = [&](std::size_t member) {
     const DefaultFloatingPoint environment;
     Workspace& workspace = data_->workspaces[member];
-    for (std::size_t begin = next.fetch_add(kChunk); begin < all.size(); begin = next.fetch_add(kChunk)) {
-      for (std::size_t i = begin; i < std::min(begin + kChunk, all.size()); ++i) {
-        if (last.empty() || !all[i].large) data_->answer_and_keep_load(i, workspace, visit);
+    for (std::size_t number = next++;; number = next++) {
+      if (number < first_pairings.size()) {
+        data_->answer_and_keep_load(first_pairings[number], workspace, visit);
+        continue;
+      }
+      const std::size_t begin = (number - first_pairings.size()) * chunk;
+      if (begin >= all.size()) return;
+      for (std::size_t i = begin; i < std::min(begin + chunk, all.size()); ++i) {
+        if (!all[i].goes_first) data_->answer_and_keep_load(i, workspace, visit);
       }
     }
   };
   // By reference, so that no copy is allocated.
   data_->team.run(members, std::cref(take_part));
-  if (!last.empty()) {
-    const DefaultFloatingPoint environment;
-    if (std::exchange(data_->shared_workspace_threads, threads) != threads)
-      data_->shared_workspace = Workspace(threads);
-    for (const std::size_t i : last) data_->answer_and_keep_load(i, data_->shared_workspace, visit);
-  }
   std::exception_ptr first;
   for (ScenePairing& pairing : all) {
     if (const std::exception_ptr failure = std::exchange(pairing.failure, nullptr); !first) first = failure;

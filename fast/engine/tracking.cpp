@@ -56,7 +56,7 @@ void Tracking::list_pairs(PosedPair& posed, double steps, double way, NodePairs&
   start_lines(way);
 }
 
-Tracking::Known Tracking::move_to(const Pose& pose, PosedPair& posed, NodePairs& open) {
+Tracking::Known Tracking::know_at(const Pose& pose, PosedPair& posed, NodePairs& open) {
   const std::optional<Pose> last = std::exchange(last_, pose);
   const bool had_kept = std::exchange(has_kept_, false);
   const double way = last ? greatest_travel(*last, pose, ball_F_) : std::numeric_limits<double>::infinity();

@@ -58,7 +58,12 @@ class Tracking {
   Tracking(const PreparedSurface& E, const PreparedSurface& F);
 
   /// To be asked at every pose, in their order, once it is placed. `open` is scratch.
-  Known move_to(const Pose& pose, PosedPair& posed, NodePairs& open);
+  Known move_to(const Pose& pose, PosedPair& posed, NodePairs& open) {
+    known_ = know_at(pose, posed, open);
+    return known_;
+  }
+  /// Of the last pose.
+  Known known() const { return known_; }
 
   const TrackedPairs& pairs() const { return pairs_; }
   /// Keeps the intersected and inner faces of this pose.
@@ -72,6 +77,7 @@ class Tracking {
     std::vector<Index> intersected, inner, pockets;
   };
 
+  Known know_at(const Pose& pose, PosedPair& posed, NodePairs& open);
   void forget();
   void list_pairs(PosedPair& posed, double steps, double way, NodePairs& open);
   void start_lines(double way);
@@ -81,6 +87,7 @@ class Tracking {
   std::array<double, 2> spread_;  ///< how far lines of a master are from where they were, over what F has travelled
   std::size_t fewest_vertices_;   ///< of a component of either surface
   std::optional<Pose> last_;
+  Known known_ = Known::nothing;
   ShortSteps short_steps_;
   // How far points have travelled since pairs were listed, at most, m:
   double travelled_ = 0;         ///< those of F

@@ -9,7 +9,9 @@
 #include "pcm/inputs.h"
 #include "pcm/savings.h"
 
-/// The ways by which callers reach the engine. Each takes other code; all answers must be one, bit for bit.
+/// The ways by which callers reach the engine. Each takes other code; all answers must be one, bit for bit. Threads
+/// within an evaluation are none of them, for they take no part in contacts as small as those of the poses here: tests
+/// hold them to the same bits (tests/fast/engine/workspace_threads_test.cpp).
 namespace pcm::compare {
 
 enum class Route : std::uint8_t {

@@ -6,7 +6,8 @@
 
 namespace pcm::fast {
 
-/// How much work an evaluation did, and how much it was spared.
+/// How much work an evaluation did, and how much it was spared. With several threads in an evaluation, box_tests,
+/// vertices_transformed and predicates, exact ones and ties too, hang on which thread took what.
 struct WorkCounters {
   std::int64_t box_tests = 0;
   std::int64_t candidate_pairs = 0;       ///< face pairs that boxes and planes do not separate

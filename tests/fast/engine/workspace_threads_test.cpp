@@ -4,7 +4,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <set>
+#include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "meshes/generate/round.h"
 #include "pcm/scene.h"
@@ -53,17 +59,17 @@ Surface body_E(const Case& asked) {
 class WorkspaceThreads : public testing::TestWithParam<Case> {};
 
 /// Patches that are large enough for threads to share each step, others that are not in between, and again with what
-/// one pose has left behind.
+/// one pose has left behind, of which fewer threads may take part in the last one.
 TEST_P(WorkspaceThreads, GiveTheBitsOfOneThread) {
   const Case& asked = GetParam();
   const Pairing pairing(body_E(asked), Surface(generate::icosphere(1, asked.level)), test::rough(1000), Mode::both,
                         asked.scheme);
   Workspace one;
-  Workspace many[] = {Workspace(2), Workspace(3), Workspace(8)};
+  Workspace many[] = {Workspace(2), Workspace(3), Workspace(40)};
   std::int64_t crossing = 0;
   Index too_deep = 0;
-  for (int step = 0; step < 3; ++step) {
-    const double overlap = step == 1 ? 0.002 : asked.overlap;
+  for (int step = 0; step < 4; ++step) {
+    const double overlap = step == 1 ? 0.002 : step == 3 && asked.overlap < 2 ? 0.6 * asked.overlap : asked.overlap;
     const Pose pose = overlap == kCoincide
                           ? Pose()
                           : test::turned(0.4 + step, (2 - overlap) * Vector3d(1, 2 - step, -1).normalized());
@@ -93,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Bound", Scheme::barycentric, kForceAndBound, 6, 0.3},
                     Case{"BoundWhereAllCoincides", Scheme::barycentric, kForceAndBound, 4, kCoincide},
                     Case{"Open", Scheme::barycentric, {}, 6, 1, true},
-                    Case{"NothingSaved", Scheme::barycentric, kForceAlone, 5, 0.3, false, false, Savings::none()},
+                    Case{"NothingSaved", Scheme::barycentric, kForceAlone, 6, 1, false, false, Savings::none()},
                     Case{"ClippedLens", Scheme::clipped, kForceAlone, 4, 1, false, true},
                     Case{"ClippedForce", Scheme::clipped, kForceAlone, 5, 0.1},
                     Case{"ClippedEverything", Scheme::clipped, {}, 5, 0.1},
@@ -119,44 +125,109 @@ TEST(WorkspaceThreadsTest, ARefusalIsThatOfOneThread) {
                            evaluate(answered, pose, {}, kForceAlone, two));
 }
 
-/// Two large pairings are fewer than three threads, and no fewer than two.
-TEST(WorkspaceThreadsTest, ASceneWithLargePairingsGivesTheBitsOfOneThread) {
-  const Surface sphere(generate::icosphere(1, 6)), small(generate::icosphere(0.5, 2));
-  const auto scene_of_four = [&] {
-    Scene scene;
-    for (const Surface& surface : {sphere, sphere, sphere, small}) scene.add_body(surface);
-    for (Index E = 0; E < 4; ++E)
-      for (Index F = E + 1; F < 4; ++F)
-        scene.add_pairing(E, F, test::rough(1000), Mode::E, Scheme::barycentric, kForceAlone);
-    return scene;
-  };
-  Scene one = scene_of_four(), two = scene_of_four(), three = scene_of_four();
+/// All pairings of spheres in a row, each overlapping the next.
+Scene row_of(const std::vector<Surface>& surfaces, Scheme scheme) {
+  Scene scene;
+  for (const Surface& surface : surfaces) scene.add_body(surface);
+  for (Index E = 0; E < scene.bodies(); ++E) {
+    for (Index F = E + 1; F < scene.bodies(); ++F)
+      scene.add_pairing(E, F, test::rough(1000), Mode::E, scheme, kForceAlone);
+  }
+  return scene;
+}
+
+std::vector<BodyState> states_of_row(int bodies, int step) {
+  std::vector<BodyState> states;
+  for (int b = 0; b < bodies; ++b)
+    states.push_back(
+        {test::turned(b + 0.3 * step, {1.45 * b, 0.1 * step, 0}), {{-0.1 * b, 0.2, 0}, {0.1, 0.2 * b, 0.3}}});
+  return states;
+}
+
+void expect_same_loads(const Scene& expected, const Scene& found) {
+  EXPECT_EQ(expected.counters().work.elements, found.counters().work.elements);
+  for (Index i = 0; i < expected.pairings(); ++i) {
+    EXPECT_TRUE(test::same(expected.load(i).force_Me, found.load(i).force_Me));
+    EXPECT_TRUE(test::same(expected.load(i).torque_Me, found.load(i).torque_Me));
+    EXPECT_EQ(expected.load(i).touching, found.load(i).touching);
+  }
+}
+
+class SceneThreads : public testing::TestWithParam<Scheme> {};
+
+INSTANTIATE_TEST_SUITE_P(Schemes, SceneThreads, testing::Values(Scheme::barycentric, Scheme::clipped),
+                         [](const auto& tested) {
+                           return tested.param == Scheme::clipped ? "Clipped" : "Barycentric";
+                         });
+
+TEST_P(SceneThreads, OfSomeLargePairingsGiveTheBitsOfOne) {
+  const Surface large(generate::icosphere(1, 6)), small(generate::icosphere(0.5, 2));
+  const std::vector<Surface> bodies{large, large, large, small};
+  Scene one = row_of(bodies, GetParam()), two = row_of(bodies, GetParam()), other = row_of(bodies, GetParam());
   for (int step = 0; step < 3; ++step) {
-    std::vector<BodyState> states(4);
-    for (int b = 0; b < 4; ++b) {
-      BodyState& state = states[static_cast<std::size_t>(b)];
-      state.pose = test::turned(b + 0.3 * step, {1.45 * b, 0.1 * step, 0});
-      state.velocity = {{-0.1 * b, 0.2, 0}, {0.1, 0.2 * b, 0.3}};
-    }
     int visits[3] = {};
-    Scene* const scenes[] = {&one, &two, &three};
+    Scene* const scenes[] = {&one, &two, &other};
+    const int threads[] = {1, 2, step == 1 ? 2 : 5};
     for (int s = 0; s < 3; ++s) {
-      scenes[s]->move(states);
+      scenes[s]->move(states_of_row(4, step));
       std::atomic<int> count = 0;
-      scenes[s]->evaluate_all(s + 1, [&](Index, const Contact&) { ++count; });
+      scenes[s]->evaluate_all(threads[s], [&](Index, const Contact&) { ++count; });
       visits[s] = count;
-      EXPECT_EQ(scenes[s]->counters().work.elements, one.counters().work.elements);
-      for (Index i = 0; i < one.pairings(); ++i) {
-        EXPECT_TRUE(test::same(one.load(i).force_Me, scenes[s]->load(i).force_Me));
-        EXPECT_TRUE(test::same(one.load(i).torque_Me, scenes[s]->load(i).torque_Me));
-        EXPECT_EQ(one.load(i).touching, scenes[s]->load(i).touching);
-      }
+      expect_same_loads(one, *scenes[s]);
     }
     EXPECT_GE(visits[0], 3);
     EXPECT_EQ(visits[0], visits[1]);
     EXPECT_EQ(visits[0], visits[2]);
     EXPECT_GT(one.counters().work.elements, 8000);
   }
+}
+
+/// From the second step on the scene knows which pairing is large: then it is the first that is seen, by the caller,
+/// whose threads are all at work within it.
+TEST_P(SceneThreads, OneLargePairingComesFirstWithAllThreads) {
+  const Surface large(generate::icosphere(1, 6)), small(generate::icosphere(0.5, 2));
+  const std::vector<Surface> bodies{small, small, large, large, small};
+  Scene one = row_of(bodies, GetParam()), three = row_of(bodies, GetParam());
+  constexpr Index kLarge = 7;
+  for (int step = 0; step < 6; ++step) {
+    one.move(states_of_row(5, step));
+    one.evaluate_all();
+    three.move(states_of_row(5, step));
+    std::mutex seeing;
+    std::vector<std::pair<Index, std::thread::id>> seen;
+    const auto see = [&](Index pairing, const Contact&) {
+      const std::lock_guard lock(seeing);
+      seen.emplace_back(pairing, std::this_thread::get_id());
+      if (step == 3 && pairing == kLarge) throw std::runtime_error("seen enough");
+    };
+    if (step == 3) {
+      EXPECT_THROW(three.evaluate_all(3, see), std::runtime_error);
+    } else {
+      three.evaluate_all(step == 4 ? 2 : 3, see);
+    }
+    expect_same_loads(one, three);
+    ASSERT_GE(seen.size(), 2U);
+    if (step > 0) {
+      EXPECT_EQ(seen.front(), std::pair(kLarge, std::this_thread::get_id()));
+    }
+  }
+}
+
+TEST_P(SceneThreads, AFewPairingsAreTakenByDifferentOnes) {
+  const Surface sphere(generate::icosphere(1, 4));
+  Scene scene = row_of({sphere, sphere, sphere}, GetParam());
+  std::size_t most = 0;
+  for (int step = 0; step < 200 && most < 2; ++step) {
+    scene.move(states_of_row(3, step));
+    std::mutex seeing;
+    std::set<std::thread::id> threads;
+    scene.evaluate_all(2, [&](Index, const Contact&) {
+      const std::lock_guard lock(seeing);
+      threads.insert(std::this_thread::get_id());
+    });
+    most = std::max(most, threads.size());
+  }
+  EXPECT_EQ(most, 2U);
 }
 
 }  // namespace
