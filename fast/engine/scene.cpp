@@ -101,8 +101,10 @@ struct RememberedPose {
   std::optional<PairingMemory> memory;
 };
 
-/// From so many crossing pairs and elements on an evaluation has enough for all threads to do.
+/// Crossing pairs and elements from which on a pairing is handed out before others, some 0.5 ms.
 constexpr std::int64_t kLargeWork = 4000;
+/// From which on all threads gain something within the barycentric scheme, which waits for memory.
+constexpr std::int64_t kEnoughBarycentricWork = 8000;
 
 struct ScenePairing {
   Index body_E, body_F;
@@ -228,10 +230,12 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
   pairing.outcome = Outcome::evaluated;
   const Contact& contact = evaluate_at(pose, pairing, workspace);
   pairing.work = contact.work;
-  pairing.large = contact.work.crossing_pairs + contact.work.elements >= kLargeWork;
-  const bool follows_lines = pairing.pairing.scheme() == Scheme::barycentric && pairing.tracking &&
-                             pairing.tracking->known() != Tracking::Known::nothing;
-  pairing.for_threads = pairing.large && !pairing.wanted.bound && contact.work.law_only == 0 && !follows_lines;
+  const std::int64_t work = contact.work.crossing_pairs + contact.work.elements;
+  pairing.large = work >= kLargeWork;
+  const bool follows = pairing.tracking && pairing.tracking->known() != Tracking::Known::nothing;
+  const bool is_clipped = pairing.pairing.scheme() == Scheme::clipped;
+  pairing.for_threads = pairing.large && !pairing.wanted.bound && contact.work.law_only == 0 &&
+                        (is_clipped || (work >= kEnoughBarycentricWork && !follows));
   // Then the workspace holds nothing of this pairing; where it is apart, that was looked into when it was found.
   if (contact.work.law_only != 0) return &contact;
   const bool apart =

@@ -88,11 +88,11 @@ class Scene {
   using Visit = std::function<void(Index pairing, const Contact& contact)>;
   /// Answers all pairings, `threads` at once (at least 1, else BadInput), and keeps their loads. Those whose last
   /// contact was large come first; where there is one such pairing alone, all threads are at work within it (see
-  /// Workspace), but where little would come of it: at short steps in the barycentric scheme, at a pose that is
-  /// remembered, with a bound. `visit`, where given, sees the answers of those that touch or are nested, at once and in
-  /// any order, and in the default floating-point environment. What is thrown for the first pairing that fails is
-  /// thrown on, when all threads are done. Throws std::system_error where the system has no thread left. In a process
-  /// that was forked from another one, threads started before are missing: make a new scene there.
+  /// Workspace), but where little would come of it: in the barycentric scheme with few elements or at short steps, at a
+  /// pose that is remembered, with a bound. `visit`, where given, sees the answers of those that touch or are nested,
+  /// at once and in any order, and in the default floating-point environment. What is thrown for the first pairing that
+  /// fails is thrown on, when all threads are done. Throws std::system_error where the system has no thread left. In a
+  /// process that was forked from another one, threads started before are missing: make a new scene there.
   void evaluate_all(int threads = 1, const Visit& visit = {});
 
   /// Of the last evaluate_all.
