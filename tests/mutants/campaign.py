@@ -81,7 +81,7 @@ class Campaign:
         self._jobs, self._say = jobs, say
         self._scratch = Scratch(root, folder)
         self._results = Results(folder / "results.jsonl")
-        self._checks = None
+        self._checks = {}  # by room: each has the times of its own programs
         self._answering = self._checking = ""
 
     def prepare(self, rooms):
@@ -93,10 +93,10 @@ class Campaign:
         self._scratch.configure()
         for room in rooms:
             known = self._read_unaltered().get(self._key_of_unaltered(room), {})
-            self._checks = Checks(self._scratch.build_folder, self._ladder, known)
-            new = [name for name in self._names if not set(self._checks.commands(name, room)) <= set(known)]
+            checks = self._checks[room] = Checks(self._scratch.build_folder, self._ladder, known)
+            new = [name for name in self._names if not set(checks.commands(name, room)) <= set(known)]
             if new:
-                self._scratch.build(self._checks.targets(new, room), self._jobs)
+                self._scratch.build(checks.targets(new, room), self._jobs)
                 self._check_unaltered(room, new)
                 self._check_planted(room, new)
                 self._keep_unaltered(room)
@@ -121,12 +121,12 @@ class Campaign:
 
     def _keep_unaltered(self, room):
         passed = self._read_unaltered()
-        passed[self._key_of_unaltered(room)] = self._checks.measured()
+        passed[self._key_of_unaltered(room)] = self._checks[room].measured()
         (self._folder / "unaltered.json").write_text(json.dumps(passed, indent=1), encoding="utf-8")
 
     def _check_unaltered(self, room, names):
         for name in names:
-            finding = self._checks.check(name, room, measure=True)
+            finding = self._checks[room].check(name, room, measure=True)
             self._say(f"{room}: {name} of the sources as they are: {finding.by or 'passed'}, {finding.seconds:.0f} s")
             if finding.by:
                 raise Refused(f"the sources as they are fail {name} ({finding.by}): nothing can be told of mutants")
@@ -157,7 +157,8 @@ class Campaign:
         caught = any(one["by"] for one in found.values())
         if entry["state"] == NO_PROGRAM or (caught and not self._all_checks):
             return True
-        return all(name in found and self._checks.is_enough(name, found[name]) for name in self._names)
+        checks = self._checks[mutant.room]
+        return all(name in found and checks.is_enough(name, found[name]) for name in self._names)
 
     def run(self, rooms, drawn, seed, picked):
         """Those chosen by hand in these rooms, if they are wanted, then `drawn` programs of each room."""
@@ -192,6 +193,7 @@ class Campaign:
     def _try(self, mutant, names, all_checks, found_before):
         """Builds and checks one mutant, and puts the file back. What was found before is not looked for again."""
         text = self._scratch.read(mutant.file)
+        checks = self._checks[mutant.room]
         entry = {
             "id": mutant.id,
             "room": mutant.room,
@@ -211,10 +213,10 @@ class Campaign:
             self._scratch.write(mutant.file, mutant.applied_to(text))
             for name in names:
                 found = found_before.get(name)
-                if found and self._checks.is_enough(name, found):
+                if found and checks.is_enough(name, found):
                     continue
-                self._scratch.build(self._checks.targets([name], mutant.room), self._jobs)
-                finding = self._checks.check(name, mutant.room, passed=found)
+                self._scratch.build(checks.targets([name], mutant.room), self._jobs)
+                finding = checks.check(name, mutant.room, passed=found)
                 entry["checks"][name] = asdict(finding)
                 entry["state"] = CAUGHT if finding.by or entry["state"] == CAUGHT else SURVIVED
                 if finding.by and not all_checks:

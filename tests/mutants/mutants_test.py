@@ -5,6 +5,7 @@
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 sys.dont_write_bytecode = True
@@ -12,7 +13,7 @@ sys.dont_write_bytecode = True
 import checks
 import draw
 import report
-from campaign import NO_PROGRAM, Refused, Results, picked_mutants, planted_mutant, refuse_no_program_by_hand
+from campaign import NO_PROGRAM, Campaign, Refused, Results, picked_mutants, planted_mutant, refuse_no_program_by_hand
 from draw import first_drawn
 from hand_picked import PICKED
 from mutant import BadMutant, Mutant, by_hand
@@ -163,6 +164,50 @@ class KeptResults(unittest.TestCase):
             self.assertIsNone(results.get("b"))
             results.add({"id": "c", "state": "caught"})
             self.assertEqual({entry["id"] for entry in Results(path).all()}, {"a", "c"})
+
+
+class ScratchOfNothing:
+    """Stands for the copy of the sources: nothing is copied or built, and whether a fault is in it is remembered."""
+
+    build_folder = Path("nowhere")
+    source = ROOT
+    has_fault = False
+
+    def __init__(self, *folders):
+        del folders
+
+    def refresh(self):
+        pass
+
+    configure = refresh
+
+    def build(self, *targets):
+        pass
+
+    def digest(self, folders):
+        return "-".join(folders)
+
+    def read(self, file):
+        return read(file)
+
+    def write(self, file, text):
+        self.has_fault = text != read(file)
+
+
+class Campaigns(unittest.TestCase):
+    def test_of_both_rooms_know_the_times_of_the_programs_of_either(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("campaign.Scratch", ScratchOfNothing):
+            campaign = Campaign(ROOT, Path(folder), ["tests"], False, (500,), 1, lambda line: None)
+
+            def run(command, allowed=None, **options):
+                return checks.Ended(int(campaign._scratch.has_fault), "", 1.0, False)
+
+            with unittest.mock.patch("checks.run", run):
+                campaign.prepare(draw.ROOMS)
+                campaign.run(draw.ROOMS, 2, 1, picked=False)
+            found = Results(Path(folder) / "results.jsonl").all()
+            self.assertEqual({entry["room"] for entry in found}, set(draw.ROOMS))
+            self.assertEqual({entry["state"] for entry in found}, {"caught"})
 
 
 class Findings(unittest.TestCase):
