@@ -19,11 +19,11 @@ namespace pcm::fast {
 template <class OfThread>
 class FaceShares {
  public:
-  /// Makes `find_of(own, intersection)` in each thread of the team, for what is the thread's own and its posed pair,
-  /// and calls that with one share of faces after the other; its `found()` is the length of the thread's lists.
-  template <class FindOf>
-  void find(const Intersection& intersection, Side side, std::size_t faces_at_once, PosedTeam& team,
-            const FindOf& find_of) {
+  /// Makes a `Find(intersection, side, problem, own)` in each thread of the team, for its posed pair and what is its
+  /// own, and calls that with one share of faces after the other; its `found()` is the length of the thread's lists.
+  template <class Find, class Problem>
+  void find(const Intersection& intersection, Side side, const Problem& problem, std::size_t faces_at_once,
+            PosedTeam& team) {
     faces_.clear();
     for_each_active_face(intersection, side, [this](Index face) { faces_.push_back(face); });
     Shares shares(faces_.size(), faces_at_once);
@@ -31,7 +31,7 @@ class FaceShares {
     taking_part_ = std::min(team.threads(), shares.shares());
     if (of_threads_.size() < taking_part_) of_threads_.resize(taking_part_);
     const auto take_part = [&](std::size_t thread, PosedPair& own_posed) {
-      auto find = find_of(of_threads_[thread], Intersection{own_posed, intersection.crossings, intersection.active});
+      Find find({own_posed, intersection.crossings, intersection.active}, side, problem, of_threads_[thread]);
       for (Shares::Share share = shares.take(); !share.empty(); share = shares.take()) {
         const std::size_t before = find.found();
         find({faces_.data() + share.begin, share.end - share.begin});

@@ -118,10 +118,7 @@ class SearchOfThread {
 
 MasterForce sum_by_threads(const Intersection& intersection, Side master, const ForceProblem& problem, PosedTeam& team,
                            BarycentricScratch& scratch, ElementRecord& record) {
-  const auto search_of = [&](BarycentricOfThread& own, const Intersection& own_intersection) {
-    return SearchOfThread(own_intersection, master, problem, own);
-  };
-  scratch.shares.find(intersection, master, kFacesAtOnce, team, search_of);
+  scratch.shares.find<SearchOfThread>(intersection, master, problem, kFacesAtOnce, team);
   for (const BarycentricOfThread& own : scratch.shares.of_threads()) record.add(own.record);
   ElementQueue queue(problem, master, record, intersection.posed.work, scratch.search.lanes);
   const bool loads_alone = wants_loads_alone(problem);

@@ -181,10 +181,7 @@ class FacesOfThread {
 
 MasterForce sum_by_threads(const Intersection& intersection, Side master, const ForceProblem& problem, PosedTeam& team,
                            ClippedScratch& scratch, ElementRecord& record) {
-  const auto faces_of = [&](ClippedOfThread& own, const Intersection& own_intersection) {
-    return FacesOfThread(own_intersection, master, problem, own);
-  };
-  scratch.shares.find(intersection, master, kFacesAtOnce, team, faces_of);
+  scratch.shares.find<FacesOfThread>(intersection, master, problem, kFacesAtOnce, team);
   for (const ClippedOfThread& own : scratch.shares.of_threads()) record.add(own.beside);
   ElementQueue queue(problem, master, record, intersection.posed.work, scratch.lanes);
   scratch.shares.for_each_found([&](const ClippedOfThread& own, std::size_t i) {

@@ -164,6 +164,7 @@ double area_of(const ConvexPolygon& polygon) {
 /// A piece in two, along a line that no face has: each then ends there only where the other one begins.
 struct Halves {
   ConvexPolygon first, second;
+  double lesser_area;
 
   /// From a vertex to a place on the side that begins as many sides after it. A line between two vertices may be an
   /// edge's, and that to the middle of a side as well, where faces make a grid.
@@ -179,8 +180,8 @@ struct Halves {
     second.add(end, line_from(sides));
     for (int k = sides + 1; k < piece.count; ++k) second.add(piece[number(k)], line_from(k));
     second.add(piece[vertex]);
+    lesser_area = std::min(area_of(first), area_of(second));
   }
-  double lesser_area() const { return std::min(area_of(first), area_of(second)); }
 };
 
 /// Each with fewer vertices, and no sliver as long as there is another way: some vertices may lie in one place but for
@@ -190,7 +191,7 @@ Halves halves_of(const ConvexPolygon& piece) {
   for (int vertex = 0; vertex < piece.count; ++vertex) {
     for (int sides = 2; sides + 3 <= piece.count; ++sides) {
       const Halves halves(piece, vertex, sides);
-      if (halves.lesser_area() > best.lesser_area()) best = halves;
+      if (halves.lesser_area > best.lesser_area) best = halves;
     }
   }
   return best;

@@ -110,8 +110,9 @@ void find_pairs_by_threads(const CandidateSearch& search, PosedPair& posed, cons
   Shares shares(open.size(), kNodePairsAtOnce);
   const std::size_t threads = std::min(team.threads(), shares.shares());
   if (scratch.of_threads.size() < threads) scratch.of_threads.resize(threads);
+  const std::span<PairsOfThread> of_threads = std::span(scratch.of_threads).first(threads);
   const auto take_part = [&](std::size_t thread, PosedPair& own_posed) {
-    PairsOfThread& own = scratch.of_threads[thread];
+    PairsOfThread& own = of_threads[thread];
     own.crossing.clear();
     const PairTest test(own_posed, options);
     const auto visit = [&](Index face_E, Index face_F, const SureSigns& known) {
@@ -127,7 +128,7 @@ void find_pairs_by_threads(const CandidateSearch& search, PosedPair& posed, cons
   };
   team.run(threads, posed, std::cref(take_part));
   scratch.open.clear();
-  for (const PairsOfThread& found : std::span(scratch.of_threads).first(threads)) {
+  for (const PairsOfThread& found : of_threads) {
     posed.work.crossing_pairs += static_cast<std::int64_t>(found.crossing.size());
     for (const CrossingPair& pair : found.crossing) enter_pair(pair, scratch, crossings);
   }

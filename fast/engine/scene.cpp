@@ -111,20 +111,21 @@ struct ScenePairing {
   Pairing pairing;
   Wanted wanted;
   BoundingBall ball_F;
-  SeparationCertificate certificate;
-  Patience patience;
-  std::unique_ptr<RememberedPose> remembered;
-  std::unique_ptr<Tracking> tracking;  ///< once it was looked at
+  SeparationCertificate certificate{};
+  Patience patience{};
+  std::unique_ptr<RememberedPose> remembered{};
+  std::unique_ptr<Tracking> tracking{};  ///< once it was looked at
   // When it was last evaluated:
   bool large = false;
   bool for_threads = false;  ///< threads within an evaluation had something to do
-  bool goes_first = false;   ///< in the evaluate_all at hand
+  // In the last evaluate_all, or the one at hand:
+  bool goes_first = false;
   // Since the last move, written by the one thread that has the pairing.
   Outcome outcome = Outcome::not_asked;
   bool sought = false;
-  WorkCounters work;
-  PairingLoad load;
-  std::exception_ptr failure;
+  WorkCounters work{};
+  PairingLoad load{};
+  std::exception_ptr failure{};
 };
 
 [[noreturn]] void refuse(std::size_t body, const std::string& why) {
@@ -298,23 +299,8 @@ Index Scene::add_pairing(Index body_E, Index body_F, ContactLaw law, Mode mode, 
   if (body_E == body_F) throw BadInput("pairing: body " + std::to_string(body_E) + " with itself");
   const DefaultFloatingPoint environment;
   const Surface& F = data_->body(body_F).surface;
-  ScenePairing pairing{body_E,
-                       body_F,
-                       Pairing(data_->body(body_E).surface, F, std::move(law), mode, scheme),
-                       wanted,
-                       BoundingBall(F.data()),
-                       {},
-                       {},
-                       nullptr,
-                       nullptr,
-                       false,
-                       false,
-                       false,
-                       Outcome::not_asked,
-                       false,
-                       {},
-                       {},
-                       nullptr};
+  ScenePairing pairing{body_E, body_F, Pairing(data_->body(body_E).surface, F, std::move(law), mode, scheme), wanted,
+                       BoundingBall(F.data())};
   data_->pairings.push_back(std::move(pairing));
   return pairings() - 1;
 }
@@ -417,11 +403,9 @@ void Scene::evaluate_all(int threads, const Visit& visit) {
   };
   // By reference, so that no copy is allocated.
   data_->team.run(members, std::cref(take_part));
-  std::exception_ptr first;
-  for (ScenePairing& pairing : all) {
-    if (const std::exception_ptr failure = std::exchange(pairing.failure, nullptr); !first) first = failure;
+  for (const ScenePairing& pairing : all) {
+    if (pairing.failure) std::rethrow_exception(pairing.failure);
   }
-  if (first) std::rethrow_exception(first);
 }
 
 const PairingLoad& Scene::load(Index pairing) const {

@@ -107,4 +107,9 @@ ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   return sliver;
 }
 
+double ClippedBounds::overshoot(const reference::Element& e) const {
+  const MasterView view(faces_, e.master, e.master_face);
+  return view.overshoot(e.slave_face, view.sight(e.slave_face).strip);
+}
+
 }  // namespace pcm::compare

@@ -63,6 +63,9 @@ class ClippedBounds {
     RoundedFaces::Face face;  ///< the master
   };
   Sliver sliver(const fast::Element& element) const;
+  /// How much deeper than it is a right engine may see one of the oracle's elements beyond its master's sides, m
+  /// (MasterView::overshoot).
+  double overshoot(const reference::Element& element) const;
 
  private:
   OfElement of_element(const reference::Element& element, const MasterView& view) const;

@@ -195,9 +195,6 @@ SlaveInView MasterView::sight(Index slave_face) const {
   sight.width = std::min(sight.outline / 2, face_.longest);
   add_uncertain_areas(slave, part, std::max(place, hiders.place), hiders, sight);
   const double depth_change = times(sight.slope, 2 * sight.strip);
-  sight.overshoot = is_wider_than(sight.strip)
-                        ? overshoot(slave, depth_field(opposite(master_), slave_face, sight.strip))
-                        : std::numeric_limits<double>::infinity();
   sight.deepest = std::min(greatest, deepest_over_master(slave_face, sight.strip)) + sight.depth_error;
   sight.tip_error = sine > 0 ? sight.depth_error + depth_change / sine : sight.at_tip;
   limit(sight);
@@ -225,8 +222,11 @@ double MasterView::deepest_over_master(Index slave_face, double strip) const {
 // by that over what the weight changes from end to end, and the depth is off by 24 u W_k times what it changes for the
 // weight along the segment. Segments are the slave face's edges and the master's sides, along each of which two weights
 // change by 1 from corner to corner.
-double MasterView::overshoot(const SeenFace& slave, const DepthField& depth) const {
-  if (!std::isfinite(depth.error)) return std::numeric_limits<double>::infinity();
+double MasterView::overshoot(Index slave_face, double strip) const {
+  const SeenFace slave = seen(opposite(master_), slave_face);
+  const DepthField depth = depth_field(opposite(master_), slave_face, strip);
+  const double anywhere = 6 * faces_.placed_max_coordinate();
+  if (!is_wider_than(strip) || !std::isfinite(depth.error)) return anywhere;
   std::array<Eigen::Array4d, 3> corners;  // weights, depth
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Array2d st = weights(slave[k]);
@@ -247,7 +247,7 @@ double MasterView::overshoot(const SeenFace& slave, const DepthField& depth) con
       most = std::max(most, along_side);
     }
   }
-  return no_more(24 * u * ((greatest.head<3>() * rise).sum() + greatest[3]), range);
+  return no_more(no_more(24 * u * ((greatest.head<3>() * rise).sum() + greatest[3]), range), anywhere);
 }
 
 // Two points of bodies that touch are no farther apart than 6 times the greatest coordinate, a part of the face has no
@@ -270,7 +270,6 @@ void MasterView::limit(SlaveInView& sight) const {
   sight.at_tip = no_more(sight.at_tip, sight.deepest);
   sight.at_lowest = no_more(sight.at_lowest, sight.deepest);
   sight.tip_error = no_more(sight.tip_error, sight.at_tip);
-  sight.overshoot = no_more(sight.overshoot, anywhere);
 }
 
 }  // namespace pcm::compare

@@ -34,7 +34,6 @@ struct SlaveInView {
   double at_tip = 0;     ///< the depth of its deepest corner, m
   double at_lowest = 0;  ///< and of its least deep one, m
   double tip_error = 0;  ///< what strips may take from that, m
-  double overshoot = 0;  ///< so much deeper than it is over the master may cuts by its sides leave it, m
 };
 
 /// A line, to either side as far as it may lie over both faces, at which what a right engine sees of a slave face may
@@ -65,6 +64,9 @@ class MasterView {
   double greatest_area() const { return face_.area + face_.area_error; }
   /// O(n) in the faces that the master's lines meet.
   SlaveInView sight(Index slave_face) const;
+  /// How much deeper than anywhere over the master roundings of the cuts by its sides may leave the slave face, m;
+  /// `strip` is that of its sight. That the engine sees its corners a little off is not counted.
+  double overshoot(Index slave_face, double strip) const;
   /// All lines at which what a right engine sees of the slave face may end. O(n) in the faces that the master's lines
   /// meet.
   std::vector<SightLine> lines_in_sight(Index slave_face) const;
@@ -171,9 +173,6 @@ class MasterView {
                      double width, double most) const;
   /// The greatest depth at which a right engine may see the slave face, but for the error of a depth, m.
   double deepest_over_master(Index slave_face, double strip) const;
-  /// How much deeper than anywhere over the master roundings of the cuts by its sides may leave the slave face, m. That
-  /// the engine sees its corners a little off is not counted.
-  double overshoot(const SeenFace& slave, const DepthField& depth) const;
   void limit(SlaveInView& sight) const;
   /// Of the corner farthest away, from one of which each weight is taken, m.
   double distance_from_corners(const SeenPoint& point) const;

@@ -211,7 +211,7 @@ bool may_lie_outside(const Question& question, const fast::Contact& subj, const 
                   const ClippedBounds::OfElement& bound = bounds.elements()[k];
                   const double own = subj.max_penetration, beyond = subj.bound->penetration_at_most;
                   may = may || (own <= bound.greatest_at_most &&
-                                (bound.may_keep_hidden || own <= beyond + bound.sight.overshoot));
+                                (bound.may_keep_hidden || own <= beyond + bounds.overshoot(*theirs)));
                 });
   return may;
 }
