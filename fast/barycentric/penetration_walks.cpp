@@ -22,9 +22,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // What follows holds for faces that are no needles: the area exceeds kLeastShare times the product of two sides'
 // 1-norms. With u = 2^-53 and M the greatest |coordinate| in Me: components of the cross product of two sides are off
 // by 4 u times that product, so that the computed unit normal is off by less than 2^-38 in length. Then n . (x - C) is
-// off by 2^-34 M, the slope by 2^-36, and where it exceeds 1/2 their quotient, at most 8 M, by less than 2^-30 M.
+// off by 2^-34 M, the slope by 2^-36, and where it exceeds 1/4 their quotient, at most 16 M, by less than 2^-29 M.
 constexpr double kLeastShare = 0x1p-10;
-constexpr double kDistanceError = 0x1p-30;
+constexpr double kDistanceError = 0x1p-29;
 
 /// Where a walk over the slave to a master face's penetration line may start: near that of a neighbour, or at `last`.
 Index slave_face_near(const PreparedSurface& master, Index face, const PenetrationWalks& walks) {

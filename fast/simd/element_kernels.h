@@ -80,7 +80,7 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   const Double4 square = dot(N_f, N_f), slope = -dot(load(lanes.n_Me), N_f);
   const Double4 share = four(2 * limits.least_share) * (norm_1(first_side) * norm_1(second_side));
   const Long4 fair =
-      (square > share * share) & (square > four(0x1p-900)) & (slope > four(0)) & (four(4) * slope * slope > square);
+      (square > share * share) & (square > four(0x1p-900)) & (slope > four(0)) & (four(16) * slope * slope > square);
 
   const Double4 distance = dot(N_f, f[0] - load(lanes.barycentre_Me)) / slope;
   const Double4 square_cosine = slope * slope / square;
@@ -100,7 +100,10 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   const Double4 farthest = distance + four(limits.error);
   const Long4 left = fair & (distance > four(limits.error));
   const Double4 slave_free = load(lanes.slave_free);
-  const Long4 clear = (farthest < by_cone(beneath) * four(limits.slave_max_coordinate)) | (farthest < slave_free);
+  // The depth is the distance times the cosine.
+  const Double4 farthest_of_clear = farthest / (by_cone(beneath) * four(limits.slave_max_coordinate));
+  const Long4 clear =
+      (farthest_of_clear * farthest_of_clear * square_cosine < four(1 - 0x1p-20)) | (farthest < slave_free);
   const Long4 thick =
       (farthest < load(lanes.thickness)) & (four(limits.thick_edges) * (load(lanes.side[0]) + load(lanes.side[1])) <
                                             four(limits.thick_area) * load(lanes.area));

@@ -40,10 +40,10 @@ inline int corner_at(const Triangle& face, Index vertex) {
 }
 
 /// What surely is free of other faces of the same surface on either side of a face (fast/surface/clearance.h): a line
-/// that passes through the face's interior, within one of two cones about its normal, meets no other face nearer than
-/// that.
+/// that passes through the face's interior, within one of two cones about its normal, meets no other face at a lesser
+/// depth than that.
 struct Clearance {
-  std::array<float, 2> beneath{};  ///< against the normal, relative to the greatest coordinate; 0: nothing is known
+  std::array<float, 2> beneath{};  ///< against the normal, in units of the greatest coordinate; 0: nothing is known
   std::array<bool, 2> above{};     ///< whether nothing is met on the side of the normal, however far
 };
 

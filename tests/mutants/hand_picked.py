@@ -293,7 +293,7 @@ PICKED = [
     ),
     (
         "fast/barycentric/penetration_walks.cpp",
-        "constexpr double kDistanceError = 0x1p-30;",
+        "constexpr double kDistanceError = 0x1p-29;",
         "constexpr double kDistanceError = 0x1p-50;",
         "the error of a distance that four lanes decide by",
     ),

@@ -61,7 +61,7 @@ class WideElementsAt : public testing::TestWithParam<double> {
       for (std::size_t k = 0; k < 3; ++k) slave_points[lane][k] = face.points_Me[k] + below + 0.1 * draw();
       lanes.thickness.value[lane] = 4 * GetParam() * number(random);
       for (std::size_t cone = 0; cone < 2; ++cone) {
-        lanes.clearance[lane].beneath[cone] = static_cast<float>(number(random));
+        lanes.clearance[lane].beneath[cone] = static_cast<float>(std::max(number(random), 0.0));
         lanes.clearance[lane].above[cone] = number(random) > 0;
       }
       for (std::size_t k = 0; k < 3; ++k) {
@@ -210,6 +210,40 @@ TEST(WideElements, ALineFindsWhatItLeavesWhereNoOtherFaceIsMetSoFar) {
         EXPECT_EQ(decided.element, depth > 0 && free > 1 + 0x1p-30 ? 0xfU : 0U) << free;
         EXPECT_EQ(decided.nothing, depth < 0 && free == kInfinity ? 0xfU : 0U) << free;
       });
+    }
+  }
+}
+
+TEST(WideElements, WhatAFaceIsClearOfIsTakenFromTheNarrowestConeThatTheLineLiesIn) {
+  const FacePoints master{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(0, 3, 0)};
+  const std::array<double, 2> cosine_square = limits_at(1).cone_cosine_square;
+  for (const double tilt : {0.0, 0.1, 0.31, 0.34, 0.6, 0.98, 1.0, 1.2, 1.3, 1.35}) {
+    for (const double distance : {1.0, -1.0}) {
+      // Its normal is tilted out of the line's direction, and the line meets it at the distance.
+      const double slope = std::tan(tilt);
+      const FacePoints slave{Eigen::Vector3d(1, -2, -distance), Eigen::Vector3d(-2, 4, -distance - 3 * slope),
+                             Eigen::Vector3d(4, 4, -distance + 3 * slope)};
+      const double cosine = std::cos(tilt);
+      std::size_t cone = 0;
+      while (cone < 2 && cosine * cosine < cosine_square[cone]) ++cone;
+      for (std::size_t clear = 0; clear < 2; ++clear) {
+        for (const double depth : {0.999 * cosine, 1.001 * cosine}) {
+          ElementLanes lanes = lanes_of(master, slave);
+          lanes.thickness.value.fill(4);
+          lanes.slave_free.value.fill(0);
+          for (Clearance& clearance : lanes.clearance) {
+            clearance.beneath[clear] = static_cast<float>(depth);
+            clearance.above[clear] = true;
+          }
+          for_each_set([&](const WideElements& set) {
+            set.geometry(lanes);
+            const DecidedLanes decided = set.decide(lanes, limits_at(1));
+            EXPECT_EQ(decided.left, distance > 0 && cosine > 0.25 ? 0xfU : 0U) << tilt;
+            EXPECT_EQ(decided.element, distance > 0 && clear == cone && depth > cosine ? 0xfU : 0U) << tilt;
+            EXPECT_EQ(decided.nothing, distance < 0 && clear == cone ? 0xfU : 0U) << tilt;
+          });
+        }
+      }
     }
   }
 }

@@ -58,7 +58,7 @@ void expect_lines_clear(const TriangleMesh& mesh, unsigned seed) {
         Eigen::AngleAxisd(6.283 * uniform(random), n) * (Eigen::AngleAxisd(angle, across) * n).eval();
     const Line up((1 - s) * p[0] + s * ((1 - t) * p[1] + t * p[2]), tilted);
     const Clearance clear = clearance(data, face);
-    const double beneath = static_cast<double>(clear.beneath[cone]) * max_coordinate;
+    const double beneath = static_cast<double>(clear.beneath[cone]) * max_coordinate / std::cos(angle);
     for (Index other = 0; other < static_cast<Index>(mesh.faces.size()); ++other) {
       if (other == face) continue;
       const double met = passage(up, points_of(data, other));
