@@ -24,14 +24,24 @@ class ElementSearch {
                 LineMemory* memory)
       : posed_(intersection.posed), master_(master), problem_(problem), scratch_(scratch), memory_(memory) {
     scratch.walks.start(posed_, intersection.crossings, master);
+    if (memory != nullptr) memory->note_vertex_error(posed_.placement.vertex_error(master));
   }
 
   /// The lanes that hold an element; `of` tells of their faces.
   LaneBits find(const FaceBatch& faces, std::size_t count, std::array<ElementFaces, kElementLanes>& of) {
     ElementLanes& lanes = scratch_.lanes;
-    find_geometry(posed_, master_, faces, count, lanes);
     std::array<Penetration, kElementLanes> found;
-    find_penetrations(posed_, master_, faces, count, lanes, scratch_.walks, memory_, found);
+    RememberedLines lines{};
+    if (memory_ != nullptr) {
+      for (std::size_t lane = 0; lane < count; ++lane) lines[lane] = memory_->recall(faces[lane]);
+    }
+    if (are_settled(lines, count)) {
+      if (!keep_settled(lines, count)) return 0;
+      find_settled(posed_, master_, faces, count, lines, lanes, found);
+    } else {
+      find_geometry(posed_, master_, faces, count, lanes);
+      find_penetrations(posed_, master_, faces, count, lanes, scratch_.walks, memory_, lines, found);
+    }
     LaneBits elements = 0;
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (found[lane].outcome == Penetration::Outcome::too_deep) ++too_deep_;
@@ -46,6 +56,20 @@ class ElementSearch {
   Index too_deep() const { return too_deep_; }
 
  private:
+  bool are_settled(const RememberedLines& lines, std::size_t count) const {
+    return scratch_.walks.may_walk && std::all_of(lines.begin(), lines.begin() + count, [this](const auto* line) {
+             return line != nullptr && memory_->is_settled(*line);
+           });
+  }
+  /// Goes on to remember them; whether some have an element.
+  bool keep_settled(const RememberedLines& lines, std::size_t count) {
+    bool some = false;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      memory_->keep(*lines[lane]);
+      some = some || lines[lane]->element_on >= 0;
+    }
+    return some;
+  }
   void find_gradients(const std::array<Penetration, kElementLanes>& found, LaneBits elements) {
     ElementLanes& lanes = scratch_.lanes;
     const auto some = static_cast<std::size_t>(std::countr_zero(elements));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/barycentric/penetration_walks.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <optional>
@@ -113,7 +114,8 @@ bool line_stays(const Placement& placement, Side master, const FaceGeometry& geo
 class PenetrationBatch {
  public:
   PenetrationBatch(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
-                   PenetrationWalks& walks, LineMemory* memory, std::array<Penetration, kElementLanes>& penetrations)
+                   PenetrationWalks& walks, LineMemory* memory, const RememberedLines& lines,
+                   std::array<Penetration, kElementLanes>& penetrations)
       : posed_(posed),
         master_(master),
         slave_(opposite(master)),
@@ -122,6 +124,7 @@ class PenetrationBatch {
         lanes_(lanes),
         walks_(walks),
         memory_(memory),
+        lines_(lines),
         penetrations_(penetrations) {
     start_.fill(-1);
     met_.fill(-1);
@@ -134,7 +137,7 @@ class PenetrationBatch {
     if (left_ != 0) decide();
     for (std::size_t lane = 0; lane < count_; ++lane) {
       if (has_lane(found_, lane)) {
-        memory_->keep(*lines_[lane], penetrations_[lane].slave_face);
+        keep_found(lane);
       } else if (!take_decision(lane)) {
         search(lane);
       }
@@ -147,7 +150,6 @@ class PenetrationBatch {
   void recall() {
     LaneBits asked = 0;
     for (std::size_t lane = 0; lane < count_; ++lane) {
-      lines_[lane] = memory_->recall(faces_[lane]);
       if (lines_[lane] == nullptr) continue;
       const LineMemory::Line& line = *lines_[lane];
       start_[lane] = line.slave_nearby;
@@ -216,17 +218,60 @@ class PenetrationBatch {
     } else if (has_lane(left_ & decided_.nothing, lane)) {
       penetrations_[lane] = {};
     } else if (has_lane(has_only_, lane) && follow_known(lane)) {
-      memory_->keep(*lines_[lane], penetrations_[lane].slave_face);
+      keep_found(lane);
       return true;
     } else {
       return false;
     }
+    if (memory_ != nullptr) keep_decided(lane);
+    return true;
+  }
+
+  /// A line that certificates decided.
+  void keep_decided(std::size_t lane) {
+    if (lines_[lane] != nullptr && memory_->is_settled(*lines_[lane])) {
+      memory_->keep(*lines_[lane]);
+      return;
+    }
     if (has_lane(has_only_, lane)) {
       memory_->keep(*lines_[lane], met_[lane]);
-    } else if (memory_ != nullptr) {
+    } else {
       memory_->keep(faces_[lane], met_[lane]);
     }
-    return true;
+    if (memory_->is_to_settle()) settle(lane);
+  }
+  /// Asks until when it goes on to find what it found. Roundings may have moved it there as well as here, which a part
+  /// of the way pays for.
+  void settle(std::size_t lane) {
+    const bool element = penetrations_[lane].outcome == Penetration::Outcome::element;
+    const DecidedLine line = decided_line(lane, element);
+    const LineMotion& motion = memory_->motion();
+    const double travel = travel_until_undecided(line, motion);
+    if (!line_stays(posed_.placement, master_, line.geometry, 0.25 * motion.way_over_travel * travel)) return;
+    memory_->settle(travel, element ? met_[lane] : -1);
+  }
+  /// One that the faces remembered told of: where it meets none of them, it does so on.
+  void keep_found(std::size_t lane) {
+    const LineMemory::Line& line = *lines_[lane];
+    memory_->keep(line, penetrations_[lane].slave_face);
+    if (LineMemory::meets_nothing(line)) memory_->settle(memory_->held_for(line), -1);
+  }
+
+  DecidedLine decided_line(std::size_t lane, bool element) const {
+    DecidedLine line{line_coordinates(posed_, lanes_, lane), geometry_of(lanes_, lane),
+                     posed_.face_Me(slave_, met_[lane])};
+    line.element = element;
+    line.distance_error = walks_.limits.error;
+    line.clearance = lanes_.clearance[lane];
+    line.greatest_of_slave = walks_.limits.slave_max_coordinate;
+    if (element && thickness_holds(posed_.surface(master_), memory_->vertex_error(), line.geometry)) {
+      line.thickness = lanes_.thickness.value[lane];
+    }
+    if (has_lane(has_only_, lane)) {
+      line.slave_free = lines_[lane]->slave_searched;
+      line.slave_free_travel = memory_->held_for(*lines_[lane]);
+    }
+    return line;
   }
 
   void search(std::size_t lane) {
@@ -281,10 +326,10 @@ class PenetrationBatch {
   ElementLanes& lanes_;
   PenetrationWalks& walks_;
   LineMemory* memory_;
+  const RememberedLines& lines_;
   std::array<Penetration, kElementLanes>& penetrations_;
 
-  std::array<const LineMemory::Line*, kElementLanes> lines_{};  ///< of the last pose
-  LaneBits found_ = 0;                                          ///< what they find was told by the faces remembered
+  LaneBits found_ = 0;     ///< what they find was told by the faces remembered
   LaneBits has_only_ = 0;  ///< may meet one face of the slave alone, as far as that was searched
   LaneBits left_ = 0;      ///< surely pass through the slave's face `met`, from inside, at whatever distance
   FaceBatch start_, met_, entered_;
@@ -307,10 +352,33 @@ void PenetrationWalks::start(const PosedPair& posed, const Crossings& crossings,
   }
 }
 
+void find_settled(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count,
+                  const RememberedLines& lines, ElementLanes& lanes,
+                  std::array<Penetration, kElementLanes>& penetrations) {
+  find_geometry(posed, master, faces, count, lanes);
+  Index some = -1;
+  for (std::size_t lane = 0; lane < count; ++lane) some = std::max(some, lines[lane]->element_on);
+  for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
+    const Index slave_face = lane < count ? lines[lane]->element_on : -1;
+    enter_corners(posed, opposite(master), slave_face < 0 ? some : slave_face, lanes.slave_corners, lane);
+  }
+  const LaneBits known = fastest_wide_elements().depth(lanes);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const Index slave_face = lines[lane]->element_on;
+    penetrations[lane] = {};
+    if (slave_face < 0) continue;
+    const double depth =
+        has_lane(known, lane)
+            ? lanes.depth.value[lane]
+            : DepthBelow(geometry_of(lanes, lane), posed.face_Me(opposite(master), slave_face)).value();
+    penetrations[lane] = {Penetration::Outcome::element, slave_face, depth, -1};
+  }
+}
+
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
-                       PenetrationWalks& walks, LineMemory* memory,
+                       PenetrationWalks& walks, LineMemory* memory, const RememberedLines& lines,
                        std::array<Penetration, kElementLanes>& penetrations) {
-  PenetrationBatch(posed, master, faces, count, lanes, walks, memory, penetrations).find();
+  PenetrationBatch(posed, master, faces, count, lanes, walks, memory, lines, penetrations).find();
 }
 
 }  // namespace pcm::fast

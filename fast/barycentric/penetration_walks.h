@@ -27,13 +27,21 @@ struct PenetrationWalks {
   void start(const PosedPair& posed, const Crossings& crossings, Side master);
 };
 
+/// What is remembered of the lines of up to four faces; nullptr: nothing.
+using RememberedLines = std::array<const LineMemory::Line*, kElementLanes>;
+
 /// The results of find_penetration but for `first_met`, for up to four faces at once, by walks over the slave, each
 /// from the face found at the last pose, for a neighbour or, where there is none, for the last face. Where the faces'
 /// clearance and thickness, or what is remembered, say that nothing else is met: near O(1). Else by find_penetration.
 /// The lanes hold the faces' geometry and receive their depths. `walks` has been started for this pose and master.
-/// `memory`: of the lines at the last pose, or nullptr.
+/// `memory`: of the lines at the last pose, or nullptr; it is told what is found.
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
-                       PenetrationWalks& walks, LineMemory* memory,
+                       PenetrationWalks& walks, LineMemory* memory, const RememberedLines& lines,
                        std::array<Penetration, kElementLanes>& penetrations);
+
+/// The same where all lines are settled, and some have an element: nothing but depths is found.
+void find_settled(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count,
+                  const RememberedLines& lines, ElementLanes& lanes,
+                  std::array<Penetration, kElementLanes>& penetrations);
 
 }  // namespace pcm::fast

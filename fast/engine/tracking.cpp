@@ -19,6 +19,10 @@ constexpr double kLongestStep = 0x1p-7;
 constexpr double kStepsAhead = 16, kLineStepsAhead = 8, kLineStepsAheadOfF = 2;
 /// The same after a longer step, of the longest short one that is awaited.
 constexpr double kStepsAheadOfLong = 3;
+/// What is made for no more than this, relative to an edge, costs no less: difference quotients take many such steps.
+constexpr double kLeastAhead = 0x1p-14;
+/// How long steps may be, relative to an edge, for margins of lines to last long enough.
+constexpr double kLongestSettled = 0x1p-9;
 
 /// Adds up ways, the sum rounded up.
 void add_way(double way, double& travelled) {
@@ -33,15 +37,17 @@ void add_way(double way, double& travelled) {
 // for roundings of the face's vertices (line_stays).
 Tracking::Tracking(const PreparedSurface& E, const PreparedSurface& F)
     : ball_F_(F),
-      longest_step_(kLongestStep * std::min(E.usual_edge, F.usual_edge)),
-      spread_{1, 4.0 / 3 * (1 + 8 * (1 + BoundingBall(E).radius / ball_F_.radius))},
-      fewest_vertices_(static_cast<std::size_t>(std::min(E.fewest_vertices, F.fewest_vertices))) {}
+      usual_edge_(std::min(E.usual_edge, F.usual_edge)),
+      fewest_vertices_(static_cast<std::size_t>(std::min(E.fewest_vertices, F.fewest_vertices))),
+      lines_{LineMemory({1, ball_F_.radius}),
+             LineMemory({4.0 / 3 * (1 + 8 * (1 + BoundingBall(E).radius / ball_F_.radius)), ball_F_.radius})} {}
 
 void Tracking::start_lines(double way) {
   for (const Side master : {Side::E, Side::F}) {
     const auto m = static_cast<std::size_t>(master);
-    const double ahead = (master == Side::E ? kLineStepsAhead : kLineStepsAheadOfF) * way;
-    lines_[m].start(travelled_, ahead, spread_[m] * ahead);
+    const double steps = master == Side::E ? kLineStepsAhead : kLineStepsAheadOfF;
+    const double ahead = std::max(steps * way, kLeastAhead * usual_edge_);
+    lines_[m].start(travelled_, ahead, lines_[m].motion().way_over_travel * ahead, way < kLongestSettled * usual_edge_);
   }
 }
 
@@ -51,7 +57,7 @@ void Tracking::forget() {
 }
 
 void Tracking::list_pairs(PosedPair& posed, double steps, double way, NodePairs& open) {
-  pairs_.list(posed, steps * way, open);
+  pairs_.list(posed, std::max(steps * way, kLeastAhead * usual_edge_), open);
   travelled_ = listed_travelled_ = 0;
   start_lines(way);
 }
@@ -60,7 +66,7 @@ Tracking::Known Tracking::know_at(const Pose& pose, PosedPair& posed, NodePairs&
   const std::optional<Pose> last = std::exchange(last_, pose);
   const bool had_kept = std::exchange(has_kept_, false);
   const double way = last ? greatest_travel(*last, pose, ball_F_) : std::numeric_limits<double>::infinity();
-  if (!(way < longest_step_)) {
+  if (!(way < kLongestStep * usual_edge_)) {
     if (last) short_steps_.note_long();
     forget();
     if (!short_steps_.awaited()) return Known::nothing;

@@ -83,9 +83,8 @@ class Tracking {
   void start_lines(double way);
 
   BoundingBall ball_F_;
-  double longest_step_;           ///< of points of F that is followed, m
-  std::array<double, 2> spread_;  ///< how far lines of a master are from where they were, over what F has travelled
-  std::size_t fewest_vertices_;   ///< of a component of either surface
+  double usual_edge_;            ///< of the surface with the shorter ones, m
+  std::size_t fewest_vertices_;  ///< of a component of either surface
   std::optional<Pose> last_;
   Known known_ = Known::nothing;
   ShortSteps short_steps_;

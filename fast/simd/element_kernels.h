@@ -71,18 +71,54 @@ LeavingLanes leave(const ElementLanes& lanes, const DecisionLimits& limits) {
   return {lanes_of(inside), lanes_of(usable & outside)};
 }
 
-DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
+/// The slave's faces, and -n . N_f of the master's normals and theirs.
+struct SlaveFaces {
+  std::array<Vector4, 3> f;
+  Vector4 first_side, second_side, N_f;
+  Double4 slope;
+
+  explicit SlaveFaces(const ElementLanes& lanes)
+      : f{load(lanes.slave_corners[0]), load(lanes.slave_corners[1]), load(lanes.slave_corners[2])},
+        first_side(f[1] - f[0]),
+        second_side(f[2] - f[0]),
+        N_f(cross(first_side, second_side)),
+        slope(-dot(load(lanes.n_Me), N_f)) {}
+};
+
+/// (11) from the nearest corner, as DepthBelow takes it; returns the lanes where one surely is the nearest.
+LaneBits depth_below(const SlaveFaces& slave, ElementLanes& lanes) {
   const std::array<Vector4, 3> p{load(lanes.p_Me[0]), load(lanes.p_Me[1]), load(lanes.p_Me[2])};
-  const std::array<Vector4, 3> f{load(lanes.slave_corners[0]), load(lanes.slave_corners[1]),
-                                 load(lanes.slave_corners[2])};
-  const Vector4 first_side = f[1] - f[0], second_side = f[2] - f[0];
-  const Vector4 N_f = cross(first_side, second_side);
-  const Double4 square = dot(N_f, N_f), slope = -dot(load(lanes.n_Me), N_f);
-  const Double4 share = four(2 * limits.least_share) * (norm_1(first_side) * norm_1(second_side));
+  std::array<Vector4, 3> offset;
+  std::array<Double4, 3> squares;
+  for (std::size_t k = 0; k < 3; ++k) {
+    offset[k] = (slave.f[k] - p[0]) + (slave.f[k] - p[1]) + (slave.f[k] - p[2]);
+    squares[k] = dot(offset[k], offset[k]);
+  }
+  const auto nearest = [&](std::size_t k, std::size_t i, std::size_t j) -> Long4 {
+    return (squares[k] < four(1 - 0x1p-40) * least(squares[i], squares[j])) & (squares[k] > four(0x1p-900));
+  };
+  const Long4 first = nearest(0, 1, 2), second = nearest(1, 2, 0), third = nearest(2, 0, 1);
+  const Vector4 from_C = choice(first, offset[0], choice(second, offset[1], offset[2])) / four(3);
+  const Double4 depth = dot(from_C, slave.N_f) / slave.slope;
+  const Long4 finite = absolute(depth) <= four(0x1.fffffffffffffp1023);
+  store(finite ? greatest(depth, four(0)) : four(0), lanes.depth);
+  return lanes_of(first | second | third);
+}
+
+LaneBits find_depth(ElementLanes& lanes) {
+  return depth_below(SlaveFaces(lanes), lanes);
+}
+
+DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
+  const SlaveFaces slave(lanes);
+  const Vector4& N_f = slave.N_f;
+  const Double4& slope = slave.slope;
+  const Double4 square = dot(N_f, N_f);
+  const Double4 share = four(2 * limits.least_share) * (norm_1(slave.first_side) * norm_1(slave.second_side));
   const Long4 fair =
       (square > share * share) & (square > four(0x1p-900)) & (slope > four(0)) & (four(16) * slope * slope > square);
 
-  const Double4 distance = dot(N_f, f[0] - load(lanes.barycentre_Me)) / slope;
+  const Double4 distance = dot(N_f, slave.f[0] - load(lanes.barycentre_Me)) / slope;
   const Double4 square_cosine = slope * slope / square;
   const Long4 in_wide_cone = square_cosine > four(limits.cone_cosine_square[1]);
   const Long4 in_narrow_cone = in_wide_cone & (square_cosine > four(limits.cone_cosine_square[0]));
@@ -114,22 +150,7 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   decided.element = lanes_of(left & clear & thick);
   if (decided.element == 0) return decided;
 
-  // (11) from the nearest corner, as DepthBelow takes it.
-  std::array<Vector4, 3> offset;
-  std::array<Double4, 3> squares;
-  for (std::size_t k = 0; k < 3; ++k) {
-    offset[k] = (f[k] - p[0]) + (f[k] - p[1]) + (f[k] - p[2]);
-    squares[k] = dot(offset[k], offset[k]);
-  }
-  const auto nearest = [&](std::size_t k, std::size_t i, std::size_t j) -> Long4 {
-    return (squares[k] < four(1 - 0x1p-40) * least(squares[i], squares[j])) & (squares[k] > four(0x1p-900));
-  };
-  const Long4 first = nearest(0, 1, 2), second = nearest(1, 2, 0), third = nearest(2, 0, 1);
-  const Vector4 from_C = choice(first, offset[0], choice(second, offset[1], offset[2])) / four(3);
-  const Double4 depth = dot(from_C, N_f) / slope;
-  const Long4 finite = absolute(depth) <= four(0x1.fffffffffffffp1023);
-  store(finite ? greatest(depth, four(0)) : four(0), lanes.depth);
-  decided.nearest_known = lanes_of(first | second | third);
+  decided.nearest_known = depth_below(slave, lanes);
   return decided;
 }
 
@@ -165,8 +186,8 @@ LaneBits find_force(ElementLanes& lanes, const ForceLimits& limits) {
   return known;
 }
 
-constexpr WideElements kElements{find_geometry,       leave, decide, find_force, find_gradient, add_tangent,
-                                 add_tangent_of_parts};
+constexpr WideElements kElements{find_geometry, leave,         decide,      find_depth,
+                                 find_force,    find_gradient, add_tangent, add_tangent_of_parts};
 
 }  // namespace
 

@@ -124,13 +124,15 @@ struct ForceLimits {
 /// The steps from faces to forces, compiled for one set of instructions, in the order of operations of FaceGeometry,
 /// DepthBelow and apply_force: never fused, so that all sets give the bits of these. `geometry` finds barycentres and
 /// sides in all lanes and returns those whose area and normal it found; `force` returns the lanes it filled. The
-/// numbers in others are too large or too small for them. `gradient` fills depth_gradient_Me, of slave faces at
-/// slave_corners, in all lanes; `tangent` adds what elements with their forces make of it, in those asked for, and
-/// `tangent_of_parts` what they make of the motions given.
+/// numbers in others are too large or too small for them. `depth` fills the depths to the slave faces at slave_corners
+/// and returns the lanes where that is right: in others two corners are about as near to the barycentre. `gradient`
+/// fills depth_gradient_Me, of slave faces at slave_corners, in all lanes; `tangent` adds what elements with their
+/// forces make of it, in those asked for, and `tangent_of_parts` what they make of the motions given.
 struct WideElements {
   LaneBits (*geometry)(ElementLanes& lanes);
   LeavingLanes (*leave)(const ElementLanes& lanes, const DecisionLimits& limits);
   DecidedLanes (*decide)(ElementLanes& lanes, const DecisionLimits& limits);
+  LaneBits (*depth)(ElementLanes& lanes);
   LaneBits (*force)(ElementLanes& lanes, const ForceLimits& limits);
   void (*gradient)(ElementLanes& lanes);
   void (*tangent)(const ElementLanes& lanes, const ForceLimits& limits, LaneBits which, TangentLanes& sums);

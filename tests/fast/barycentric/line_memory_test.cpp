@@ -98,6 +98,56 @@ TEST(LineMemory, HoldsAsLongAfterTravelIsCountedAnew) {
   EXPECT_FALSE(memory.holds(*later));
 }
 
+/// Whether the line of face 3 is settled at the next pose; goes on to remember it, if so.
+bool is_settled(LineMemory& memory, double travelled) {
+  memory.start(travelled, 1, 0.5);
+  const LineMemory::Line* const line = memory.recall(3);
+  if (line == nullptr || !memory.is_settled(*line)) return false;
+  memory.keep(*line);
+  return true;
+}
+
+TEST(LineMemory, WhatALineFindsIsSettledUntilFHasTravelledSoFar) {
+  LineMemory memory;
+  memory.start(4, 1, 0.5);
+  memory.keep(3, 7);
+  memory.settle(0.75, 9);
+  EXPECT_TRUE(is_settled(memory, 4.5));
+  EXPECT_TRUE(is_settled(memory, 4.625));
+  EXPECT_EQ(memory.recall(3)->element_on, 9);
+  memory.start_travel_anew(4.625);
+  EXPECT_TRUE(is_settled(memory, 0));
+  EXPECT_TRUE(is_settled(memory, 0.0625));
+  EXPECT_FALSE(is_settled(memory, 0.125));
+}
+
+TEST(LineMemory, ALineThatIsFollowedAnewIsNotSettled) {
+  LineMemory memory;
+  memory.start(4, 1, 0.5);
+  memory.keep(3, 7, trace_of({7}, {}));
+  memory.settle(0.75, 9);
+  memory.start(4.25, 1, 0.5);
+  const LineMemory::Line* const line = memory.recall(3);
+  ASSERT_NE(line, nullptr);
+  EXPECT_EQ(memory.held_for(*line), 0.75);
+  memory.keep(*line, 8);
+  EXPECT_FALSE(is_settled(memory, 4.5));
+}
+
+TEST(LineMemory, NothingIsSettledWhereVerticesAreFartherOff) {
+  LineMemory memory;
+  for (const double error : {1.0, 2.0, 2.5, 5.0, 1.0}) {
+    memory.start(0, 1, 0.5);
+    memory.note_vertex_error(error);
+    const LineMemory::Line* const line = memory.recall(3);
+    const bool settled = line != nullptr && memory.is_settled(*line);
+    EXPECT_EQ(settled, error == 2.0 || error == 5.0 || (error == 1.0 && line != nullptr)) << error;
+    EXPECT_GE(memory.vertex_error(), error);
+    memory.keep(3, 7);
+    memory.settle(1, 9);
+  }
+}
+
 TEST(LineMemory, OtherFacesOfTheMasterThatAreNotListedHoldNowhere) {
   LineMemory memory;
   memory.start(0, 1, 0.5);

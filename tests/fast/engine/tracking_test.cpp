@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "meshes/generate/parts.h"
 #include "pcm/pairing_memory.h"
 #include "pcm/scene.h"
 #include "tests/fast/engine/tracked_walks.h"
@@ -139,6 +140,27 @@ TEST(Tracking, SpeckThatPassesThroughASurfaceBetweenPosesIsFound) {
     }
     EXPECT_GT(inside, 5);
     EXPECT_LT(inside, 35);
+  }
+}
+
+/// Steps by which lines go on to find what they find for a while, and then the next face, or none.
+TEST(Tracking, LinesThatGoOnToOtherFacesFindThem) {
+  const Surface ball(generate::icosphere(1, 3)), rough(generate::bumpy_sphere(1, 0.1, 6, 40, 26));
+  for (const auto& [E, F] : {std::pair(ball, ball), std::pair(rough, ball), std::pair(ball, rough)}) {
+    const Pairing pairing(E, F, test::stiffness(1), Mode::both);
+    for (const double step : {1e-5, 1e-4}) {
+      PairingMemory memory(pairing);
+      Workspace one, other;
+      int followed = 0;
+      for (int i = 0; i < 1000; ++i) {
+        Pose pose = test::turned(0.3 + 0.5 * step * i, {0.2 + 0.3 * step * i, -0.1, 0.9 * step * i});
+        pose.r *= 1.86 / pose.r.norm();
+        const Contact& answer = memory.evaluate(pose, {}, kForceOnly, one);
+        followed += answer.touching && answer.work.candidate_pairs == 0 ? 1 : 0;
+        ASSERT_TRUE(test::same(answer, evaluate(pairing, pose, {}, kForceOnly, other))) << step << ' ' << i;
+      }
+      EXPECT_GT(followed, 900);
+    }
   }
 }
 

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/barycentric/line_margin.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcm::fast {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Pays for a few roundings of quantities that are off by less than 2^-30 of themselves (kLeastShare in
+/// penetration_walks.cpp), and for normals that roundings tilt from pose to pose.
+constexpr double kDown = 1 - 0x1p-20;
+
+/// How far the line is from the nearest side of f, seen along it, m; 0 where it may be on one.
+double distance_from_sides(const DecidedLine& line) {
+  const std::array<LineCoordinates::Point, 3> x{line.coordinates.see(line.f_Me[0]), line.coordinates.see(line.f_Me[1]),
+                                                line.coordinates.see(line.f_Me[2])};
+  const double error = line.coordinates.error(std::max({x[0].width, x[1].width, x[2].width}));
+  double least = kInfinity;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = k == 2 ? 0 : k + 1;
+    // |D| is the side's length, seen along the line, times its distance and |N|.
+    const double surely = -side_of_edge(x[k], x[next]) - error;
+    if (!(surely > 0)) return 0;
+    least = std::min(least, surely / (2 * line.geometry.area * length(line.f_Me[next] - line.f_Me[k])));
+  }
+  return kDown * least;
+}
+
+}  // namespace
+
+double travel_until_undecided(const DecidedLine& line, const LineMotion& motion) {
+  const double from_sides = distance_from_sides(line);
+  const Eigen::Vector3d N_f = (line.f_Me[1] - line.f_Me[0]).cross(line.f_Me[2] - line.f_Me[0]);
+  const double slope = -line.geometry.n_Me.dot(N_f), cosine = kDown * slope / length(N_f);
+  const double distance = N_f.dot(line.f_Me[0] - line.geometry.barycentre_Me()) / slope;
+  const double nearest = (line.element ? distance : -distance) - line.distance_error;
+  const double farthest = distance + line.distance_error;
+  if (!(from_sides > 0 && cosine > 0 && nearest > 0)) return 0;
+  double way = std::min(from_sides, cosine * nearest);
+  if (line.element) {
+    const double to_own_faces = line.thickness - farthest;
+    if (!(to_own_faces > 0)) return 0;
+    way = std::min(way, cosine * to_own_faces);
+  }
+  double travel = 0;
+  const auto certify = [&](double clear_way, double at_most) {
+    travel = std::max(travel, std::min(std::min(way, clear_way) / motion.way_over_travel, at_most));
+  };
+  const double depth = farthest * slope / length(N_f) / kDown;
+  for (std::size_t cone = 0; cone < kConeCosine.size(); ++cone) {
+    const double until_outside = (cosine - kConeCosine[cone]) * motion.turning_radius;
+    if (line.element) certify(line.clearance.beneath[cone] * line.greatest_of_slave - depth, until_outside);
+    if (!line.element && line.clearance.above[cone]) certify(kInfinity, until_outside);
+  }
+  if (line.element) certify(cosine * (line.slave_free - farthest), line.slave_free_travel);
+  if (!line.element && line.slave_free == kInfinity) certify(kInfinity, line.slave_free_travel);
+  return kDown * travel;
+}
+
+}  // namespace pcm::fast
