@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Geometry>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -15,7 +14,6 @@
 #include "compare/verify/routes/wanted_presets.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
-#include "pcm/pairing_memory.h"
 #include "reference/oracle.h"
 
 namespace pcm::compare {
@@ -177,120 +175,6 @@ SavingResult measure(const Question& question, std::int64_t poses) {
   return result;
 }
 
-/// The same pose with another velocity, as for a Jacobian by difference quotients: the law alone, and all anew.
-SavingResult measure_known_pose(const std::string& bodies, const TriangleMesh& mesh, double touching, Scheme scheme,
-                                std::int64_t poses) {
-  const fast::Surface surface(mesh);
-  const fast::Pairing pairing(surface, surface, bench_law(), Mode::E, scheme);
-  fast::PairingMemory memory(pairing);
-  fast::Workspace workspace;
-  SavingResult result{"all but the law",
-                      fmt::format("force on two {}, 5 % deep, another velocity{}", bodies,
-                                  scheme == Scheme::clipped ? ", clipped" : ""),
-                      0,
-                      0,
-                      "candidate pairs",
-                      0,
-                      0};
-  std::vector<double> on, off;
-  for (std::int64_t p = 0; p < poses; ++p) {
-    const Pose pose = drawn_pose(touching, 0.05 * touching, p);
-    Velocity velocity = bench_velocity();
-    const auto ask = [&](const Savings& savings) -> const fast::Contact& {
-      velocity.v *= 1 + 0x1p-20;
-      return memory.evaluate(pose, velocity, kForceOnly, workspace, savings);
-    };
-    ask({});
-    on.push_back(least_time([] {}, [&] { ask({}); }).query_us);
-    result.work_on += ask({}).work.candidate_pairs;
-    off.push_back(least_time([] {}, [&] { ask(without(&Savings::known_poses)); }).query_us);
-    result.work_off += ask(without(&Savings::known_poses)).work.candidate_pairs;
-  }
-  result.on_us = quantile(on, 0.5);
-  result.off_us = quantile(off, 0.5);
-  return result;
-}
-
-void measure_known_poses(std::int64_t poses, SkipResult& result) {
-  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
-    result.savings.push_back(measure_known_pose("bubbles", generate::bubble(), 0.4, scheme, poses));
-    result.savings.push_back(
-        measure_known_pose("spheres of 20,480 faces", generate::icosphere(1, 5), 2, scheme, poses));
-  }
-}
-
-/// A pose and those that follow it.
-struct Way {
-  std::string name;
-  double step;          ///< by which points of F move about, m
-  bool back_and_forth;  ///< to either side of the first pose along each coordinate, as difference quotients do
-};
-
-/// F moves along a line and turns about another, or to where difference quotients ask.
-Pose pose_on_way(const Way& way, const Pose& start, double size, int number) {
-  Eigen::Vector3d move = Eigen::Vector3d::Zero(), turn = move;
-  if (way.back_and_forth) {
-    const int coordinate = number / 2 % 6;
-    const double step = number % 2 == 0 ? way.step : -way.step;
-    (coordinate < 3 ? move : turn)[coordinate % 3] = coordinate < 3 ? step : step / size;
-  } else {
-    move = 0.7 * number * way.step * Eigen::Vector3d(0.48, -0.6, 0.64);
-    turn = 0.3 * number * way.step / size * Eigen::Vector3d(0.6, 0.64, -0.48);
-  }
-  return {Eigen::AngleAxisd(turn.norm(), turn.normalized()) * start.A, start.r + move};
-}
-
-/// Times along one way, and the candidate pairs, of a memory or of the engine that has none.
-template <class Ask>
-void follow_way(const Way& way, const Pose& start, double size, const Ask& ask, std::vector<double>& times,
-                std::int64_t& work) {
-  constexpr int kFirst = 3, kSteps = 15;
-  for (int step = 0; step < kSteps; ++step) {
-    const Pose pose = pose_on_way(way, start, size, step);
-    const fast::Contact* answer = nullptr;
-    const double us = time_us([&] { answer = &ask(pose); });
-    if (step < kFirst) continue;
-    times.push_back(us);
-    work += answer->work.candidate_pairs;
-  }
-}
-
-/// What is known of the last pose, and nothing. As in a simulation either goes its way alone; the ways that they go in
-/// turn are far apart, so that neither finds in the caches what the other left there.
-SavingResult measure_way(const std::string& bodies, const TriangleMesh& mesh, double touching, const Way& way,
-                         std::int64_t poses) {
-  const fast::Surface surface(mesh);
-  surface.prepare_all_faces();  // Or whoever is asked first would pay for both.
-  const fast::Pairing pairing(surface, surface, bench_law());
-  fast::Workspace workspace, other;
-  SavingResult result{
-      "coherence", fmt::format("force on two {}, 5 % deep, {}", bodies, way.name), 0, 0, "candidate pairs", 0, 0};
-  std::vector<double> on, off;
-  const auto start = [&](std::int64_t p) { return drawn_pose(touching, 0.05 * touching, p % poses); };
-  for (std::int64_t p = 0; p < poses; ++p) {
-    fast::PairingMemory memory(pairing);
-    const auto remember = [&](const Pose& pose) -> const fast::Contact& {
-      return memory.evaluate(pose, bench_velocity(), kForceOnly, workspace);
-    };
-    const auto find_anew = [&](const Pose& pose) -> const fast::Contact& {
-      return fast::evaluate(pairing, pose, bench_velocity(), kForceOnly, other);
-    };
-    follow_way(way, start(p), touching / 2, remember, on, result.work_on);
-    follow_way(way, start(p + poses / 2), touching / 2, find_anew, off, result.work_off);
-  }
-  result.on_us = quantile(on, 0.5);
-  result.off_us = quantile(off, 0.5);
-  return result;
-}
-
-void measure_coherence(std::int64_t poses, SkipResult& result) {
-  for (const Way& way : {Way{"steps of 0.1 mm", 1e-4, false}, Way{"steps of 0.01 mm", 1e-5, false},
-                         Way{"differences by 10 nm", 1e-8, true}}) {
-    result.savings.push_back(measure_way("bubbles", generate::bubble(), 0.4, way, poses));
-    result.savings.push_back(measure_way("spheres of 20,480 faces", generate::icosphere(1, 5), 2, way, poses));
-  }
-}
-
 /// The oracle looks exactly at pairs of faces whose boxes meet, or at all.
 SavingResult measure_candidate_region(std::int64_t poses) {
   using reference::CandidateRegion;
@@ -384,10 +268,6 @@ SkipResult run_skip(int bubbles, std::int64_t steps, std::int64_t poses,
     progress(question.saving);
     result.savings.push_back(measure(question, poses));
   }
-  progress("known poses");
-  measure_known_poses(5 * poses, result);
-  progress("coherence");
-  measure_coherence(5 * poses, result);
   progress("oracle's candidate region");
   result.savings.push_back(measure_candidate_region(poses));
   return result;

@@ -43,11 +43,26 @@ Json interval_json(const reference::AreaInterval& interval) {
 }
 
 Json work_json(const fast::WorkCounters& work) {
-  return {{"box_tests", work.box_tests},           {"candidate_pairs", work.candidate_pairs},
-          {"crossing_pairs", work.crossing_pairs}, {"vertices_transformed", work.vertices_transformed},
-          {"predicates", work.predicates},         {"exact_predicates", work.exact_predicates},
-          {"tie_breaks", work.tie_breaks},         {"elements", work.elements},
-          {"velocities", work.velocities},         {"law_only", work.law_only}};
+  return {{"box_tests", work.box_tests},
+          {"node_pairs", work.node_pairs},
+          {"face_rows", work.face_rows},
+          {"live_lanes", work.live_lanes},
+          {"candidate_pairs", work.candidate_pairs},
+          {"unsure_pairs", work.unsure_pairs},
+          {"crossing_pairs", work.crossing_pairs},
+          {"vertices_transformed", work.vertices_transformed},
+          {"predicates", work.predicates},
+          {"exact_predicates", work.exact_predicates},
+          {"tie_breaks", work.tie_breaks},
+          {"elements", work.elements},
+          {"velocities", work.velocities},
+          {"law_only", work.law_only},
+          {"lines", work.lines},
+          {"lines_settled", work.lines_settled},
+          {"searches_unseen", work.searches_unseen},
+          {"searches_oblique", work.searches_oblique},
+          {"searches_slave", work.searches_slave},
+          {"searches_master", work.searches_master}};
 }
 
 /// JSON has no infinity: where nothing can be promised stands null.

@@ -35,7 +35,9 @@ class ElementSearch {
     if (memory_ != nullptr) {
       for (std::size_t lane = 0; lane < count; ++lane) lines[lane] = memory_->recall(faces[lane]);
     }
+    posed_.work.lines += static_cast<std::int64_t>(count);
     if (are_settled(lines, count)) {
+      posed_.work.lines_settled += static_cast<std::int64_t>(count);
       if (!keep_settled(lines, count)) return 0;
       find_settled(posed_, master_, faces, count, lines, lanes, found);
     } else {

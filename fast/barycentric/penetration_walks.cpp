@@ -277,12 +277,21 @@ class PenetrationBatch {
   void search(std::size_t lane) {
     const Index face = faces_[lane];
     const Index left = has_lane(left_ & decided_.left, lane) ? met_[lane] : -1;
+    ++search_counter(lane);
     const FaceGeometry geometry = geometry_of(lanes_, lane);
     penetrations_[lane] = memory_ != nullptr
                               ? search_and_remember(posed_, master_, face, geometry, left, walks_, *memory_)
                               : find_penetration(posed_, master_, face, geometry, walks_.open, nullptr, left);
     const Index found = penetrations_[lane].slave_face;
     if (found >= 0) walks_.slave_nearby[face] = walks_.last = found;
+  }
+
+  /// By why it has to be searched for.
+  std::int64_t& search_counter(std::size_t lane) {
+    WorkCounters& work = posed_.work;
+    if (!has_lane(left_, lane)) return work.searches_unseen;
+    if (has_lane(decided_.oblique, lane)) return work.searches_oblique;
+    return has_lane(decided_.left & decided_.thin, lane) ? work.searches_master : work.searches_slave;
   }
 
   /// Follows a line among the faces that it may meet, which are remembered; whether these suffice.

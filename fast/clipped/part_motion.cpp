@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace pcm::fast {
 
@@ -35,13 +36,28 @@ double along_level(const PrismPoint& a, const PrismPoint& b, double per_s, doubl
   return std::abs(per_s) >= std::abs(per_t) ? (b[kT] - a[kT]) / per_s : (a[kS] - b[kS]) / per_t;
 }
 
-/// Depth of a face's edge at a place on it, or on the line that it is seen on.
-double depth_on_edge(const ProjectedFace& h, std::size_t edge, const PrismPoint& at) {
-  const PrismPoint& from = h.corners[edge];
-  const PrismPoint along = h.corners[(edge + 1) % 3] - from;
-  const int wider = std::abs(along[kS]) >= std::abs(along[kT]) ? kS : kT;
-  return from[kDepth] + (at[wider] - from[wider]) / along[wider] * along[kDepth];
-}
+/// A face's edge as it is seen, and the depths of points on its line. Far beyond its ends the line parts nothing but
+/// pieces of what is seen, and any motion will do that both get: there the depth is that as far from the edge as it is
+/// long, or it would be beyond all measure for an edge that is seen on end.
+class SeenEdge {
+ public:
+  SeenEdge(const ProjectedFace& h, std::size_t edge)
+      : from_(h.corners[edge]),
+        along_(h.corners[(edge + 1) % 3] - from_),
+        wider_(std::abs(along_[kS]) >= std::abs(along_[kT]) ? kS : kT) {}
+
+  /// 0 and 1 at the edge's ends.
+  double place(const PrismPoint& at) const { return (at[wider_] - from_[wider_]) / along_[wider_]; }
+  double depth(double place) const { return from_[kDepth] + std::clamp(place, kFirst, kLast) * along_[kDepth]; }
+
+  /// Where the depth is not linear.
+  static constexpr double kFirst = -1, kLast = 2;
+
+ private:
+  const PrismPoint& from_;
+  PrismPoint along_;
+  int wider_;
+};
 
 /// The integrals over what is seen, and how they change as the slave moves.
 enum Integral { kOne, kDepths, kSDepths, kTDepths, kIntegrals };
@@ -163,10 +179,30 @@ class PartSlopes {
       if (kind == kCrossing || &h == &part_.f) {
         add_parts(V, a, a[kDepth], b, b[kDepth]);
       } else {
-        const auto edge = static_cast<std::size_t>(kind);
-        add_parts(V, a, depth_on_edge(h, edge, a), b, depth_on_edge(h, edge, b));
+        add_edge(V, SeenEdge(h, static_cast<std::size_t>(kind)), a, b);
       }
     }
+  }
+
+  /// A side on the line of an edge.
+  void add_edge(const Vector3d& V, const SeenEdge& edge, const PrismPoint& a, const PrismPoint& b) {
+    const double place_a = edge.place(a), place_b = edge.place(b);
+    double from = 0;
+    PrismPoint start = a;
+    double depth = edge.depth(place_a);
+    const auto add_until = [&](double share, const PrismPoint& end, double depth_there) {
+      add_parts((share - from) * V, start, depth, end, depth_there);
+      from = share;
+      start = end;
+      depth = depth_there;
+    };
+    std::array<double, 2> knots{SeenEdge::kFirst, SeenEdge::kLast};
+    if (place_b < place_a) std::swap(knots[0], knots[1]);
+    for (const double knot : knots) {
+      const double share = (knot - place_a) / (place_b - place_a);
+      if (share > 0 && share < 1) add_until(share, a + share * (b - a), edge.depth(knot));
+    }
+    add_until(1, b, edge.depth(place_b));
   }
 
   /// A side that moves by V . d(X), X at depths below a and b that may not be f's: in two parts where f's is clamped on

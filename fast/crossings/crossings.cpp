@@ -92,6 +92,7 @@ class PairTest {
 
   PairSigns signs(Index face_E, Index face_F, const SureSigns& known) const {
     if (known.of_passing() && filtered_) return {known.above_of_E(), known.above_of_F(), known.passing()};
+    ++posed_.work.unsure_pairs;
     return find_signs(posed_[Side::E].face_points(face_E, posed_.work),
                       posed_[Side::F].face_points(face_F, posed_.work), filtered_ ? known : SureSigns(), sure_,
                       posed_.work);

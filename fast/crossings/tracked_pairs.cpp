@@ -45,6 +45,7 @@ void TrackedPairs::list(PosedPair& posed, double margin, NodePairs& open) {
       signs_.push_back({known.above_of_E(), known.above_of_F(), known.passing()});
       until_.push_back(kShorter * margin);
     } else {
+      ++posed.work.unsure_pairs;
       signs_.push_back(find_signs_of(posed, faces, known));
       until_.push_back(margin_of(posed, faces, signs_.back()));
     }

@@ -94,6 +94,7 @@ class CandidateSearch {
   void split(Index i, Index j, NodePairs& open, WorkCounters& work) const {
     const WideNode& E = tree_E_.node(i);
     const WideNode& F = tree_F_.node(j);
+    ++work.node_pairs;
     const float size_E = E.size(), size_F = pose_.scale * F.size();
     if (F.bottom() || (!E.bottom() && size_E > kMuchWider * size_F)) {
       work.box_tests += E.count;
@@ -116,8 +117,11 @@ class CandidateSearch {
 
   template <class Visit>
   bool visit_faces(const WideNode& E, const WideNode& F, WorkCounters& work, const Visit& visit) const {
+    ++work.node_pairs;
     work.box_tests += std::int64_t{E.count} * F.count;
     const FacePairs pairs = test_.faces(E, tree_E_.group(E.group), F, tree_F_.group(F.group), pose_);
+    work.face_rows += pairs.rows;
+    work.live_lanes += pairs.live;
     for (LanePairs possible = pairs.possible; possible != 0; possible &= possible - 1) {
       const int bit = std::countr_zero(possible);
       ++work.candidate_pairs;

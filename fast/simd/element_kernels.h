@@ -147,6 +147,8 @@ DecidedLanes decide(ElementLanes& lanes, const DecisionLimits& limits) {
   decided.nothing = lanes_of(fair & (distance < four(-limits.error)) &
                              ((by_cone(above) > four(0)) | (slave_free == four(__builtin_inf()))));
   decided.left = lanes_of(left);
+  decided.oblique = lanes_of(~(fair & in_wide_cone));
+  decided.thin = lanes_of(~thick);
   decided.element = lanes_of(left & clear & thick);
   if (decided.element == 0) return decided;
 

@@ -109,6 +109,9 @@ struct DecidedLanes {
   LaneBits left = 0;           ///< surely leaves the slave's body through its face f, at a distance greater than 0
   LaneBits element = 0;        ///< and meets nothing before: an element
   LaneBits nearest_known = 0;  ///< its depth is in `depth`; else two corners of f are about as near to the barycentre
+  // Why no more is decided:
+  LaneBits oblique = 0;  ///< it is too far off the normal of f, or f is a needle
+  LaneBits thin = 0;     ///< the master's face is not surely thicker than the distance
 };
 
 /// The law and the motion as `force` takes them, see fast/force/force_problem.h.

@@ -107,6 +107,7 @@ class SureSigns {
 /// Pairs of faces of two bottom nodes.
 struct FacePairs {
   LanePairs possible = 0;  ///< all others have boxes that are apart, or one surely is on one side of the other's plane
+  int rows = 0, live = 0;  ///< faces of F that were tested against E's, and pairs of these whose boxes touch
   std::array<std::uint32_t, kLanes * kLanes> bits;  ///< of SureSigns, where possible; else not filled
 
   SureSigns signs(int pair) const { return SureSigns(bits[static_cast<std::size_t>(pair)]); }

@@ -207,7 +207,9 @@ FacePairs test_faces(const WideNode& E, const FaceGroup& faces_E, const WideNode
   for (; of_F != 0; of_F &= of_F - 1) {
     const auto j = static_cast<unsigned>(__builtin_ctz(of_F));
     std::uint32_t of_E = ~lanes_of(apart({all(ends_F.low, j), all(ends_F.high, j)}, ends_E)) & E.used();
+    ++pairs.rows;
     if (of_E == 0) continue;
+    pairs.live += __builtin_popcount(of_E);
     const std::array<Vector8, 3> x{all(x_F[0], j), all(x_F[1], j), all(x_F[2], j)};
     const Sides sides_F = sides_of(n_E, x_E[0], x, pose.plane_error);
     of_E &= ~lanes_of(sides_F.on_one_side);

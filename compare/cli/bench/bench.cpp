@@ -17,6 +17,7 @@
 #include "compare/bench/peer_comparison.h"
 #include "compare/bench/scaling.h"
 #include "compare/bench/skip.h"
+#include "compare/bench/steps.h"
 #include "compare/bench/work_precision.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/io/question_json.h"
@@ -155,6 +156,29 @@ Exit bench_skip(const SkipOptions& options) {
   return result.answers_different == 0 ? Exit::success : Exit::negative;
 }
 
+Exit bench_steps(const FixedOptions& options) {
+  const std::int64_t ways = options.quick ? 2 : 100;
+  const int passes = options.quick ? 1 : 5;
+  const std::optional<fs::path> folder = output_folder(options.out);
+  const Machine machine = this_machine(stay_on_one_core());
+  const std::vector<StepsResult> results = run_steps(ways, passes, show_progress);
+  show_progress("");
+  std::cout << steps_screen(results, machine);
+  if (folder) {
+    ReportFolder report(*folder, "steps", {{"ways", ways}, {"passes", passes}});
+    report.markdown("steps", steps_markdown(results, machine));
+    report.csv("steps", csv(steps_table(results)), kUnits);
+    report.csv("steps_work", csv(steps_work_table(results)), kUnits);
+    report.json("steps", {{"machine", machine_json(machine)},
+                          {"ways", ways},
+                          {"steps", json(steps_table(results))},
+                          {"work", json(steps_work_table(results))}});
+    report.finish();
+  }
+  const bool alike = std::all_of(results.begin(), results.end(), [](const StepsResult& r) { return r.different == 0; });
+  return alike ? Exit::success : Exit::negative;
+}
+
 Exit bench_work_precision(const FixedOptions& options) {
   const Extent extent = options.quick ? Extent::quick : Extent::full;
   const std::optional<fs::path> folder = output_folder(options.out);
@@ -220,6 +244,19 @@ void add_skip(CLI::App& bench, Run& run) {
   command->callback([options, &run] { run = [options] { return bench_skip(*options); }; });
 }
 
+void add_steps(CLI::App& bench, Run& run) {
+  auto options = std::make_shared<FixedOptions>();
+  CLI::App* command =
+      bench.add_subcommand("steps", "What an evaluation costs after others at poses near by, and what it has to do");
+  command->footer(
+      "Bubbles and spheres on seeded ways, and the pairings of recorded scenes, step by step.\n"
+      "The exit status is 1 where an answer differs in a bit from that of the engine without a past.\n"
+      "Example:\n  pcm bench steps --out bench");
+  command->add_option("--out", options->out, "Folder for tables: steps.md, .csv, .json, steps_work.csv");
+  command->add_flag("--quick", options->quick, "2 ways each, 1 pass: to see it work");
+  command->callback([options, &run] { run = [options] { return bench_steps(*options); }; });
+}
+
 void add_work_precision(CLI::App& bench, Run& run) {
   auto options = std::make_shared<FixedOptions>();
   CLI::App* command = bench.add_subcommand(
@@ -244,6 +281,7 @@ void add_bench_command(CLI::App& program, Run& run) {
   add_peers(*command, run);
   add_scaling(*command, run);
   add_skip(*command, run);
+  add_steps(*command, run);
   add_work_precision(*command, run);
 }
 

@@ -107,10 +107,15 @@ void visit_statistics(T& statistics, const Visit& visit) {
 
 template <class T, class Visit>
 void visit_work(T& work, const Visit& visit) {
-  auto& [box_tests, candidate_pairs, crossing_pairs, vertices_transformed, predicates, exact_predicates, tie_breaks,
-         elements, velocities, law_only] = work;
+  auto& [box_tests, node_pairs, face_rows, live_lanes, candidate_pairs, unsure_pairs, crossing_pairs,
+         vertices_transformed, predicates, exact_predicates, tie_breaks, elements, velocities, law_only, lines,
+         lines_settled, searches_unseen, searches_oblique, searches_slave, searches_master] = work;
   visit(Field{"work.box_tests", Asked::work, Kind::work}, box_tests);
+  visit(Field{"work.node_pairs", Asked::work, Kind::work}, node_pairs);
+  visit(Field{"work.face_rows", Asked::work, Kind::work}, face_rows);
+  visit(Field{"work.live_lanes", Asked::work, Kind::work}, live_lanes);
   visit(Field{"work.candidate_pairs", Asked::work, Kind::work}, candidate_pairs);
+  visit(Field{"work.unsure_pairs", Asked::work, Kind::work}, unsure_pairs);
   visit(Field{"work.crossing_pairs", Asked::work, Kind::work}, crossing_pairs);
   visit(Field{"work.vertices_transformed", Asked::work, Kind::work}, vertices_transformed);
   visit(Field{"work.predicates", Asked::work, Kind::work}, predicates);
@@ -119,6 +124,12 @@ void visit_work(T& work, const Visit& visit) {
   visit(Field{"work.elements", Asked::work, Kind::work}, elements);
   visit(Field{"work.velocities", Asked::work, Kind::work}, velocities);
   visit(Field{"work.law_only", Asked::work, Kind::work}, law_only);
+  visit(Field{"work.lines", Asked::work, Kind::work}, lines);
+  visit(Field{"work.lines_settled", Asked::work, Kind::work}, lines_settled);
+  visit(Field{"work.searches_unseen", Asked::work, Kind::work}, searches_unseen);
+  visit(Field{"work.searches_oblique", Asked::work, Kind::work}, searches_oblique);
+  visit(Field{"work.searches_slave", Asked::work, Kind::work}, searches_slave);
+  visit(Field{"work.searches_master", Asked::work, Kind::work}, searches_master);
 }
 
 }  // namespace fields

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "compare/io/names.h"
@@ -27,20 +28,23 @@ struct Row {
 
 const std::string kAll = "**all**";
 
-/// Each cell; each stratum in each scheme and mode; each scheme and each mode, where there are several; and all.
+/// Each cell; each stratum in each scheme and mode; each scheme and each mode, where there are several; and all. What
+/// had no pose has no row: those of other parts of a run.
 std::vector<Row> rows(const Verification& run) {
   std::vector<Row> table;
+  const auto add = [&table](Row row) {
+    if (row.tally.poses > 0) table.push_back(std::move(row));
+  };
   for (const Cell& cell : run.cells())
-    table.push_back({run.plan().pairs[cell.pair].name, std::string(name(cell.stratum)), std::string(name(cell.scheme)),
-                     std::string(name(cell.mode)), cell.tally});
+    add({run.plan().pairs[cell.pair].name, std::string(name(cell.stratum)), std::string(name(cell.scheme)),
+         std::string(name(cell.mode)), cell.tally});
   for (const StratumTally& t : run.by_stratum_scheme_and_mode())
-    table.push_back(
-        {kAll, std::string(name(t.stratum)), std::string(name(t.scheme)), std::string(name(t.mode)), t.tally});
+    add({kAll, std::string(name(t.stratum)), std::string(name(t.scheme)), std::string(name(t.mode)), t.tally});
   const bool schemes = run.plan().schemes.size() > 1, modes = run.plan().modes.size() > 1;
   for (const NamedTally& scheme : run.by_scheme())
-    if (schemes) table.push_back({kAll, kAll, scheme.name, kAll, scheme.tally});
+    if (schemes) add({kAll, kAll, scheme.name, kAll, scheme.tally});
   for (const NamedTally& mode : run.by_mode())
-    if (modes) table.push_back({kAll, kAll, kAll, mode.name, mode.tally});
+    if (modes) add({kAll, kAll, kAll, mode.name, mode.tally});
   table.push_back({kAll, kAll, kAll, kAll, run.total()});
   return table;
 }

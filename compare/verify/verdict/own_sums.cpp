@@ -104,6 +104,10 @@ void check_work(const Question& question, const fast::Contact& subj, Checks& che
   check("elements counted are not those of the answer", work.elements == subj.element_count);
   check("velocities counted are not those of the elements", work.velocities == subj.element_count);
   check("fewer candidate pairs than crossing ones", work.candidate_pairs >= work.crossing_pairs);
+  check("live lanes, candidate pairs and unsure ones are not in this order",
+        work.live_lanes >= work.candidate_pairs && work.candidate_pairs >= work.unsure_pairs && work.unsure_pairs >= 0);
+  check("more lanes are live than rows have", 8 * work.face_rows >= work.live_lanes);
+  check("more lines searched for or settled than there are", work.lines >= work.searches() + work.lines_settled);
   check("more vertices transformed than F has",
         work.vertices_transformed >= 0 &&
             work.vertices_transformed <= static_cast<std::int64_t>(question.F.mesh.vertices.size()));

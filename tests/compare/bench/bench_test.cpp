@@ -151,13 +151,46 @@ TEST(BenchSkip, NothingSkippedChangesNoBitAndEachSavingSparesWork) {
   ASSERT_EQ(all["scene"].size(), 9U);
   EXPECT_EQ(all["scene"][8]["evaluated"], 36);
   EXPECT_LT(all["scene"][0]["evaluated"], 36);
-  // Four of them another velocity at a known pose, six of them short steps.
-  ASSERT_EQ(all["savings"].size(), 19U);
+  ASSERT_EQ(all["savings"].size(), 9U);
   for (const Json& saving : all["savings"]) {
     const double on = saving["work_on"], off = saving["work_off"];
     EXPECT_LE(on, 0.5 * off) << saving;
   }
   for (const char* name : {"skip.md", "skip.csv", "skip_scene.csv"}) EXPECT_FALSE(bench.table(name).empty());
+}
+
+TEST(BenchSteps, WhatIsKnownChangesNoBitAndSparesWork) {
+  const QuickBench bench("steps");
+  const Json all = Json::parse(bench.table("steps.json"));
+  // Five kinds of steps of two pairs in two schemes, then the recorded scenes.
+  ASSERT_EQ(all["steps"].size(), 21U);
+  for (const Json& row : all["steps"]) {
+    EXPECT_EQ(row["different"], 0) << row;
+    EXPECT_GT(row["following_us"], 0) << row;
+    EXPECT_GT(row["isolated_us"], 0) << row;
+    if (row["steps"] == "as recorded") {
+      EXPECT_GT(row["evaluations"], 200) << row;
+    } else {
+      EXPECT_EQ(row["evaluations"], 24) << row;
+    }
+  }
+  ASSERT_EQ(all["work"].size(), 2 * all["steps"].size());
+  for (const Json& row : all["work"]) {
+    const bool following = row["past"] == "following", barycentric = row["scheme"] == "barycentric";
+    if (row["steps"] == "another velocity" && barycentric) {
+      EXPECT_EQ(row["lines"].get<double>() > 0, !following) << row;
+    }
+    if (row["steps"] == "differences by 10 nm" && barycentric) {
+      EXPECT_EQ(row["candidate_pairs"].get<double>() > 0, !following) << row;
+      EXPECT_GE(row["lines_settled"], following ? 0.8 * row["lines"].get<double>() : 0.0) << row;
+      EXPECT_GE(row["live_lanes"], row["candidate_pairs"]) << row;
+    }
+    if (!following) {
+      EXPECT_EQ(row["lines_settled"], 0) << row;
+    }
+  }
+  EXPECT_NE(bench.out().find("0 different"), std::string::npos) << bench.out();
+  for (const char* name : {"steps.md", "steps.csv", "steps_work.csv"}) EXPECT_FALSE(bench.table(name).empty());
 }
 
 /// A curve with error = factor / time and edges that halve as the time grows fourfold.

@@ -163,6 +163,8 @@ TEST_F(SharedRun, PartsOfSeveralMachinesArePutTogether) {
     const Outcome part = run_pcm(verify("part " + k, {"--part", k + "/3"}));
     EXPECT_EQ(part.status, 0) << part.err;
     EXPECT_TRUE(lines_of(part.out).back().starts_with("part " + k + " of 3: ")) << part.out;
+    for (const std::string& line : lines_of(read_text_file(scratch_.path("part " + k) + "/times.md")))
+      EXPECT_EQ(line.find("| 0 / 0 |"), std::string::npos) << "of no pose: " << line;
     folders.push_back(scratch_.path("part " + k));
   }
   const Outcome two = run_pcm(verify("whole", {folders[0], folders[1], folders[3]}));

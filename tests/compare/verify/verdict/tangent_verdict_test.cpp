@@ -131,9 +131,10 @@ TEST_P(TangentVerdict, BoundsHangOnRoundingsAlone) {
 struct PosedPair {
   TriangleMesh E, F;
   Pose pose;
+  ContactLaw law = law_of_all();
+  Velocity velocity = {{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}};
+
   bool is_flagged() const {
-    const ContactLaw law = law_of_all();
-    const Velocity velocity{{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}};
     const HeldPairing held(E, F, law, Mode::both, Scheme::clipped);
     fast::Workspace workspace;
     Wanted wanted;
@@ -150,7 +151,9 @@ struct PosedPair {
 /// Here what is left of a face has more vertices than the engine keeps in one piece. Two of them are those of an edge
 /// of a face that hides all on one side of it (`pcm verify`, seed 19, adversarial pose 2622 of this pair).
 TEST(ClippedTangentVerdict, PassesTheEnginesWhereAPieceInPartsHasTwoVerticesOfAnEdge) {
-  PosedPair pair{generate::box({1, 1, 1}), degenerate::hollow_cube(0.5), {}};
+  PosedPair pair;
+  pair.E = generate::box({1, 1, 1});
+  pair.F = degenerate::hollow_cube(0.5);
   pair.pose.A << 0x1.23840455d1c52p-1, 0x1.2ddcc34bae813p-1, 0x1.255425098f0f6p-1,  //
       0x1.9b8ee10c8c75cp-1, -0x1.0346e6e3a80a4p-2, -0x1.139ab8fb006a4p-1,           //
       -0x1.60dfce6398cd6p-3, 0x1.88b4675bddb47p-1, -0x1.3c74c7084b618p-1;
@@ -161,11 +164,36 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereAPieceInPartsHasTwoVerticesOfAn
 /// Here two of them lie in one place but for roundings, so that a line from one to a third is nearly a side
 /// (adversarial pose 2763 of this pair).
 TEST(ClippedTangentVerdict, PassesTheEnginesWhereAPieceInPartsHasASideOfNoLength) {
-  PosedPair pair{generate::torus(1, 0.25, 4, 4), degenerate::torus_chain(3, 1, 0.25, 4, 4), {}};
+  PosedPair pair;
+  pair.E = generate::torus(1, 0.25, 4, 4);
+  pair.F = degenerate::torus_chain(3, 1, 0.25, 4, 4);
   pair.pose.A << -0x1.685b7dec88ac4p-1, 0x1.140a502708e25p-4, -0x1.6a125e5c7fdcp-1,  //
       -0x1.a5b9cc6082e98p-2, -0x1.b31cbea3ab02ap-1, 0x1.50cc2a8da3e47p-2,            //
       -0x1.2859a182e24a3p-1, 0x1.0ba39de6287e8p-1, 0x1.4073e117a17b4p-1;
   pair.pose.r = {-0x1.512eae9283e78p-4, 0x1.079931c36dcb6p+1, -0x1.9d5c1a10f9b76p-2};
+  EXPECT_FALSE(pair.is_flagged());
+}
+
+/// A wall of the cylinder stands so nearly upright on the cube's face that an edge of it is seen 1e-12 m long; the line
+/// of that edge parts what is seen 0.3 m away from it (extreme pose 25918 of this pair).
+TEST(ClippedTangentVerdict, PassesTheEnginesWhereTheLineOfAnEdgeSeenOnEndPartsWhatIsSeen) {
+  PosedPair pair;
+  pair.E = generate::cylinder(0.5, 1, 12);
+  for (Eigen::Vector3d& x : pair.E.vertices) x = (0x1p12 * x).array().round() * 0x1p-12;
+  pair.F = generate::box({1, 1, 1});
+  pair.pose.A << -0x1.9999999999a7ep-1, 0x1.b5699f223cc04p-36, -0x1.3333333333337p-1,  //
+      0x1.5207fc95bd878p-50, 0x1.ffffffffe7e6ep-1, -0x1.ed522e65d4f4ep-39,             //
+      0x1.33333333333ep-1, 0x1.111a18442c256p-44, -0x1.999999999950ap-1;
+  pair.pose.r = {-0x1.c42666662fc74p-2, 0x1.aedffffff7ce7p-1, 0x1.6666666666586p-1};
+  pair.velocity = {{0, -0x1.8f368c1b2523ep-3, 0}, {0, 0, 0}};
+  pair.law = {};
+  pair.law.stiffness = 0x1.dae8f0da21ff4p+25;
+  pair.law.damping = 0x1.0b0296ef307c6p+27;
+  pair.law.transition_depth = 0x1.d5bcbd5bc2c28p-16;
+  pair.law.friction = 0x1.f1d52729bda1ap-1;
+  pair.law.slip_velocity = 0x1.07f772d1c4d12p-14;
+  pair.law.max_penetration = 0x1.659e9c9e422e6p-5;
+  pair.law.damping_mode = DampingMode::compression;
   EXPECT_FALSE(pair.is_flagged());
 }
 
