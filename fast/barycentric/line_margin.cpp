@@ -49,17 +49,24 @@ double travel_until_undecided(const DecidedLine& line, const LineMotion& motion)
     way = std::min(way, cosine * to_own_faces);
   }
   double travel = 0;
-  const auto certify = [&](double clear_way, double at_most) {
-    travel = std::max(travel, std::min(std::min(way, clear_way) / motion.way_over_travel, at_most));
+  const auto certify = [&](double at_most) {
+    travel = std::max(travel, std::min(at_most, way / motion.way_over_travel));
   };
+  // At twice the distance, which it can't exceed, a turn adds as much to the depth.
   const double depth = farthest * slope / length(N_f) / kDown;
+  const double deeper = motion.way_over_travel + 2 * farthest / motion.turning_radius;
   for (std::size_t cone = 0; cone < kConeCosine.size(); ++cone) {
     const double until_outside = (cosine - kConeCosine[cone]) * motion.turning_radius;
-    if (line.element) certify(line.clearance.beneath[cone] * line.greatest_of_slave - depth, until_outside);
-    if (!line.element && line.clearance.above[cone]) certify(kInfinity, until_outside);
+    const double clear_beneath = line.clearance.beneath[cone] * line.greatest_of_slave;
+    if (line.element) certify(std::min((clear_beneath - depth) / deeper, until_outside));
+    if (!line.element && line.clearance.above[cone]) certify(until_outside);
   }
-  if (line.element) certify(cosine * (line.slave_free - farthest), line.slave_free_travel);
-  if (!line.element && line.slave_free == kInfinity) certify(kInfinity, line.slave_free_travel);
+  if (line.element) {
+    const double free_way = cosine * (line.slave_free - farthest);
+    certify(std::min(free_way / motion.way_over_travel, line.slave_free_travel));
+  } else if (line.slave_free == kInfinity) {
+    certify(line.slave_free_travel);
+  }
   return kDown * travel;
 }
 

@@ -35,10 +35,12 @@ struct DecidedLine {
 /// found is exact in the rounded problem, there as here.
 ///
 /// Seen from the line, points of the slave move by w. It passes through f while w is less than its distance from f's
-/// sides, seen along it: until then none of them comes to lie on it. f's point on the line was one of f's plane no
-/// farther than w from there, so that the line's origin, at a depth h beneath that plane, is at h - w to h + w now, and
-/// where it meets the plane, at a distance of h over the cosine of its angle with f's normal, changes by w over that
-/// cosine at most. The cosine itself changes by no more than the slave turns.
+/// sides, seen along it: until then none of them comes to lie on it. f's point on the line was one of f's plane as it
+/// was, no farther than w from there: so the distance at which the line meets f, h over the cosine of its angle with
+/// f's normal where its origin lies h beneath that plane, changes by w over that cosine at most. The cosine itself
+/// changes by no more than the slave turns, and h, beneath the plane as it is then, by w and that times the distance.
+/// Roundings of small faces turn normals as well, by less than the cones of fast/surface/clearance.cpp are wider than
+/// they say.
 double travel_until_undecided(const DecidedLine& line, const LineMotion& motion);
 
 }  // namespace pcm::fast

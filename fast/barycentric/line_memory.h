@@ -33,7 +33,10 @@ class LineMemory {
   explicit LineMemory(const LineMotion& motion) : motion_(motion) {}
 
   /// Knows of no line.
-  void clear() { past_.clear(), now_.clear(); }
+  void clear() {
+    past_.clear(), now_.clear();
+    vertex_error_ = 0;
+  }
 
   /// At the next pose, to which points of F have travelled so far, m. What is searched for holds for `ahead` more; then
   /// lines are no farther from where they are than `radius`, m. `settle`: it is worth while to ask until when lines go
@@ -98,7 +101,7 @@ class LineMemory {
     line.face = face;
     line.slave_nearby = slave_nearby;
   }
-  /// One that is settled.
+  /// One of which all that is known holds on.
   void keep(const Line& known) {
     const Index* const faces = slave_faces(known);
     Line& line = now_.lines.emplace_back(known);

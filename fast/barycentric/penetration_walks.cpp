@@ -132,7 +132,7 @@ class PenetrationBatch {
   }
 
   void find() {
-    if (memory_ != nullptr) recall();
+    if (memory_ != nullptr) follow_remembered();
     if (walks_.may_walk) walk();
     if (left_ != 0) decide();
     for (std::size_t lane = 0; lane < count_; ++lane) {
@@ -147,7 +147,7 @@ class PenetrationBatch {
 
  private:
   /// Lines of the last pose: what they find among known faces, and the faces that they still leave the slave through.
-  void recall() {
+  void follow_remembered() {
     LaneBits asked = 0;
     for (std::size_t lane = 0; lane < count_; ++lane) {
       if (lines_[lane] == nullptr) continue;

@@ -47,7 +47,8 @@ void Tracking::start_lines(double way) {
     const auto m = static_cast<std::size_t>(master);
     const double steps = master == Side::E ? kLineStepsAhead : kLineStepsAheadOfF;
     const double ahead = std::max(steps * way, kLeastAhead * usual_edge_);
-    lines_[m].start(travelled_, ahead, lines_[m].motion().way_over_travel * ahead, way < kLongestSettled * usual_edge_);
+    const double way_of_lines = lines_[m].motion().way_over_travel;
+    lines_[m].start(travelled_, ahead, way_of_lines * ahead, way_of_lines * way < kLongestSettled * usual_edge_);
   }
 }
 

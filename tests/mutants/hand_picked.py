@@ -385,7 +385,7 @@ PICKED = [
     ),
     (
         "fast/clipped/part_motion.cpp",
-        "        add_parts(V, a, depth_on_edge(h, edge, a), b, depth_on_edge(h, edge, b));",
+        "        add_edge(V, SeenEdge(h, static_cast<std::size_t>(kind)), a, b);",
         "        add_parts(V, a, a[kDepth], b, b[kDepth]);",
         "an edge that hides a part turns as if it were as deep as what it hides",
     ),

@@ -107,7 +107,12 @@ void check_work(const Question& question, const fast::Contact& subj, Checks& che
   check("live lanes, candidate pairs and unsure ones are not in this order",
         work.live_lanes >= work.candidate_pairs && work.candidate_pairs >= work.unsure_pairs && work.unsure_pairs >= 0);
   check("more lanes are live than rows have", 8 * work.face_rows >= work.live_lanes);
-  check("more lines searched for or settled than there are", work.lines >= work.searches() + work.lines_settled);
+  check("pairs of nodes are not as many as boxes tested, or fewer",
+        work.node_pairs >= 0 && work.node_pairs <= work.box_tests);
+  check("more lines searched for than there are", work.lines >= work.searches());
+  check("less than no line searched for",
+        std::min({work.searches_unseen, work.searches_oblique, work.searches_slave, work.searches_master}) >= 0);
+  check("a line is settled without a past", work.lines_settled == 0);
   check("more vertices transformed than F has",
         work.vertices_transformed >= 0 &&
             work.vertices_transformed <= static_cast<std::int64_t>(question.F.mesh.vertices.size()));

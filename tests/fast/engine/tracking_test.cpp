@@ -152,14 +152,21 @@ TEST(Tracking, LinesThatGoOnToOtherFacesFindThem) {
       PairingMemory memory(pairing);
       Workspace one, other;
       int followed = 0;
+      std::int64_t lines = 0, settled = 0;
       for (int i = 0; i < 1000; ++i) {
         Pose pose = test::turned(0.3 + 0.5 * step * i, {0.2 + 0.3 * step * i, -0.1, 0.9 * step * i});
         pose.r *= 1.86 / pose.r.norm();
         const Contact& answer = memory.evaluate(pose, {}, kForceOnly, one);
         followed += answer.touching && answer.work.candidate_pairs == 0 ? 1 : 0;
+        lines += answer.work.lines;
+        settled += answer.work.lines_settled;
         ASSERT_TRUE(test::same(answer, evaluate(pairing, pose, {}, kForceOnly, other))) << step << ' ' << i;
       }
       EXPECT_GT(followed, 900);
+      if (step < 5e-5) {
+        EXPECT_GT(settled, lines / 4);
+      }
+      EXPECT_LT(settled, lines);
     }
   }
 }
