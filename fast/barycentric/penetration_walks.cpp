@@ -169,7 +169,7 @@ class PenetrationBatch {
 
   /// Lines that may leave the slave's body through the faces that they start at.
   void ask_where_left(LaneBits asked) {
-    posed_.work.predicates += 3 * std::popcount(asked);
+    posed_.work.predicates += std::int64_t{3} * std::popcount(asked);
     enter_slave_corners(asked, start_);
     const LeavingLanes leaving = fastest_wide_elements().leave(lanes_, walks_.limits);
     for (; asked != 0; asked &= asked - 1) {
