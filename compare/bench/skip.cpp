@@ -5,13 +5,13 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "compare/bench/bodies.h"
 #include "compare/bench/moving_bubbles.h"
 #include "compare/io/random.h"
 #include "compare/verify/routes/wanted_presets.h"
+#include "fast/base/same_bits.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
 #include "reference/oracle.h"
@@ -48,15 +48,9 @@ std::vector<Setting> settings() {
           {"nothing skipped", Savings::none()}};
 }
 
-bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  for (int k = 0; k < 3; ++k)
-    if (std::bit_cast<std::uint64_t>(a[k]) != std::bit_cast<std::uint64_t>(b[k])) return false;
-  return true;
-}
-
 bool same_bits(const fast::PairingLoad& a, const fast::PairingLoad& b) {
-  return a.touching == b.touching && a.nested == b.nested && same_bits(a.force_Me, b.force_Me) &&
-         same_bits(a.torque_Me, b.torque_Me);
+  return a.touching == b.touching && a.nested == b.nested && fast::same_bits(a.force_Me, b.force_Me) &&
+         fast::same_bits(a.torque_Me, b.torque_Me);
 }
 
 void run_scenes(std::int64_t steps, SkipResult& result, const std::function<void(const std::string&)>& progress) {

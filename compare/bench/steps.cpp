@@ -5,16 +5,17 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
-#include <bit>
 #include <cstddef>
 #include <optional>
 
 #include "compare/bench/bodies.h"
+#include "compare/io/names.h"
 #include "compare/io/random.h"
 #include "compare/poses/greatest_extent.h"
 #include "compare/poses/recorded_motion.h"
 #include "compare/verify/routes/wanted_presets.h"
 #include "compare/verify/run/recorded_scenes.h"
+#include "fast/base/same_bits.h"
 #include "pcm/pairing_memory.h"
 
 namespace pcm::compare {
@@ -35,10 +36,6 @@ struct Scenario {
   std::vector<Motion> motions;
 };
 
-std::string scheme_name(Scheme scheme) {
-  return scheme == Scheme::clipped ? "clipped" : "barycentric";
-}
-
 /// A way from a pose: a straight one with a turn about one axis, or difference quotients, or other velocities there.
 struct Way {
   enum class Kind : std::uint8_t { straight, differences, velocities };
@@ -56,11 +53,11 @@ const std::vector<Way>& kinds_of_ways() {
   return all;
 }
 
-/// Of points of a body of this size, m: half is due to the move, half to the turn.
 Pose moved(const Pose& start, const Eigen::Vector3d& move, const Eigen::Vector3d& turn) {
   return {Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * start.A, start.r + move};
 }
 
+/// Of points of a body of this size, m: on straight ways half of a step is due to the move, half to the turn.
 Motion motion_along(const Way& way, const fast::Pairing& pairing, const Pose& start, double size, PoseRandom random) {
   constexpr int kFirst = 3, kMeasured = 12;
   const Eigen::Vector3d direction = random.direction(), axis = random.direction();
@@ -85,8 +82,8 @@ Motion motion_along(const Way& way, const fast::Pairing& pairing, const Pose& st
 
 std::vector<Scenario> seeded_scenarios(std::int64_t number) {
   std::vector<Scenario> scenarios;
-  for (const char* const name : {"bubbles", "spheres"}) {
-    const BenchBody body = bench_body(name);
+  for (const char* const kind : {"bubbles", "spheres"}) {
+    const BenchBody body = bench_body(kind);
     const fast::Surface surface(body.mesh);
     surface.prepare_all_faces();  // Or whoever is asked first would pay for both.
     const double size = greatest_extent(body.mesh);
@@ -94,7 +91,7 @@ std::vector<Scenario> seeded_scenarios(std::int64_t number) {
     for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
       const fast::Pairing pairing(surface, surface, bench_law(), Mode::E, scheme);
       for (const Way& way : kinds_of_ways()) {
-        Scenario& scenario = scenarios.emplace_back(Scenario{name, way.name, scheme_name(scheme), {}});
+        Scenario& scenario = scenarios.emplace_back(Scenario{body.name, way.name, std::string(name(scheme)), {}});
         for (std::size_t k = 0; k < starts.size(); ++k)
           scenario.motions.push_back(motion_along(way, pairing, starts[k], size, PoseRandom(kSeed, 1, 0, k)));
       }
@@ -105,7 +102,7 @@ std::vector<Scenario> seeded_scenarios(std::int64_t number) {
 
 /// The recorded steps of all pairings, as they came.
 Scenario recorded_scenario() {
-  Scenario scenario{"scenes of pcm simulate", "as recorded", scheme_name(Scheme::barycentric), {}};
+  Scenario scenario{"scenes of pcm simulate", "as recorded", std::string(name(Scheme::barycentric)), {}};
   for (const SurfacePair& pair : recorded_pairs()) {
     const fast::Surface E(pair.E), F(pair.F);
     for (const fast::Surface& surface : {E, F}) surface.prepare_all_faces();
@@ -116,12 +113,6 @@ Scenario recorded_scenario() {
     }
   }
   return scenario;
-}
-
-bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  for (int k = 0; k < 3; ++k)
-    if (std::bit_cast<std::uint64_t>(a[k]) != std::bit_cast<std::uint64_t>(b[k])) return false;
-  return true;
 }
 
 /// What one of the two has answered, by step.
@@ -187,8 +178,8 @@ StepsResult measure(const Scenario& scenario, int passes) {
   for (std::size_t k = 0; k < on.size(); ++k) {
     sum_on += on[k];
     sum_off += off[k];
-    result.different += !(same_bits(following.loads[k][0], isolated.loads[k][0]) &&
-                          same_bits(following.loads[k][1], isolated.loads[k][1]));
+    result.different += !(fast::same_bits(following.loads[k][0], isolated.loads[k][0]) &&
+                          fast::same_bits(following.loads[k][1], isolated.loads[k][1]));
   }
   result.following_us = quantile(on, 0.5);
   result.isolated_us = quantile(off, 0.5);

@@ -10,33 +10,29 @@ namespace {
 constexpr const char* kSentences =
     "Force and torque at poses one after the other: asked of a memory that follows the pairing, and of the engine\n"
     "without a past; either goes all ways in turn, pass by pass. Medians over the steps of medians over the passes;\n"
-    "`whole`: sums over all steps. Bubbles and spheres of `bench peers` at its poses, on seeded ways, those of the\n"
-    "stretches that `pcm simulate` recorded from one accepted step to the next.\n";
+    "`whole`: sums over all steps. Bubbles and spheres of `bench peers` at its poses, on seeded ways from there, and\n"
+    "what pairings of `pcm simulate` went through, from one accepted step to the next.\n";
 
 constexpr const char* kWorkLegend =
     "What an evaluation does, means over the steps, following and without a past: pairs of tree nodes, faces of F\n"
-    "tested against up to eight of E at once and the pairs of these whose boxes touch, pairs that may cross, those "
-    "that\n"
-    "single precision does not decide, signs asked for, penetration lines, those known to find what they found at the\n"
+    "tested against up to eight of E at once and the pairs of these whose boxes touch, pairs that may cross, those\n"
+    "that single precision does not decide, signs asked for, penetration lines, those known to find what they found at "
+    "the\n"
     "last pose, and those searched for along the trees because no face is known through which they leave the slave,\n"
     "because they leave it too far off its normal, or because other faces of slave or master may be met before.\n";
 
-/// Another count by evaluation, m: of `following` and `isolated`.
 TableCell mean_cell(std::int64_t sum, std::int64_t evaluations) {
   const double mean = static_cast<double>(sum) / static_cast<double>(evaluations);
   return {fmt::format("{:.1f}", mean), mean};
 }
 
-std::int64_t different(const std::vector<StepsResult>& results) {
-  std::int64_t sum = 0;
-  for (const StepsResult& result : results) sum += result.different;
-  return sum;
-}
-
 std::string verdict(const std::vector<StepsResult>& results) {
-  std::int64_t evaluations = 0;
-  for (const StepsResult& result : results) evaluations += result.evaluations;
-  return fmt::format("{} answers compared bit for bit, {} different.\n", evaluations, different(results));
+  std::int64_t evaluations = 0, different = 0;
+  for (const StepsResult& result : results) {
+    evaluations += result.evaluations;
+    different += result.different;
+  }
+  return fmt::format("{} answers compared bit for bit, {} different.\n", evaluations, different);
 }
 
 }  // namespace
@@ -78,7 +74,8 @@ Table steps_work_table(const std::vector<StepsResult>& results) {
        {"slave", "searches_slave", &fast::WorkCounters::searches_slave},
        {"master", "searches_master", &fast::WorkCounters::searches_master}}};
   Table table{
-      {{"bodies", "bodies", false}, {"steps", "steps", false}, {"scheme", "scheme", false}, {"", "past", false}}, {}};
+      {{"bodies", "bodies", false}, {"steps", "steps", false}, {"scheme", "scheme", false}, {"past", "past", false}},
+      {}};
   for (const Counted& counted : kCounted) table.columns.push_back({counted.title, counted.key});
   for (const StepsResult& r : results) {
     for (const bool following : {true, false}) {

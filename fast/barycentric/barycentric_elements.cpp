@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <span>
 
 namespace pcm::fast {
@@ -74,10 +73,8 @@ class ElementSearch {
   }
   void find_gradients(const std::array<Penetration, kElementLanes>& found, LaneBits elements) {
     ElementLanes& lanes = scratch_.lanes;
-    const auto some = static_cast<std::size_t>(std::countr_zero(elements));
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
-      const std::size_t from = has_lane(elements, lane) ? lane : some;
-      enter_corners(posed_, opposite(master_), found[from].slave_face, lanes.slave_corners, lane);
+      enter_corners(posed_, opposite(master_), found[one_of(elements, lane)].slave_face, lanes.slave_corners, lane);
     }
     fastest_wide_elements().gradient(lanes);
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/barycentric/line_margin.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "fast/base/depth.h"
 
 namespace pcm::fast {
 
@@ -36,9 +37,9 @@ double distance_from_sides(const DecidedLine& line) {
 
 double travel_until_undecided(const DecidedLine& line, const LineMotion& motion) {
   const double from_sides = distance_from_sides(line);
-  const Eigen::Vector3d N_f = (line.f_Me[1] - line.f_Me[0]).cross(line.f_Me[2] - line.f_Me[0]);
-  const double slope = -line.geometry.n_Me.dot(N_f), cosine = kDown * slope / length(N_f);
-  const double distance = N_f.dot(line.f_Me[0] - line.geometry.barycentre_Me()) / slope;
+  const DepthBelow below(line.geometry, line.f_Me);
+  const double distance = -below.height / below.slope, near_cosine = -below.slope / length(below.N_f);
+  const double cosine = kDown * near_cosine;
   const double nearest = (line.element ? distance : -distance) - line.distance_error;
   const double farthest = distance + line.distance_error;
   if (!(from_sides > 0 && cosine > 0 && nearest > 0)) return 0;
@@ -53,7 +54,7 @@ double travel_until_undecided(const DecidedLine& line, const LineMotion& motion)
     travel = std::max(travel, std::min(at_most, way / motion.way_over_travel));
   };
   // At twice the distance, which it can't exceed, a turn adds as much to the depth.
-  const double depth = farthest * slope / length(N_f) / kDown;
+  const double depth = farthest * near_cosine / kDown;
   const double deeper = motion.way_over_travel + 2 * farthest / motion.turning_radius;
   for (std::size_t cone = 0; cone < kConeCosine.size(); ++cone) {
     const double until_outside = (cosine - kConeCosine[cone]) * motion.turning_radius;

@@ -20,8 +20,8 @@ struct DecidedLine {
   LineCoordinates coordinates;
   FaceGeometry geometry;  ///< of the master's face
   FacePoints f_Me;
-  bool element =
-      false;  ///< at a distance greater than 0, with nothing met before; else behind, with nothing met at all
+  /// At a distance greater than 0, with nothing met before; else behind, with nothing met at all.
+  bool element = false;
   double distance_error = 0;  ///< m
   // The certificates:
   Clearance clearance{};         ///< of f

@@ -29,8 +29,7 @@ class LineMemory {
     std::size_t first = 0, slave_count = 0, own_count = 0;  ///< in `faces`, the slave's before the master's
   };
 
-  LineMemory() = default;
-  explicit LineMemory(const LineMotion& motion) : motion_(motion) {}
+  explicit LineMemory(const LineMotion& motion = {}) : motion_(motion) {}
 
   /// Knows of no line.
   void clear() {

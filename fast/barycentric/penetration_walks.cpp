@@ -73,6 +73,15 @@ DecisionLimits decision_limits(const PosedPair& posed, Side master) {
   return limits;
 }
 
+/// A lane's element on a face of the slave. Its depth is in the lanes where that is known.
+Penetration element_on(PosedPair& posed, Side slave, Index slave_face, const ElementLanes& lanes, std::size_t lane,
+                       LaneBits depth_known) {
+  const double depth = has_lane(depth_known, lane)
+                           ? lanes.depth.value[lane]
+                           : DepthBelow(geometry_of(lanes, lane), posed.face_Me(slave, slave_face)).value();
+  return {Penetration::Outcome::element, slave_face, depth, -1};
+}
+
 /// Whether roundings of the vertices of a face of F, which differ from pose to pose, turn its normal by so little that
 /// its line is no farther than a quarter of this distance from where it would be without, m. E's are the same at
 /// all poses.
@@ -211,10 +220,7 @@ class PenetrationBatch {
 
   bool take_decision(std::size_t lane) {
     if (has_lane(left_ & decided_.element, lane)) {
-      const double depth = has_lane(decided_.nearest_known, lane)
-                               ? lanes_.depth.value[lane]
-                               : DepthBelow(geometry_of(lanes_, lane), posed_.face_Me(slave_, met_[lane])).value();
-      penetrations_[lane] = {Penetration::Outcome::element, met_[lane], depth, -1};
+      penetrations_[lane] = element_on(posed_, slave_, met_[lane], lanes_, lane, decided_.nearest_known);
     } else if (has_lane(left_ & decided_.nothing, lane)) {
       penetrations_[lane] = {};
     } else if (has_lane(has_only_, lane) && follow_known(lane)) {
@@ -314,10 +320,6 @@ class PenetrationBatch {
     left_ |= 1U << lane;
   }
 
-  /// The lane where it is one of these, else some other that is.
-  static std::size_t one_of(LaneBits which, std::size_t lane) {
-    return has_lane(which, lane) ? lane : static_cast<std::size_t>(std::countr_zero(which));
-  }
   /// All lanes get corners; those that are not asked for will not be looked at.
   void enter_slave_corners(LaneBits which, const FaceBatch& faces) {
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
@@ -365,22 +367,19 @@ void find_settled(PosedPair& posed, Side master, const FaceBatch& faces, std::si
                   const RememberedLines& lines, ElementLanes& lanes,
                   std::array<Penetration, kElementLanes>& penetrations) {
   find_geometry(posed, master, faces, count, lanes);
-  Index some = -1;
-  for (std::size_t lane = 0; lane < count; ++lane) some = std::max(some, lines[lane]->element_on);
+  const Side slave = opposite(master);
+  LaneBits elements = 0;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    if (lines[lane]->element_on >= 0) elements |= 1U << lane;
+  }
   for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
-    const Index slave_face = lane < count ? lines[lane]->element_on : -1;
-    enter_corners(posed, opposite(master), slave_face < 0 ? some : slave_face, lanes.slave_corners, lane);
+    enter_corners(posed, slave, lines[one_of(elements, lane)]->element_on, lanes.slave_corners, lane);
   }
   const LaneBits known = fastest_wide_elements().depth(lanes);
   for (std::size_t lane = 0; lane < count; ++lane) {
-    const Index slave_face = lines[lane]->element_on;
-    penetrations[lane] = {};
-    if (slave_face < 0) continue;
-    const double depth =
-        has_lane(known, lane)
-            ? lanes.depth.value[lane]
-            : DepthBelow(geometry_of(lanes, lane), posed.face_Me(opposite(master), slave_face)).value();
-    penetrations[lane] = {Penetration::Outcome::element, slave_face, depth, -1};
+    penetrations[lane] = has_lane(elements, lane)
+                             ? element_on(posed, slave, lines[lane]->element_on, lanes, lane, known)
+                             : Penetration();
   }
 }
 

@@ -199,6 +199,7 @@ class PartSlopes {
     std::array<double, 2> knots{SeenEdge::kFirst, SeenEdge::kLast};
     if (place_b < place_a) std::swap(knots[0], knots[1]);
     for (const double knot : knots) {
+      if ((place_a < knot) == (place_b < knot)) continue;
       const double share = (knot - place_a) / (place_b - place_a);
       if (share > 0 && share < 1) add_until(share, a + share * (b - a), edge.depth(knot));
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 
 #include "fast/base/geometry.h"
 #include "fast/posed/posed_pair.h"
@@ -21,6 +22,11 @@ inline FaceGeometry geometry_of(const ElementLanes& lanes, std::size_t lane) {
 inline void enter_corners(PosedPair& posed, Side side, Index face, CornerLanes& corners, std::size_t lane) {
   const Triangle& vertices = posed.surface(side).face(face);
   for (std::size_t k = 0; k < 3; ++k) corners[k][lane] = posed.vertex_Me(side, vertices[k]).data();
+}
+
+/// The lane where it is one of these, else some other that is.
+inline std::size_t one_of(LaneBits which, std::size_t lane) {
+  return has_lane(which, lane) ? lane : static_cast<std::size_t>(std::countr_zero(which));
 }
 
 /// Vertices, normals and areas of the first `count` faces of a batch, as FaceGeometry has them.
