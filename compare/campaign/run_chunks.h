@@ -18,8 +18,10 @@
 
 namespace pcm::compare {
 
-/// What is done is handed in about this often: it is lost where the process is killed.
+/// What is done is handed in about this often, and no more often than this many times what handing in takes: it is lost
+/// where the process is killed.
 inline constexpr std::chrono::milliseconds kHandIn{500};
+inline constexpr int kWorkPerHandIn = 50;
 /// Chunks claimed together where they take less time; no more than one where a single one takes longer.
 inline constexpr std::int64_t kMostChunks = 128;
 
@@ -49,11 +51,13 @@ void run_chunks(Chunks<Result>& chunks, int jobs, const std::function<bool()>& s
         if (!result) return chunks.give_back(*claimed);
         all.merge(std::move(*result));
       }
+      const auto worked = std::chrono::steady_clock::now();
       chunks.commit(*claimed, std::move(all));
       const auto took = std::chrono::steady_clock::now() - begun;
+      const auto often = std::max<std::chrono::nanoseconds>(kHandIn, kWorkPerHandIn * (begun + took - worked));
       const std::int64_t done = claimed->end - claimed->first;
-      if (took < kHandIn / 2) most = std::min(std::max(most, 2 * done), kMostChunks);
-      if (took > kHandIn) most = std::max<std::int64_t>(1, done / 2);
+      if (took < often / 2) most = std::min(std::max(most, 2 * done), kMostChunks);
+      if (took > often) most = std::max<std::int64_t>(1, done / 2);
     }
   };
   std::vector<std::jthread> threads;

@@ -40,22 +40,54 @@ void note_motion(const ElementLoad<Dual<T>>& load, Side master, const Field<Dual
   }
 }
 
+/// A master's elements at the pose, in one kind of numbers, each when first asked for.
+template <class T>
+class Geometries {
+ public:
+  /// `master` has to outlive it.
+  explicit Geometries(const ForceQuestion& master, const Field<T>& field = {})
+      : elements_(master.elements), pose_(master.pose, field), known_(master.elements.size()) {}
+
+  const ElementGeometry<T>& at(std::size_t i) {
+    if (!known_[i]) known_[i] = elements_.geometry(i, pose_);
+    return *known_[i];
+  }
+
+ private:
+  const ElementSource& elements_;
+  ConvertedPose<T> pose_;
+  std::vector<std::optional<ElementGeometry<T>>> known_;
+};
+
+/// Of a coordinate that does not change it.
+template <class T>
+ElementGeometry<Dual<T>> unchanged(const ElementGeometry<T>& g, const Field<Dual<T>>& field) {
+  const Vec3<T> zero = direction(-1, field.number);
+  const auto number = [&](const T& x) { return Dual<T>{x, zero.x}; };
+  return {with_slope(g.N, zero), with_slope(g.slave_N, zero), number(g.alpha),
+          number(g.q),           number(g.q_greatest),        with_slope(g.foot, zero)};
+}
+
 /// What elements add to the derivative by the coordinate of the field.
 template <class T>
 class ElementSlopes {
  public:
-  /// `master` has to outlive it.
-  ElementSlopes(const ForceQuestion& master, const Field<Dual<T>>& field)
+  /// `master` and `geometries` have to outlive it.
+  ElementSlopes(const ForceQuestion& master, Geometries<T>& geometries, const Field<Dual<T>>& field)
       : master_(master),
+        geometries_(geometries),
         field_(field),
         pose_(master.pose, field),
         state_(state_of(master.pose.pose(), master.velocity, field)) {}
 
   LoadSlope<T> of_element(std::size_t i, ElementMotion& motion) {
     const Side side = master_.elements.pair(i).master;
-    const ElementLoad<Dual<T>> load = load_of(master_.elements.geometry(i, pose_), side, master_.law, state_, field_);
-    const Coordinate::Of of = field_.coordinate.of;
-    if (of == Coordinate::Of::position || of == Coordinate::Of::rotation) note_motion(load, side, field_, motion);
+    const bool moves =
+        field_.coordinate.of == Coordinate::Of::position || field_.coordinate.of == Coordinate::Of::rotation;
+    const ElementLoad<Dual<T>> load =
+        load_of(moves ? master_.elements.geometry(i, pose_) : unchanged(geometries_.at(i), field_), side, master_.law,
+                state_, field_);
+    if (moves) note_motion(load, side, field_, motion);
     const Vec3<Dual<T>> on_E = load.force + sqrt(load.speed_squared) * load.drag;  // (21)
     const Vec3<Dual<T>> torque = cross(load.arm, on_E);                            // (22)
     return {{on_E.x.slope, on_E.y.slope, on_E.z.slope}, {torque.x.slope, torque.y.slope, torque.z.slope}};
@@ -63,6 +95,7 @@ class ElementSlopes {
 
  private:
   const ForceQuestion& master_;
+  Geometries<T>& geometries_;
   Field<Dual<T>> field_;
   ConvertedPose<Dual<T>> pose_;
   State<Dual<T>> state_;
@@ -90,11 +123,12 @@ Vec3<DoubleDouble> in_doubles(const Vec3<Ball>& x) {
 }
 
 /// The derivative by one coordinate of what each element of a master adds.
-std::vector<LoadSlope<DoubleDouble>> slopes_of(const ForceQuestion& master, Coordinate coordinate,
+std::vector<LoadSlope<DoubleDouble>> slopes_of(const ForceQuestion& master, Geometries<DoubleDouble>& shortly,
+                                               Geometries<Ball>& finely, Coordinate coordinate,
                                                std::vector<ElementMotion>& motions) {
   std::vector<LoadSlope<DoubleDouble>> slopes;
   double size_of_force = 0, size_of_torque = 0;
-  ElementSlopes<DoubleDouble> in_two_doubles(master, {{}, coordinate});
+  ElementSlopes<DoubleDouble> in_two_doubles(master, shortly, {{}, coordinate});
   for (std::size_t i = 0; i < motions.size(); ++i) {
     slopes.push_back(in_two_doubles.of_element(i, motions[i]));
     size_of_force += Extent(slopes.back().force).least;
@@ -106,7 +140,7 @@ std::vector<LoadSlope<DoubleDouble>> slopes_of(const ForceQuestion& master, Coor
     if (Extent(slopes[i].force).radius <= part * size_of_force &&
         Extent(slopes[i].torque).radius <= part * size_of_torque)
       continue;
-    if (!in_many_bits) in_many_bits.emplace(master, Field<Dual<Ball>>{{kRoundingPrecision}, coordinate});
+    if (!in_many_bits) in_many_bits.emplace(master, finely, Field<Dual<Ball>>{{kRoundingPrecision}, coordinate});
     const LoadSlope<Ball> slope = in_many_bits->of_element(i, motions[i]);
     slopes[i] = {in_doubles(slope.force), in_doubles(slope.torque)};
   }
@@ -121,10 +155,12 @@ LoadSlope<DoubleDouble> no_slope() {
 }  // namespace
 
 MasterTangent::MasterTangent(const ForceQuestion& question) : elements(question.elements.size()) {
+  Geometries<DoubleDouble> shortly(question);
+  Geometries<Ball> finely(question, {kRoundingPrecision});
   for (int column = 0; column < 12; ++column) {
     const Coordinate coordinate{static_cast<Coordinate::Of>(column / 3), column % 3};
     LoadSlope<DoubleDouble> sum = no_slope();
-    for (const LoadSlope<DoubleDouble>& slope : slopes_of(question, coordinate, elements))
+    for (const LoadSlope<DoubleDouble>& slope : slopes_of(question, shortly, finely, coordinate, elements))
       sum = {sum.force + slope.force, sum.torque + slope.torque};  // (23), (24)
     by_coordinate.push_back(sum);
   }
