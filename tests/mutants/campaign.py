@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A campaign: one mutant after the other is built and checked, and what became of it is written down at once."""
 
+import hashlib
 import json
 import os
 import time
@@ -72,15 +73,21 @@ def refuse_no_program_by_hand(mutant, entry):
         )
 
 
+def digest_of(text):
+    """By which it is told whether a file is as it was."""
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
 class Campaign:
     """`names` of checks; with `all_checks` each of them is asked of every mutant, otherwise until one has caught it.
-    `ladder`: numbers of poses of verify."""
+    `ladder`: numbers of poses of verify. `results`: the file that what is found is read from and added to; `commit`: of
+    the sources. `again`: survivors are asked once more what they passed."""
 
-    def __init__(self, root, folder, names, all_checks, ladder, jobs, say):
+    def __init__(self, root, folder, results, commit, names, all_checks, ladder, again, jobs, say):
         self._folder, self._names, self._all_checks, self._ladder = folder, names, all_checks, ladder
-        self._jobs, self._say = jobs, say
+        self._commit, self._again, self._jobs, self._say = commit, again, jobs, say
         self._scratch = Scratch(root, folder)
-        self._results = Results(folder / "results.jsonl")
+        self._results = Results(results)
         self._checks = {}  # by room: each has the times of its own programs
         self._answering = self._checking = ""
 
@@ -89,7 +96,6 @@ class Campaign:
         self._say("copying the sources and building them")
         self._scratch.refresh()
         self._answering, self._checking = self._scratch.digest(ANSWERING), self._scratch.digest(CHECKING)
-        self._forget_other_sources()
         self._scratch.configure()
         for room in rooms:
             known = self._read_unaltered().get(self._key_of_unaltered(room), {})
@@ -100,17 +106,6 @@ class Campaign:
                 self._check_unaltered(room, new)
                 self._check_planted(room, new)
                 self._keep_unaltered(room)
-
-    def _forget_other_sources(self):
-        """Results of other sources are put aside, not removed."""
-        stamp = self._folder / "sources"
-        if stamp.exists() and stamp.read_text(encoding="utf-8") != self._answering:
-            old = stamp.read_text(encoding="utf-8")
-            if (self._folder / "results.jsonl").exists():
-                (self._folder / "results.jsonl").rename(self._folder / f"results_{old}.jsonl")
-                self._say(f"the sources have changed: what was found is in results_{old}.jsonl, and all begins anew")
-            self._results = Results(self._folder / "results.jsonl")
-        stamp.write_text(self._answering, encoding="utf-8")
 
     def _key_of_unaltered(self, room):
         return " ".join([room, self._answering, self._checking])
@@ -140,13 +135,16 @@ class Campaign:
             raise Refused(f"a planted fault in {room} is not noticed by {', '.join(missed) or 'any check'}")
 
     def _found_before(self, mutant):
-        """What checks have found of it: all that caught it, and where none has changed those that it passed."""
+        """What checks have found of it, while its file is what it was; where it is asked again only what caught it, and
+        what it passed since neither sources nor checks have changed."""
         entry = self._results.get(mutant.id)
-        if entry is None:
+        if entry is None or entry["text"] != digest_of(self._scratch.read(mutant.file)):
             return {}
-        return {
-            name: found for name, found in entry["checks"].items() if found["by"] or entry["checking"] == self._checking
-        }
+        as_it_was = not self._again or entry["sources"] == self._sources()
+        return {name: found for name, found in entry["checks"].items() if found["by"] or as_it_was}
+
+    def _sources(self):
+        return f"{self._answering} {self._checking}"
 
     def _is_known(self, mutant):
         """Whether nothing would be learnt by trying it again."""
@@ -154,8 +152,9 @@ class Campaign:
         if entry is None or (mutant.kind == "by hand" and entry["state"] == NO_PROGRAM):
             return False
         found = self._found_before(mutant)
-        caught = any(one["by"] for one in found.values())
-        if entry["state"] == NO_PROGRAM or (caught and not self._all_checks):
+        if entry["state"] == NO_PROGRAM and entry["text"] == digest_of(self._scratch.read(mutant.file)):
+            return True
+        if any(one["by"] for one in found.values()) and not self._all_checks:
             return True
         checks = self._checks[mutant.room]
         return all(name in found and checks.is_enough(name, found[name]) for name in self._names)
@@ -205,7 +204,9 @@ class Campaign:
             "after": mutant.after,
             "state": NO_PROGRAM,
             "checks": dict(found_before),
-            "checking": self._checking,
+            "text": digest_of(text),
+            "sources": self._sources(),
+            "commit": self._commit,
         }
         if found_before:
             entry["state"] = CAUGHT if any(found["by"] for found in found_before.values()) else SURVIVED

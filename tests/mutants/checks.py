@@ -195,7 +195,7 @@ class Checks:
             if poses <= passed:
                 continue
             shutil.rmtree(out, ignore_errors=True)
-            command = [self._build / "pcm", "verify", "--poses", poses, "--seed", SEED, "--out", out]
+            command = [self._build / "pcm", "verify", "--poses", poses, "--seed", SEED, "--mode", "all", "--out", out]
             ended = self._run(f"verify {poses}", command, measure, env=self._env)
             seconds += ended.seconds
             if ended.status == 0:

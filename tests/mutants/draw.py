@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The pcm authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mutants drawn by chance, the same for the same seed and the same sources.
+"""Mutants drawn by chance, the same for the same seed and the same sources; where a file changes, its own are drawn anew.
 
 The sources are formatted, and that is relied on: an operator between two operands has spaces on both sides, a sign, a
 reference or a template's bracket has not.
 """
 
-import random
+import hashlib
+import math
 import re
 from itertools import islice
 from pathlib import Path
@@ -170,47 +171,56 @@ def sources_of(root, room):
     return sorted(path.relative_to(root).as_posix() for path in files)
 
 
+def places_in(text, offsets):
+    """Of each offset: its line, how many lines like that come before, and how far along the line it is."""
+    places, like_it = {}, {}
+    line_begins = 0
+    wanted = sorted(set(offsets))
+    at = 0
+    for line in text.splitlines(keepends=True):
+        nth = like_it[line] = like_it.get(line, -1) + 1
+        while at < len(wanted) and wanted[at] < line_begins + len(line):
+            places[wanted[at]] = f"{line.strip()}\0{nth}\0{wanted[at] - line_begins}"
+            at += 1
+        line_begins += len(line)
+    return places
+
+
+def _uniform(*words):
+    """Between 0 and 1, by a hash: the same in every version of Python."""
+    digest = hashlib.sha256("\0".join(words).encode()).digest()
+    return (int.from_bytes(digest[:6], "big") + 0.5) / 2**48
+
+
 class Draw:
-    """Draws one mutant after the other: a file by how much code it has, then a kind of fault, then a place."""
+    """Draws one mutant after the other: a file by how much code it has, then a kind of fault, then a place.
+
+    Each possible mutant has a weight, by which it is drawn first, and a waiting time of that rate, by chance (P.
+    Efraimidis, P. Spirakis, Weighted random sampling with a reservoir, Inf. Process. Lett. 97 (2006)): all come in the
+    order of their times, and what changes in one file puts off or brings forward none of another.
+    """
 
     def __init__(self, root, room, seed):
-        self._room = room
-        self._random = random.Random(f"{seed} {room}")
-        self._sites, self._sizes = [], []
+        waiting = []
         for file in sources_of(root, room):
             text = (Path(root) / file).read_text(encoding="utf-8")
             sites = sites_in(text)
-            if sites:
-                self._sites.append((file, sites))
-                self._sizes.append(len(tokens_of(text)))
-        self._drawn = set()
-
-    def _below(self, n):
-        # Only `random()` is the same in every version of Python.
-        return int(self._random.random() * n)
-
-    def _file(self):
-        at = self._random.random() * sum(self._sizes)
-        for (file, sites), size in zip(self._sites, self._sizes):
-            at -= size
-            if at < 0:
-                return file, sites
-        return self._sites[-1]
+            places = places_in(text, (offset for of_kind in sites.values() for offset, _, _ in of_kind))
+            size = len(tokens_of(text))
+            for kind, of_kind in sites.items():
+                rate = size / (len(sites) * len(of_kind))
+                for offset, before, after in of_kind:
+                    mutant = Mutant(room, file, offset, before, after, kind, place=places[offset])
+                    time = -math.log(_uniform(str(seed), file, mutant.place, before, after)) / rate
+                    waiting.append((time, mutant.id, mutant))
+        self._drawn = [mutant for _, _, mutant in sorted(waiting, key=lambda one: one[:2])]
 
     def possible(self):
         """How many there are."""
-        return sum(len(places) for _, sites in self._sites for places in sites.values())
+        return len(self._drawn)
 
     def __iter__(self):
-        while len(self._drawn) < self.possible():
-            file, sites = self._file()
-            kinds = sorted(sites)
-            kind = kinds[self._below(len(kinds))]
-            offset, before, after = sites[kind][self._below(len(sites[kind]))]
-            mutant = Mutant(self._room, file, offset, before, after, kind)
-            if mutant.id not in self._drawn:
-                self._drawn.add(mutant.id)
-                yield mutant
+        return iter(self._drawn)
 
 
 def first_drawn(root, room, seed, number):

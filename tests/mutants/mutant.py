@@ -21,12 +21,12 @@ class Mutant:
     after: str
     kind: str  # of fault: an operator's name, or `by hand`
     why: str = ""  # of one chosen by hand: what it breaks
+    place: str = ""  # of one that is drawn: where it stands, told so that lines elsewhere may change
 
     @property
     def id(self):
-        """The same for the same fault in the same text; of one chosen by hand, wherever it stands there."""
-        place = "" if self.kind == "by hand" else str(self.offset)
-        digest = hashlib.sha256("\0".join([self.file, place, self.before, self.after]).encode())
+        """The same for the same fault in the same place, wherever that has moved to in the file."""
+        digest = hashlib.sha256("\0".join([self.file, self.place, self.before, self.after]).encode())
         return digest.hexdigest()[:10]
 
     def applied_to(self, text):

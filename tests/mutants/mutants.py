@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Does anything notice a small fault? Builds mutants of the engine and of the oracle, one at a time, and checks them.
 
-A copy of the sources is built in build/mutants. What became of each mutant is written to build/mutants/results.jsonl as
-soon as it is known; a run that was killed goes on from there. Those chosen by hand come first, then those drawn.
+A copy of the sources is built in build/mutants. What became of each mutant is added to tests/mutants/results.jsonl as
+soon as it is known, and holds until its file changes; a run goes on from there. Those chosen by hand come first, then
+those drawn.
 """
 
 import argparse
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -16,7 +18,7 @@ sys.dont_write_bytecode = True  # nothing of ours among the sources
 import report
 from campaign import Campaign, Refused, Results, picked_mutants
 from checks import CHECKS, LADDER
-from draw import ROOMS, first_drawn
+from draw import ROOMS, Draw, first_drawn
 from mutant import BadMutant
 from scratch import CannotBuild
 
@@ -32,9 +34,12 @@ def arguments():
     parser.add_argument("--all-checks", action="store_true", help="also ask the others when one check has caught it")
     ladder = ",".join(map(str, LADDER))
     parser.add_argument("--poses", default=ladder, help="of the runs of verify, one after the other (default %(default)s)")
+    parser.add_argument("--again", action="store_true", help="ask survivors once more, where sources or checks changed")
     parser.add_argument("--no-picked", action="store_true", help="leave out those chosen by hand")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="of the build")
     parser.add_argument("--folder", type=Path, default=ROOT / "build" / "mutants", help="default: build/mutants")
+    results = ROOT / "tests" / "mutants" / "results.jsonl"
+    parser.add_argument("--results", type=Path, default=results, help="default: tests/mutants/results.jsonl")
     parser.add_argument("--list", action="store_true", help="only print the mutants")
     parser.add_argument("--report", action="store_true", help="only write the tables of what is known so far")
     return parser.parse_args()
@@ -48,16 +53,28 @@ def one_of_each(text, allowed, what):
     return [name for name in allowed if name in names]
 
 
-def print_mutants(options, rooms):
-    def read(file):
-        return (ROOT / file).read_text(encoding="utf-8")
+def read(file):
+    return (ROOT / file).read_text(encoding="utf-8")
 
+
+def possible_mutants(rooms):
+    """The ids of all that the sources as they are allow; results may have others, of lines that are gone."""
+    drawn = {mutant.id for room in rooms for mutant in Draw(ROOT, room, seed=0)}
+    return drawn | {mutant.id for mutant in picked_mutants(read, rooms)}
+
+
+def print_mutants(options, rooms):
     mutants = [] if options.no_picked else picked_mutants(read, rooms)
     for room in rooms:
         mutants += first_drawn(ROOT, room, options.seed, options.drawn)
     for mutant in mutants:
         line = mutant.line_in(read(mutant.file))
         print(f"{mutant.file}:{line}: {mutant.kind}: {mutant.before!r} -> {mutant.after!r}")
+
+
+def commit():
+    described = ["git", "-C", str(ROOT), "describe", "--always", "--abbrev=7", "--dirty", "--exclude=*"]
+    return subprocess.run(described, check=True, capture_output=True, text=True).stdout.strip()
 
 
 def say(line):
@@ -68,16 +85,17 @@ def main():
     options = arguments()
     rooms = one_of_each(options.rooms, ROOMS, "room")
     names = one_of_each(options.checks, CHECKS, "check")
-    results = options.folder / "results.jsonl"
     if options.list:
         print_mutants(options, rooms)
         return 0
     if not options.report:
         ladder = tuple(sorted(int(poses) for poses in options.poses.split(",")))
-        campaign = Campaign(ROOT, options.folder, names, options.all_checks, ladder, options.jobs, say)
+        of_checks = (names, options.all_checks, ladder, options.again)
+        campaign = Campaign(ROOT, options.folder, options.results, commit(), *of_checks, options.jobs, say)
         campaign.prepare(rooms)
         campaign.run(rooms, options.drawn, options.seed, not options.no_picked)
-    entries = Results(results).all()
+    possible = possible_mutants(rooms)
+    entries = [entry for entry in Results(options.results).all() if entry["id"] in possible]
     report.write(entries, options.folder)
     print(report.summary_table(entries))
     survivors = sum(entry["state"] == "survived" for entry in entries)

@@ -115,6 +115,33 @@ class Draw(unittest.TestCase):
                 self.assertEqual(len(mutant.applied_to(text)), len(text) + len(mutant.after) - len(mutant.before))
 
 
+    def drawn_from(self, files):
+        with tempfile.TemporaryDirectory() as root:
+            for name, text in files.items():
+                path = Path(root) / "fast" / name
+                path.parent.mkdir(exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+            return [(mutant.file, mutant.id) for mutant in draw.Draw(root, "fast", 1)]
+
+    def test_of_a_file_is_not_changed_by_others_nor_by_lines_that_move(self):
+        one = "int f(int a) {\n  return a + 3 < 4;\n}\n"
+        other = "int g(int a) {\n  return a * 7 - 5;\n}\n"
+        drawn = self.drawn_from({"a.cpp": one, "b.cpp": other})
+        self.assertEqual(len(set(drawn)), len(drawn))
+        moved = self.drawn_from({"a.cpp": "// Comment.\n" + one, "b.cpp": other})
+        self.assertEqual(drawn, moved)
+        grown = self.drawn_from({"a.cpp": one + other.replace("g", "h").replace("7", "8"), "b.cpp": other})
+        of_other = [mutant for mutant in drawn if mutant[0] == "fast/b.cpp"]
+        self.assertEqual(of_other, [mutant for mutant in grown if mutant[0] == "fast/b.cpp"])
+        self.assertLess(set(drawn), set(grown))
+
+    def test_tells_lines_that_are_alike_apart(self):
+        line = "  if (a < 1) return;\n"
+        drawn = self.drawn_from({"a.cpp": "void f(int a) {\n" + 2 * line + "}\n"})
+        self.assertEqual(len(set(drawn)), len(drawn))
+        self.assertEqual(len(drawn), 2 * len(self.drawn_from({"a.cpp": "void f(int a) {\n" + line + "}\n"})))
+
+
 class Picked(unittest.TestCase):
     def test_texts_are_there_once_each(self):
         mutants = picked_mutants(read)
@@ -195,18 +222,47 @@ class ScratchOfNothing:
 
 
 class Campaigns(unittest.TestCase):
-    def test_of_both_rooms_know_the_times_of_the_programs_of_either(self):
-        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("campaign.Scratch", ScratchOfNothing):
-            campaign = Campaign(ROOT, Path(folder), ["tests"], False, (500,), 1, lambda line: None)
+    def run_once(self, folder, catches=True, again=False):
+        """How many programs were run on mutants, and what is known then."""
+        results = Path(folder) / "results.jsonl"
+        asked, prepared = 0, False
+        with unittest.mock.patch("campaign.Scratch", ScratchOfNothing):
+            campaign = Campaign(ROOT, Path(folder), results, "a commit", ["tests"], False, (500,), again, 1, str)
 
             def run(command, allowed=None, **options):
-                return checks.Ended(int(campaign._scratch.has_fault), "", 1.0, False)
+                nonlocal asked
+                asked += prepared
+                return checks.Ended(int(campaign._scratch.has_fault and (catches or not prepared)), "", 1.0, False)
 
             with unittest.mock.patch("checks.run", run):
                 campaign.prepare(draw.ROOMS)
+                prepared = True
                 campaign.run(draw.ROOMS, 2, 1, picked=False)
-            found = Results(Path(folder) / "results.jsonl").all()
+        return asked, Results(results).all()
+
+    def test_of_both_rooms_know_the_times_of_the_programs_of_either(self):
+        with tempfile.TemporaryDirectory() as folder:
+            _, found = self.run_once(folder)
             self.assertEqual({entry["room"] for entry in found}, set(draw.ROOMS))
+            self.assertEqual({entry["state"] for entry in found}, {"caught"})
+
+    def test_try_no_mutant_twice_while_its_file_is_as_it_was(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(self.run_once(folder)[0], 4)
+            with unittest.mock.patch.object(ScratchOfNothing, "digest", lambda self, folders: "changed"):
+                self.assertEqual(self.run_once(folder)[0], 0)
+            with unittest.mock.patch("campaign.digest_of", lambda text: "changed"):
+                self.assertEqual(self.run_once(folder)[0], 4)
+
+    def test_ask_survivors_again_where_that_is_wanted_and_something_has_changed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            _, found = self.run_once(folder, catches=False)
+            self.assertEqual({entry["state"] for entry in found}, {"survived"})
+            self.assertEqual(self.run_once(folder, again=True)[0], 0)
+            with unittest.mock.patch.object(ScratchOfNothing, "digest", lambda self, folders: "changed"):
+                self.assertEqual(self.run_once(folder)[0], 0)
+                asked, found = self.run_once(folder, again=True)
+            self.assertEqual(asked, 4)
             self.assertEqual({entry["state"] for entry in found}, {"caught"})
 
 
