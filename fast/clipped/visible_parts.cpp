@@ -147,12 +147,16 @@ struct Cuts {
 
   /// What the polygon and the set have in common.
   const ConvexPolygon& common() const { return *left[count]; }
+  /// Positive where cut k takes away.
+  Heights outward(std::size_t k) const {
+    Heights result = heights[k];
+    for (int i = 0; i < left[k]->count; ++i) result[static_cast<std::size_t>(i)] *= -1;
+    return result;
+  }
   /// What cut k took away.
   ConvexPolygon outside(std::size_t k) const {
-    Heights outward = heights[k];
-    for (int i = 0; i < left[k]->count; ++i) outward[static_cast<std::size_t>(i)] *= -1;
     ConvexPolygon taken = *left[k];
-    keep_where_not_negative(taken, outward, lines[k]);
+    keep_where_not_negative(taken, outward(k), lines[k]);
     return taken;
   }
 };
@@ -208,33 +212,72 @@ void append(const ConvexPolygon& piece, std::vector<ConvexPolygon>& pieces) {
   append(halves.second, pieces);
 }
 
-/// A part that was cut off along a line and dropped, for it may have no area: its longest other side.
-SideLine far_side(const ConvexPolygon& dropped, SideLine cut) {
-  SideLine line = cut;
-  double longest = 0;
-  for (int i = 0; i < dropped.count; ++i) {
-    const PrismPoint along = dropped[i + 1 == dropped.count ? 0 : i + 1] - dropped[i];
+/// The longest of some sides: that of a sliver along a cut, other than the cut's.
+class LongestSide {
+ public:
+  explicit LongestSide(SideLine cut) : cut_(cut), line_(cut) {}
+
+  void look_at(SideLine line, const PrismPoint& from, const PrismPoint& to) {
+    const PrismPoint along = to - from;
     const double square = along[kS] * along[kS] + along[kT] * along[kT];
-    if (dropped.lines[static_cast<std::size_t>(i)] == cut || !(square > longest)) continue;
-    longest = square;
-    line = dropped.lines[static_cast<std::size_t>(i)];
+    if (line == cut_ || !(square > longest_square_)) return;
+    longest_square_ = square;
+    line_ = line;
   }
-  return line;
+  void look_at(const ConvexPolygon& polygon) {
+    for (int i = 0; i < polygon.count; ++i)
+      look_at(polygon.lines[static_cast<std::size_t>(i)], polygon[i], polygon[i + 1 == polygon.count ? 0 : i + 1]);
+  }
+  /// What a cut with these heights takes from a polygon's border.
+  void look_at_taken(const ConvexPolygon& polygon, const Heights& heights) {
+    const int n = polygon.count;
+    const auto at = [&heights](int i) { return heights[static_cast<std::size_t>(i)]; };
+    const auto top = static_cast<int>(std::max_element(heights.begin(), heights.begin() + n) - heights.begin());
+    const KeptVertices kept(heights, n, top);
+    const auto end_of_kept = [&](int vertex, int taken) {
+      return at(vertex) > 0 ? point_at_zero(polygon[vertex], at(vertex), polygon[taken], at(taken)) : polygon[vertex];
+    };
+    PrismPoint from = end_of_kept(kept.last, kept.after);
+    for (int i = kept.last; i != kept.first;) {
+      const int next = i + 1 == n ? 0 : i + 1;
+      const PrismPoint to = next == kept.first ? end_of_kept(kept.first, kept.before) : polygon[next];
+      look_at(polygon.lines[static_cast<std::size_t>(i)], from, to);
+      from = to;
+      i = next;
+    }
+  }
+  SideLine line() const { return line_; }
+
+ private:
+  SideLine cut_, line_;
+  double longest_square_ = 0;
+};
+
+/// The line that a cut did not quite reach which left or took, as `sliver`, what is dropped for it may have no area.
+/// `heights`: of the polygon that was cut, positive on the other side. Those at the ends of a side along the cut are
+/// roundings, of either sign, and the sliver and what is on the other side need not be all of the polygon: then that
+/// side is the sliver's, or is missing there.
+SideLine line_beside_cut(const ConvexPolygon& sliver, const ConvexPolygon& polygon, const Heights& heights,
+                         SideLine cut) {
+  LongestSide longest(cut);
+  longest.look_at(sliver);
+  longest.look_at_taken(polygon, heights);
+  return longest.line();
 }
 
 /// Sides along cuts that took nothing but what was dropped lie on the lines that these cuts did not quite reach: the
 /// cutting face may end before they do.
 class Relabelling {
  public:
-  void note(const ConvexPolygon& dropped, SideLine cut) { lines_[count_++] = {cut, far_side(dropped, cut)}; }
+  void note(SideLine cut, SideLine beside) { lines_[count_++] = {cut, beside}; }
   void apply(ConvexPolygon& piece) const {
     for (std::size_t k = count_; k-- > 0;)
-      std::replace(piece.lines.begin(), piece.lines.begin() + piece.count, lines_[k].cut, lines_[k].far);
+      std::replace(piece.lines.begin(), piece.lines.begin() + piece.count, lines_[k].cut, lines_[k].beside);
   }
 
  private:
   struct Lines {
-    SideLine cut, far;
+    SideLine cut, beside;
   };
   std::array<Lines, kMostHalfPlanes> lines_;  ///< no cut is noted twice
   std::size_t count_ = 0;
@@ -263,7 +306,8 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
         certain_cut = k;
       } else {
         dropped += area_of(outside);
-        relabelling.note(outside, cuts.lines[k]);
+        const SideLine cut = cuts.lines[k];
+        relabelling.note(cut, line_beside_cut(outside, *cuts.left[k], cuts.heights[k], cut));
       }
     }
     if (remaining.size() > before && !certain(cuts.common(), uncertainty)) {
@@ -272,8 +316,10 @@ void subtract(const ConvexSet& set, const Uncertainty& uncertainty, std::vector<
         remaining.push_back(piece);
         dropped = area_of(cuts.common());
       } else {
-        // Its far side may lie along an earlier cut that took nothing itself.
-        relabelling.note(cuts.kept[certain_cut], cuts.lines[certain_cut]);
+        // What it left may end along an earlier cut that took nothing itself.
+        const std::size_t k = certain_cut;
+        const SideLine cut = cuts.lines[k];
+        relabelling.note(cut, line_beside_cut(cuts.kept[k], *cuts.left[k], cuts.outward(k), cut));
         relabelling.apply(remaining.back());
       }
     }

@@ -96,10 +96,23 @@ inline PrismPoint point_at_zero(const PrismPoint& a, double height_a, const Pris
   return b + (-height_b / difference) * (a - b);
 }
 
+/// The vertices of a polygon that a cut leaves, from first to last, and the next ones on either side, which it takes.
+struct KeptVertices {
+  int before, first, last, after;
+
+  /// `top`: where the linear function is greatest, and positive. Along the border of a convex polygon it rises and
+  /// falls once; what rounding adds to that is taken as outside, so that at most one vertex joins.
+  KeptVertices(const Heights& heights, int count, int top) : first(top), last(top) {
+    const auto at = [&heights](int i) { return heights[static_cast<std::size_t>(i)]; };
+    const auto next = [count](int i) { return i + 1 == count ? 0 : i + 1; };
+    const auto previous = [count](int i) { return i == 0 ? count - 1 : i - 1; };
+    for (before = previous(first); at(before) >= 0; before = previous(before)) first = before;
+    for (after = next(last); at(after) >= 0; after = next(after)) last = after;
+  }
+};
+
 /// Fills `kept`, another polygon, with what a cut where the linear function is negative leaves. False where it is
-/// negative at no vertex: the polygon stays whole then, and `kept` untouched. Along the border of a convex polygon the
-/// function rises and falls once; what rounding adds to that is taken as outside, so that at most one vertex joins. The
-/// side along the cut lies on `line`.
+/// negative at no vertex: the polygon stays whole then, and `kept` untouched. The side along the cut lies on `line`.
 inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heights, ConvexPolygon& kept,
                                SideLine line = kNoLine) {
   const int n = polygon.count;
@@ -115,12 +128,7 @@ inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heig
   kept.cuts = polygon.cuts + 1;
   kept.count = 0;
   if (!(at(top) > 0)) return true;
-  const auto next = [n](int i) { return i + 1 == n ? 0 : i + 1; };
-  const auto previous = [n](int i) { return i == 0 ? n - 1 : i - 1; };
-  int first = top, last = top;
-  int before = previous(first), after = next(last);
-  for (; at(before) >= 0; before = previous(before)) first = before;
-  for (; at(after) >= 0; after = next(after)) last = after;
+  const auto [before, first, last, after] = KeptVertices(heights, n, top);
   // Counted apart from the polygon, so that storing points need not wait for it.
   std::size_t count = 0;
   const auto line_from = [&polygon](int i) { return polygon.lines[static_cast<std::size_t>(i)]; };
@@ -128,7 +136,7 @@ inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heig
     kept.lines[count] = line_from(before);
     kept.points[count++] = point_at_zero(polygon[first], at(first), polygon[before], at(before));
   }
-  for (int i = first; i != after; i = next(i)) {
+  for (int i = first; i != after; i = i + 1 == n ? 0 : i + 1) {
     kept.lines[count] = line_from(i);
     kept.points[count++] = polygon[i];
   }
