@@ -584,6 +584,79 @@ PICKED = [
         "",
         "lines remembered over a jump",
     ),
+    (
+        "fast/crossings/pair_margin.cpp",
+        "return numerator * other.denominator < other.numerator * denominator;",
+        "return numerator < other.numerator;",
+        "the least of distances, their divisors forgotten",
+    ),
+    (
+        "fast/crossings/pair_margin.cpp",
+        "std::min(from_plane(from - face[0]), from_plane(to - face[0]))",
+        "from_plane(from - face[0])",
+        "an edge's end that comes through a face",
+    ),
+    (
+        "fast/barycentric/line_margin.cpp",
+        "double way = std::min(from_sides, cosine * nearest);",
+        "double way = cosine * nearest;",
+        "a settled line that leaves its face by a side",
+    ),
+    (
+        "fast/barycentric/line_margin.cpp",
+        "way = std::min(way, cosine * to_own_faces);",
+        "",
+        "a settled line that comes to meet its own body's faces",
+    ),
+    (
+        "fast/barycentric/line_margin.cpp",
+        "const double until_outside = (cosine - kConeCosine[cone]) * motion.turning_radius;",
+        "const double until_outside = kInfinity;",
+        "a settled line that turns out of the cone in which its face is clear",
+    ),
+    (
+        "fast/barycentric/line_margin.cpp",
+        "const double free_way = cosine * (line.slave_free - farthest);",
+        "const double free_way = kInfinity;",
+        "a settled line that comes to meet a face beyond those that were searched for",
+    ),
+    (
+        "fast/barycentric/line_memory.h",
+        "return travelled_ < line.settled_until;",
+        "return travelled_ < 4 * line.settled_until;",
+        "lines that count as settled for too long",
+    ),
+    (
+        "fast/barycentric/line_memory.h",
+        "    for (Line& line : past_.lines) line.settled_until = -std::numeric_limits<double>::infinity();\n"
+        "    vertex_error_ = 2 * error;\n",
+        "    vertex_error_ = 2 * error;\n",
+        "lines settled for smaller errors of their body's vertices",
+    ),
+    (
+        "fast/barycentric/penetration_walks.cpp",
+        "if (has_lane(leaving.surely, lane)) {",
+        "if (!has_lane(leaving.surely_not, lane)) {",
+        "a line that may still leave the slave through the face it left, taken to do so",
+    ),
+    (
+        "fast/barycentric/penetration_walks.cpp",
+        "lanes_.slave_free.value[lane] = has_lane(has_only_, from) ? lines_[from]->slave_searched : 0;",
+        "lanes_.slave_free.value[lane] = has_lane(has_only_, from) ? kInfinity : 0;",
+        "how far the faces that are remembered are all of them",
+    ),
+    (
+        "fast/engine/tracking.cpp",
+        "for (LineMemory& lines : lines_) lines.start_travel_anew(travelled_);",
+        "",
+        "travel counted anew, but not that of lines",
+    ),
+    (
+        "fast/clipped/visible_parts.cpp",
+        "  longest.look_at_taken(polygon, heights);\n",
+        "",
+        "which line a border lies on, where a cut along it took a corner alone",
+    ),
     # Bounds.
     (
         "fast/bounds/force_error.cpp",
