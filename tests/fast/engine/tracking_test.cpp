@@ -195,6 +195,30 @@ TEST(Tracking, LinesThroughStackedPlatesFindTheFirstOneThatTheyLeave) {
   EXPECT_GT(tally.followed, 200);
 }
 
+/// Blocks that slide over each other, whose barycentres come to lie beneath edges and vertices of each other's grids,
+/// exactly, for one pose: which face a line leaves through is the tie rule's to tell there, not the last pose's.
+TEST(Tracking, LinesThatPassAnEdgeFindWhatTheTieRuleTells) {
+  const Surface coarse(generate::gridded_box(6, 2)), fine(generate::gridded_box(12, 12));
+  Wanted wanted = kForceOnly;
+  wanted.elements = true;
+  for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, -1, 0),
+                              Vector3d(1, 0.5, 0), Vector3d(-0.5, -1, 0)}) {
+    for (const auto& [E, F] : {std::pair(coarse, fine), std::pair(fine, coarse)}) {
+      const Pairing pairing(E, F, test::stiffness(1), Mode::both);
+      PairingMemory memory(pairing);
+      Workspace one, other;
+      int followed = 0;
+      for (int i = -20; i <= 20; ++i) {
+        const Pose pose{Eigen::Matrix3d::Identity(), 0x1p-10 * i * way + Vector3d(0, 0, 8)};
+        const Contact& answer = memory.evaluate(pose, {}, wanted, one);
+        followed += answer.work.candidate_pairs == 0 ? 1 : 0;
+        ASSERT_TRUE(test::same(answer, evaluate(pairing, pose, {}, wanted, other))) << way.transpose() << ", " << i;
+      }
+      EXPECT_GT(followed, 35);
+    }
+  }
+}
+
 /// Three balls that roll on a plate, by all threads at once.
 TEST(Tracking, ScenesFollowTheirPairingsAndAnswerAlike) {
   Savings off;
