@@ -86,6 +86,8 @@ def _number_after(token):
         return []  # bits of a hash or of a mask
     if not token.text[-1].isdigit() and token.text[-1] not in "fF.":
         return []
+    if not re.search("[1-9a-fA-F]", token.text.lower().removeprefix("0x").split("p")[0].rstrip("fF.")):
+        return ["1.0"]  # twice or half as much would be the same
     return [f"(2 * {token.text})", f"({token.text} / 2)"]
 
 

@@ -81,6 +81,15 @@ class Sites(unittest.TestCase):
         self.assertEqual(sum(kind == "arithmetic" and before == "*" for kind, _, before, _ in all_sites(SOURCE)), 1)
         self.assertEqual(sum(kind == "comparison" and after == "<=" for kind, _, _, after in all_sites(SOURCE)), 2)
 
+    def test_change_every_number(self):
+        sites = all_sites("f(0.0, 0x0p0, 0.5, 10.0, 0.F);")
+        found = {(before, after) for kind, _, before, after in sites if kind == "constant"}
+        self.assertEqual(
+            found,
+            {("0.0", "1.0"), ("0x0p0", "1.0"), ("0.F", "1.0")}
+            | {(x, after) for x in ("0.5", "10.0") for after in (f"(2 * {x})", f"({x} / 2)")},
+        )
+
     def test_lie_in_code(self):
         for room in draw.ROOMS:
             for file in draw.sources_of(ROOT, room):
