@@ -238,13 +238,14 @@ class LongestSide {
       return at(vertex) > 0 ? point_at_zero(polygon[vertex], at(vertex), polygon[taken], at(taken)) : polygon[vertex];
     };
     PrismPoint from = end_of_kept(kept.last, kept.after);
-    for (int i = kept.last; i != kept.first;) {
-      const int next = i + 1 == n ? 0 : i + 1;
+    int next = kept.last;  // which may be the first one, too
+    do {
+      const SideLine line = polygon.lines[static_cast<std::size_t>(next)];
+      next = next + 1 == n ? 0 : next + 1;
       const PrismPoint to = next == kept.first ? end_of_kept(kept.first, kept.before) : polygon[next];
-      look_at(polygon.lines[static_cast<std::size_t>(i)], from, to);
+      look_at(line, from, to);
       from = to;
-      i = next;
-    }
+    } while (next != kept.first);
   }
   SideLine line() const { return line_; }
 
@@ -253,10 +254,10 @@ class LongestSide {
   double longest_square_ = 0;
 };
 
-/// The line that a cut did not quite reach which left or took, as `sliver`, what is dropped for it may have no area.
-/// `heights`: of the polygon that was cut, positive on the other side. Those at the ends of a side along the cut are
-/// roundings, of either sign, and the sliver and what is on the other side need not be all of the polygon: then that
-/// side is the sliver's, or is missing there.
+/// A cut has parted a sliver from a polygon, which is dropped, for it may have no area: the line of the side along
+/// which the cut runs and which it did not quite reach. `heights`: positive on the other side of the cut. Those at that
+/// side's ends are roundings, of either sign; so what is found to lie on the two sides of the cut need not be all of
+/// the polygon together, and the side may be the sliver's, or missing there and taken from the rest all the same.
 SideLine line_beside_cut(const ConvexPolygon& sliver, const ConvexPolygon& polygon, const Heights& heights,
                          SideLine cut) {
   LongestSide longest(cut);
