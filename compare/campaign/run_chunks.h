@@ -23,7 +23,7 @@ namespace pcm::compare {
 inline constexpr std::chrono::milliseconds kHandIn{500};
 inline constexpr int kWorkPerHandIn = 50;
 /// Chunks claimed together where they take less time; no more than one where a single one takes longer.
-inline constexpr std::int64_t kMostChunks = 128;
+inline constexpr std::int64_t kMostChunks = 1024;
 
 /// What a thread does to a chunk; none where it was interrupted.
 template <class Result>
@@ -51,13 +51,13 @@ void run_chunks(Chunks<Result>& chunks, int jobs, const std::function<bool()>& s
         if (!result) return chunks.give_back(*claimed);
         all.merge(std::move(*result));
       }
-      const auto worked = std::chrono::steady_clock::now();
+      const auto done = std::chrono::steady_clock::now();
       chunks.commit(*claimed, std::move(all));
-      const auto took = std::chrono::steady_clock::now() - begun;
-      const auto often = std::max<std::chrono::nanoseconds>(kHandIn, kWorkPerHandIn * (begun + took - worked));
-      const std::int64_t done = claimed->end - claimed->first;
-      if (took < often / 2) most = std::min(std::max(most, 2 * done), kMostChunks);
-      if (took > often) most = std::max<std::int64_t>(1, done / 2);
+      const auto handed_in = std::chrono::steady_clock::now();
+      const auto interval = std::max<std::chrono::nanoseconds>(kHandIn, kWorkPerHandIn * (handed_in - done));
+      const std::int64_t number = claimed->end - claimed->first;
+      if (handed_in - begun < interval / 2) most = std::min(std::max(most, 2 * number), kMostChunks);
+      if (handed_in - begun > interval) most = std::max<std::int64_t>(1, number / 2);
     }
   };
   std::vector<std::jthread> threads;

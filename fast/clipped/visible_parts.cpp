@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "fast/clipped/line_beside_cut.h"
+
 namespace pcm::fast {
 
 namespace {
@@ -210,60 +212,6 @@ void append(const ConvexPolygon& piece, std::vector<ConvexPolygon>& pieces) {
   const Halves halves = halves_of(piece);
   append(halves.first, pieces);
   append(halves.second, pieces);
-}
-
-/// The longest of some sides: that of a sliver along a cut, other than the cut's.
-class LongestSide {
- public:
-  explicit LongestSide(SideLine cut) : cut_(cut), line_(cut) {}
-
-  void look_at(SideLine line, const PrismPoint& from, const PrismPoint& to) {
-    const PrismPoint along = to - from;
-    const double square = along[kS] * along[kS] + along[kT] * along[kT];
-    if (line == cut_ || !(square > longest_square_)) return;
-    longest_square_ = square;
-    line_ = line;
-  }
-  void look_at(const ConvexPolygon& polygon) {
-    for (int i = 0; i < polygon.count; ++i)
-      look_at(polygon.lines[static_cast<std::size_t>(i)], polygon[i], polygon[i + 1 == polygon.count ? 0 : i + 1]);
-  }
-  /// What a cut with these heights takes from a polygon's border.
-  void look_at_taken(const ConvexPolygon& polygon, const Heights& heights) {
-    const int n = polygon.count;
-    const auto at = [&heights](int i) { return heights[static_cast<std::size_t>(i)]; };
-    const auto top = static_cast<int>(std::max_element(heights.begin(), heights.begin() + n) - heights.begin());
-    const KeptVertices kept(heights, n, top);
-    const auto end_of_kept = [&](int vertex, int taken) {
-      return at(vertex) > 0 ? point_at_zero(polygon[vertex], at(vertex), polygon[taken], at(taken)) : polygon[vertex];
-    };
-    PrismPoint from = end_of_kept(kept.last, kept.after);
-    int next = kept.last;  // which may be the first one, too
-    do {
-      const SideLine line = polygon.lines[static_cast<std::size_t>(next)];
-      next = next + 1 == n ? 0 : next + 1;
-      const PrismPoint to = next == kept.first ? end_of_kept(kept.first, kept.before) : polygon[next];
-      look_at(line, from, to);
-      from = to;
-    } while (next != kept.first);
-  }
-  SideLine line() const { return line_; }
-
- private:
-  SideLine cut_, line_;
-  double longest_square_ = 0;
-};
-
-/// A cut has parted a sliver from a polygon, which is dropped, for it may have no area: the line of the side along
-/// which the cut runs and which it did not quite reach. `heights`: positive on the other side of the cut. Those at that
-/// side's ends are roundings, of either sign; so what is found to lie on the two sides of the cut need not be all of
-/// the polygon together, and the side may be the sliver's, or missing there and taken from the rest all the same.
-SideLine line_beside_cut(const ConvexPolygon& sliver, const ConvexPolygon& polygon, const Heights& heights,
-                         SideLine cut) {
-  LongestSide longest(cut);
-  longest.look_at(sliver);
-  longest.look_at_taken(polygon, heights);
-  return longest.line();
 }
 
 /// Sides along cuts that took nothing but what was dropped lie on the lines that these cuts did not quite reach: the

@@ -31,7 +31,7 @@ double at_least_square(const Eigen::Vector3d& product) {
   return product.dot(product) + 0x1p-400;
 }
 
-/// A distance as the root of a fraction: to find the least or the greatest of some takes no root and no division.
+/// The square of a distance as a fraction: to find the least or the greatest of some takes no root and no division.
 struct SquaredDistance {
   double numerator = 0, denominator = 1;
 
@@ -84,8 +84,8 @@ double distance_between(const Points& e, const Points& f, const PairSigns& signs
   return distance.root() - kProductRoundings * corners.at_least_farthest();
 }
 
-/// Of |product| / |across|, less the roundings of either, which are `roundings` and `across_roundings` at most.
-/// (a + b)^2 <= (1 + c) a^2 + (1 + 1 / c) b^2, with c = 2^-20.
+/// The distance |product| / |across|, less the roundings of either, which are `roundings` and `across_roundings` at
+/// most. (a + b)^2 <= (1 + c) a^2 + (1 + 1 / c) b^2, with c = 2^-20.
 SquaredDistance distance_of(double product, double roundings, const Eigen::Vector3d& across, double across_roundings) {
   const double numerator = std::abs(product) - roundings;
   const double denominator =
@@ -141,7 +141,7 @@ double greatest_coordinate(const Points& points) {
 double pair_margin(const Points& e, const Points& f, const PairSigns& signs) {
   const double greatest = std::max(greatest_coordinate(e), greatest_coordinate(f));
   if (greatest > kLeastUnscaled && greatest < kGreatestUnscaled) return unscaled_margin(e, f, signs);
-  if (greatest == 0) return 0;
+  if (greatest == 0 || !std::isfinite(greatest)) return 0;
   const int exponent = std::ilogb(greatest);
   const auto scaled = [&](const Points& points) {
     Points result;
@@ -149,7 +149,8 @@ double pair_margin(const Points& e, const Points& f, const PairSigns& signs) {
       result[k] = points[k].unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
     return result;
   };
-  return std::ldexp(unscaled_margin(scaled(e), scaled(f), signs), exponent);
+  const double margin = std::ldexp(unscaled_margin(scaled(e), scaled(f), signs), exponent);
+  return margin < std::numeric_limits<double>::min() ? 0 : margin;  // or it may have been rounded up
 }
 
 }  // namespace pcm::fast

@@ -134,14 +134,20 @@ class Campaign:
         if entry["state"] != CAUGHT or missed:
             raise Refused(f"a planted fault in {room} is not noticed by {', '.join(missed) or 'any check'}")
 
+    def _is_as_it_was(self, mutant, entry):
+        return entry.get("text") == digest_of(self._scratch.read(mutant.file))
+
+    def _holds(self, found):
+        """Whether what a check found need not be asked again."""
+        return bool(found["by"]) or not self._again or found.get("sources") == self._sources()
+
     def _found_before(self, mutant):
-        """What checks have found of it, while its file is what it was; where it is asked again only what caught it, and
-        what it passed since neither sources nor checks have changed."""
+        """What checks have found of it, while its file is what it was; where survivors are asked again, only what caught
+        it, and what it passed with the same sources and checks."""
         entry = self._results.get(mutant.id)
-        if entry is None or entry["text"] != digest_of(self._scratch.read(mutant.file)):
+        if entry is None or not self._is_as_it_was(mutant, entry):
             return {}
-        as_it_was = not self._again or entry["sources"] == self._sources()
-        return {name: found for name, found in entry["checks"].items() if found["by"] or as_it_was}
+        return {name: found for name, found in entry["checks"].items() if self._holds(found)}
 
     def _sources(self):
         return f"{self._answering} {self._checking}"
@@ -149,11 +155,11 @@ class Campaign:
     def _is_known(self, mutant):
         """Whether nothing would be learnt by trying it again."""
         entry = self._results.get(mutant.id)
-        if entry is None or (mutant.kind == "by hand" and entry["state"] == NO_PROGRAM):
+        if entry is None or not self._is_as_it_was(mutant, entry):
             return False
+        if entry["state"] == NO_PROGRAM:
+            return mutant.kind != "by hand" and not self._again
         found = self._found_before(mutant)
-        if entry["state"] == NO_PROGRAM and entry["text"] == digest_of(self._scratch.read(mutant.file)):
-            return True
         if any(one["by"] for one in found.values()) and not self._all_checks:
             return True
         checks = self._checks[mutant.room]
@@ -205,8 +211,6 @@ class Campaign:
             "state": NO_PROGRAM,
             "checks": dict(found_before),
             "text": digest_of(text),
-            "sources": self._sources(),
-            "commit": self._commit,
         }
         if found_before:
             entry["state"] = CAUGHT if any(found["by"] for found in found_before.values()) else SURVIVED
@@ -218,7 +222,7 @@ class Campaign:
                     continue
                 self._scratch.build(checks.targets([name], mutant.room), self._jobs)
                 finding = checks.check(name, mutant.room, passed=found)
-                entry["checks"][name] = asdict(finding)
+                entry["checks"][name] = asdict(finding) | {"sources": self._sources(), "commit": self._commit}
                 entry["state"] = CAUGHT if finding.by or entry["state"] == CAUGHT else SURVIVED
                 if finding.by and not all_checks:
                     break

@@ -174,15 +174,18 @@ def sources_of(root, room):
 
 
 def places_in(text, offsets):
-    """Of each offset: its line, how many lines like that come before, and how far along the line it is."""
+    """Of each offset: its line, how many lines like that come before, and how far along the line it is; however far the
+    line is indented."""
     places, like_it = {}, {}
     line_begins = 0
     wanted = sorted(set(offsets))
     at = 0
     for line in text.splitlines(keepends=True):
-        nth = like_it[line] = like_it.get(line, -1) + 1
+        stripped = line.strip()
+        begin = line_begins + len(line) - len(line.lstrip())
+        nth = like_it[stripped] = like_it.get(stripped, -1) + 1
         while at < len(wanted) and wanted[at] < line_begins + len(line):
-            places[wanted[at]] = f"{line.strip()}\0{nth}\0{wanted[at] - line_begins}"
+            places[wanted[at]] = f"{stripped}\0{nth}\0{wanted[at] - begin}"
             at += 1
         line_begins += len(line)
     return places

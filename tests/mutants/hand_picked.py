@@ -652,7 +652,7 @@ PICKED = [
         "travel counted anew, but not that of lines",
     ),
     (
-        "fast/clipped/visible_parts.cpp",
+        "fast/clipped/line_beside_cut.cpp",
         "  longest.look_at_taken(polygon, heights);\n",
         "",
         "which line a border lies on, where a cut along it took a corner alone",

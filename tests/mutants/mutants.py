@@ -16,10 +16,11 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # nothing of ours among the sources
 
 import report
-from campaign import Campaign, Refused, Results, picked_mutants
+from campaign import Campaign, Refused, Results, digest_of, picked_mutants
 from checks import CHECKS, LADDER
 from draw import ROOMS, Draw, first_drawn
-from mutant import BadMutant
+from hand_picked import PICKED
+from mutant import BadMutant, by_hand
 from scratch import CannotBuild
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -57,10 +58,16 @@ def read(file):
     return (ROOT / file).read_text(encoding="utf-8")
 
 
+def still_holds(entry, possible):
+    """Whether a result is of a mutant that the sources still allow, of a file that is what it was."""
+    return entry["id"] in possible and entry.get("text") == digest_of(read(entry["file"]))
+
+
 def possible_mutants(rooms):
-    """The ids of all that the sources as they are allow; results may have others, of lines that are gone."""
+    """The ids of all that the sources as they are allow."""
     drawn = {mutant.id for room in rooms for mutant in Draw(ROOT, room, seed=0)}
-    return drawn | {mutant.id for mutant in picked_mutants(read, rooms)}
+    picked = [one for one in PICKED if one[0].split("/")[0] in rooms and read(one[0]).count(one[1]) == 1]
+    return drawn | {by_hand(file, *rest, read(file)).id for file, *rest in picked}
 
 
 def print_mutants(options, rooms):
@@ -72,9 +79,12 @@ def print_mutants(options, rooms):
         print(f"{mutant.file}:{line}: {mutant.kind}: {mutant.before!r} -> {mutant.after!r}")
 
 
-def commit():
-    described = ["git", "-C", str(ROOT), "describe", "--always", "--abbrev=7", "--dirty", "--exclude=*"]
-    return subprocess.run(described, check=True, capture_output=True, text=True).stdout.strip()
+def commit(results):
+    """That of the sources; what is found changes none."""
+    git = ["git", "-C", str(ROOT)]
+    name = subprocess.run([*git, "rev-parse", "--short=7", "HEAD"], check=True, capture_output=True, text=True).stdout
+    changed = subprocess.run([*git, "diff", "--quiet", "HEAD", "--", ".", f":(exclude){results}"], check=False)
+    return name.strip() + ("-dirty" if changed.returncode else "")
 
 
 def say(line):
@@ -91,11 +101,11 @@ def main():
     if not options.report:
         ladder = tuple(sorted(int(poses) for poses in options.poses.split(",")))
         of_checks = (names, options.all_checks, ladder, options.again)
-        campaign = Campaign(ROOT, options.folder, options.results, commit(), *of_checks, options.jobs, say)
+        campaign = Campaign(ROOT, options.folder, options.results, commit(options.results), *of_checks, options.jobs, say)
         campaign.prepare(rooms)
         campaign.run(rooms, options.drawn, options.seed, not options.no_picked)
     possible = possible_mutants(rooms)
-    entries = [entry for entry in Results(options.results).all() if entry["id"] in possible]
+    entries = [entry for entry in Results(options.results).all() if still_holds(entry, possible)]
     report.write(entries, options.folder)
     print(report.summary_table(entries))
     survivors = sum(entry["state"] == "survived" for entry in entries)

@@ -144,11 +144,21 @@ class Draw(unittest.TestCase):
         self.assertEqual(of_other, [mutant for mutant in grown if mutant[0] == "fast/b.cpp"])
         self.assertLess(set(drawn), set(grown))
 
-    def test_tells_lines_that_are_alike_apart(self):
-        line = "  if (a < 1) return;\n"
-        drawn = self.drawn_from({"a.cpp": "void f(int a) {\n" + 2 * line + "}\n"})
-        self.assertEqual(len(set(drawn)), len(drawn))
-        self.assertEqual(len(drawn), 2 * len(self.drawn_from({"a.cpp": "void f(int a) {\n" + line + "}\n"})))
+    def test_tells_lines_that_are_alike_apart_however_far_they_are_indented(self):
+        def function(*lines):
+            return {"a.cpp": "void f(int a) {\n" + "".join(lines) + "}\n"}
+
+        line, indented = "  if (a < 1) return;\n", "      if (a < 1) return;\n"
+        one = self.drawn_from(function(line))
+        self.assertEqual(one, self.drawn_from(function(indented)))
+        for two in (self.drawn_from(function(line, line)), self.drawn_from(function(line, indented))):
+            self.assertEqual(len(set(two)), 2 * len(one))
+            self.assertLess(set(one), set(two))
+
+    def test_has_no_two_mutants_of_one_id(self):
+        for room in draw.ROOMS:
+            ids = [mutant.id for mutant in draw.Draw(ROOT, room, 1)]
+            self.assertEqual(len(set(ids)), len(ids))
 
 
 class Picked(unittest.TestCase):
@@ -231,12 +241,12 @@ class ScratchOfNothing:
 
 
 class Campaigns(unittest.TestCase):
-    def run_once(self, folder, catches=True, again=False):
+    def run_once(self, folder, catches=True, again=False, names=("tests",)):
         """How many programs were run on mutants, and what is known then."""
         results = Path(folder) / "results.jsonl"
         asked, prepared = 0, False
         with unittest.mock.patch("campaign.Scratch", ScratchOfNothing):
-            campaign = Campaign(ROOT, Path(folder), results, "a commit", ["tests"], False, (500,), again, 1, str)
+            campaign = Campaign(ROOT, Path(folder), results, "a commit", names, False, (500,), again, 1, str)
 
             def run(command, allowed=None, **options):
                 nonlocal asked
@@ -262,6 +272,15 @@ class Campaigns(unittest.TestCase):
                 self.assertEqual(self.run_once(folder)[0], 0)
             with unittest.mock.patch("campaign.digest_of", lambda text: "changed"):
                 self.assertEqual(self.run_once(folder)[0], 4)
+
+    def test_know_at_which_sources_each_check_was_asked(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.run_once(folder, catches=False)
+            with unittest.mock.patch.object(ScratchOfNothing, "digest", lambda self, folders: "changed"):
+                # Another check is asked at the changed sources; the first one's answers stay those of the old ones.
+                self.run_once(folder, catches=False, names=("verify",))
+                asked, _ = self.run_once(folder, catches=False, again=True)
+            self.assertGreater(asked, 0)
 
     def test_ask_survivors_again_where_that_is_wanted_and_something_has_changed(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -93,6 +93,7 @@ def markdown(entries):
 
 def write(entries, folder):
     """mutants.md and mutants.csv."""
+    folder.mkdir(parents=True, exist_ok=True)
     (folder / "mutants.md").write_text(markdown(entries), encoding="utf-8")
     with open(folder / "mutants.csv", "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)

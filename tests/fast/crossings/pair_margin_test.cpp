@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -72,7 +73,7 @@ TEST(PairMargin, ScalesWithAllLengths) {
     const Points e = random.face(), f = random.face();
     const double margin = pair_margin(e, f, signs_of(e, f));
     positive += margin > 0 ? 1 : 0;
-    for (const int exponent : {-400, -300, -121, -120, -119, -80, 80, 119, 120, 121, 300}) {
+    for (const int exponent : {-1000, -400, -300, -42, -41, -40, -39, -38, -20, 20, 38, 39, 40, 41, 300}) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", pair " + std::to_string(k) + ", 2^" + std::to_string(exponent));
       const double scale = std::ldexp(1.0, exponent);
       Points scaled_e = e, scaled_f = f;
@@ -84,6 +85,13 @@ TEST(PairMargin, ScalesWithAllLengths) {
     }
   }
   EXPECT_GT(positive, 100);
+}
+
+TEST(PairMargin, IsNothingBelowTheLeastNormalNumber) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const Points e{Vector3d(-64, -64, 0) * least, Vector3d(64, -64, 0) * least, Vector3d(0, 128, 0) * least};
+  const Points above{Vector3d(0, 0, 2) * least, Vector3d(64, 0, 64) * least, Vector3d(0, 64, 64) * least};
+  EXPECT_EQ(pair_margin(e, above, signs_of(e, above)), 0);
 }
 
 /// A corner of f a hair above the middle of e, and a long edge that passes there.
