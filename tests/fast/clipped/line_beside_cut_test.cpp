@@ -42,6 +42,11 @@ TEST(LineBesideCut, IsTheSideAlongTheCut) {
   EXPECT_EQ(line_beside_cut({}, cut.polygon, cut.heights, kCut), 10);
 }
 
+TEST(LineBesideCut, IsNotTheCutsOwnThoughThatIsLonger) {
+  const CutPolygon cut{{0.1, 0, -0.1, 10}, {0.9, 0, -0.1, 11}, {1, 1, 1, 12}, {0, 1, 1, 13}};
+  EXPECT_EQ(line_beside_cut(cut.outside(), cut.polygon, cut.heights, kCut), 10);
+}
+
 /// All of the border but that vertex is on the other side.
 TEST(LineBesideCut, IsTheSideAlongTheCutThatLeavesOneVertex) {
   const CutPolygon triangle{{0, 1, 1, 10}, {0, 0, -kRounding, 11}, {1, 0, -kRounding, 12}};
