@@ -9,6 +9,7 @@ reference or a template's bracket has not.
 import hashlib
 import math
 import re
+from functools import lru_cache
 from itertools import islice
 from pathlib import Path
 
@@ -116,6 +117,7 @@ def _statement_end(tokens, first):
     return None
 
 
+@lru_cache(maxsize=None)
 def sites_in(text):
     """All faults that may be drawn in a text: of each kind a list of (offset, before, after)."""
     tokens = tokens_of(text)

@@ -4,6 +4,7 @@
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 _TOKEN = re.compile(
     r"""
@@ -67,6 +68,7 @@ def _seen(tokens):
     return kept
 
 
+@lru_cache(maxsize=None)
 def tokens_of(text):
     """Numbers, words and signs of a file, in its order. Left out: comments, strings, directives, assertions."""
     tokens = []
