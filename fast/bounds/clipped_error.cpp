@@ -86,7 +86,7 @@ AreaAndVolume errors_of_cuts(const FaceEnclosure& f, const ConvexPolygon* seen) 
   sum.volume = sum.area * f.greatest;
   for (int i = 0; i < seen->count; ++i) {
     const PrismPoint& a = (*seen)[i];
-    const PrismPoint& b = (*seen)[i + 1 == seen->count ? 0 : i + 1];
+    const PrismPoint& b = (*seen)[seen->next(i)];
     const double along_s = std::abs(b[kS] - a[kS]), along_t = std::abs(b[kT] - a[kT]);
     const double third_a = std::abs(1 - a[kS] - a[kT]) + 2 * u, third_b = std::abs(1 - b[kS] - b[kT]) + 2 * u;
     double between = 0;

@@ -22,14 +22,14 @@ class LongestSide {
   }
   void look_at(const ConvexPolygon& polygon) {
     for (int i = 0; i < polygon.count; ++i)
-      look_at(polygon.lines[static_cast<std::size_t>(i)], polygon[i], polygon[i + 1 == polygon.count ? 0 : i + 1]);
+      look_at(polygon.lines[static_cast<std::size_t>(i)], polygon[i], polygon[polygon.next(i)]);
   }
   /// What a cut with these heights takes from a polygon's border.
   void look_at_taken(const ConvexPolygon& polygon, const Heights& heights) {
-    const int n = polygon.count;
     const auto at = [&heights](int i) { return heights[static_cast<std::size_t>(i)]; };
-    const auto top = static_cast<int>(std::max_element(heights.begin(), heights.begin() + n) - heights.begin());
-    const KeptVertices kept(heights, n, top);
+    const auto top =
+        static_cast<int>(std::max_element(heights.begin(), heights.begin() + polygon.count) - heights.begin());
+    const KeptVertices kept(polygon, heights, top);
     const auto end_of_kept = [&](int vertex, int taken) {
       return at(vertex) > 0 ? point_at_zero(polygon[vertex], at(vertex), polygon[taken], at(taken)) : polygon[vertex];
     };
@@ -37,7 +37,7 @@ class LongestSide {
     int next = kept.last;  // which may be the first one, too
     do {
       const SideLine line = polygon.lines[static_cast<std::size_t>(next)];
-      next = next + 1 == n ? 0 : next + 1;
+      next = polygon.next(next);
       const PrismPoint to = next == kept.first ? end_of_kept(kept.first, kept.before) : polygon[next];
       look_at(line, from, to);
       from = to;

@@ -104,7 +104,7 @@ class PartSlopes {
     for (const ConvexPolygon& piece : part.pieces) {
       for (int i = 0; i < piece.count; ++i) {
         const SideLine line = piece.lines[static_cast<std::size_t>(i)];
-        if (line != kNoLine) add_side(line, piece[i], piece[i + 1 == piece.count ? 0 : i + 1]);
+        if (line != kNoLine) add_side(line, piece[i], piece[piece.next(i)]);
       }
     }
   }

@@ -15,16 +15,11 @@ using Points = std::array<Eigen::Vector3d, 3>;
 
 /// Between these bounds of the greatest coordinate, m, nothing below over- or underflows that is not said to.
 constexpr double kLeastUnscaled = 0x1p-40, kGreatestUnscaled = 0x1p40;
-/// Roundings of a product of two or three differences of points, in units of the product of their lengths: 16 u would
-/// do.
+/// Roundings of a product of two or three differences of points, in units of the product of their lengths, or 1-norms:
+/// 16 u would do.
 constexpr double kProductRoundings = 0x1p-48;
 /// Products of three lengths that are no greater tell nothing: no margin.
 constexpr double kLeastProduct = 0x1p-300;
-
-/// No less than the length, and less than twice that.
-double at_least_length(const Eigen::Vector3d& v) {
-  return std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());
-}
 
 /// No less than the square of the length of a product of two lengths, however small.
 double at_least_square(const Eigen::Vector3d& product) {
@@ -51,8 +46,7 @@ struct SeenCorners {
         f{f_points[0] - e_points[0], f_points[1] - e_points[0], f_points[2] - e_points[0]} {}
 
   double at_least_farthest() const {
-    return std::max({at_least_length(e[0]), at_least_length(e[1]), at_least_length(f[0]), at_least_length(f[1]),
-                     at_least_length(f[2])});
+    return std::max({e[0].lpNorm<1>(), e[1].lpNorm<1>(), f[0].lpNorm<1>(), f[1].lpNorm<1>(), f[2].lpNorm<1>()});
   }
 
   /// The gap between the faces along a direction that is a product of two lengths; 0 where they overlap there.
@@ -98,17 +92,17 @@ SquaredDistance distance_of(double product, double roundings, const Eigen::Vecto
 SquaredDistance margin_of_edge(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Points& face) {
   const std::array<Eigen::Vector3d, 3> sides{face[1] - face[0], face[2] - face[1], face[0] - face[2]};
   const Eigen::Vector3d N = sides[0].cross(sides[1]);
-  const double N_roundings = kProductRoundings * at_least_length(sides[0]) * at_least_length(sides[1]);
+  const double N_roundings = kProductRoundings * sides[0].lpNorm<1>() * sides[1].lpNorm<1>();
   const auto from_plane = [&](const Eigen::Vector3d& x) {
-    return distance_of(N.dot(x), N_roundings * at_least_length(x), N, N_roundings);
+    return distance_of(N.dot(x), N_roundings * x.lpNorm<1>(), N, N_roundings);
   };
   SquaredDistance least = std::min(from_plane(from - face[0]), from_plane(to - face[0]));
   const Eigen::Vector3d edge = to - from;
-  const double edge_roundings = kProductRoundings * at_least_length(edge);
+  const double edge_roundings = kProductRoundings * edge.lpNorm<1>();
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d across = edge.cross(sides[k]), x = face[k] - from;
-    const double roundings = edge_roundings * at_least_length(sides[k]);
-    least = std::min(least, distance_of(across.dot(x), roundings * at_least_length(x), across, roundings));
+    const double roundings = edge_roundings * sides[k].lpNorm<1>();
+    least = std::min(least, distance_of(across.dot(x), roundings * x.lpNorm<1>(), across, roundings));
   }
   return least;
 }

@@ -72,6 +72,8 @@ struct ConvexPolygon {
   const PrismPoint& operator[](int i) const { return points[static_cast<std::size_t>(i)]; }
   PrismPoint& operator[](int i) { return points[static_cast<std::size_t>(i)]; }
   bool empty() const { return count < 3; }
+  /// The vertex after vertex i.
+  int next(int i) const { return i + 1 == count ? 0 : i + 1; }
 };
 
 /// About each corner of a convex polygon that may be off by up to (s, t): 2 s times 2 t.
@@ -100,14 +102,13 @@ inline PrismPoint point_at_zero(const PrismPoint& a, double height_a, const Pris
 struct KeptVertices {
   int before, first, last, after;
 
-  /// `top`: where the linear function is greatest, and positive. Along the border of a convex polygon it rises and
-  /// falls once; what rounding adds to that is taken as outside, so that at most one vertex joins.
-  KeptVertices(const Heights& heights, int count, int top) : first(top), last(top) {
+  /// `top`: where the linear function is greatest, and positive; it is negative somewhere. Along the border of a convex
+  /// polygon it rises and falls once; what rounding adds to that is taken as outside, so that at most one vertex joins.
+  KeptVertices(const ConvexPolygon& polygon, const Heights& heights, int top) : first(top), last(top) {
     const auto at = [&heights](int i) { return heights[static_cast<std::size_t>(i)]; };
-    const auto next = [count](int i) { return i + 1 == count ? 0 : i + 1; };
-    const auto previous = [count](int i) { return i == 0 ? count - 1 : i - 1; };
+    const auto previous = [&polygon](int i) { return i == 0 ? polygon.count - 1 : i - 1; };
     for (before = previous(first); at(before) >= 0; before = previous(before)) first = before;
-    for (after = next(last); at(after) >= 0; after = next(after)) last = after;
+    for (after = polygon.next(last); at(after) >= 0; after = polygon.next(after)) last = after;
   }
 };
 
@@ -128,7 +129,7 @@ inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heig
   kept.cuts = polygon.cuts + 1;
   kept.count = 0;
   if (!(at(top) > 0)) return true;
-  const auto [before, first, last, after] = KeptVertices(heights, n, top);
+  const auto [before, first, last, after] = KeptVertices(polygon, heights, top);
   // Counted apart from the polygon, so that storing points need not wait for it.
   std::size_t count = 0;
   const auto line_from = [&polygon](int i) { return polygon.lines[static_cast<std::size_t>(i)]; };
@@ -136,7 +137,7 @@ inline bool cut_where_negative(const ConvexPolygon& polygon, const Heights& heig
     kept.lines[count] = line_from(before);
     kept.points[count++] = point_at_zero(polygon[first], at(first), polygon[before], at(before));
   }
-  for (int i = first; i != after; i = i + 1 == n ? 0 : i + 1) {
+  for (int i = first; i != after; i = polygon.next(i)) {
     kept.lines[count] = line_from(i);
     kept.points[count++] = polygon[i];
   }

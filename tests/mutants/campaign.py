@@ -78,6 +78,11 @@ def digest_of(text):
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
+def is_of_text(entry, text):
+    """Whether a result is of a file that is what it was."""
+    return entry.get("text") == digest_of(text)
+
+
 class Campaign:
     """`names` of checks; with `all_checks` each of them is asked of every mutant, otherwise until one has caught it.
     `ladder`: numbers of poses of verify. `results`: the file that what is found is read from and added to; `commit`: of
@@ -135,7 +140,7 @@ class Campaign:
             raise Refused(f"a planted fault in {room} is not noticed by {', '.join(missed) or 'any check'}")
 
     def _is_as_it_was(self, mutant, entry):
-        return entry.get("text") == digest_of(self._scratch.read(mutant.file))
+        return is_of_text(entry, self._scratch.read(mutant.file))
 
     def _holds(self, found):
         """Whether what a check found need not be asked again."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcm authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mutants drawn by chance, the same for the same seed and the same sources; where a file changes, its own are drawn anew.
+"""Mutants drawn by chance, the same for the same seed and sources; where a file changes, its own are drawn anew.
 
 The sources are formatted, and that is relied on: an operator between two operands has spaces on both sides, a sign, a
 reference or a template's bracket has not.

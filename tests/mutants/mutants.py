@@ -16,7 +16,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # nothing of ours among the sources
 
 import report
-from campaign import Campaign, Refused, Results, digest_of, picked_mutants
+from campaign import Campaign, Refused, Results, is_of_text, picked_mutants
 from checks import CHECKS, LADDER
 from draw import ROOMS, Draw, first_drawn
 from hand_picked import PICKED
@@ -60,7 +60,7 @@ def read(file):
 
 def still_holds(entry, possible):
     """Whether a result is of a mutant that the sources still allow, of a file that is what it was."""
-    return entry["id"] in possible and entry.get("text") == digest_of(read(entry["file"]))
+    return entry["id"] in possible and is_of_text(entry, read(entry["file"]))
 
 
 def possible_mutants(rooms):
@@ -79,11 +79,12 @@ def print_mutants(options, rooms):
         print(f"{mutant.file}:{line}: {mutant.kind}: {mutant.before!r} -> {mutant.after!r}")
 
 
-def commit(results):
+def commit():
     """That of the sources; what is found changes none."""
     git = ["git", "-C", str(ROOT)]
     name = subprocess.run([*git, "rev-parse", "--short=7", "HEAD"], check=True, capture_output=True, text=True).stdout
-    changed = subprocess.run([*git, "diff", "--quiet", "HEAD", "--", ".", f":(exclude){results}"], check=False)
+    found = ":(exclude)tests/mutants/results.jsonl"
+    changed = subprocess.run([*git, "diff", "--quiet", "HEAD", "--", ".", found], check=False)
     return name.strip() + ("-dirty" if changed.returncode else "")
 
 
@@ -101,7 +102,7 @@ def main():
     if not options.report:
         ladder = tuple(sorted(int(poses) for poses in options.poses.split(",")))
         of_checks = (names, options.all_checks, ladder, options.again)
-        campaign = Campaign(ROOT, options.folder, options.results, commit(options.results), *of_checks, options.jobs, say)
+        campaign = Campaign(ROOT, options.folder, options.results, commit(), *of_checks, options.jobs, say)
         campaign.prepare(rooms)
         campaign.run(rooms, options.drawn, options.seed, not options.no_picked)
     possible = possible_mutants(rooms)

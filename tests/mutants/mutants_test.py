@@ -123,7 +123,6 @@ class Draw(unittest.TestCase):
                 text = read(mutant.file)
                 self.assertEqual(len(mutant.applied_to(text)), len(text) + len(mutant.after) - len(mutant.before))
 
-
     def drawn_from(self, files):
         with tempfile.TemporaryDirectory() as root:
             for name, text in files.items():

@@ -77,8 +77,8 @@ class Scratch:
     def write(self, file, text):
         (self.source / file).write_text(text, encoding="utf-8")
 
-    @staticmethod
-    def _run(command):
+    def _run(self, command):
         ended = subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace")
         if ended.returncode != 0:
-            raise CannotBuild(ended.stdout[-4000:] + ended.stderr[-2000:])
+            # Results are kept beside the sources: wherever the copy is, they name its files alike.
+            raise CannotBuild((ended.stdout[-4000:] + ended.stderr[-2000:]).replace(f"{self.source}/", ""))
