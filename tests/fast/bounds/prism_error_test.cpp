@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <tuple>
 
 #include "tests/fast/exact_numbers.h"
 
@@ -163,6 +164,63 @@ INSTANTIATE_TEST_SUITE_P(Regimes, PrismErrorOf,
                                          Regime{"MovedMaster", 1, 1e-3, 1e-9, 0, 0, 0.3, 0.3},
                                          Regime{"TurnedMaster", 1e-2, 10, 1e-9, 0, 0, 0.1, 0.0}),
                          [](const testing::TestParamInfo<Regime>& test) { return std::string(test.param.name); });
+
+/// But for the order in which a sum of three is taken.
+void expect_alike(double a, double b) {
+  EXPECT_NEAR(a, b, 0.15 * b);
+}
+
+void expect_alike(const PrismPositionError& a, const PrismPositionError& b) {
+  expect_alike(a.s, b.s);
+  expect_alike(a.t, b.t);
+  expect_alike(a.depth, b.depth);
+}
+
+TEST(PrismError, IsTheSameWhateverTheAxesAreCalled) {
+  Doubles random(85);
+  WorkCounters work;
+  // Faces in coordinate planes and points of few digits: hardly anything is rounded, and each product stands alone.
+  const auto integer = [&](int low, int high) { return static_cast<int>(random.integer(low, high)); };
+  const auto power = [&] { return std::ldexp(integer(0, 1) == 0 ? 1.0 : -1.0, integer(-3, 3)); };
+  const auto dyadic = [&] { return 0x1p-4 * integer(-32, 32); };
+  for (int trial = 0; trial < 400; ++trial) {
+    SCOPED_TRACE(trial);
+    const Eigen::Vector3d p0 = Doubles::point(dyadic), a(power(), 0, 0), b(integer(0, 1) * a[0], power(), 0);
+    const std::array<Eigen::Vector3d, 3> p{p0, p0 + a, p0 + b};
+    const Eigen::Vector3d x = Doubles::point(dyadic);
+    const Eigen::Vector3d rounding_E = 0x1p-50 * Doubles::point([&] { return 2 + random.unit(); });
+    const PrismFunction function{random.unit(), random.unit(), random.unit()};
+    const Side master = trial % 2 == 0 ? Side::E : Side::F;
+    const auto errors_of = [&](std::array<Eigen::Index, 3> axes) {
+      const auto renamed = [&](const Eigen::Vector3d& v) {
+        return Eigen::Vector3d(v[axes[0]], v[axes[1]], v[axes[2]]);
+      };
+      const FaceGeometry face({renamed(p[0]), renamed(p[1]), renamed(p[2])});
+      const MasterPrism prism(face);
+      const PrismError error(prism, FaceError(face, renamed(rounding_E)), master, renamed(rounding_E),
+                             renamed(2 * rounding_E));
+      const PrismPoint seen = prism.see(renamed(x), work);
+      const PrismRounding rounding = error.rounding({renamed(x), renamed(x), renamed(x)}, {seen, seen, seen}, {});
+      const Eigen::Vector3d of_point = error.of_point_in_master();
+      Eigen::Vector3d of_point_back;
+      for (std::size_t k = 0; k < 3; ++k) of_point_back[axes[k]] = of_point[static_cast<Eigen::Index>(k)];
+      return std::tuple(error.of_vertices(rounding, renamed(2 * rounding_E)), error.greatest_rounding(3),
+                        error.of_frame(0.5), error.of_third_weight(0.5, rounding),
+                        error.of_function(function, 0.5, rounding, renamed(2 * rounding_E)), of_point_back);
+    };
+    const auto [vertices, greatest, frame, third, of_function, point] = errors_of({0, 1, 2});
+    EXPECT_GT(greatest.depth, 0);
+    for (const auto& axes : {std::array<Eigen::Index, 3>{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {2, 1, 0}, {0, 2, 1}}) {
+      const auto [vertices_2, greatest_2, frame_2, third_2, of_function_2, point_2] = errors_of(axes);
+      expect_alike(vertices_2, vertices);
+      expect_alike(greatest_2, greatest);
+      expect_alike(frame_2, frame);
+      expect_alike(third_2, third);
+      expect_alike(of_function_2, of_function);
+      EXPECT_EQ(point_2, point);
+    }
+  }
+}
 
 TEST(FaceWithSureNormal, IsExactForANeedleWhoseCrossProductLosesItsDigits) {
   // Three points nearly on a line: the normal is that of the integers they are multiples of.

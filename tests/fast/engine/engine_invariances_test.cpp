@@ -32,8 +32,26 @@ struct Encounter {
     law.friction = 0.25;
     law.slip_velocity = 0.5;
   }
-  Contact answer() const { return test::answer(E, F, pose, law, mode, velocity, {}, scheme); }
+  Contact answer() const { return answer({}); }
+  Contact answer(const Wanted& wanted) const { return test::answer(E, F, pose, law, mode, velocity, wanted, scheme); }
 };
+
+/// x, y and z called y, z and x: a rotation that takes coordinates to coordinates, without any rounding.
+Eigen::Matrix3d axes_renamed() {
+  Eigen::Matrix3d P;
+  P << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  return P;
+}
+
+Encounter with_axes_renamed(Encounter scene) {
+  const Eigen::Matrix3d P = axes_renamed();
+  for (TriangleMesh* mesh : {&scene.E, &scene.F}) {
+    for (Vector3d& x : mesh->vertices) x = P * x;
+  }
+  scene.pose = {P * scene.pose.A * P.transpose(), P * scene.pose.r};
+  scene.velocity = {P * scene.velocity.v, P * scene.velocity.w};
+  return scene;
+}
 
 void expect_bits(const Contact& a, const Contact& b, double length, double area, double force, double torque) {
   EXPECT_EQ(a.touching, b.touching);
@@ -94,6 +112,41 @@ TEST_P(EngineInvariance, TwoAxesNegatedInBothFramesNegateTheResultsBitForBit) {
     EXPECT_EQ(contact.volume, plain.volume);
     EXPECT_EQ(contact.E.area, plain.E.area);
     EXPECT_EQ(contact.F.vector_area_Me, plain.F.vector_area_Me.cwiseProduct(signs));
+  }
+}
+
+/// All that derives bounds and derivatives goes by single coordinates, and may not prefer any. Bounds hang on what
+/// roundings really are, by a few hundredths.
+TEST_P(EngineInvariance, RenamedAxesTurnForceBoundAndTangent) {
+  Wanted wanted;
+  wanted.bound = wanted.tangent = true;
+  const Eigen::Matrix3d P = axes_renamed();
+  Eigen::Matrix<double, 6, 6> turn_of_pairs = Eigen::Matrix<double, 6, 6>::Zero();
+  turn_of_pairs.topLeftCorner<3, 3>() = turn_of_pairs.bottomRightCorner<3, 3>() = P;
+  for (int i = 0; i < 20; ++i) {
+    Encounter scene(GetParam());
+    scene.pose = turned(0.3 * i, {0.04 * std::sin(2.0 * i), 0.04 * std::sin(3.0 * i), 0.25});
+    const Contact plain = scene.answer(wanted);
+    ASSERT_GT(plain.element_count, 10) << i;
+    const Encounter renamed = with_axes_renamed(scene);
+    const Contact contact = renamed.answer(wanted);
+    EXPECT_EQ(contact.element_count, plain.element_count) << i;
+    const double force = plain.force_Me.norm();
+    EXPECT_LT((contact.force_Me - P * plain.force_Me).norm(), 1e-12 * force) << i;
+    EXPECT_LT((contact.torque_Me - P * plain.torque_Me).norm(), 1e-12 * force) << i;
+    const Tangent turned_tangent = [&] {
+      Tangent T = turn_of_pairs * *plain.tangent;
+      T.leftCols<6>() *= turn_of_pairs.transpose();
+      T.rightCols<6>() *= turn_of_pairs.transpose();
+      return T;
+    }();
+    EXPECT_LT((*contact.tangent - turned_tangent).norm(), 1e-10 * turned_tangent.norm()) << i;
+    ASSERT_EQ(contact.bound->flipped, plain.bound->flipped);
+    for (const auto& [bound, expected] : {std::pair(contact.bound->force_Me, Vector3d(P * plain.bound->force_Me)),
+                                          std::pair(contact.bound->torque_Me, Vector3d(P * plain.bound->torque_Me))}) {
+      EXPECT_LT((bound - expected).norm(), 0.1 * expected.norm())
+          << i << " " << bound.transpose() << ", " << expected.transpose();
+    }
   }
 }
 
