@@ -29,6 +29,12 @@ inline double length(const Eigen::Vector3d& v) {
   return std::ldexp(std::sqrt(w.dot(w)), exponent);
 }
 
+/// The unit vector along v; 0 where v is.
+inline Eigen::Vector3d unit(const Eigen::Vector3d& v) {
+  const double l = length(v);
+  return l > 0 ? Eigen::Vector3d(v / l) : Eigen::Vector3d::Zero();
+}
+
 /// How far A is from a rotation or reflection: max |A^T A - I|, entry by entry, rounded; NaN where a sum in it
 /// overflows both ways, so that "at most so much" is false.
 inline double orthogonality_error(const Eigen::Matrix3d& A) {

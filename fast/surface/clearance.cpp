@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "fast/base/geometry.h"
 #include "fast/surface/open_nodes.h"
 
 namespace pcm::fast {
@@ -50,10 +51,10 @@ class Region {
       : p0_(p[0]), down_(down), down_absolute_(down.cwiseAbs()), position_error_(position_error), turn_(turn) {
     const Eigen::Vector3d N = (p[1] - p[0]).cross(p[2] - p[0]);
     std::array<Eigen::Vector3d, 3> inward;
-    for (std::size_t k = 0; k < 3; ++k) inward[k] = N.cross(p[(k + 1) % 3] - p[k]).normalized();
+    for (std::size_t k = 0; k < 3; ++k) inward[k] = unit(N.cross(p[(k + 1) % 3] - p[k]));
     for (std::size_t k = 0; k < 3; ++k) {
       axis_[k] = inward[k] + tangent * down;
-      axis_[k + 3] = (inward[k] + inward[(k + 2) % 3]).normalized() + tangent * down;
+      axis_[k + 3] = unit(inward[k] + inward[(k + 2) % 3]) + tangent * down;
       offset_[k] = axis_[k].dot(p[k] - p0_);
       offset_[k + 3] = axis_[k + 3].dot(p[k] - p0_);
     }
@@ -182,11 +183,11 @@ Clearance find_clearance(const PreparedSurface& surface, Index face) {
   const double max_coordinate = surface.max_coordinates.maxCoeff();
   const double position_error = kPositionError * max_coordinate;
   const std::array<Eigen::Vector3d, 3> p = surface.points_of(face);
-  const double longest = std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
+  const double longest = std::max({length(p[1] - p[0]), length(p[2] - p[1]), length(p[0] - p[2])});
   const Eigen::Vector3d N = (p[1] - p[0]).cross(p[2] - p[0]);
-  const double turn = 2 * position_error * longest / N.norm();
+  const double turn = 2 * position_error * longest / length(N);
   if (!(turn < kGreatestTurn)) return {};
-  const Eigen::Vector3d n = N.normalized();
+  const Eigen::Vector3d n = unit(N);
   const auto least_depth_of = [&](const Eigen::Vector3d& down, std::size_t cone, double enough) {
     return least_depth_in({p, down, kTangent[cone], position_error + turn * longest, turn}, surface, face, enough,
                           kFar * max_coordinate);
