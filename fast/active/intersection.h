@@ -18,8 +18,10 @@ struct Intersection {
 
   /// Whether a face is active: intersected or inner.
   bool is_active(Side side, Index face) const {
-    const std::vector<Index>& inner = active.of(side).inner;
-    return crossings.of(side).is_intersected.contains(face) || std::binary_search(inner.begin(), inner.end(), face);
+    const auto is_among = [face](const std::vector<Index>& faces) {
+      return std::binary_search(faces.begin(), faces.end(), face);
+    };
+    return is_among(crossings.of(side).intersected) || is_among(active.of(side).inner);
   }
   std::size_t active_faces(Side side) const {
     return crossings.of(side).intersected.size() + active.of(side).inner.size();

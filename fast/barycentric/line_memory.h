@@ -102,10 +102,12 @@ class LineMemory {
   }
   /// One of which all that is known holds on.
   void keep(const Line& known) {
-    const Index* const faces = slave_faces(known);
-    Line& line = now_.lines.emplace_back(known);
+    Line line = known;
     line.first = now_.faces.size();
+    // First the faces, so that no line is without its own where memory ends.
+    const Index* const faces = slave_faces(known);
     now_.faces.insert(now_.faces.end(), faces, faces + known.slave_count + known.own_count);
+    now_.lines.push_back(line);
   }
   /// One for which those faces served that are known, and do so on.
   void keep(const Line& known, Index slave_nearby) {
@@ -115,9 +117,13 @@ class LineMemory {
   }
   /// One that was searched for, with all faces within the radius.
   void keep(Index face, Index slave_nearby, const LineTrace& trace) {
-    keep(face, slave_nearby);
-    if (trace.slave_faces.size() + trace.own_faces.size() > kMostFaces) return;
-    Line& line = now_.lines.back();
+    if (trace.slave_faces.size() + trace.own_faces.size() > kMostFaces) {
+      keep(face, slave_nearby);
+      return;
+    }
+    Line line;
+    line.face = face;
+    line.slave_nearby = slave_nearby;
     line.until = travelled_ + ahead_;
     line.slave_searched = trace.slave_searched;
     line.own_searched = trace.own_listed ? trace.own_searched : -std::numeric_limits<double>::infinity();
@@ -126,6 +132,7 @@ class LineMemory {
     line.own_count = trace.own_faces.size();
     now_.faces.insert(now_.faces.end(), trace.slave_faces.begin(), trace.slave_faces.end());
     now_.faces.insert(now_.faces.end(), trace.own_faces.begin(), trace.own_faces.end());
+    now_.lines.push_back(line);
   }
 
   /// What the line kept last found is settled until F has travelled by so much from here, m.

@@ -10,7 +10,7 @@ namespace pcm::fast {
 
 namespace {
 
-/// Twice the centre of a triangle's box along one axis, halved coordinates first so that nothing overflows.
+/// The centre of a triangle's box along one axis, halved coordinates first so that nothing overflows.
 double centre_along(const TriangleMesh& mesh, Index face, int axis) {
   const Triangle& triangle = mesh.faces[static_cast<std::size_t>(face)];
   const double x0 = mesh.vertices[static_cast<std::size_t>(triangle[0])][axis];

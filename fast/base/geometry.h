@@ -35,6 +35,12 @@ inline Eigen::Vector3d unit(const Eigen::Vector3d& v) {
   return l > 0 ? Eigen::Vector3d(v / l) : Eigen::Vector3d::Zero();
 }
 
+/// What the two products in each component of a x b amount to, all taken absolutely; a and b have none that is
+/// negative.
+inline Eigen::Vector3d cross_of_magnitudes(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return {a[1] * b[2] + a[2] * b[1], a[2] * b[0] + a[0] * b[2], a[0] * b[1] + a[1] * b[0]};
+}
+
 /// How far A is from a rotation or reflection: max |A^T A - I|, entry by entry, rounded; NaN where a sum in it
 /// overflows both ways, so that "at most so much" is false.
 inline double orthogonality_error(const Eigen::Matrix3d& A) {

@@ -14,6 +14,7 @@ ThreadTeam::~ThreadTeam() {
 }
 
 void ThreadTeam::run(std::size_t members, const std::function<void(std::size_t)>& task) {
+  if (members == 0) return;
   {
     const std::lock_guard lock(mutex_);
     while (threads_.size() + 1 < members) {

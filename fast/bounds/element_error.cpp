@@ -15,11 +15,6 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 
-/// Component i is |a_j| |b_k| + |a_k| |b_j|: what the products in a x b amount to.
-Eigen::Vector3d cross_magnitude(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return {a[1] * b[2] + a[2] * b[1], a[2] * b[0] + a[0] * b[2], a[0] * b[1] + a[1] * b[0]};
-}
-
 }  // namespace
 
 // With a = p1 - p0, b = p2 - p0: a term of N = a x b carries 4 roundings (two differences, product, sum). Vertices off
@@ -30,7 +25,7 @@ FaceError::FaceError(const FaceGeometry& face, const Eigen::Vector3d& rounding_M
   const auto& p = face.points_Me;
   const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
   const Eigen::Vector3d C = face.barycentre_Me();
-  N = (4 * u * cross_magnitude(a, b) + 2 * cross_magnitude(rounding_Me, a + b + 2 * rounding_Me)).sum();
+  N = (4 * u * cross_of_magnitudes(a, b) + 2 * cross_of_magnitudes(rounding_Me, a + b + 2 * rounding_Me)).sum();
   N *= kSafetyFactor;
   area = 0.5 * N + 3 * u * face.area;
   barycentre_Me = kSafetyFactor * (u * (C.cwiseAbs() + a + b) + rounding_Me);
@@ -52,7 +47,7 @@ double depth_error(const FaceGeometry& master, const FaceError& master_error, co
   const DepthBelow depth(master, f);
   const auto& p = master.points_Me;
   const Eigen::Vector3d N_f = depth.N_f.cwiseAbs(), from_C = depth.from_C.cwiseAbs();
-  const Eigen::Vector3d N_f_error = 4 * u * cross_magnitude((f[1] - f[0]).cwiseAbs(), (f[2] - f[0]).cwiseAbs());
+  const Eigen::Vector3d N_f_error = 4 * u * cross_of_magnitudes((f[1] - f[0]).cwiseAbs(), (f[2] - f[0]).cwiseAbs());
   // corner - C: three differences, two sums, a division.
   const Eigen::Vector3d from_C_error =
       (4 * u / 3) *

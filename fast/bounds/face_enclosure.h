@@ -73,7 +73,7 @@ struct FaceEnclosure {
   FaceEnclosure() {}
 };
 
-/// A enclosure together with what is found out about the element it may carry (fast/bounds/clipped_error.h).
+/// An enclosure together with what is found out about the element it may carry (fast/bounds/clipped_error.h).
 struct FaceInView {
   FaceEnclosure enclosure;
   const ProjectedFace* projected = nullptr;  ///< the face as the engine sees it, where it does

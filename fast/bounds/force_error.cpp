@@ -14,11 +14,6 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 
-/// Both components of a x b whose products are taken absolutely.
-Eigen::Vector3d absolute_cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return {a[1] * b[2] + a[2] * b[1], a[2] * b[0] + a[0] * b[2], a[0] * b[1] + a[1] * b[0]};
-}
-
 /// The layers' shift (13) carries up to 2 roundings; without layers, or with a rigid body, it is exact.
 constexpr double kShiftRoundings = 2;
 
@@ -32,10 +27,10 @@ struct VelocityErrors {
 VelocityErrors velocity_errors(const ForceProblem& problem, const Element& element, double normal_error,
                                const Eigen::Vector3d& lever, const Eigen::Vector3d& lever_error) {
   const Eigen::Vector3d n = element.normal_Me.cwiseAbs(), w = problem.velocity.w.cwiseAbs();
-  const Eigen::Vector3d turning = absolute_cross(w, lever.cwiseAbs());
+  const Eigen::Vector3d turning = cross_of_magnitudes(w, lever.cwiseAbs());
   const Eigen::Vector3d v = problem.velocity.v.cwiseAbs() + turning;
   // A product, the difference of two, the sum with v.
-  const Eigen::Vector3d v_error = absolute_cross(w, lever_error) + 2 * u * turning + u * v;
+  const Eigen::Vector3d v_error = cross_of_magnitudes(w, lever_error) + 2 * u * turning + u * v;
   VelocityErrors errors;
   errors.v_n = n.dot(v_error) + normal_error * (v + v_error).sum() + 3 * u * n.dot(v);
   const double v_n = std::abs(element.normal_velocity);
@@ -84,8 +79,8 @@ ElementForceError force_error(const ForceProblem& problem, const Element& elemen
   ElementForceError result;
   result.force_Me = F_n.error * n + along + u * (F_n.size * n + force) +
                     Eigen::Vector3d::Constant(F_n.greatest() * error.normal + friction.beside + 0x1p-1060);
-  result.torque_Me = absolute_cross(lever_size, result.force_Me) +
-                     absolute_cross(lever_error, force + result.force_Me) + 2 * u * absolute_cross(lever_size, force) +
+  result.torque_Me = cross_of_magnitudes(lever_size, result.force_Me) +
+                     cross_of_magnitudes(lever_error, force + result.force_Me) + 2 * u * cross_of_magnitudes(lever_size, force) +
                      Eigen::Vector3d::Constant(0x1p-1060);
   result.force_Me *= kSafetyFactor;
   result.torque_Me *= kSafetyFactor;

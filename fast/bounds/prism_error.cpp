@@ -86,7 +86,6 @@ PrismError::PrismError(const MasterPrism& prism, const FaceError& face, Side mas
   const double q = N_terms / (2 * prism.face().area);
   gradient_s_ = kSecondOrder * std::sqrt(ss_);
   gradient_t_ = kSecondOrder * std::sqrt(tt_);
-  gradient_0_ = kSecondOrder * g_0_Me.norm();
   any_displacement_ = displacement(rounding_Me);
   const PrismPositionError displaced = displacement(own_rounding_Me);
   height_ = displaced.depth;

@@ -78,7 +78,7 @@ class PrismError {
   Eigen::Vector3d own_rounding_Me_;
   double ss_, st_, tt_;                          ///< scalar products of the gradients, 1 / m^2
   double length_s_, length_t_;                   ///< of p1 - p0 and p2 - p0, m
-  double gradient_s_, gradient_t_, gradient_0_;  ///< length of the gradients of the weights, 1 / m
+  double gradient_s_, gradient_t_;                ///< length of the gradients of s and t, 1 / m
   PrismPositionError any_displacement_;          ///< by any vertex of F that is off by its rounding
   bool own_moves_;                               ///< the master is F's
   double height_;                                ///< how far such a vertex may be off along n, m

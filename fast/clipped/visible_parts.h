@@ -26,12 +26,12 @@ namespace pcm::fast {
 /// Depths. A height has kFilterRelative of its terms, which is 47 q u S of depth, the lines' direction and the four
 /// cuts add 84 q u S, and being off in place adds tan theta times 292 q u S, theta the angle between the planes of the
 /// face and of the master: 131 + 292 tan theta <= sqrt(131^2 + 292^2) / cos theta, so that this is no more than epsilon
-/// = kDepthRoundings q u S / cos theta.
+/// = 321 q u S / cos theta.
 ///
 /// Lines that part what is seen, each off by
 ///   - a projected edge: delta;
 ///   - where f and g have one depth, or g has depth 0 (f the master), their planes at an angle a: delta
-///     + min(2 kDepthRoundings q u S / sin a, 2 kHeightError S). For |grad (d_f - d_g)| >= sin a / min(cos theta_f, cos
+///     + min(642 q u S / sin a, 2 kHeightError S). For |grad (d_f - d_g)| >= sin a / min(cos theta_f, cos
 ///     theta_g); and between its corners' sure heights a line is off by no more than kHeightError / 2 of an edge.
 ///
 /// So of an element {e, f} with the outline P of what e sees of f (in any number of convex pieces), its sides as long
@@ -43,7 +43,6 @@ namespace pcm::fast {
 /// strips along the outlines of its master face's elements, and of the face itself. A force of the clipped scheme is
 /// off by the sum over the elements times the stiffness, however many of them there are.
 inline constexpr double kPlaceRoundings = 1024;
-inline constexpr double kDepthRoundings = 321;
 
 /// Pieces no wider than this share of what makes a face certain are dropped where faces are cut by others: about as
 /// wide as one rounding of a distance makes slivers along a line that several faces share. What is wider may be seen.

@@ -15,6 +15,7 @@ namespace pcm::fast {
 namespace {
 
 bool is_same(const Wanted& a, const Wanted& b) {
+  static_assert(sizeof(Wanted) == 7, "all fields have to be compared");
   return a.polygons == b.polygons && a.areas == b.areas && a.force == b.force && a.elements == b.elements &&
          a.bound == b.bound && a.statistics == b.statistics && a.tangent == b.tangent;
 }

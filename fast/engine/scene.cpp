@@ -125,6 +125,7 @@ struct ScenePairing {
   bool sought = false;
   WorkCounters work{};
   PairingLoad load{};
+  BodyLoad on_E{}, on_F{};  ///< where its bodies were then
   std::exception_ptr failure{};
 };
 
@@ -176,6 +177,8 @@ struct Scene::Data {
 
   /// Evaluates the pairing where it may be in contact; nullptr where it surely is apart.
   const Contact* answer(ScenePairing& pairing, Workspace& workspace) const;
+  /// What the pairing's load is on its bodies.
+  void find_body_loads(ScenePairing& pairing) const;
   /// The same, for evaluate_all.
   void answer_and_keep_load(std::size_t pairing, Workspace& workspace, const Visit& visit);
   const Contact& evaluate_at(const Pose& pose, ScenePairing& pairing, Workspace& workspace) const;
@@ -216,6 +219,8 @@ const Contact& Scene::Data::evaluate_at(const Pose& pose, ScenePairing& pairing,
 }
 
 const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) const {
+  pairing.work = {};
+  pairing.sought = false;
   // Bounds tell of what is about to touch too, by boxes that overlap: they are not foreseen here.
   const bool may_skip = !pairing.wanted.bound;
   if (savings.broad_phase && may_skip && body(pairing.body_E).box.apart_from(body(pairing.body_F).box)) {
@@ -256,14 +261,26 @@ const Contact* Scene::Data::answer(ScenePairing& pairing, Workspace& workspace) 
 void Scene::Data::answer_and_keep_load(std::size_t index, Workspace& workspace, const Visit& visit) {
   ScenePairing& pairing = pairings[index];
   pairing.load = {};
+  pairing.on_E = pairing.on_F = {};
   try {
     const Contact* contact = answer(pairing, workspace);
     if (contact == nullptr || !(contact->touching || contact->nested)) return;
     pairing.load = {contact->touching, contact->nested, contact->force_Me, contact->torque_Me};
+    find_body_loads(pairing);
     if (visit) visit(static_cast<Index>(index), *contact);
   } catch (...) {
     pairing.failure = std::current_exception();
   }
+}
+
+void Scene::Data::find_body_loads(ScenePairing& pairing) const {
+  const Pose& E = body(pairing.body_E).state.pose;
+  const Pose& F = body(pairing.body_F).state.pose;
+  // The torque is about Mf, the origin of body F.
+  const Eigen::Vector3d force_W = E.A * pairing.load.force_Me;
+  const Eigen::Vector3d torque_W = E.A * pairing.load.torque_Me;
+  pairing.on_E = {force_W, torque_W + (F.r - E.r).cross(force_W)};
+  pairing.on_F = {-force_W, -torque_W};
 }
 
 void Scene::Data::list_first_pairings() {
@@ -417,17 +434,12 @@ std::vector<BodyLoad> Scene::body_loads() const {
   std::vector<BodyLoad> loads(data_->bodies.size());
   for (const ScenePairing& pairing : data_->pairings) {
     if (!pairing.load.touching && !pairing.load.nested) continue;
-    const Pose& E = data_->body(pairing.body_E).state.pose;
-    const Pose& F = data_->body(pairing.body_F).state.pose;
-    BodyLoad& on_E = loads[static_cast<std::size_t>(pairing.body_E)];
-    BodyLoad& on_F = loads[static_cast<std::size_t>(pairing.body_F)];
-    // The torque is about Mf, the origin of body F.
-    const Eigen::Vector3d force_W = E.A * pairing.load.force_Me;
-    const Eigen::Vector3d torque_W = E.A * pairing.load.torque_Me;
-    on_E.force_W += force_W;
-    on_E.torque_W += torque_W + (F.r - E.r).cross(force_W);
-    on_F.force_W -= force_W;
-    on_F.torque_W -= torque_W;
+    const auto add = [&](Index body, const BodyLoad& load) {
+      loads[static_cast<std::size_t>(body)].force_W += load.force_W;
+      loads[static_cast<std::size_t>(body)].torque_W += load.torque_W;
+    };
+    add(pairing.body_E, pairing.on_E);
+    add(pairing.body_F, pairing.on_F);
   }
   return loads;
 }

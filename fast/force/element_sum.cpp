@@ -60,12 +60,26 @@ void require_finite(const MasterForce& total) {
   throw BadInput("force or torque exceeds the range of doubles; choose units in which the numbers are smaller");
 }
 
+namespace {
+
+bool is_finite(const Statistics& s) {
+  return std::isfinite(s.patch_area) && std::isfinite(s.mean_penetration) && std::isfinite(s.max_pressure) &&
+         std::isfinite(s.mean_pressure) && std::isfinite(s.max_normal_velocity) &&
+         std::isfinite(s.max_tangential_velocity) && s.centre_of_pressure_Me.allFinite();
+}
+
+}  // namespace
+
 void report_forces(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact) {
   contact.force_Me = total.force_Me;
   contact.torque_Me = total.torque_Me;
   contact.tangent = total.tangent;
   contact.elements.swap(record.elements);
-  if (problem.with_statistics) contact.statistics = record.statistics.result();
+  if (!problem.with_statistics) return;
+  contact.statistics = record.statistics.result();
+  if (!is_finite(contact.statistics))
+    throw BadInput(
+        "the summary over the elements exceeds the range of doubles; choose units in which the numbers are smaller");
 }
 
 void report_elements(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact) {

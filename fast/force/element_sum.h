@@ -51,7 +51,7 @@ MasterForce mean(const MasterForce& on_E, const MasterForce& on_F);
 void require_finite(const MasterForce& total);
 
 /// Writes force and torque, elements and statistics, all that velocities change, into the answer, which gets the list
-/// of elements and leaves its own in exchange.
+/// of elements and leaves its own in exchange. Throws BadInput where the summary over the elements overflowed.
 void report_forces(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact);
 /// The same, and what else the record has.
 void report_elements(const ForceProblem& problem, const MasterForce& total, ElementRecord& record, Contact& contact);

@@ -7,8 +7,8 @@
 /// The force law, (12) to (20), in the engine; (14), (15), (18), (20) are in fast/law/element_force.h, which says what
 /// else changes with them.
 ///
-/// All but `layer_stiffness` are parts of the engine's entry points, which hold a `DefaultFloatingPoint`, and compute
-/// in the caller's floating-point environment.
+/// Parts of the engine's entry points, which hold a `DefaultFloatingPoint`: they compute in the caller's floating-point
+/// environment.
 namespace pcm::fast {
 
 /// Throws BadInput, naming the parameter and its range, where the law has none of the values PCM section 7 allows.
@@ -20,11 +20,6 @@ void require_valid(const Velocity& velocity);
 /// Throws BadInput where the pose is no rotation to 1e-9, where anything is not finite or r is beyond
 /// kGreatestCoordinate. Returns the pose's orthogonality error (fast/base/geometry.h).
 double require_valid(const Pose& pose, const Velocity& velocity);
-
-/// Stiffness of an elastic layer c = K / b (3), N/m^3, with the layer modulus (2)
-/// K = (1 - nu) / ((1 + nu) (1 - 2 nu)) young. `young` > 0 in Pa, -1 < `poisson` < 0.45 (a layer nearer to
-/// incompressible can't be thought of as springs side by side), `thickness` b > 0 in m. Throws BadInput otherwise.
-double layer_stiffness(double young, double poisson, double thickness);
 
 /// How stiff both layers are together, and how they share the penetration.
 struct SeriesStiffness {
@@ -41,7 +36,7 @@ struct ElementForce {
   double tangential = 0;  ///< F_t (20), N
 };
 
-/// (14), (15), (18), (20) for an element of area A_k m^2, penetration u_k > 0 m, approach velocity v_n and slip
+/// (14), (15), (18), (20) for an element of area A_k m^2, penetration u_k >= 0 m, approach velocity v_n and slip
 /// velocity v_t m/s.
 ElementForce element_force(const ContactLaw& law, double c_l, double area, double penetration, double v_n, double v_t);
 

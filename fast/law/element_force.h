@@ -51,7 +51,7 @@ NormalForces<Number> normal_forces(const ContactLaw& law, double c_l, const Numb
   return {elastic + damping, c_l * area + by_depth, by_approach};
 }
 
-/// (14), (15), (18), (20) for elements of area A_k m^2, penetration u_k > 0 m, approach velocity v_n and slip velocity
+/// (14), (15), (18), (20) for elements of area A_k m^2, penetration u_k >= 0 m, approach velocity v_n and slip velocity
 /// v_t m/s.
 template <class Number>
 ElementForces<Number> element_forces(const ContactLaw& law, double c_l, const Number& area, const Number& penetration,

@@ -16,10 +16,9 @@ namespace pcm {
 /// - the engine: `fast::Surface`, `Pairing`, `PairingMemory`, `evaluate`, `Scene`, `layer_stiffness`, and threads;
 /// - surfaces: `read_mesh`, `read_obj`, `read_off`, `parse_obj`, `parse_off`, `parse_number`, `make` and `check`;
 /// - the oracle: `reference::Oracle`, `Inquiry`, `prove_identities` and `self_intersections`.
-/// Each of these holds one, or computes nothing beside what it calls. What they are built of holds none: of
-/// fast/force/law_parameters.h all but `layer_stiffness`, and the generators that `make` calls (`generate::`,
-/// `degenerate::`), which give the promised bits in the default environment only. Nor does what writes surfaces, or
-/// compare/.
+/// Each of these holds one, or computes nothing beside what it calls. What they are built of holds none, as
+/// fast/force/law_parameters.h and the generators that `make` calls (`generate::`, `degenerate::`), which give the
+/// promised bits in the default environment only. Nor does what writes surfaces, or compare/.
 ///
 /// On x86-64 it looks at MXCSR alone, as the engine does not use the x87 unit (the C library asks that how to round the
 /// last digit of a number in a message), and writes only what differs: two reads where nothing does. A compiler knows

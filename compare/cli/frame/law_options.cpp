@@ -9,8 +9,8 @@
 
 #include "compare/cli/frame/command_line.h"
 #include "compare/io/split_at_commas.h"
-#include "fast/force/law_parameters.h"
 #include "pcm/bad_input.h"
+#include "pcm/layer_stiffness.h"
 
 namespace pcm::compare {
 namespace {

@@ -50,7 +50,7 @@ struct Element {
   Index master_face = 0;
   Index slave_face = 0;
   double area = 0;                                        ///< A_k (6), m^2
-  double penetration = 0;                                 ///< u_k (11) or mean u, clamped, m, > 0
+  double penetration = 0;                                 ///< u_k (11) or mean u, clamped, m, >= 0: 0 where roundings take it all
   double normal_velocity = 0;                             ///< v_n (16), m/s, positive when approaching
   double tangential_velocity = 0;                         ///< v_t (19), m/s
   double normal_force = 0;                                ///< F_n (18), N
@@ -60,11 +60,12 @@ struct Element {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E, N (not halved in mode `both`)
 };
 
-/// Summary over the elements (PCM section 9); all zero where there is none.
+/// Summary over the elements (PCM section 9), in mode `both` those of both masters, so that areas count twice; all zero
+/// where there is none.
 struct Statistics {
   double patch_area = 0;                                            ///< sum of A_k, m^2
   double mean_penetration = 0;                                      ///< area-weighted, m
-  double max_pressure = 0;                                          ///< greatest F_n / A_k, Pa
+  double max_pressure = 0;                                          ///< greatest F_n / A_k, Pa; 0 where all elements pull
   double mean_pressure = 0;                                         ///< area-weighted, Pa
   double max_normal_velocity = 0;                                   ///< greatest |v_n|, m/s
   double max_tangential_velocity = 0;                               ///< greatest v_t, m/s

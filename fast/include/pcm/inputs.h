@@ -46,7 +46,7 @@ enum class DampingMode : std::uint8_t {
   compression,  ///< F_d counts only while approaching (v_n > 0)
 };
 
-/// Stiffness c = K / b of each body's elastic layer (3), N/m^3; infinite for a rigid body, but not for both.
+/// Stiffness c = K / b of each body's elastic layer (3), N/m^3 (`fast::layer_stiffness`); infinite for a rigid body, but not for both.
 struct LayerStiffness {
   double c_E = std::numeric_limits<double>::infinity();
   double c_F = std::numeric_limits<double>::infinity();
@@ -59,7 +59,7 @@ struct ContactLaw {
   double damping = 0;                    ///< d_l, N s/m^3
   double transition_depth = 0;           ///< u_d, m: damping fades in up to this penetration (15); 0 turns the fade off
   double friction = 0;                   ///< mu
-  double slip_velocity = 0;              ///< v_eps, m/s: friction is regularised below it (20)
+  double slip_velocity = 0;              ///< v_eps, m/s: friction is regularised below it (20); at 0 it jumps there
   /// u_max, m > 0: deeper is clamped, point by point, and flagged. The barycentric scheme takes min(u, u_max) at a
   /// face's barycentre, the clipped scheme integrates it.
   double max_penetration = std::numeric_limits<double>::infinity();

@@ -34,5 +34,6 @@ struct Savings {
   /// Everything switched off.
   static constexpr Savings none() { return {false, false, false, false, false, false, false, false, false, false}; }
 };
+static_assert(sizeof(Savings) == 10, "none() has to name all of them");
 
 }  // namespace pcm::fast

@@ -33,7 +33,7 @@ struct BodyLoad {
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< N m
 };
 
-/// What became of the pairings, since the last `move`.
+/// What became of the pairings when each was last asked for, since the last `move`.
 struct SceneCounters {
   std::int64_t apart_by_boxes = 0;        ///< the bodies' boxes are apart
   std::int64_t apart_by_certificate = 0;  ///< apart by more than they have moved since they were looked at
@@ -97,7 +97,7 @@ class Scene {
 
   /// Of the last evaluate_all.
   const PairingLoad& load(Index pairing) const;
-  /// Of every body, summed over its pairings in their order.
+  /// Of every body where it was then, summed over its pairings in their order.
   std::vector<BodyLoad> body_loads() const;
 
   /// Sums over threads. Reset by `move`.

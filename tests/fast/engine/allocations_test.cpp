@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <sstream>
 
@@ -11,15 +12,23 @@
 #include "pcm/pairing_memory.h"
 #include "pcm/scene.h"
 #include "tests/fast/engine_support.h"
+#include "tests/fast/same_answer.h"
 
 namespace {
 std::atomic<long> allocations{0};
 std::atomic<std::size_t> greatest_allocation{0};
+std::atomic<long> allocations_left{std::numeric_limits<long>::max()};
+
+/// Counts an allocation, or throws where memory is said to have ended.
+void allocate_one() {
+  ++allocations;
+  if (--allocations_left < 0) throw std::bad_alloc();
+}
 }  // namespace
 
 // Not inlined: gcc would see a pointer that came of `new` go to `free`, and warn.
 [[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
+  allocate_one();
   std::size_t greatest = greatest_allocation;
   while (size > greatest && !greatest_allocation.compare_exchange_weak(greatest, size)) {
   }
@@ -27,7 +36,7 @@ std::atomic<std::size_t> greatest_allocation{0};
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
+  allocate_one();
   const auto unit = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return memory;
   throw std::bad_alloc();
@@ -141,6 +150,38 @@ TEST(Allocations, NoneInASceneThatHasSeenItsContacts) {
   const long before = allocations;
   run();
   EXPECT_EQ(allocations - before, 0);
+}
+
+/// Wherever memory ends while poses are followed, what is known from then on is true.
+TEST(Allocations, WhereMemoryEndsWhatIsFollowedStaysTrue) {
+  const Surface bubble(generate::bubble());
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    const Pairing pairing(bubble, bubble, test::stiffness(1), Mode::both, scheme);
+    Workspace plain;
+    const auto pose = [](int i) { return test::turned(0.3 + 1e-6 * i, {0.05, 0.1, 0.12 + 2e-6 * i}); };
+    int failures = 0;
+    bool failed = true;
+    for (int number = 0; failed; ++number) {
+      SCOPED_TRACE(number);
+      PairingMemory memory(pairing);
+      Workspace workspace;
+      failed = false;
+      int next = 0;
+      allocations_left = number;
+      try {
+        for (; next < 4; ++next) memory.evaluate(pose(next), {}, {}, workspace);
+      } catch (const std::bad_alloc&) {
+        failed = true;
+        ++failures;
+      }
+      allocations_left = std::numeric_limits<long>::max();
+      for (int i = next; i < next + 3; ++i) {
+        test::expect_same_answer(memory.evaluate(pose(i), {}, {}, workspace),
+                                 evaluate(pairing, pose(i), {}, {}, plain));
+      }
+    }
+    EXPECT_GT(failures, 100);
+  }
 }
 
 TEST(Allocations, SliversOfRoundingSizeDoNotMultiplyThePartsOfAFace) {

@@ -12,6 +12,7 @@
 #endif
 
 #include "fast/force/law_parameters.h"
+#include "pcm/layer_stiffness.h"
 #include "pcm/bad_input.h"
 #include "pcm/pairing_memory.h"
 #include "pcm/scene.h"

@@ -161,6 +161,43 @@ TEST(Scene, LoadsOfAllBodiesBalance) {
   EXPECT_LT(torque.norm(), 1e-13 * scale);
 }
 
+TEST(Scene, LoadsOfBodiesAreThoseOfTheLastEvaluationWhereverBodiesHaveGoneSince) {
+  Wandering wandering({});
+  wandering.step(0.1);
+  wandering.scene.evaluate_all();
+  const std::vector<BodyLoad> loads = wandering.scene.body_loads();
+  wandering.step(0.3);
+  const std::vector<BodyLoad> later = wandering.scene.body_loads();
+  double scale = 0;
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    EXPECT_TRUE(test::same(loads[b].force_W, later[b].force_W));
+    EXPECT_TRUE(test::same(loads[b].torque_W, later[b].torque_W));
+    scale += loads[b].force_W.norm();
+  }
+  EXPECT_GT(scale, 1);
+}
+
+TEST(Scene, CountsWhatBecameOfThePairingsWhenTheyWereLastAskedFor) {
+  Scene scene;
+  for (int b = 0; b < 2; ++b) scene.add_body(Surface(generate::icosphere(1, 2)));
+  scene.add_pairing(0, 1);
+  // Their boxes touch, they do not.
+  BodyState E, F;
+  F.pose.r = {1.5, 1.5, 0.1};
+  scene.move({E, F});
+  scene.evaluate_all();
+  const SceneCounters first = scene.counters();
+  EXPECT_EQ(first.evaluated, 1);
+  EXPECT_EQ(first.certificates_sought, 1);
+  EXPECT_GT(first.work.box_tests, 0);
+  scene.evaluate_all();
+  const SceneCounters second = scene.counters();
+  EXPECT_EQ(second.evaluated, 0);
+  EXPECT_EQ(second.apart_by_certificate, 1);
+  EXPECT_EQ(second.certificates_sought, 0);
+  EXPECT_EQ(second.work.box_tests, 0);
+}
+
 TEST(Scene, FarFromTheOriginBoxesOfTouchingBodiesStillTouch) {
   // Relative poses are off by an ulp of the bodies' coordinates, here 1e-4 m.
   const Surface box(generate::box({1, 1, 1}));

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "pcm/layer_stiffness.h"
 #include "pcm/bad_input.h"
 #include "tests/fast/engine_support.h"
 

@@ -14,7 +14,6 @@
 #include "meshes/generate/parts.h"
 #include "meshes/generate/round.h"
 #include "pcm/engine.h"
-#include "tests/meshes/transformed_meshes.h"
 
 namespace pcm::fast {
 namespace {
@@ -75,20 +74,6 @@ TEST(Clearance, LinesWithinAConeMeetNothingNearer) {
   expect_lines_clear(generate::icosphere(1, 3), 3);
   expect_lines_clear(generate::socket(1, 0.5, 24, 6), 4);
   expect_lines_clear(generate::box({1, 2, 0.1}), 5);
-}
-
-/// Whatever squares of lengths, or of products of lengths, do at either end of what coordinates may be.
-TEST(Clearance, IsTheSameBitsAtAllScales) {
-  const TriangleMesh mesh = generate::socket(1, 0.5, 8, 2);
-  const Surface plain(mesh);
-  for (int exponent = -298; exponent <= 298; ++exponent) {
-    const Surface large(scaled(mesh, std::ldexp(1.0, exponent)));
-    for (Index face = 0; face < static_cast<Index>(mesh.faces.size()); ++face) {
-      const Clearance a = clearance(plain.data(), face), b = clearance(large.data(), face);
-      ASSERT_EQ(a.beneath, b.beneath) << exponent << " " << face;
-      ASSERT_EQ(a.above, b.above) << exponent << " " << face;
-    }
-  }
 }
 
 TEST(Clearance, SphereIsClearFarBeneathAndEverywhereAbove) {
