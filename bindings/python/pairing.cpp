@@ -32,8 +32,10 @@ Value named(const char* what, const std::string& word, const std::pair<const cha
 constexpr std::pair<const char*, Mode> kModes[] = {{"E", Mode::E}, {"F", Mode::F}, {"both", Mode::both}};
 constexpr std::pair<const char*, Scheme> kSchemes[] = {{"barycentric", Scheme::barycentric},
                                                        {"clipped", Scheme::clipped}};
-constexpr std::pair<const char*, DampingMode> kDampingModes[] = {
-    {"no_tension", DampingMode::no_tension}, {"full", DampingMode::full}, {"compression", DampingMode::compression}};
+constexpr std::pair<const char*, DampingMode> kDampingModes[] = {{"no_tension", DampingMode::no_tension},
+                                                                 {"no-tension", DampingMode::no_tension},
+                                                                 {"full", DampingMode::full},
+                                                                 {"compression", DampingMode::compression}};
 
 ContactLaw law_from(double stiffness, const std::optional<std::pair<double, double>>& layers, double damping,
                     double transition_depth, double friction, double slip_velocity, double max_penetration,

@@ -87,7 +87,6 @@ struct Question {
   Asked asked;
   bool clipped;
   Wanted wanted;
-  bool of_two_threads = false;
 };
 constexpr std::array<Question, kAsked> kQuestions{{
     {Asked::touch, false, kTouchOnly},
@@ -95,9 +94,22 @@ constexpr std::array<Question, kAsked> kQuestions{{
     {Asked::force, false, kForceOnly},
     {Asked::everything, false, {}},
     {Asked::clipped_everything, true, {}},
-    {Asked::force_of_two_threads, false, kForceOnly, true},
-    {Asked::clipped_everything_of_two_threads, true, {}, true},
 }};
+
+/// Median over the poses.
+double gain_of_two_threads(Spheres& spheres, const fast::Pairing& pairing, const Wanted& wanted, double depth,
+                           std::int64_t poses) {
+  const OnAnyCore both_threads;
+  std::vector<double> gains;
+  for (std::int64_t p = 0; p < poses; ++p) {
+    const Pose pose = pose_at(depth, static_cast<std::uint64_t>(p));
+    const auto ask = [&](fast::Workspace& workspace) {
+      fast::evaluate(pairing, pose, bench_velocity(), wanted, workspace);
+    };
+    gains.push_back(times_as_fast([&] { ask(spheres.workspace); }, [&] { ask(spheres.workspace_of_two); }));
+  }
+  return quantile(gains, 0.5);
+}
 
 ScalingPoint measure(Spheres& spheres, double depth, std::int64_t poses) {
   ScalingPoint point;
@@ -109,8 +121,7 @@ ScalingPoint measure(Spheres& spheres, double depth, std::int64_t poses) {
     for (const Question& question : kQuestions) {
       const fast::Pairing& pairing = question.clipped ? spheres.clipped : spheres.barycentric;
       const auto ask = [&]() -> const fast::Contact& {
-        return fast::evaluate(pairing, pose, bench_velocity(), question.wanted,
-                              question.of_two_threads ? spheres.workspace_of_two : spheres.workspace);
+        return fast::evaluate(pairing, pose, bench_velocity(), question.wanted, spheres.workspace);
       };
       times[static_cast<std::size_t>(question.asked)].push_back(least_time([] {}, ask).query_us);
       if (question.asked != Asked::everything) continue;
@@ -122,6 +133,8 @@ ScalingPoint measure(Spheres& spheres, double depth, std::int64_t poses) {
     }
   }
   for (std::size_t a = 0; a < kAsked; ++a) point.median_us[a] = quantile(times[a], 0.5);
+  point.force_gain_of_two = gain_of_two_threads(spheres, spheres.barycentric, kForceOnly, depth, poses);
+  point.clipped_gain_of_two = gain_of_two_threads(spheres, spheres.clipped, {}, depth, poses);
   return point;
 }
 

@@ -17,17 +17,14 @@ namespace pcm::compare {
 
 /// What an evaluation is asked for: whether surfaces touch, which ends at the first crossing; polygons, which cost what
 /// the border of the patch is long; and what needs all of its faces.
-/// The last two are asked of two threads together.
 enum class Asked : std::uint8_t {
   touch,
   polygons,
   force,
   everything,
   clipped_everything,
-  force_of_two_threads,
-  clipped_everything_of_two_threads,
 };
-inline constexpr std::size_t kAsked = 7;
+inline constexpr std::size_t kAsked = 5;
 
 /// Setting up two surfaces of one resolution.
 struct SetupResult {
@@ -47,10 +44,10 @@ struct ScalingPoint {
   double elements = 0;  ///< barycentric
   double box_tests = 0;
   std::array<double, kAsked> median_us{};
+  /// How many times as fast two threads are, medians over the poses: force, and everything in the clipped scheme.
+  double force_gain_of_two = 0, clipped_gain_of_two = 0;
 
   double us(Asked asked) const { return median_us[static_cast<std::size_t>(asked)]; }
-  /// How many times as fast two threads are.
-  double gain_of_two_threads(Asked one, Asked two) const { return us(one) / us(two); }
   /// Cost of a crossing or an element in nanoseconds, everything asked for.
   double unit_cost_ns() const { return 1e3 * us(Asked::everything) / (crossings + elements); }
 };

@@ -3,7 +3,6 @@
 #include "compare/bench/timing.h"
 
 #include <fmt/core.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <cassert>
@@ -12,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
+#include <limits>
 #include <utility>
 
 #include "compare/io/program_provenance.h"
@@ -46,6 +46,35 @@ std::string stay_on_one_core() {
   if (core < 0 || sched_setaffinity(0, sizeof only, &only) != 0)
     return fmt::format("not kept on one core ({})", std::strerror(errno));
   return fmt::format("core {}", core);
+}
+
+OnAnyCore::OnAnyCore() {
+  CPU_ZERO(&before_);
+  sched_getaffinity(0, sizeof before_, &before_);
+  cpu_set_t all;
+  CPU_ZERO(&all);
+  for (std::size_t core = 0; core < CPU_SETSIZE; ++core) CPU_SET(core, &all);
+  sched_setaffinity(0, sizeof all, &all);
+}
+
+OnAnyCore::~OnAnyCore() {
+  sched_setaffinity(0, sizeof before_, &before_);
+}
+
+double times_as_fast(const std::function<void()>& one, const std::function<void()>& other) {
+  const auto wall_us = [](const std::function<void()>& work) {
+    const Clock::time_point before = Clock::now();
+    work();
+    return microseconds(Clock::now() - before);
+  };
+  double least_of_one = std::numeric_limits<double>::infinity(), least_of_other = least_of_one;
+  for (int k = 0; k <= kMeasured; ++k) {
+    const double us_of_one = wall_us(one), us_of_other = wall_us(other);
+    if (k == 0) continue;
+    least_of_one = std::min(least_of_one, us_of_one);
+    least_of_other = std::min(least_of_other, us_of_other);
+  }
+  return least_of_one / least_of_other;
 }
 
 double time_us(const std::function<void()>& work) {

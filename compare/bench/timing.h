@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sched.h>
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -13,9 +15,25 @@ namespace pcm::compare {
 /// Keeps this thread on the core where it runs. Returns that core as "core 1", or why it isn't kept there.
 std::string stay_on_one_core();
 
+/// Lets this thread, and those that it starts, run on any core, as long as this lives.
+class OnAnyCore {
+ public:
+  OnAnyCore();
+  ~OnAnyCore();
+  OnAnyCore(const OnAnyCore&) = delete;
+  OnAnyCore& operator=(const OnAnyCore&) = delete;
+
+ private:
+  cpu_set_t before_;
+};
+
 /// Microseconds that the work took: the thread's processor time where that is half a millisecond and more, which leaves
 /// out when others had the core; else the wall clock, which is read faster.
 double time_us(const std::function<void()>& work);
+
+/// How many times as fast `other` is: each asked in turn, once without measuring and then five times, the least time of
+/// each by the wall clock, as both may have several threads.
+double times_as_fast(const std::function<void()>& one, const std::function<void()>& other);
 
 /// Times of one question.
 struct Timing {

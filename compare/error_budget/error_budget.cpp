@@ -71,7 +71,7 @@ Eigen::Vector3d force_Me(const fast::Pairing& pairing, const Pose& pose, fast::W
 double rounding_error(const Solvers& solvers, Scheme scheme, const Pose& pose, fast::Workspace& workspace) {
   const reference::Answer truth = solvers.oracle(scheme).answer(reference::Problem::exact, pose, {}, force_only());
   const double error = (force_Me(solvers.engine(scheme), pose, workspace) - truth.force_Me).norm();
-  return error > 0 ? error / truth.force_scale : 0;
+  return error == 0 ? 0 : error / truth.force_scale;
 }
 
 /// The greatest coordinate over the mean thickness of the intersection, S / p (DESIGN section 3).

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "compare/verify/routes/wanted_presets.h"
 
@@ -18,7 +19,8 @@ ErrorOverBound error_over_bound(const HeldPairing& held, const Pose& pose, fast:
   ErrorOverBound found{0, subj.bound->flipped};
   for (int j = 0; j < 3; ++j) {
     const double error = std::abs(subj.force_Me[j] - true_force_Me[j]);
-    if (error > 0) found.ratio = std::max(found.ratio, error / subj.bound->force_Me[j]);
+    const double ratio = error == 0 ? 0 : error / subj.bound->force_Me[j];
+    found.ratio = std::isnan(ratio) ? std::numeric_limits<double>::infinity() : std::max(found.ratio, ratio);
   }
   return found;
 }

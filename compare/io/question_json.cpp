@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -22,13 +23,14 @@ constexpr std::array kSchemes = {Scheme::barycentric, Scheme::clipped};
 constexpr std::array kModes = {Mode::E, Mode::F, Mode::both};
 constexpr std::array kDampingModes = {DampingMode::no_tension, DampingMode::full, DampingMode::compression};
 
-/// The one of the values that goes by that name.
+/// The one of the values that goes by that name, with hyphens or, as in Python, underscores.
 template <class Value, std::size_t N>
 Value named(const Json& json, const std::array<Value, N>& values) {
   const auto word = json.get<std::string>();
-  std::string known;
+  std::string hyphened = word, known;
+  std::replace(hyphened.begin(), hyphened.end(), '_', '-');
   for (const Value value : values) {
-    if (word == name(value)) return value;
+    if (hyphened == name(value)) return value;
     known += (known.empty() ? "" : ", ") + std::string(name(value));
   }
   throw BadInput(in_quotes(word) + " is none of " + known);

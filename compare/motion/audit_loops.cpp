@@ -76,7 +76,7 @@ void add_wedges(double degrees, std::int64_t steps, std::vector<Audit>& list) {
           kStiffness * kWidth * static_cast<double>(wedge_share * on_wedge.z + (1 - wedge_share) * on_plane.z);
       audit.work = around(x * kSlide, kPlateWidth / kDepth, z, way(audit.poses));
       // The plate's barycentres miss up to a^2 / (9 h^2) of F_z at the borders, cells of width a
-      // (known_answer_wedges.cpp), and count as much too much at the ridge where that lies within a cell.
+      // (known_answers/wedges.cpp), and count as much too much at the ridge where that lies within a cell.
       const double missed = scheme == Scheme::barycentric && mode != Mode::E ? 1.0 / 16 / (9 * kDepth * kDepth) : 0;
       const double ratio = std::abs(x) / z, allowed = rounding(kPlateWidth / kDepth);
       audit.tangential = Band{ratio / (1 + missed) - allowed, ratio / (1 - missed) + allowed};

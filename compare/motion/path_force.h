@@ -20,7 +20,6 @@ struct FaceLoad {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on E about Mf, N m
 
-  bool same_face(const FaceLoad& other) const { return master == other.master && face == other.face; }
   bool before(const FaceLoad& other) const {
     return master != other.master ? master < other.master : face < other.face;
   }

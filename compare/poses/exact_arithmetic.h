@@ -27,7 +27,9 @@ class WatchedArithmetic {
   }
   double times(double a, double b) {
     const double product = a * b;
-    exact_ = exact_ && std::fma(a, b, -product) == 0;
+    // Below that, what is rounded off may underflow.
+    const bool is_told = std::abs(product) >= 0x1p-960 || a == 0 || b == 0;
+    exact_ = exact_ && is_told && std::fma(a, b, -product) == 0;
     return product;
   }
   Eigen::Vector3d plus(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

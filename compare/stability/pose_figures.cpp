@@ -39,6 +39,7 @@ std::string broken_promise(const fast::Contact& subj, ExactContact& truth) {
   const reference::Field<Ball> field{kPrecision};
   const Values& values = truth.values(kPrecision);
   const auto outside = [&](double computed, const Ball& exact, double bound) {
+    if (std::isnan(bound)) return true;
     if (std::isinf(bound)) return false;
     const Ball error = field(computed) - exact, limit = field(bound);
     return certainly_less(limit, error) || certainly_less(error, field(-1.0) * limit);
@@ -52,7 +53,7 @@ std::string broken_promise(const fast::Contact& subj, ExactContact& truth) {
       return fmt::format("torque {}: {:a}, bound {:a}", axis, subj.torque_Me[i], subj.bound->torque_Me[i]);
   }
   const double low = subj.bound->penetration_at_least, high = subj.bound->penetration_at_most;
-  if (certainly_less(values.penetration, field(low)) ||
+  if (std::isnan(low) || std::isnan(high) || certainly_less(values.penetration, field(low)) ||
       (std::isfinite(high) && certainly_less(field(high), values.penetration)))
     return fmt::format("greatest penetration not between {:a} and {:a}", low, high);
   return {};

@@ -48,8 +48,10 @@ constexpr std::pair<const char*, Method> kMethods[] = {{"adams", Method::adams},
                                                        {"runge_kutta_merson", Method::runge_kutta_merson}};
 constexpr std::pair<const char*, JacobianOf> kJacobians[] = {{"differences", JacobianOf::differences},
                                                              {"tangents", JacobianOf::tangents}};
-constexpr std::pair<const char*, DampingMode> kDampingModes[] = {
-    {"no_tension", DampingMode::no_tension}, {"full", DampingMode::full}, {"compression", DampingMode::compression}};
+constexpr std::pair<const char*, DampingMode> kDampingModes[] = {{"no_tension", DampingMode::no_tension},
+                                                                 {"no-tension", DampingMode::no_tension},
+                                                                 {"full", DampingMode::full},
+                                                                 {"compression", DampingMode::compression}};
 constexpr std::pair<const char*, Mode> kModes[] = {{"E", Mode::E}, {"F", Mode::F}, {"both", Mode::both}};
 constexpr std::pair<const char*, Scheme> kSchemes[] = {{"barycentric", Scheme::barycentric},
                                                        {"clipped", Scheme::clipped}};

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/cli/frame/output_files.h"
 #include "compare/contact/contact_rows.h"
 #include "compare/io/json_file.h"
 #include "meshes/files/text_file.h"
@@ -16,13 +17,6 @@
 
 namespace pcm::compare {
 namespace {
-
-/// Links and all ways to write a path seen through, whether the files are there or not.
-bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code error;
-  if (std::filesystem::equivalent(a, b, error)) return true;
-  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
-}
 
 /// Beside a table, which has no place for it.
 std::string provenance_file(const std::string& table) {
@@ -68,16 +62,8 @@ void add_contact_output_options(CLI::App& command, ContactOutputOptions& options
 }
 
 void require_files_of_their_own(const ContactOutputOptions& options, const std::vector<std::string>& inputs) {
-  std::vector<std::string> taken = inputs;
-  for (const auto& [option, file] : {std::pair("--csv", options.csv), std::pair("--elements", options.csv_elements)}) {
-    if (!file) continue;
-    if (file->empty() || *file == "-") throw BadInput(std::string(option) + ": name a file");
-    if (std::filesystem::is_directory(*file)) throw BadInput(*file + ": this is a folder; name a file");
-    for (const std::string& other : taken)
-      if (is_same_file(*file, other))
-        throw BadInput(*file + ": is read or written already; name another file for " + option);
-    taken.push_back(*file);
-  }
+  const std::vector<std::string> taken =
+      require_files_of_their_own({{"--csv", options.csv}, {"--elements", options.csv_elements}}, inputs);
   if (options.vtk && options.vtk->empty()) throw BadInput("--vtk: name a folder");
   for (const std::string& file : provenance_files(options))
     for (const std::string& other : taken)

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "compare/cli/contact/surface_files.h"
+#include "compare/cli/frame/output_files.h"
 #include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/explain/answer_map.h"
@@ -122,12 +123,28 @@ MapGrid map_grid(const ExplainCommand& command) {
   return grid;
 }
 
-Exit write_map(const ExplainCommand& command, const Asked& question) {
-  if (command.poses.poses) throw BadInput("--map: a map is of one pose; --poses has many");
+/// The one pose of a file.
+Pose only_pose(PosesFile& poses) {
+  ReplacementNotice notice;
+  const std::optional<State> state = poses.next();
+  if (!state) throw BadInput("--map: there is no pose in the file of --poses");
+  notice.look_at(*state, poses);
+  if (poses.next()) throw BadInput("--map: a map is of one pose; the file of --poses has more");
+  return state->pose;
+}
+
+Exit write_map(const ExplainCommand& command, Asked question) {
+  if (command.json) throw BadInput("--json goes without --map, which writes a picture");
+  std::vector<std::string> inputs = command.files;
+  if (command.poses.poses) inputs.push_back(*command.poses.poses);
+  require_files_of_their_own({{"--map", command.map}}, inputs);
+  if (std::optional<PosesFile> poses = poses_from(command.poses, metres_per_unit(command.unit)))
+    question.pose = only_pose(*poses);
   const AnswerMap map = answer_map(question.E, question.F, question.pose, map_grid(command));
   write_text_file(*command.map, answer_map_svg(map, question.origin));
   for (const MappedAnswers& row : map.rows)
-    std::cout << fmt::format("{:<16} {:>6} of {} poses wrong\n", row.who, map.wrong(row), map.grid.cells());
+    std::cout << fmt::format("{:<16} crossings wrong at {:>6} of {} poses\n", row.who, map.wrong(row),
+                             map.grid.cells());
   std::cout << fmt::format("{} answers, drawn in {}\n", map.answers.size(), *command.map);
   return Exit::success;
 }
@@ -140,7 +157,7 @@ Exit explain(const ExplainCommand& command) {
   ExplainOptions options;
   options.near_ulps = positive_number("--ulps", command.ulps);
   Asked question = asked(command);
-  if (command.map) return write_map(command, question);
+  if (command.map) return write_map(command, std::move(question));
   if (command.all) options.listed = std::numeric_limits<std::size_t>::max();
   std::optional<PosesFile> poses = poses_from(command.poses, metres_per_unit(command.unit));
   const Explainer explainer(std::move(question.E), std::move(question.F), question.mode, question.scheme);

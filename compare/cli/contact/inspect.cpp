@@ -19,6 +19,7 @@
 
 #include "compare/cli/contact/surface_files.h"
 #include "compare/cli/frame/law_options.h"
+#include "compare/cli/frame/output_files.h"
 #include "compare/cli/frame/pose_options.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/io/contact_picture.h"
@@ -121,6 +122,8 @@ Exit inspect(const InspectOptions& options) {
   auto [mesh_E, mesh_F] = read_surfaces(options.file_E, options.file_F, unit);
   const PathPoint place = place_from(options.at, path);
   const std::optional<ViewAxis> view = view_from(options.view);
+  require_files_of_their_own({{"--out", options.out}, {"--svg", options.svg}},
+                             {options.file_E, options.file_F, options.path});
   for (const auto& file : {options.out, options.svg})
     if (file) write_text_file(*file, "");  // better refused now than after the work
 

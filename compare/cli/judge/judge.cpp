@@ -201,6 +201,12 @@ Json question_of(const PosedQuestions& posed, const JudgingSetup& setup, bool co
   return question;
 }
 
+/// Success is an answer at least that could be judged, and none wrong.
+Exit exit_status(const Judging& run, bool finished) {
+  const JudgedTally total = run.total();
+  return finished && total.wrong == 0 && total.judged() > 0 ? Exit::success : Exit::negative;
+}
+
 void report(const Judging& run, const JudgingSetup& setup, const std::optional<fs::path>& folder,
             const std::string& ended) {
   const Table strata = strata_table(run), facts = facts_table(run), pairs = pairs_table(run);
@@ -259,7 +265,7 @@ Exit judge_with_others(Judging& run, const JudgeOptions& options, const JudgingS
   report(run, setup, folder, ended_by(complaint, interrupted && !done));
   if (done && !finished_by) kept.finish(process.launch);
   if (!complaint.empty()) throw BadInput(complaint);
-  return !done || run.total().wrong > 0 ? Exit::negative : Exit::success;
+  return exit_status(run, done);
 }
 
 Exit judge_alone(Judging& run, const JudgeOptions& options, const JudgingSetup& setup,
@@ -272,7 +278,7 @@ Exit judge_alone(Judging& run, const JudgeOptions& options, const JudgingSetup& 
   work.reset();
   report(run, setup, folder, ended_by(complaint, interrupted));
   if (!complaint.empty()) throw BadInput(complaint);
-  return interrupted || run.total().wrong > 0 ? Exit::negative : Exit::success;
+  return exit_status(run, !interrupted);
 }
 
 Exit judge(const JudgeOptions& options) {

@@ -184,7 +184,7 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       const bool problems_of_its_own = asks_for_problems_of_its_own(*options);
       if (options->law.any() && (problems_of_its_own || options->case_file || options->trajectory))
         throw BadInput("the options of the force law go with random poses; all else has laws of its own");
-      if (options->quick && !problems_of_its_own && !options->case_file)
+      if (options->quick && !problems_of_its_own)
         throw BadInput("--quick goes with --known-answers, --error-budget, --audits or --stability");
       if (options->part || !options->merge.empty()) {
         if (asks_for_other_tables(*options) || options->case_file)

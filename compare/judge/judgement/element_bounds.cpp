@@ -66,7 +66,7 @@ Share most_of(const Question& question, const GivenElement& e, const ClippedBoun
   for (std::size_t k = 0; k < 3; ++k)
     arm = std::max(arm, (bounds.faces().corner(e.master, e.master_face, k) - question.pose.r).stableNorm() + u);
   const double speed = question.velocity.v.stableNorm() + question.velocity.w.stableNorm() * arm;
-  const double force = greatest_force(question.law, std::abs(*e.area), u, speed);
+  const double force = greatest_force(question.law, *e.area, u, speed);
   return {force, arm * force};
 }
 
@@ -82,7 +82,8 @@ ElementsHeld hold_clipped(const Question& question, const std::vector<GivenEleme
       alone.master_face = ours->master_face;
       alone.slave_face = ours->slave_face;
       const ClippedBounds::Sliver sliver = bounds.sliver(alone);
-      if (!(*ours->area <= sliver.area && ours->penetration.value_or(0) <= sliver.depth)) {
+      const double penetration = ours->penetration.value_or(0);
+      if (!(*ours->area >= 0 && *ours->area <= sliver.area && penetration >= 0 && penetration <= sliver.depth)) {
         held.spurious.push_back(ours);
         return;
       }

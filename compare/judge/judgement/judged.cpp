@@ -16,6 +16,7 @@ void JudgedTally::add(const PoseVerdict& verdict) {
   const bool is_wrong = verdict.has(Verdict::wrong);
   wrong += is_wrong;
   near += !is_wrong && verdict.has(Verdict::near);
+  empty += verdict.facts.empty();
   for (const FactVerdict& fact : verdict.facts) {
     FactTally& tally = facts[static_cast<std::size_t>(fact.fact)];
     ++(fact.verdict == Verdict::right ? tally.right : fact.verdict == Verdict::near ? tally.near : tally.wrong);
@@ -37,6 +38,7 @@ void JudgedTally::merge(const JudgedTally& other) {
   wrong += other.wrong;
   near += other.near;
   ties += other.ties;
+  empty += other.empty;
   for (std::size_t k = 0; k < kBreakdowns; ++k) breakdowns[k] += other.breakdowns[k];
   for (std::size_t k = 0; k < kFacts; ++k) {
     facts[k].right += other.facts[k].right;
@@ -52,12 +54,13 @@ Json JudgedTally::to_json() const {
   Json rows = Json::array();
   for (const FactTally& fact : facts)
     rows.push_back({fact.right, fact.near, fact.wrong, fact.lost, fact.spurious, fact.no_truth});
-  return {{"poses", {poses, wrong, ties, near}}, {"breakdowns", breakdowns}, {"facts", std::move(rows)}};
+  return {{"poses", {poses, wrong, ties, near, empty}}, {"breakdowns", breakdowns}, {"facts", std::move(rows)}};
 }
 
 JudgedTally JudgedTally::from_json(const Json& json) {
-  const auto [poses, wrong, ties, near] = json.at("poses").get<std::array<std::int64_t, 4>>();
-  JudgedTally tally{poses, wrong, ties, near, json.at("breakdowns").get<std::array<std::int64_t, kBreakdowns>>(), {}};
+  const auto [poses, wrong, ties, near, empty] = json.at("poses").get<std::array<std::int64_t, 5>>();
+  JudgedTally tally{poses, wrong, ties, near, empty, json.at("breakdowns").get<std::array<std::int64_t, kBreakdowns>>(),
+                    {}};
   for (std::size_t k = 0; k < kFacts; ++k) {
     const auto row = json.at("facts").at(k).get<std::array<std::int64_t, 6>>();
     tally.facts[k] = {row[0], row[1], row[2], row[3], row[4], row[5]};

@@ -33,9 +33,12 @@ struct JudgedTally {
   std::int64_t wrong = 0;  ///< poses wrong in anything, breakdowns included
   std::int64_t ties = 0;   ///< those of the wrong ones where features coincide exactly
   std::int64_t near = 0;   ///< the others that are near another answer in anything
+  std::int64_t empty = 0;  ///< answers in which there was nothing to be judged
   std::array<std::int64_t, kBreakdowns> breakdowns{};
   std::array<FactTally, kFacts> facts{};
 
+  std::int64_t judged() const { return poses - empty; }
+  std::int64_t right() const { return judged() - wrong - near; }
   const FactTally& of(Fact fact) const { return facts[static_cast<std::size_t>(fact)]; }
   void add(const PoseVerdict& verdict);
   void add(Breakdown breakdown);

@@ -47,7 +47,8 @@ Table table_of_poses(const std::string& what) {
                {"near", "near"},
                {"wrong", "wrong"},
                {"of these ties", "wrong_ties"},
-               {"rate below", "wrong_rate_upper_bound"}},
+               {"rate below", "wrong_rate_upper_bound"},
+               {"nothing judged", "nothing_judged"}},
               {}};
   for (const std::string_view word : kBreakdownNames) table.columns.push_back({std::string(word), std::string(word)});
   return table;
@@ -56,11 +57,12 @@ Table table_of_poses(const std::string& what) {
 std::vector<TableCell> row_of_poses(const std::string& name, const JudgedTally& tally) {
   std::vector<TableCell> row{name,
                              count_cell(tally.poses),
-                             count_cell(tally.poses - tally.wrong - tally.near),
+                             count_cell(tally.right()),
                              count_cell(tally.near),
                              count_cell(tally.wrong),
                              count_cell(tally.ties),
-                             rate_cell(rate_upper_bound(tally.wrong, tally.poses))};
+                             rate_cell(rate_upper_bound(tally.wrong, tally.judged())),
+                             count_cell(tally.empty)};
   for (const std::int64_t count : tally.breakdowns) row.push_back(count_cell(count));
   return row;
 }
@@ -107,7 +109,8 @@ std::string judging_legend(const JudgingSetup& setup) {
       "tie: vertices, edges, faces or penetration lines coincide exactly in the pose; clear: none do;\n"
       "not given: not in the answer, or no answer came; no truth: given, without anything that it could be held "
       "against;\n"
-      "crash, hang, garbage: no answer came, and the pose counts as wrong.\n",
+      "crash, hang, garbage: no answer came, and the pose counts as wrong;\n"
+      "nothing judged: answers without any fact that could be judged, which count neither as right nor as wrong.\n",
       setup.who, setup.poses);
   text += setup.near_ulps == 0
               ? "No other poses were asked about.\n"
@@ -149,12 +152,16 @@ nlohmann::ordered_json judging_json(const Judging& run, const JudgingSetup& setu
 
 std::string judging_verdict(const Judging& run, bool finished) {
   const JudgedTally total = run.total();
-  const char* word = total.wrong > 0 ? "NOT right" : finished ? "right" : "unfinished";
+  const char* word = total.wrong > 0      ? "NOT right"
+                     : !finished          ? "unfinished"
+                     : total.judged() > 0 ? "right"
+                                          : "nothing judged";
   std::string line =
       fmt::format("{}: {} answers, {} wrong, {} near another answer", word, total.poses, total.wrong, total.near);
   std::int64_t broken = 0;
   for (const std::int64_t count : total.breakdowns) broken += count;
   if (broken > 0) line += fmt::format(", {} without an answer", broken);
+  if (total.empty > 0) line += fmt::format(", {} with nothing that could be judged", total.empty);
   if (!finished && total.wrong > 0) line += " (unfinished)";
   return line;
 }

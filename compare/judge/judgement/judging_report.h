@@ -34,7 +34,8 @@ std::string judging_legend(const JudgingSetup& setup);
 /// Counts and settings for programs. `ended`: why it ended before all was judged; empty where it did not.
 nlohmann::ordered_json judging_json(const Judging& run, const JudgingSetup& setup, const std::string& ended);
 
-/// The verdict in a line, e.g. "all right: 20160 answers, 0 wrong, 3 near another answer".
+/// The verdict in a line, e.g. "right: 20160 answers, 0 wrong, 3 near another answer"; "nothing judged"
+/// where there was nothing in them that could be.
 std::string judging_verdict(const Judging& run, bool finished);
 
 }  // namespace pcm::compare

@@ -98,8 +98,9 @@ ClippedBounds::Sliver ClippedBounds::sliver(const fast::Element& e) const {
   const MasterView view(faces_, e.master, e.master_face);
   const SlaveInView seen = view.sight(e.slave_face);
   Sliver sliver;
-  sliver.area = kHigherOrder * (strips_along(4 * seen.outline + seen.parting, seen.strip) + seen.neglected +
-                                seen.mistaken + seen.surfacing);
+  const double strips =
+      strips_along(4 * seen.outline + seen.parting, seen.strip) + seen.neglected + seen.mistaken + seen.surfacing;
+  sliver.area = kHigherOrder * no_more(strips, view.greatest_area());
   sliver.depth = std::max(0.0, seen.deepest + std::max(seen.deepest - seen.at_tip, 0.0));
   sliver.face = faces_.face(e.master, e.master_face);
   sliver.normal_error = std::min(2.0, kHigherOrder * (view.turn() + sliver.face.normal_error));

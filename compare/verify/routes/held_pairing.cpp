@@ -98,6 +98,7 @@ std::vector<PoseOutcome> HeldPairing::hold(const State& state, fast::Workspace& 
 PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& inquiry, const State& state,
                               fast::Workspace& workspace, const EngineSeam& seam) const {
   PoseOutcome outcome;
+  Checks checks;
   const Pose& pose = state.pose;
   const Velocity& velocity = state.velocity;
   const char* who = "engine";
@@ -126,7 +127,7 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
     outcome.flipped = engine.scheme() == Scheme::barycentric && flipped(true_rounded, true_exact);
     outcome.predicates = subj.work.predicates;
     outcome.exact_predicates = subj.work.exact_predicates;
-    Checks checks = hold_answer(asked, subj, true_rounded);
+    checks.merge(hold_answer(asked, subj, true_rounded));
     if (asked_afresh(pose)) {
       reference::Inquiry afresh(oracle_, pose, velocity, {}, state.law, state.scheme);
       checks.merge(hold_history(true_exact, afresh.answer(reference::Problem::exact, engine.mode())));
@@ -156,12 +157,12 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
           outcome.errors = relative_errors(asked, bounded, true_exact, outcome.flipped);
         },
         [&](const fast::Contact& with_tangent) { check_tangent(with_tangent, true_tangent, allowed, checks); });
-    outcome.disagreements = checks.sorted();
-    outcome.widths = checks.widths();
     outcome.backward_error_ulps = backward_error_ulps(mesh_F_, pose);
   } catch (const std::exception& error) {
-    outcome.disagreements.push_back({Kind::failure, std::string(who) + ": " + error.what()});
+    checks.add(Kind::failure, "{}: {}", who, error.what());
   }
+  outcome.disagreements = checks.sorted();
+  outcome.widths = checks.widths();
   return outcome;
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <exception>
 #include <string>
+
+#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 
@@ -13,7 +14,7 @@ std::string refusal_of(const Call& ask) {
   try {
     ask();
     return {};
-  } catch (const std::exception& error) {
+  } catch (const BadInput& error) {
     return error.what();
   }
 }

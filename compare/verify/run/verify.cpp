@@ -138,12 +138,15 @@ Case Verification::as_case(const Finding& finding) const {
 }
 
 Verification::Held Verification::hold(const Cell& cell, std::int64_t pose, fast::Workspace& workspace) const {
+  const char* what = "drawing the state";
   try {
     const HeldPairing::State state = poses_.asked(cell, pose);
-    return {poses_.held_pairing(cell, pose).hold(state, workspace, *seam_), is_pose_for_scenes(state.pose)};
+    const HeldPairing& held = poses_.held_pairing(cell, pose);
+    what = "holding the answers";
+    return {held.hold(state, workspace, *seam_), is_pose_for_scenes(state.pose)};
   } catch (const std::exception& error) {
     PoseOutcome failed;
-    failed.disagreements.push_back({Kind::failure, std::string("drawing the state: ") + error.what()});
+    failed.disagreements.push_back({Kind::failure, std::string(what) + ": " + error.what()});
     return {std::vector<PoseOutcome>(static_cast<std::size_t>(poses_.modes_per_pose()), failed),
             true};  // it says itself what was not asked
   }

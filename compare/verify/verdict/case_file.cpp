@@ -3,8 +3,10 @@
 #include "compare/verify/verdict/case_file.h"
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -176,10 +178,25 @@ std::string case_file_name(std::string pose) {
   return "case_" + pose + ".json";
 }
 
+namespace {
+
+/// Whether the file is a case under the name that a run gives it, that of its pose, which its origin names, too; others
+/// are somebody's own.
+bool is_of_a_run(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  const Json json = Json::parse(in, nullptr, false);
+  if (!json.is_object() || !json.contains("origin") || !json["origin"].is_string()) return false;
+  const std::string pose = file.stem().string().substr(std::string_view("case_").size());
+  return case_file_name(json["origin"].get<std::string>()).find(pose) != std::string::npos;
+}
+
+}  // namespace
+
 bool remove_case_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
-    if (const std::string name = entry.path().filename().string(); name.starts_with("case_") && name.ends_with(".json"))
+    if (const std::string name = entry.path().filename().string();
+        name.starts_with("case_") && name.ends_with(".json") && is_of_a_run(entry.path()))
       files.push_back(entry.path());
   for (const std::filesystem::path& file : files) {
     std::error_code error;

@@ -47,7 +47,8 @@ std::string format_case(const Case& posed, const nlohmann::ordered_json& engine,
 
 /// What the case file of a pose is called, by the pose's name.
 std::string case_file_name(std::string pose);
-/// Removes all case files in a folder; says whether there were any. Throws BadInput where one can't be removed.
+/// Removes the case files of runs from a folder, not those under other names; says whether there were any. Throws
+/// BadInput where one can't be removed.
 bool remove_case_files(const std::filesystem::path& folder);
 
 /// Reads a case file. Throws BadInput naming the file and what is wrong with it: not JSON, a key missing or of the

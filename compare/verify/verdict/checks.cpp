@@ -36,13 +36,6 @@ void Checks::check_vector(Kind kind, std::string_view what, const Eigen::Vector3
         subj.z(), truth.x(), truth.y(), truth.z(), distance, bound);
 }
 
-void Checks::check_between(Kind kind, std::string_view what, double subj, double truth, double at_least,
-                           double at_most) {
-  checked(kind, std::max({at_most - truth, truth - at_least, 0.0}), truth);
-  if (!(at_least <= subj && subj <= at_most))
-    add(kind, "{}: engine {}, oracle {}, bounds {} and {}", what, subj, truth, at_least, at_most);
-}
-
 void Checks::checked(Kind kind, double bound, double scale) {
   if (bound == 0 && scale == 0) return;
   std::optional<double> relative;

@@ -51,7 +51,6 @@ class Checks {
                     double bound, double scale);
   /// The value must lie between `at_least` and `at_most`. The width is the distance from the truth to the farther of
   /// the two, divided by the truth.
-  void check_between(Kind kind, std::string_view what, double subj, double truth, double at_least, double at_most);
   /// A check of that width was made; nothing is counted where there was nothing to hold: 0 to within 0.
   void checked(Kind kind, double bound = 0, double scale = 1);
 

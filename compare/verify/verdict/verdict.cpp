@@ -273,6 +273,26 @@ std::vector<Disagreement> disagreements(const Question& question, const fast::Co
   return hold_answer(question, subj, true_rounded).sorted();
 }
 
+namespace {
+
+/// Of the clipped scheme, where the engine calls its decisions certain: the master faces that have elements in the one
+/// problem are active in the other.
+void check_masters_active(const std::vector<reference::Element>& elements, const reference::Answer& other,
+                          std::string_view problem, Checks& checks) {
+  for (const reference::Element& element : elements) {
+    const reference::ActiveArea& area = element.master == Side::E ? other.E : other.F;
+    const auto is_among = [&](const std::vector<Index>& faces) {
+      return std::binary_search(faces.begin(), faces.end(), element.master_face);
+    };
+    if (!is_among(area.intersected) && !is_among(area.inner))
+      checks.add(Kind::bound,
+                 "face {} of {} has elements, and is not active in the {} problem: the engine calls it certain",
+                 element.master_face, name(element.master), problem);
+  }
+}
+
+}  // namespace
+
 Checks broken_bounds(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded,
                      const reference::Answer& true_exact) {
   Checks checks;
@@ -294,6 +314,10 @@ Checks broken_bounds(const Question& question, const fast::Contact& subj, const 
   if (question.scheme == Scheme::barycentric && !subj.bound->flipped &&
       !same_elements(true_rounded.elements, true_exact.elements))
     checks.add(Kind::bound, "the exact problem has other elements, the engine calls them certain");
+  if (question.scheme == Scheme::clipped && !subj.bound->flipped) {
+    check_masters_active(true_exact.elements, true_rounded, "rounded", checks);
+    check_masters_active(true_rounded.elements, true_exact, "exact", checks);
+  }
   return checks;
 }
 

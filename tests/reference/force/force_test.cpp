@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <iostream>
-
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
@@ -218,25 +215,6 @@ TEST(OracleForce, LineThroughAnEdgeOfATurnedSlaveIsNotCertified) {
 
     // Not turned, no vertex is rounded: the tie rule decides for all of it.
     EXPECT_EQ(oracle.answer(problem, shifted(0, 0, 0.0625)).elements.size(), 1u);
-  }
-}
-
-TEST(OracleForce, TimeOfABubblePair) {
-  const TriangleMesh bubble = generate::bubble();
-  const Oracle oracle(bubble, bubble, stiffness(5.9e5));
-  std::mt19937_64 random(3);
-  for (const Problem problem : kProblems) {
-    const auto start = std::chrono::steady_clock::now();
-    int touching = 0, points = 0;
-    const int poses = 20;
-    for (int i = 0; i < poses; ++i) {
-      const Answer answer = oracle.answer(problem, random_pose(random, 0.1));
-      touching += answer.touching;
-      for (const Polygon& polygon : answer.polygons) points += static_cast<int>(polygon.points.size());
-    }
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    std::cout << (problem == Problem::rounded ? "rounded" : "exact") << ": " << time.count() / poses << " ms a pose, "
-              << touching << " touching, " << points / poses << " crossings a pose\n";
   }
 }
 

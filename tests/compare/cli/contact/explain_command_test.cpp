@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "meshes/files/text_file.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
@@ -40,11 +41,23 @@ TEST(ExplainCommand, DrawsAMapOfOnePoseAndRefusesOneOfMany) {
   const std::string picture = scratch.path("map.svg");
   const Outcome drawn = run_pcm({"explain", "--pose", "vertex_on_face", "--map", picture, "--map-steps", "2"});
   EXPECT_EQ(drawn.status, 0) << drawn.err;
-  EXPECT_NE(drawn.out.find("fast                  0 of 25 poses wrong"), std::string::npos) << drawn.out;
+  EXPECT_NE(drawn.out.find("fast             crossings wrong at      0 of 25 poses"), std::string::npos) << drawn.out;
   EXPECT_TRUE(std::filesystem::exists(picture));
   const std::string surface = scratch.write("t.obj", kTetrahedron);
   const std::string poses = scratch.write("poses.txt", std::string(kIdentity) + "0.5 0 0\n");
-  EXPECT_EQ(run_pcm({"explain", surface, surface, "--poses", poses, "--map", picture}).status, 2);
+  EXPECT_EQ(run_pcm({"explain", surface, surface, "--poses", poses, "--map", picture, "--map-steps", "1"}).status, 0);
+  const std::string two =
+      scratch.write("two.txt", std::string(kIdentity) + "0.5 0 0\n" + std::string(kIdentity) + "1 0 0\n");
+  EXPECT_EQ(run_pcm({"explain", surface, surface, "--poses", two, "--map", picture}).status, 2);
+  const std::string none = scratch.write("none.txt", "# none\n");
+  EXPECT_EQ(run_pcm({"explain", surface, surface, "--poses", none, "--map", picture}).status, 2);
+  for (const std::string& input : {surface, poses}) {
+    const std::string before = read_text_file(input);
+    const Outcome refused = run_pcm({"explain", surface, surface, "--poses", poses, "--map", input});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("is read or written already"), std::string::npos) << refused.err;
+    EXPECT_EQ(read_text_file(input), before);
+  }
   EXPECT_EQ(run_pcm({"explain", "--pose", "vertex_on_face", "--map", picture, "--map-axes", "xx"}).status, 2);
   EXPECT_EQ(run_pcm({"explain", "--pose", "vertex_on_face", "--map-steps", "2"}).status, 2);
 }

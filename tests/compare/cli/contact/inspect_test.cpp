@@ -174,6 +174,12 @@ TEST_F(Inspect, BadInputIsRefusedByName) {
   expect_refused({"--path", slide_, "--stiffness", "0"}, "--stiffness");
   expect_refused({"--path", slide_, "--json", "--out", scratch_.path("a")}, "--out");
   expect_refused({"--path", slide_, "--out", scratch_.path("nowhere/a")}, "nowhere");
+  for (const std::string& input : {plate_, box_, slide_}) {
+    const std::string before = read_text_file(input);
+    expect_refused({"--path", slide_, "--svg", input}, "is read or written already");
+    expect_refused({"--path", slide_, "--out", input}, "is read or written already");
+    EXPECT_EQ(read_text_file(input), before);
+  }
   const std::string svg = scratch_.path("a.svg");
   expect_refused({"--path", slide_, "--svg", scratch_.path("nowhere/a")}, "nowhere");
   for (const std::string at : {"2.5", "-1", "x"}) expect_refused({"--path", slide_, "--svg", svg, "--at", at}, "--at");

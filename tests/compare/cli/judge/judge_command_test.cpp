@@ -92,6 +92,23 @@ TEST_F(JudgeCommand, OurOwnEngineAsAForeignOneIsRight) {
   EXPECT_EQ(last_line(spoken.out), "right: 60 answers, 0 wrong, 0 near another answer");
 }
 
+TEST_F(JudgeCommand, AnswersThatSayNothingAreNeitherRightNorWrong) {
+  std::vector<std::string> lines = answers_;
+  for (std::string& line : lines) {
+    const std::size_t id = line.find("\"id\":\"");
+    if (id != std::string::npos) line = "{" + line.substr(id, line.find('"', id + 6) - id + 1) + "}";
+  }
+  const Outcome nothing = judge(lines);
+  EXPECT_EQ(nothing.status, 1) << nothing.err << nothing.out;
+  EXPECT_EQ(last_line(nothing.out),
+            "nothing judged: 60 answers, 0 wrong, 0 near another answer, 60 with nothing that could be judged");
+  lines.back() = answers_.back();
+  const Outcome one = judge(lines);
+  EXPECT_EQ(one.status, 0) << one.err << one.out;
+  EXPECT_EQ(last_line(one.out),
+            "right: 60 answers, 0 wrong, 0 near another answer, 59 with nothing that could be judged");
+}
+
 TEST_F(JudgeCommand, WrongAnswersOfEveryStratumAreShownAndCountedByPair) {
   std::vector<std::string> lines = answers_;
   for (std::string& line : lines) {

@@ -149,6 +149,27 @@ TEST_F(Answers, WithDiscreteFaultsAreWrong) {
   });
 }
 
+/// In the clipped scheme an element of its own may be a sliver, but not one of less than nothing, whose area would
+/// widen what the sums may be off.
+TEST_F(Answers, WithElementsOfNegativeAreaOrPenetrationAreWrong) {
+  for (const bool of_area : {true, false}) {
+    expect_found(Fact::elements, [&](const PosedQuestion& question, GivenAnswer& a) {
+      if (question.scheme != Scheme::clipped || a.elements->empty()) return false;
+      GivenElement none = a.elements->front();
+      const auto is_listed = [&] {
+        return std::any_of(a.elements->begin(), a.elements->end(), [&](const GivenElement& e) {
+          return e.master == none.master && e.master_face == none.master_face && e.slave_face == none.slave_face;
+        });
+      };
+      for (none.slave_face = 0; is_listed();) ++none.slave_face;
+      none.area = of_area ? -1e30 : 0;
+      none.penetration = of_area ? 0 : -1e30;
+      a.elements->push_back(none);
+      return true;
+    });
+  }
+}
+
 TEST_F(Answers, WithBodiesSwappedAreWrong) {
   expect_found(Fact::crossing_pairs, [](const PosedQuestion&, GivenAnswer& a) {
     std::swap(a.E, a.F);
@@ -371,13 +392,13 @@ TEST(GivenAnswers, GiveWhatTheySayAndNothingElse) {
 }
 
 TEST(JudgedTallies, ReadBackAsTheyWereWritten) {
-  JudgedTally tally{9, 4, 3, 2, {1, 2, 3}, {}};
+  JudgedTally tally{9, 4, 3, 2, 1, {1, 2, 3}, {}};
   std::int64_t number = 10;
   for (FactTally& fact : tally.facts)
     fact = {number, number + 1, number + 2, number + 3, number + 4, number + 5}, number += 6;
   EXPECT_EQ(JudgedTally::from_json(tally.to_json()).to_json(), tally.to_json());
   const JudgedTally read = JudgedTally::from_json(tally.to_json());
-  EXPECT_EQ(std::tie(read.poses, read.wrong, read.ties, read.near), std::tuple(9, 4, 3, 2));
+  EXPECT_EQ(std::tie(read.poses, read.wrong, read.ties, read.near, read.empty), std::tuple(9, 4, 3, 2, 1));
   const FactTally& touching = read.of(Fact::touching);
   EXPECT_EQ(
       std::tie(touching.right, touching.near, touching.wrong, touching.lost, touching.spurious, touching.no_truth),

@@ -84,6 +84,20 @@ TEST(CaseFileNames, AreWordsWithoutFolders) {
   EXPECT_EQ(case_file_name("gridded cube-plate/generic/7/E"), "case_gridded_cube-plate_generic_7_E.json");
 }
 
+TEST_F(CaseFiles, OfARunAreRemovedAndThoseOfOthersAreNot) {
+  Case written = posed();
+  written.origin = "seed 1, cube-plate/generic/7/E, rotated";
+  const std::string text = format_case(written, {}, {});
+  write_text_file(folder_ / case_file_name("cube-plate/generic/7/E"), text);
+  write_text_file(folder_ / "case_mine.json", text);
+  write_text_file(folder_ / "case_notes.json", "no JSON");
+  EXPECT_TRUE(remove_case_files(folder_));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / case_file_name("cube-plate/generic/7/E")));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "case_mine.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "case_notes.json"));
+  EXPECT_FALSE(remove_case_files(folder_));
+}
+
 TEST_F(CaseFiles, OfAFolderInPlaceOfAMeshAreRefusedByName) {
   auto json = nlohmann::ordered_json::parse(format_case(posed(), {}, {}));
   json["E"] = {{"path", "."}, {"sha256", ""}};

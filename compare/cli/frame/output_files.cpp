@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cli/frame/output_files.h"
+
+#include "pcm/bad_input.h"
+
+namespace pcm::compare {
+
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
+std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile>& outputs,
+                                                    const std::vector<std::string>& inputs) {
+  std::vector<std::string> taken = inputs;
+  for (const auto& [option, file] : outputs) {
+    if (!file) continue;
+    if (file->empty() || *file == "-") throw BadInput(option + ": name a file");
+    if (std::filesystem::is_directory(*file)) throw BadInput(*file + ": this is a folder; name a file");
+    for (const std::string& other : taken)
+      if (is_same_file(*file, other))
+        throw BadInput(*file + ": is read or written already; name another file for " + option);
+    taken.push_back(*file);
+  }
+  return taken;
+}
+
+}  // namespace pcm::compare

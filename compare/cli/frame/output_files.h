@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcm::compare {
+
+/// Whether both name the same file, links and all ways to write a path seen through, whether it is there or not.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// An option of the command line and the file that it names, if it was given.
+using OutputFile = std::pair<std::string, std::optional<std::string>>;
+
+/// Throws BadInput where a file to write has no name, is a folder, another one of those to write, or one of `inputs`.
+/// Returns all of them, inputs first.
+std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile>& outputs,
+                                                    const std::vector<std::string>& inputs);
+
+}  // namespace pcm::compare
