@@ -271,33 +271,70 @@ nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report) {
   return whole;
 }
 
-std::string known_answers_summary(const KnownAnswersReport& report) {
-  std::string screen = "Deviations and orders: barycentric / clipped.\n";
-  screen += fmt::format("{:<5}{:<42}{:>5}{:>7}  {:<29}{}\n", "case", "title", "rows", "missed",
-                        "greatest |deviation|, finest", "observed order");
-  for (const KnownAnswerResult& result : report.problems) {
-    std::string deviations, orders;
-    for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
-      double worst = 0, least = 0, greatest = 0;
-      bool any = false, any_order = false;
-      for (std::size_t s = 0; s < result.series.size(); ++s) {
-        const Series& series = result.problem.series[s];
-        if (series.scheme != scheme) continue;
-        any = true;
-        worst = std::max(worst, std::abs(result.series[s].levels.back().deviation));
-        const std::optional<double>& order = result.series[s].convergence.order;
-        if (!order || !series.order) continue;
-        least = any_order ? std::min(least, *order) : *order;
-        greatest = any_order ? std::max(greatest, *order) : *order;
-        any_order = true;
-      }
-      const std::string between = scheme == Scheme::clipped ? " / " : "";
-      deviations += between + (any ? fmt::format("{:.1e}", worst) : "-");
-      orders += between + (any_order ? fmt::format("{:.2f}..{:.2f}", least, greatest) : "-");
-    }
-    screen += fmt::format("{:<5}{:<42}{:>5}{:>7}  {:<29}{}\n", result.problem.id, result.problem.title,
-                          result.series.size(), result.missed(), deviations, orders);
+namespace {
+
+/// Of the rows of a case in one scheme.
+struct SchemeFindings {
+  double greatest_deviation = 0;                                      ///< on the finest meshes
+  std::optional<std::pair<double, double>> least_and_greatest_order;  ///< of those that have one
+};
+
+/// None where the case has no row in the scheme.
+std::optional<SchemeFindings> findings_of(const KnownAnswerResult& result, Scheme scheme) {
+  std::optional<SchemeFindings> found;
+  for (std::size_t s = 0; s < result.series.size(); ++s) {
+    const Series& series = result.problem.series[s];
+    if (series.scheme != scheme) continue;
+    if (!found) found.emplace();
+    found->greatest_deviation = std::max(found->greatest_deviation, std::abs(result.series[s].levels.back().deviation));
+    const std::optional<double>& order = result.series[s].convergence.order;
+    if (!order || !series.order) continue;
+    auto& orders = found->least_and_greatest_order;
+    orders = orders ? std::pair(std::min(orders->first, *order), std::max(orders->second, *order))
+                    : std::pair(*order, *order);
   }
+  return found;
+}
+
+}  // namespace
+
+Table cases_table(const KnownAnswersReport& report) {
+  Table table{{{"case", "case", false}, {"title", "title", false}, {"rows", "rows"}, {"missed", "missed"}}, {}};
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    const std::string of = scheme == Scheme::barycentric ? "barycentric" : "clipped";
+    table.columns.push_back({"deviation, " + of, of + " deviation"});
+    table.columns.push_back({"order, " + of, of + " order", false});
+  }
+  for (const KnownAnswerResult& result : report.problems) {
+    std::vector<TableCell> row{result.problem.id, result.problem.title,
+                               count_cell(static_cast<std::int64_t>(result.series.size())),
+                               count_cell(static_cast<std::int64_t>(result.missed()))};
+    for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+      const std::optional<SchemeFindings> found = findings_of(result, scheme);
+      row.push_back(found ? TableCell(fmt::format("{:.1e}", found->greatest_deviation), found->greatest_deviation)
+                          : empty_cell());
+      row.push_back(found && found->least_and_greatest_order
+                        ? TableCell(fmt::format("{:.2f} to {:.2f}", found->least_and_greatest_order->first,
+                                                found->least_and_greatest_order->second))
+                        : empty_cell());
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string known_answers_markdown(const KnownAnswersReport& report) {
+  return fmt::format(
+      "# Known answers at a glance\n\nEach case has a page of its own. `rows`: quantities, modes and schemes that are "
+      "held; `missed`: those beyond what is derived for them. Then, by scheme, the greatest relative deviation on the "
+      "finest meshes, and the orders at which deviations fall with the meshes' edges, where an order is asked for.\n\n"
+      "{}\n{}\n",
+      markdown(cases_table(report)), known_answers_verdict(report));
+}
+
+std::string known_answers_summary(const KnownAnswersReport& report) {
+  std::string screen =
+      "Greatest deviations on the finest meshes, and observed orders.\n" + on_screen(cases_table(report));
   screen += fmt::format("\n{:<50}{:>12}{:>9}{:>12}{:>8}\n", "identity", "sharpness", "checks", "violations", "worst");
   for (const IdentityResult& i : report.identities)
     screen += fmt::format("{:<50}{:>12}{:>9}{:>12}{:>8}\n", i.name, name(i.sharpness), i.checks, i.violations,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/io/column_units.h"
+#include "compare/io/table.h"
 #include "compare/known_answers/identities.h"
 #include "compare/known_answers/known_answers.h"
 
@@ -41,6 +42,11 @@ ColumnUnits rows_units();
 std::string identities_csv(const std::vector<IdentityResult>& identities);
 nlohmann::ordered_json cases_json(const std::vector<KnownAnswerResult>& problems);
 nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report);
+
+/// A row for each problem.
+Table cases_table(const KnownAnswersReport& report);
+/// That on a page, with the verdict.
+std::string known_answers_markdown(const KnownAnswersReport& report);
 
 /// One screen: a line for each problem and each identity, then every miss.
 std::string known_answers_summary(const KnownAnswersReport& report);

@@ -311,9 +311,15 @@ PICKED = [
     ),
     (
         "fast/surface/clearance.cpp",
-        "inward[(k + 2) % 3]).normalized() + tangent * down;",
-        "inward[(k + 1) % 3]).normalized() + tangent * down;",
+        "inward[(k + 2) % 3]) + tangent * down;",
+        "inward[(k + 1) % 3]) + tangent * down;",
         "planes through the corners of the room beneath a face",
+    ),
+    (
+        "fast/surface/clearance.cpp",
+        "inward[k] = unit(N.cross(p[(k + 1) % 3] - p[k]));",
+        "inward[k] = N.cross(p[(k + 1) % 3] - p[k]).normalized();",
+        "unit vectors from a square that loses its digits where surfaces are very small",
     ),
     # The law.
     (
@@ -525,8 +531,8 @@ PICKED = [
     ),
     (
         "fast/engine/scene.cpp",
-        "on_E.torque_W += torque_W + (F.r - E.r).cross(force_W);",
-        "on_E.torque_W += torque_W;",
+        "pairing.on_E = {force_W, torque_W + (F.r - E.r).cross(force_W)};",
+        "pairing.on_E = {force_W, torque_W};",
         "torque about the other marker, in a scene",
     ),
     (
@@ -660,8 +666,8 @@ PICKED = [
     # Bounds.
     (
         "fast/bounds/force_error.cpp",
-        "absolute_cross(lever_error, force + result.force_Me) + 2 * u * absolute_cross(lever_size, force)",
-        "2 * u * absolute_cross(lever_size, force)",
+        "cross_of_magnitudes(lever_error, force + result.force_Me) + 2 * u * cross_of_magnitudes(lever_size, force)",
+        "2 * u * cross_of_magnitudes(lever_size, force)",
         "the bound of a torque without the error of the lever",
     ),
     (

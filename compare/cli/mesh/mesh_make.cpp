@@ -5,6 +5,9 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -43,7 +46,17 @@ Parameters parameters_from(const std::vector<std::string>& words) {
   return parameters;
 }
 
+/// What is written is OBJ, under whatever name but that of another format.
+void require_no_other_format(const std::string& output) {
+  std::string extension = std::filesystem::path(output).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  for (const char* other : {".off", ".stl", ".ply", ".vtk", ".vtp"})
+    if (extension == other) throw BadInput(output + ": only Wavefront OBJ is written; name the output .obj");
+}
+
 Exit make_shape(const MakeOptions& options) {
+  require_no_other_format(options.output);
   const TriangleMesh mesh = make(options.shape, parameters_from(options.parameters));
   if (options.output.empty()) {
     std::cout << format_obj(mesh);

@@ -19,6 +19,7 @@
 #include "compare/verify/run/run_identity.h"
 #include "compare/verify/run/run_verdict.h"
 #include "compare/verify/run/verify.h"
+#include "compare/verify/tables/overview.h"
 #include "compare/verify/tables/summary.h"
 #include "compare/verify/tables/verification_table.h"
 #include "compare/verify/tables/verification_widths.h"
@@ -72,6 +73,8 @@ void write_tables(const fs::path& folder, const Verification& run, const Program
   report.csv("widths", widths_csv(run), widths_units());
   report.csv("verification", verification_csv(run), verification_units());
   report.json("verification", verification_json(run));
+  report.csv("overview", csv(overview_table(run)), overview_units());
+  report.markdown("overview", overview_markdown(run, verdict_line(run, why_unfinished)));
   report.markdown("times", times_markdown(run));
   report.markdown("verification", verification_markdown(run) + "\n" + widths_markdown(run) + "\n" +
                                       verdict_line(run, why_unfinished) + "\n");

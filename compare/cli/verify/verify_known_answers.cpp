@@ -24,6 +24,7 @@ void write_tables(const std::filesystem::path& path, const KnownAnswersReport& r
                        {"laws", "of each case its own, on its page"}});
   for (const KnownAnswerResult& result : report.problems) folder.markdown(result.problem.id, problem_markdown(result));
   folder.markdown("identities", identities_markdown(report.identities));
+  folder.markdown("known_answers", known_answers_markdown(report));
   folder.csv("known_answers", rows_csv(report.problems), rows_units());
   folder.csv("identities", identities_csv(report.identities), {});
   folder.json("known_answers", known_answers_json(report));

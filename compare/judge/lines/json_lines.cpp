@@ -3,7 +3,10 @@
 #include "compare/judge/lines/json_lines.h"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 #include "compare/io/question_json.h"
 #include "meshes/files/text_file.h"
@@ -20,11 +23,27 @@ bool names_no_number(std::string_view message) {
   return message.ends_with("N'") || message.ends_with("I'") || message.ends_with("na'");
 }
 
+/// Tells while a text is parsed which key an object has twice: the parser itself takes the last one.
+class OneOfEachKey {
+ public:
+  bool operator()(int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys_.pop_back();
+    if (event == Json::parse_event_t::key && !keys_.back().insert(parsed.get<std::string>()).second)
+      throw BadInput("the key " + in_quotes(parsed.get<std::string>()) + " is there twice");
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> keys_;  ///< of the objects that are open
+};
+
 }  // namespace
 
 Json object_from_line(std::string_view line) {
   try {
-    Json json = Json::parse(line);
+    OneOfEachKey keys;
+    Json json = Json::parse(line, std::ref(keys));
     if (!json.is_object()) throw BadInput("this is JSON, but no object: " + in_quotes(line));
     return json;
   } catch (const nlohmann::json::exception& error) {

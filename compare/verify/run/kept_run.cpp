@@ -24,9 +24,17 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a run leaves in its folder beside the campaign and the case files.
-constexpr std::array<std::string_view, 8> kTables = {
-    "verification.md",   "verification.tex", "widths.csv", "verification.csv",
-    "verification.json", "times.md",         "times.tex",  "verification.provenance.json"};
+constexpr std::array<std::string_view, 11> kTables = {"overview.md",
+                                                      "overview.tex",
+                                                      "overview.csv",
+                                                      "verification.md",
+                                                      "verification.tex",
+                                                      "widths.csv",
+                                                      "verification.csv",
+                                                      "verification.json",
+                                                      "times.md",
+                                                      "times.tex",
+                                                      "verification.provenance.json"};
 
 constexpr const char* kFindings = "findings";
 

@@ -34,13 +34,17 @@ Tally measured_poses(const Verification& run, std::optional<Scheme> scheme) {
 // Of few answers the greatest error is left out as well: one of them tells nothing of a percentile. Where a face hides
 // part of another, a strip as narrow as roundings may be the deepest thing seen, or not: so the greatest penetration
 // alone is held at another percentile.
+double measured_error(const Tally& measured, std::size_t k) {
+  const std::int64_t one_in = k == kPenetrationError ? 100 : 1000;
+  const Histogram& errors = measured.errors[k];
+  const std::int64_t rank = errors.count() - std::max<std::int64_t>(1, errors.count() / one_in);
+  return rank < 1 ? 0 : errors.at_rank(rank);
+}
+
 std::optional<MissedMeasure> missed_measure(const Tally& measured) {
   std::optional<MissedMeasure> worst;
   for (std::size_t k = 0; k < kFirstBound; ++k) {
-    const std::int64_t one_in = k == kPenetrationError ? 100 : 1000;
-    const Histogram& errors = measured.errors[k];
-    const std::int64_t rank = errors.count() - std::max<std::int64_t>(1, errors.count() / one_in);
-    const double error = rank < 1 ? 0 : errors.at_rank(rank);
+    const double error = measured_error(measured, k);
     if (!(error <= kMeasure) && !(worst && error <= worst->error))
       worst = MissedMeasure{kErrorNames[k], error, k == kPenetrationError ? "99th" : "99.9th"};
   }

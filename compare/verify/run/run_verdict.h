@@ -21,6 +21,9 @@ inline constexpr double kMeasure = 1e-13;
 /// The generic poses that the measure is demanded of, together; in one scheme or in all.
 Tally measured_poses(const Verification& run, std::optional<Scheme> scheme = std::nullopt);
 
+/// The error number k (kErrorNames) at the percentile that it is held to.
+double measured_error(const Tally& measured, std::size_t k);
+
 /// An error that is greater, the greatest of them.
 struct MissedMeasure {
   std::string what;

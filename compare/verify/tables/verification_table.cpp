@@ -13,6 +13,7 @@
 
 #include "compare/io/names.h"
 #include "compare/verify/run/run_verdict.h"
+#include "compare/verify/tables/overview.h"
 #include "compare/verify/tables/verification_widths.h"
 
 namespace pcm::compare {
@@ -210,6 +211,7 @@ nlohmann::ordered_json verification_json(const Verification& run) {
                                          {"max", t.worst[k].value},          {"pose", t.worst[k].pose}};
     json["rows"].push_back(std::move(entry));
   }
+  json["overview"] = compare::json(overview_table(run));
   json["widths"] = widths_json(run);
   json["without_scene"] = nlohmann::ordered_json::object();
   for (const auto& [stratum, poses] : poses_without_scene(run))

@@ -227,6 +227,7 @@ TEST_F(ProgramBadInput, MakingAndConverting) {
   expect_bad_input({"mesh", "make"}, "NAME");
   expect_bad_input({"mesh", "make", "sausage"}, "sausage");
   expect_bad_input({"mesh", "make", "box", "--sausage=1"}, "sausage");
+  expect_bad_input({"mesh", "make", "box", "-o", "box.OFF"}, "only Wavefront OBJ is written");
   expect_bad_input({"mesh", "make", "box", "--extent_x"}, "--extent_x");
   expect_bad_input({"mesh", "make", "box", "--extent_x=0"}, "extent_x");
   expect_bad_input({"mesh", "make", "box", "--extent_x=nan"}, "extent_x");

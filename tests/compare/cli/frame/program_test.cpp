@@ -309,12 +309,13 @@ TEST_F(Program, TablesOfVerifyCarryWhatMadeThem) {
   EXPECT_EQ(provenance["question"]["seed"], 9);
   EXPECT_EQ(provenance["question"]["complete"], true);
   EXPECT_EQ(provenance["question"]["pairs"][0]["surfaces"].size(), 2U);
-  EXPECT_EQ(provenance["files"].size(), 7U);
+  EXPECT_EQ(provenance["files"].size(), 10U);
+  EXPECT_EQ(provenance["files"]["overview.csv"]["units"]["force error"], "S/p");
   EXPECT_EQ(provenance["files"]["verification.csv"]["units"]["backward_error_ulps"], "ulp");
   EXPECT_EQ(provenance["files"]["verification.csv"]["units"]["force p99.9"], "S/p");
   EXPECT_FALSE(provenance["files"]["verification.csv"]["units"].contains("poses"));
   EXPECT_EQ(Json::parse(read_text_file(tables + "/verification.json"))["provenance"]["commit"], provenance["commit"]);
-  for (const char* file : {"/verification.tex", "/times.tex"})
+  for (const char* file : {"/overview.tex", "/verification.tex", "/times.tex"})
     EXPECT_NE(read_text_file(tables + file).find("\\bottomrule"), std::string::npos) << file;
 }
 

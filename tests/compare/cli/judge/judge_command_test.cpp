@@ -240,7 +240,9 @@ TEST_F(JudgeCommand, BreakdownsOfAnEngineAreCounted) {
                                             "    *) echo '{\"id\":\"'\"$id\"'\"}' ;;\n  esac\ndone\n");
   const Outcome outcome = run_pcm({"judge", "--poses", poses_, "--command", "sh '" + engine + "'"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_EQ(last_line(outcome.out), "NOT right: 60 answers, 3 wrong, 0 near another answer, 3 without an answer");
+  EXPECT_EQ(last_line(outcome.out),
+            "NOT right: 60 answers, 3 wrong, 0 near another answer, 3 without an answer, 57 with nothing that could be "
+            "judged");
   EXPECT_NE(outcome.out.find(" (clear): crash: it ended with status 1"), std::string::npos) << outcome.out;
   EXPECT_TRUE(std::regex_search(outcome.out, std::regex("/degenerate/0/\\w+ \\(tie\\): crash: "))) << outcome.out;
   EXPECT_NE(outcome.out.find("garbage: this is no JSON object"), std::string::npos) << outcome.out;

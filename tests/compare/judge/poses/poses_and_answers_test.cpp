@@ -114,6 +114,8 @@ TEST_F(Folder, WhatIsNoAnswerIsRefusedWithFileAndLine) {
   expect_refused("{\"id\":\"" + id() + "\"}\n{\"id\":\"" + id() + "\"}\n",
                  "answers.jsonl:2: '" + id() + "' is answered a second time; line 1");
   expect_refused(with("\"touching\":1"), "answers.jsonl:2: \"touching\": 1 is neither true nor false");
+  expect_refused(with("\"touching\":true,\"touching\":false"), "the key 'touching' is there twice");
+  expect_refused(with("\"E\":{\"area\":1,\"area\":2}"), "the key 'area' is there twice");
   expect_refused(with("\"force\":[1,2,NaN]"), "answers.jsonl:2: NaN and infinity are no answers");
   expect_refused(with("\"force\":[1,2,Infinity]"), "answers.jsonl:2: NaN and infinity are no answers");
   expect_refused(with("\"force\":[1,2,\"nan\"]"), "answers.jsonl:2: \"force\": 'nan' is no number");

@@ -92,9 +92,10 @@ class KeptRunTest : public testing::Test {
     std::int64_t asked = 0;
     run_chunks(
         run, kept, 1, [&] { return ++asked > 1000; }, kSilent);
-    for (const char* file : {"verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
+    for (const char* file : {"overview.md", "verification.md", "verification.csv", "verification.json", "times.md"})
       scratch_.write(file, "old");
-    for (const char* file : {"notes.txt", "notes.json"}) scratch_.write(file, "not of the run");
+    scratch_.write("case_old.json", R"({"origin": "old"})");
+    for (const char* file : {"notes.txt", "notes.json", "case_mine.json"}) scratch_.write(file, "not of the run");
   }
 
   std::int64_t poses_kept(const VerificationPlan& plan) const {
@@ -115,7 +116,8 @@ class KeptRunTest : public testing::Test {
     EXPECT_FALSE(kept.part_done());
     EXPECT_NE(kept.notice().find(why), std::string::npos) << kept.notice();
     EXPECT_FALSE(kept.finished());
-    for (const char* file : {"verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
+    for (const char* file :
+         {"overview.md", "verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
       EXPECT_FALSE(exists(file)) << file;
     for (const char* file : {"notes.txt", "notes.json"}) EXPECT_TRUE(exists(file)) << file;
   }
@@ -367,7 +369,8 @@ TEST_F(KeptRunOfTheProgram, FinishedWithATableDamagedOrGoneGetsAllOfThem) {
 
 TEST_F(KeptRunOfTheProgram, WithoutACampaignLeavesNoCaseBesideTheNewTables) {
   std::filesystem::create_directories(folder_);
-  write_text_file(folder_ / "case_box-box_generic_0_both.json", "stale");
+  write_text_file(folder_ / "case_box-box_generic_0_both.json",
+                  R"({"origin": "seed 1, box-box/generic/0/both, drawn"})");
   const Outcome first = run_pcm(verify_);
   EXPECT_EQ(first.status, 0);
   EXPECT_NE(first.err.find("whose campaign is gone"), std::string::npos) << first.err;
@@ -382,7 +385,8 @@ TEST_F(KeptRunOfTheProgram, HoldsTheHashOfTheProgramAndAnotherOnesIsReplaced) {
   EXPECT_NE(program_hash(), hash) << "the tests are a program of their own";
 
   alter_identity(folder_, [](Json& run) { run["build"] = std::string(64, '0'); });
-  write_text_file(folder_ / "case_box-box_generic_0_both.json", "stale");
+  write_text_file(folder_ / "case_box-box_generic_0_both.json",
+                  R"({"origin": "seed 1, box-box/generic/0/both, drawn"})");
   const Outcome anew = run_pcm(verify_);
   EXPECT_EQ(anew.status, 0);
   EXPECT_NE(anew.err.find("another build"), std::string::npos) << anew.err;
