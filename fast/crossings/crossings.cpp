@@ -77,8 +77,9 @@ void sort_intersected(CrossingScratch& scratch, Crossings& crossings) {
   for (CrossedSurface& side : crossings.surfaces) sort_ascending(side.intersected, scratch.marks);
 }
 
-/// So many pairs of nodes are enough for threads to share: what is below them takes some 100 us.
-constexpr std::size_t kEnoughForThreads = 256;
+/// So many pairs of nodes are enough for threads to share; below a few hundred there may be less to do than it takes to
+/// wake a thread (docs/performance.md).
+constexpr std::size_t kEnoughForThreads = 1024;
 /// And so many are taken at once.
 constexpr std::size_t kNodePairsAtOnce = 8;
 

@@ -153,7 +153,7 @@ TEST_F(Answers, WithDiscreteFaultsAreWrong) {
 /// widen what the sums may be off.
 TEST_F(Answers, WithElementsOfNegativeAreaOrPenetrationAreWrong) {
   for (const bool of_area : {true, false}) {
-    expect_found(Fact::elements, [&](const PosedQuestion& question, GivenAnswer& a) {
+    const auto [count, planted] = found(Fact::elements, [&](const PosedQuestion& question, GivenAnswer& a) {
       if (question.scheme != Scheme::clipped || a.elements->empty()) return false;
       GivenElement none = a.elements->front();
       const auto is_listed = [&] {
@@ -167,6 +167,8 @@ TEST_F(Answers, WithElementsOfNegativeAreaOrPenetrationAreWrong) {
       a.elements->push_back(none);
       return true;
     });
+    EXPECT_EQ(count, planted);
+    EXPECT_GT(planted, 10);
   }
 }
 

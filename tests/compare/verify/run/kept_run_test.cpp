@@ -119,7 +119,7 @@ class KeptRunTest : public testing::Test {
     for (const char* file :
          {"overview.md", "verification.md", "verification.csv", "verification.json", "times.md", "case_old.json"})
       EXPECT_FALSE(exists(file)) << file;
-    for (const char* file : {"notes.txt", "notes.json"}) EXPECT_TRUE(exists(file)) << file;
+    for (const char* file : {"notes.txt", "notes.json", "case_mine.json"}) EXPECT_TRUE(exists(file)) << file;
   }
 
   TemporaryFolder scratch_;
