@@ -102,6 +102,52 @@ struct CubeOnPlate {
   }
 };
 
+/// Area, penetration and position, as the master's frame has them, of an element.
+Eigen::Matrix<double, 5, 1> seen_by_master(const Element& e, const Pose& pose) {
+  Eigen::Matrix<double, 5, 1> seen;
+  seen << e.area, e.penetration,
+      (e.master == Side::E ? e.position_Me : Eigen::Vector3d(pose.A.transpose() * (e.position_Me - pose.r)));
+  return seen;
+}
+
+TEST(OracleTangent, TellsHowElementsMoveAsTheirMasterSeesThem) {
+  const TriangleMesh E = generate::icosphere(1, 2), F = generate::icosphere(0.9, 2);
+  const double h = 1e-6;
+  std::mt19937_64 random(4);
+  std::cout << "seed 4\n";
+  int compared = 0;
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    const Oracle oracle(E, F, law_of_all(DampingMode::full), Mode::both, scheme);
+    State12 state{random_pose(random, 0), {}};
+    state.pose.r = 1.7 * (state.pose.A * Eigen::Vector3d(0.6, 0.48, 0.64));
+    Inquiry inquiry(oracle, state.pose);
+    const Answer here = inquiry.answer(Problem::exact);
+    const Tangent tangent = inquiry.tangent(Problem::exact, Mode::both);
+    ASSERT_EQ(tangent.elements.size(), here.elements.size());
+    for (int i = 0; i < 6; ++i) {
+      const Pose pose_ahead = displaced(state, i, h).pose, pose_behind = displaced(state, i, -h).pose;
+      const Answer ahead = oracle.answer(Problem::exact, pose_ahead),
+                   behind = oracle.answer(Problem::exact, pose_behind);
+      if (ahead.elements.size() != here.elements.size() || behind.elements.size() != here.elements.size()) continue;
+      for (std::size_t k = 0; k < here.elements.size(); ++k) {
+        auto slope = tangent.elements[k].slope.col(i).eval();
+        // Positions are told in Me's axes.
+        if (here.elements[k].master == Side::F) slope.tail<3>() = state.pose.A.transpose() * slope.tail<3>();
+        const auto quotient =
+            ((seen_by_master(ahead.elements[k], pose_ahead) - seen_by_master(behind.elements[k], pose_behind)) /
+             (2 * h))
+                .eval();
+        // Small parts have small areas that grow quickly.
+        EXPECT_LT((slope - quotient).norm(), 1e-3 * (1 + slope.norm())) << i << " " << k << "\n"
+                                                                        << slope.transpose() << "\n"
+                                                                        << quotient.transpose();
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 200);
+}
+
 TEST(OracleTangent, IsEnclosedAsNarrowlyWherePartsEndAtFacesThatHardlyCross) {
   const TriangleMesh E = generate::box({4, 4, 1}), F = generate::gridded_box({1, 1, 1}, {2, 2, 1});
   for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped})
