@@ -175,8 +175,9 @@ bool Campaign::is_dead(const Statement& worker) {
   const std::int64_t beat = worker.integer(2), id = worker.integer(3);
   // None has this number, or it has left.
   if (id == 0 || beat == kGone) return true;
-  if (worker.text(0) == host_) return kill(static_cast<pid_t>(worker.integer(1)), 0) != 0 && errno == ESRCH;
-  // Clocks of machines differ: what counts is for how long this one has heard nothing new.
+  if (worker.text(0) == host_ && kill(static_cast<pid_t>(worker.integer(1)), 0) != 0 && errno == ESRCH) return true;
+  // Another process may have its number by now. Clocks of machines differ: what counts is for how long this one has
+  // heard nothing new.
   const auto [heard, is_new] = heard_.try_emplace(id, Beat{beat, Clock::now()});
   if (!is_new && heard->second.number != beat) heard->second = {beat, Clock::now()};
   return Clock::now() - heard->second.since > patience_;

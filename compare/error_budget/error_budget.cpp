@@ -166,7 +166,7 @@ const SeriesResult& row_of(const KnownAnswerResult& result, BudgetRow row) {
   return result.series[static_cast<std::size_t>(row)];
 }
 
-std::vector<KnownAnswerResult> error_budget(Extent extent, int jobs,
+std::vector<KnownAnswerResult> error_budget(Extent extent, int jobs, KeptValues& kept,
                                             const std::function<void(const std::string&)>& progress) {
   std::vector<KnownAnswerResult> budget;
   oneapi::tbb::task_arena arena(jobs);
@@ -174,7 +174,7 @@ std::vector<KnownAnswerResult> error_budget(Extent extent, int jobs,
     for (const auto family : {budget_of_spheres, budget_of_cylinders, budget_of_bubbles})
       for (const BudgetCase& pair : family(extent)) {
         progress(pair.title);
-        budget.push_back(run(budget_problem(pair, extent)));
+        budget.push_back(run(budget_problem(pair, extent), kept));
       }
   });
   return budget;

@@ -35,8 +35,9 @@ KnownAnswer budget_problem(const BudgetCase& pair, Extent extent);
 /// The result of a row at a level, and what its levels say together.
 const SeriesResult& row_of(const KnownAnswerResult& result, BudgetRow row);
 
-/// All cases on `jobs` threads; `progress` is told what comes next. The same bits whatever the number of threads.
-std::vector<KnownAnswerResult> error_budget(Extent extent, int jobs,
+/// All cases on `jobs` threads; `progress` is told what comes next. The same bits whatever the number of threads. What
+/// is kept is not worked out again.
+std::vector<KnownAnswerResult> error_budget(Extent extent, int jobs, KeptValues& kept,
                                             const std::function<void(const std::string&)>& progress);
 
 /// The paper's claim in numbers: error of the barycentric scheme against the clipped integral over master resolution,

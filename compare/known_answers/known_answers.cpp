@@ -102,7 +102,7 @@ Convergence convergence(const std::vector<Resolution>& levels, const std::vector
   return c;
 }
 
-KnownAnswerResult run(KnownAnswer problem) {
+KnownAnswerResult run(KnownAnswer problem, KeptValues& kept) {
   std::vector<std::vector<std::vector<double>>> values;
   for (const Series& series : problem.series)
     values.emplace_back(series.levels.size(), std::vector<double>(static_cast<std::size_t>(series.orientations)));
@@ -111,8 +111,10 @@ KnownAnswerResult run(KnownAnswer problem) {
   oneapi::tbb::enumerable_thread_specific<fast::Workspace> workspaces;
   oneapi::tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
     const Task& task = tasks[i];
-    values[task.series][task.level][static_cast<std::size_t>(task.orientation)] =
-        problem.series[task.series].measure(task.level, task.orientation, workspaces.local());
+    values[task.series][task.level][static_cast<std::size_t>(task.orientation)] = kept.number(
+        fmt::format("{}: {}, series {}, level {}, orientation {}", problem.id, problem.title, task.series, task.level,
+                    task.orientation),
+        [&] { return problem.series[task.series].measure(task.level, task.orientation, workspaces.local()); });
   });
 
   KnownAnswerResult result;

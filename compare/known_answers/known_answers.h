@@ -8,8 +8,10 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "compare/io/kept_values.h"
 #include "pcm/engine.h"
 #include "pcm/inputs.h"
 
@@ -109,7 +111,12 @@ struct KnownAnswerResult {
 /// Statistics of the last three levels; fewer have none.
 Convergence convergence(const std::vector<Resolution>& levels, const std::vector<LevelResult>& results, double scale);
 
-/// Runs all series of a problem on the threads of the current TBB arena. The same bits whatever their number.
-KnownAnswerResult run(KnownAnswer problem);
+/// Runs all series of a problem on the threads of the current TBB arena. The same bits whatever their number. Values
+/// that are kept, under the problem's title, are not worked out again.
+KnownAnswerResult run(KnownAnswer problem, KeptValues& kept);
+inline KnownAnswerResult run(KnownAnswer problem) {
+  KeptValues none;
+  return run(std::move(problem), none);
+}
 
 }  // namespace pcm::compare

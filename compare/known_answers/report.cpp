@@ -108,7 +108,7 @@ std::size_t KnownAnswersReport::missed_identities() const {
       std::count_if(identities.begin(), identities.end(), [](const IdentityResult& i) { return !i.passed(); }));
 }
 
-KnownAnswersReport run_known_answers(Extent extent, std::uint64_t seed, int jobs,
+KnownAnswersReport run_known_answers(Extent extent, std::uint64_t seed, int jobs, KeptValues& kept,
                                      const std::function<void(const std::string&)>& progress) {
   KnownAnswersReport report;
   oneapi::tbb::task_arena arena(jobs);
@@ -116,7 +116,7 @@ KnownAnswersReport run_known_answers(Extent extent, std::uint64_t seed, int jobs
     for (const KnownAnswerFamily family : known_answer_families())
       for (KnownAnswer& problem : family(extent)) {
         progress(problem.id + ": " + problem.title);
-        report.problems.push_back(run(std::move(problem)));
+        report.problems.push_back(run(std::move(problem), kept));
       }
     progress("identities");
     report.identities = check_identities(seed, extent);

@@ -28,8 +28,8 @@ struct KnownAnswersReport {
 };
 
 /// Runs all families and identities on `jobs` threads; `progress` is told what comes next. The same report whatever the
-/// number of threads.
-KnownAnswersReport run_known_answers(Extent extent, std::uint64_t seed, int jobs,
+/// number of threads. Only identities are looked at again where values are kept.
+KnownAnswersReport run_known_answers(Extent extent, std::uint64_t seed, int jobs, KeptValues& kept,
                                      const std::function<void(const std::string&)>& progress);
 
 /// One page: problem, reference and its source, a table of rows and one of their levels.

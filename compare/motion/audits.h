@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compare/known_answers/known_answers.h"
@@ -58,14 +59,19 @@ struct AuditResult {
   double relative_jump() const { return work.greatest_force > 0 ? greatest_jump / work.greatest_force : 0; }
 };
 
-AuditResult run(Audit audit);
+/// Figures that are kept are not worked out again.
+AuditResult run(Audit audit, KeptValues& kept);
+inline AuditResult run(Audit audit) {
+  KeptValues none;
+  return run(std::move(audit), none);
+}
 
 /// The loops of audit_loops.cpp in every mode and scheme.
 std::vector<Audit> audits(Extent extent);
 
 /// Runs them all on `jobs` threads, in their order; `progress` is told how many are done. The same results whatever the
 /// number of threads.
-std::vector<AuditResult> run_audits(Extent extent, int jobs,
+std::vector<AuditResult> run_audits(Extent extent, int jobs, KeptValues& kept,
                                     const std::function<void(std::size_t, std::size_t)>& progress);
 
 }  // namespace pcm::compare

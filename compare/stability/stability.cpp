@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "compare/stability/feature_pose.h"
+#include "compare/stability/kept_figures.h"
 
 namespace pcm::compare::stability {
 namespace {
@@ -95,8 +96,8 @@ PointFigures figures_of(const SweepPoint& point, Scheme scheme, const std::vecto
   return figures;
 }
 
-std::vector<PointFigures> figures_at_point(const SweepPoint& point, std::int64_t poses, std::uint64_t seed,
-                                           const AskEngine& ask) {
+std::array<std::vector<PoseFigures>, kSchemes.size()> figures_of_poses(const SweepPoint& point, std::int64_t poses,
+                                                                       std::uint64_t seed, const AskEngine& ask) {
   const SweptBodies bodies = bodies_at(point);
   const Contestants contestants(scaled(bodies.E, bodies.scale), scaled(bodies.F, bodies.scale));
   std::array<std::vector<PoseFigures>, kSchemes.size()> figures;
@@ -109,8 +110,21 @@ std::vector<PointFigures> figures_at_point(const SweepPoint& point, std::int64_t
     for (std::size_t s = 0; s < kSchemes.size(); ++s)
       figures[s][static_cast<std::size_t>(i)] = figures_at(contestants, pose, kSchemes[s], ask, workspaces.local());
   });
+  return figures;
+}
+
+std::vector<PointFigures> figures_at_point(const SweepPoint& point, std::int64_t poses, std::uint64_t seed,
+                                           const AskEngine& ask, KeptValues& kept) {
+  const nlohmann::ordered_json found =
+      kept.get(fmt::format("{} {}, seed {}, {} poses", name(point.sweep), point.in_words(), seed, poses), [&] {
+        nlohmann::ordered_json schemes = nlohmann::ordered_json::array();
+        for (const std::vector<PoseFigures>& figures : figures_of_poses(point, poses, seed, ask))
+          schemes.push_back(kept_figures(figures));
+        return schemes;
+      });
   std::vector<PointFigures> both;
-  for (std::size_t s = 0; s < kSchemes.size(); ++s) both.push_back(figures_of(point, kSchemes[s], figures[s]));
+  for (std::size_t s = 0; s < kSchemes.size(); ++s)
+    both.push_back(figures_of(point, kSchemes[s], figures_from(found.at(s))));
   return both;
 }
 
@@ -119,7 +133,7 @@ bool StabilityReport::met() const {
                      [](const PointFigures& point) { return point.outside_bound.empty() && point.unanswered == 0; });
 }
 
-StabilityReport run_stability(Extent extent, std::uint64_t seed, int jobs,
+StabilityReport run_stability(Extent extent, std::uint64_t seed, int jobs, KeptValues& kept,
                               const std::function<void(const std::string&)>& progress, const AskEngine& ask) {
   StabilityReport report;
   report.seed = seed;
@@ -129,7 +143,7 @@ StabilityReport run_stability(Extent extent, std::uint64_t seed, int jobs,
     for (const Sweep sweep : kSweeps)
       for (const SweepPoint& point : sweep_points(sweep, extent)) {
         progress(fmt::format("{} {}", name(sweep), point.in_words()));
-        for (PointFigures& figures : figures_at_point(point, report.poses, seed, ask))
+        for (PointFigures& figures : figures_at_point(point, report.poses, seed, ask, kept))
           report.points.push_back(std::move(figures));
       }
   });

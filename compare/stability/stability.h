@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/io/kept_values.h"
 #include "compare/stability/pose_figures.h"
 #include "compare/stability/sweeps.h"
 
@@ -88,14 +89,14 @@ struct StabilityReport {
 inline constexpr std::array kSchemes = {Scheme::barycentric, Scheme::clipped};
 
 /// Pose i is drawn from the same random numbers at every point of a sweep. The same bits on any number of threads;
-/// `progress` is told what comes next.
-StabilityReport run_stability(Extent extent, std::uint64_t seed, int jobs,
+/// `progress` is told what comes next. Points that are kept are not worked out again.
+StabilityReport run_stability(Extent extent, std::uint64_t seed, int jobs, KeptValues& kept,
                               const std::function<void(const std::string&)>& progress,
                               const AskEngine& ask = ask_engine);
 
 /// One point in both schemes.
 std::vector<PointFigures> figures_at_point(const SweepPoint& point, std::int64_t poses, std::uint64_t seed,
-                                           const AskEngine& ask);
+                                           const AskEngine& ask, KeptValues& kept);
 
 /// Whether error over condition stays what it is along a sweep: over the points that have settled poses.
 struct Flatness {

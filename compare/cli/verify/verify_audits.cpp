@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/cli/verify/kept_folder.h"
 #include "compare/io/report_folder.h"
 #include "compare/motion/audits_report.h"
 
@@ -16,7 +17,8 @@ namespace pcm::compare {
 
 Exit verify_audits(Extent extent, int jobs, const std::optional<std::filesystem::path>& folder) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  const std::vector<AuditResult> results = run_audits(extent, jobs, [&](std::size_t done, std::size_t all) {
+  KeptValues kept = kept_values(folder, "audits", extent);
+  const std::vector<AuditResult> results = run_audits(extent, jobs, kept, [&](std::size_t done, std::size_t all) {
     if (terminal) std::cerr << fmt::format("\r{} of {} loops", done, all) << std::flush;
   });
   if (terminal) std::cerr << fmt::format("\r{:<40}\r", "");
@@ -29,6 +31,7 @@ Exit verify_audits(Extent extent, int jobs, const std::optional<std::filesystem:
     report.csv("audits", audits_csv(results), audits_units());
     report.json("audits", audits_json(results));
     report.finish();
+    kept.finish();
   }
   return met(results) ? Exit::success : Exit::negative;
 }

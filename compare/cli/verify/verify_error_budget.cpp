@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/cli/frame/progress_line.h"
+#include "compare/cli/verify/kept_folder.h"
 #include "compare/error_budget/error_budget.h"
 #include "compare/io/report_folder.h"
 #include "compare/known_answers/report.h"
@@ -32,13 +33,17 @@ void write_tables(const std::filesystem::path& path, const std::vector<KnownAnsw
 
 Exit verify_error_budget(Extent extent, int jobs, const std::optional<std::filesystem::path>& folder) {
   const ProgressLine progress;
+  KeptValues kept = kept_values(folder, "error_budget", extent);
   const std::vector<KnownAnswerResult> budget =
-      error_budget(extent, jobs, [&](const std::string& what) { progress.show(what); });
+      error_budget(extent, jobs, kept, [&](const std::string& what) { progress.show(what); });
   progress.wipe();
   const bool met =
       std::all_of(budget.begin(), budget.end(), [](const KnownAnswerResult& result) { return result.missed() == 0; });
   std::cout << error_budget_summary(budget) << error_budget_verdict(budget) << '\n';
-  if (folder) write_tables(*folder, budget, extent, met);
+  if (folder) {
+    write_tables(*folder, budget, extent, met);
+    kept.finish();
+  }
   return met ? Exit::success : Exit::negative;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "compare/cli/frame/progress_line.h"
+#include "compare/cli/verify/kept_folder.h"
 #include "compare/io/report_folder.h"
 #include "compare/known_answers/report.h"
 
@@ -36,15 +37,19 @@ void write_tables(const std::filesystem::path& path, const KnownAnswersReport& r
 Exit verify_known_answers(Extent extent, std::uint64_t seed, int jobs,
                           const std::optional<std::filesystem::path>& folder) {
   const ProgressLine progress;
+  KeptValues kept = kept_values(folder, "known_answers", extent);
   const KnownAnswersReport report =
-      run_known_answers(extent, seed, jobs, [&](const std::string& what) { progress.show(what); });
+      run_known_answers(extent, seed, jobs, kept, [&](const std::string& what) { progress.show(what); });
   progress.wipe();
 #ifndef PCM_WITH_DYNAMICS
   std::cerr << "A12 to A17 are left out: this program was built without SUNDIALS\n";
 #endif
   std::cout << known_answers_summary(report) << fmt::format("identities: seed {}\n", seed)
             << known_answers_verdict(report) << '\n';
-  if (folder) write_tables(*folder, report, extent, seed);
+  if (folder) {
+    write_tables(*folder, report, extent, seed);
+    kept.finish();
+  }
   return report.met() ? Exit::success : Exit::negative;
 }
 

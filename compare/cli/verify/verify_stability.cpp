@@ -9,6 +9,7 @@
 #include <string>
 
 #include "compare/cli/frame/progress_line.h"
+#include "compare/cli/verify/kept_folder.h"
 #include "compare/io/report_folder.h"
 #include "compare/stability/stability_report.h"
 #include "meshes/files/text_file.h"
@@ -39,11 +40,15 @@ void write_tables(const std::filesystem::path& path, const stability::StabilityR
 
 Exit verify_stability(Extent extent, std::uint64_t seed, int jobs, const std::optional<std::filesystem::path>& folder) {
   const ProgressLine progress;
+  KeptValues kept = kept_values(folder, "stability", extent);
   const stability::StabilityReport report =
-      stability::run_stability(extent, seed, jobs, [&](const std::string& what) { progress.show(what); });
+      stability::run_stability(extent, seed, jobs, kept, [&](const std::string& what) { progress.show(what); });
   progress.wipe();
   std::cout << stability_summary(report) << stability_verdict(report) << '\n';
-  if (folder) write_tables(*folder, report, extent);
+  if (folder) {
+    write_tables(*folder, report, extent);
+    kept.finish();
+  }
   return report.met() ? Exit::success : Exit::negative;
 }
 

@@ -185,7 +185,8 @@ bool Conversation::wait_for_end(Seconds patience) {
 }
 
 void Conversation::end_by_force() {
-  kill(-process_, SIGKILL);
+  kill(-process_, SIGKILL);  // what it has started
+  kill(process_, SIGKILL);   // where it has left its group
   waitpid(process_, &ended_, 0);
   process_ = 0;
 }

@@ -151,19 +151,30 @@ TEST_F(CampaignTest, AWorkerThatHasLeftIsDeadAtOnceWhereverItWas) {
 }
 
 TEST_F(CampaignTest, AWorkerTakenForDeadCountsForNothingWhenItComesBack) {
-  Campaign slow(file()), other(file(), std::chrono::milliseconds(20));
+  Campaign slow(file()), other(file(), std::chrono::milliseconds(500));
   begin(slow, 1);
   begin(other);
   const std::optional<ChunkRange> chunk = slow.claim(1);
   change("UPDATE worker SET host = 'elsewhere' WHERE id = 1");
   EXPECT_FALSE(other.claim(1)) << "heard for the first time";
-  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
   ASSERT_TRUE(other.claim(1));
   EXPECT_FALSE(slow.commit(*chunk, {{"key", "slow"}}));
   EXPECT_TRUE(other.commit(*chunk, {{"key", "other"}}));
   EXPECT_FALSE(slow.commit(*chunk, {{"key", "slow"}}));
   EXPECT_FALSE(other.commit(*chunk, {{"key", "again"}}));
   EXPECT_EQ(found_in(slow), (std::map<std::string, std::string>{{"key", "other"}}));
+}
+
+/// Its process may have ended, and another one have its number by now.
+TEST_F(CampaignTest, AWorkerOfThisMachineThatIsSilentIsTakenForDeadThoughItsProcessIsThere) {
+  Campaign silent(file()), other(file(), std::chrono::milliseconds(500));
+  begin(silent, 1);
+  begin(other);
+  ASSERT_TRUE(silent.claim(1));
+  EXPECT_FALSE(other.claim(1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  EXPECT_TRUE(other.claim(1));
 }
 
 TEST_F(CampaignTest, AWorkerOfAJobThatIsNoMoreIsStopped) {

@@ -103,7 +103,8 @@ TEST(KnownAnswers, HaveTheSameTablesForAnyNumberOfThreads) {
 }
 
 TEST(KnownAnswers, AreMetOnCoarseMeshes) {
-  const KnownAnswersReport report = run_known_answers(Extent::quick, 1, 2, [](const std::string&) {});
+  KeptValues none;
+  const KnownAnswersReport report = run_known_answers(Extent::quick, 1, 2, none, [](const std::string&) {});
   std::cout << known_answers_summary(report);
   EXPECT_TRUE(report.met());
 }

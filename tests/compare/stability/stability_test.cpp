@@ -7,9 +7,11 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "compare/stability/stability_report.h"
 #include "pcm/bad_input.h"
+#include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare::stability {
 namespace {
@@ -29,7 +31,8 @@ AskEngine altered(const Alter& alter) {
 }
 
 std::vector<PointFigures> asked(const AskEngine& ask) {
-  return figures_at_point(kPoint, kPoses, 1, ask);
+  KeptValues none;
+  return figures_at_point(kPoint, kPoses, 1, ask, none);
 }
 
 StabilityReport report_of(std::vector<PointFigures> points) {
@@ -150,7 +153,8 @@ TEST(Stability, InfiniteBoundsAreCountedAndHold) {
 TEST(Stability, ScaleChangesNoFigure) {
   const auto errors = [](int step) {
     std::vector<double> all;
-    for (const PointFigures& figures : figures_at_point({Sweep::scale, step}, 3, 1, ask_engine))
+    KeptValues none;
+    for (const PointFigures& figures : figures_at_point({Sweep::scale, step}, 3, 1, ask_engine, none))
       for (const Quantity quantity : kQuantities) {
         all.push_back(figures.settled.of(quantity).error.median);
         all.push_back(figures.settled.of(quantity).condition.median);
@@ -173,8 +177,22 @@ TEST(Stability, ThreadsChangeNoFigure) {
   EXPECT_EQ(on(1), on(3));
 }
 
+TEST(Stability, PointsThatAreKeptGiveTheSameTablesAndAreNotAskedAgain) {
+  const TemporaryFolder scratch;
+  const auto table = [&](const AskEngine& ask) {
+    KeptValues kept(scratch.path("stability.kept"), {});
+    return csv(stability_table(report_of(figures_at_point(kPoint, kPoses, 1, ask, kept))));
+  };
+  const std::string first = table(ask_engine);
+  EXPECT_EQ(table([](const fast::Pairing&, const Pose&, fast::Workspace&) -> const fast::Contact& {
+              throw std::logic_error("nothing is to be asked");
+            }),
+            first);
+}
+
 TEST(Stability, PublishedAlgorithmsAreMeasuredInTheBarycentricScheme) {
-  const std::vector<PointFigures> points = figures_at_point({Sweep::depth, -1}, 3, 1, ask_engine);
+  KeptValues none;
+  const std::vector<PointFigures> points = figures_at_point({Sweep::depth, -1}, 3, 1, ask_engine, none);
   const GroupFigures& barycentric = points[0].settled;
   ASSERT_EQ(barycentric.poses, 3);
   EXPECT_LT(barycentric.published[0].error[0].greatest, 1e-14);

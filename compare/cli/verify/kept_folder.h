@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "compare/io/kept_values.h"
+#include "compare/io/program_hash.h"
+#include "compare/known_answers/known_answers.h"
+
+namespace pcm::compare {
+
+/// What this program has worked out for a command's tables in the folder, to go on from; without a folder nothing is
+/// kept. The file is called TABLES.kept.
+inline KeptValues kept_values(const std::optional<std::filesystem::path>& folder, const std::string& tables,
+                              Extent extent) {
+  if (!folder) return {};
+  return {*folder / (tables + ".kept"),
+          {{"format", "pcm kept values 1"}, {"program", program_hash()}, {"quick", extent == Extent::quick}}};
+}
+
+}  // namespace pcm::compare
