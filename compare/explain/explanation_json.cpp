@@ -83,13 +83,23 @@ Json counts_json(const Explanation& explanation) {
   return json;
 }
 
-Json next_json(const std::optional<NextAnswer>& next, double ulp) {
+Json part_json(const AnswerPart& part) {
+  Json json{{"crossings", Json::array()}, {"inner_E", part.inner[0]}, {"inner_F", part.inner[1]}};
+  for (const auto& [side, from, to, face] : part.crossings)
+    json["crossings"].push_back(
+        {{"edge_of", side == 0 ? "E" : "F"}, {"edge", Json::array({from, to})}, {"face", face}});
+  return json;
+}
+
+Json next_json(const DiscreteAnswer& answer, const std::optional<NextAnswer>& next, double ulp) {
   if (!next) return {};
   return {{"distance", next->distance},
           {"ulps", next->distance / ulp},
           {"direction", json_vector(next->direction)},
           {"r", json_vector(next->pose.r)},
-          {"answer", answer_json(next->answer)}};
+          {"answer", answer_json(next->answer)},
+          {"gone", part_json(only_in(answer, next->answer))},
+          {"new", part_json(only_in(next->answer, answer))}};
 }
 
 Json surface_json(const TriangleMesh& mesh) {
@@ -130,7 +140,7 @@ Json explanation_json(const Explanation& explanation, const Explainer& surfaces,
   json["left_out"] = explanation.left_out;
   json["nearest"] = explanation.nearest ? pair_json(*explanation.nearest, ulp) : Json();
   json["searched"] = explanation.searched;
-  json["next_answer"] = next_json(explanation.next, ulp);
+  json["next_answer"] = next_json(explanation.answer, explanation.next, ulp);
   json["free_distance"] = explanation.free_distance;
   json["free_ulps"] = explanation.free_distance / ulp;
   return json;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/explain/explanation_text.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "compare/explain/words.h"
 
@@ -65,12 +66,37 @@ std::string coincidence_text(const ListedCoincidence& listed, double ulp, bool a
   return out;
 }
 
-std::string next_text(const Explanation& explanation) {
+/// "edge 4-5 of E through face 3 of F, face 7 of E inside"; empty where there is nothing.
+std::string part_text(const AnswerPart& part, bool all) {
+  std::vector<std::string> words;
+  for (const auto& [side, from, to, face] : part.crossings)
+    words.push_back(fmt::format("edge {}-{} of {} through face {} of {}", from, to, side == 0 ? "E" : "F", face,
+                                side == 0 ? "F" : "E"));
+  for (std::size_t k = 0; k < 2; ++k)
+    for (const Index face : part.inner[k])
+      words.push_back(fmt::format("face {} of {} inside", face, k == 0 ? "E" : "F"));
+  const std::size_t shown = all ? words.size() : std::min(kSignsShown, words.size());
+  std::string line =
+      fmt::format("{}", fmt::join(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (shown < words.size()) line += fmt::format(", and {} more (--all)", words.size() - shown);
+  return line;
+}
+
+std::string change_text(const DiscreteAnswer& answer, const DiscreteAnswer& next, bool all) {
+  std::string lines;
+  if (const std::string gone = part_text(only_in(answer, next), all); !gone.empty()) lines += "  gone: " + gone + "\n";
+  if (const std::string fresh = part_text(only_in(next, answer), all); !fresh.empty())
+    lines += "  new: " + fresh + "\n";
+  return lines;
+}
+
+std::string next_text(const Explanation& explanation, bool all) {
   if (!explanation.next) return "Other crossings or faces inside: found along no direction.\n";
   const NextAnswer& next = *explanation.next;
   return fmt::format("Other crossings or faces inside: within {}, along {}, at r = {}: {}.\n",
                      distance_text(next.distance, explanation.ulp), direction(next.direction), point(next.pose.r),
-                     answer_text(next.answer));
+                     answer_text(next.answer)) +
+         change_text(explanation.answer, next.answer, all);
 }
 
 std::string free_text(const Explanation& explanation) {
@@ -107,7 +133,7 @@ std::string explanation_text(const Explanation& explanation, const ExplainOption
   if (total.exact + total.near == 0)
     out +=
         fmt::format("Nothing coincides, not even within {:.4g} ulps. ", options.near_ulps) + nearest_text(explanation);
-  out += next_text(explanation) + free_text(explanation);
+  out += next_text(explanation, all) + free_text(explanation);
   for (const ListedCoincidence& listed : explanation.listed) out += coincidence_text(listed, explanation.ulp, all);
   if (explanation.left_out > 0) out += fmt::format("\n{} coincidences more (--all).\n", explanation.left_out);
   return out;

@@ -6,6 +6,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <type_traits>
 
 #include "pcm/workspace.h"
 
@@ -58,6 +60,16 @@ std::optional<double> nearest_difference(Walk& walk, double ulp, double farthest
 }
 
 }  // namespace
+
+AnswerPart only_in(const DiscreteAnswer& answer, const DiscreteAnswer& other) {
+  const auto difference = [](const auto& a, const auto& b) {
+    std::decay_t<decltype(a)> only;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only));
+    return only;
+  };
+  return {difference(answer.crossings, other.crossings),
+          {difference(answer.inner[0], other.inner[0]), difference(answer.inner[1], other.inner[1])}};
+}
 
 DiscreteAnswer discrete_answer(const fast::Contact& contact) {
   DiscreteAnswer answer{contact.touching, contact.nested, contact.ambiguous, {}, {}, {}};

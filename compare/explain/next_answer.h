@@ -31,6 +31,13 @@ std::array<Index, 4> crossing_key(const auto& crossing) {
 /// Crossings are ordered, whatever polygons they belong to. The contact must have polygons.
 DiscreteAnswer discrete_answer(const fast::Contact& contact);
 
+/// What one answer has and another one has not.
+struct AnswerPart {
+  std::vector<std::array<Index, 4>> crossings;
+  std::array<std::vector<Index>, 2> inner;  ///< of E and F
+};
+AnswerPart only_in(const DiscreteAnswer& answer, const DiscreteAnswer& other);
+
 struct NextAnswer {
   Pose pose;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of length 1: which way r was moved
