@@ -8,17 +8,25 @@
 #include <system_error>
 #include <utility>
 
+#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
+namespace {
+
+std::string line_of(const std::string& name, const nlohmann::ordered_json& value) {
+  return nlohmann::ordered_json::array({name, value}).dump() + '\n';
+}
+
+}  // namespace
 
 KeptValues::KeptValues(std::filesystem::path file, const nlohmann::ordered_json& identity) : file_(std::move(file)) {
   read(identity.dump());
-  // Anew, without lines that were cut off.
-  out_.open(file_, std::ios::trunc);
-  out_ << identity.dump() << '\n';
-  for (const auto& [name, value] : values_) out_ << nlohmann::ordered_json{name, value}.dump() << '\n';
-  if (!out_.flush()) throw BadInput(file_.string() + ": can't be written");
+  // Anew, without lines that were cut off; whole or not at all.
+  std::string lines = identity.dump() + '\n';
+  for (const auto& [name, value] : values_) lines += line_of(name, value);
+  write_text_file(file_, lines);
+  out_.open(file_, std::ios::app);
 }
 
 void KeptValues::read(const std::string& identity) {
@@ -46,7 +54,7 @@ nlohmann::ordered_json KeptValues::get(const std::string& name, const std::funct
   if (file_.empty()) return found;
   const std::lock_guard lock(mutex_);
   values_.emplace(name, found);
-  out_ << nlohmann::ordered_json{name, found}.dump() << '\n' << std::flush;
+  out_ << line_of(name, found) << std::flush;
   if (!out_) throw BadInput(file_.string() + ": can't be written");
   return found;
 }

@@ -134,7 +134,7 @@ void ActiveAreaInClosed::spread(Index seed) {
 /// Components without any crossing whose box reaches into the other surface's; true where one of them is inside.
 bool ActiveAreaInClosed::find_nested() {
   if (surface_.component_faces.items() == 1 && !crossed_.intersected.empty()) return false;
-  const Box& other_hull = posed_.surface(opposite(side_)).tree.root().box;
+  const Box& other_root = posed_.surface(opposite(side_)).tree.root().box;
   FastClearArray<bool>& component_crossed = scratch_.component_crossed;
   component_crossed.start(surface_.component_faces.items());
   for (const Index face : crossed_.intersected) {
@@ -144,8 +144,8 @@ bool ActiveAreaInClosed::find_nested() {
   for (std::size_t c = 0; c < surface_.component_faces.items(); ++c) {
     if (component_crossed.contains(c)) continue;
     const Box& box = surface_.component_boxes[c];
-    const bool may_be_inside = side_ == Side::E ? boxes_may_touch(posed_.placement, box, other_hull)
-                                                : boxes_may_touch(posed_.placement, other_hull, box);
+    const bool may_be_inside = side_ == Side::E ? boxes_may_touch(posed_.placement, box, other_root)
+                                                : boxes_may_touch(posed_.placement, other_root, box);
     if (!may_be_inside) continue;
     const Incidence::Span faces = surface_.component_faces[static_cast<Index>(c)];
     const Index winding = winding_about_vertex(posed_, side_, surface_.face(*faces.begin())[0], scratch_.nodes);

@@ -25,27 +25,27 @@ Index winding_about_vertex(PosedPair& posed, Side side, Index v, std::vector<Ind
   PosedSurface& other = posed[other_side];
   WorkCounters& work = posed.work;
   const BoxTree& tree = other.surface().tree;
-  const Box& hull = tree.root().box;
+  const Box& root = tree.root().box;
   const RankedPoint a = posed[side].point(v, work);
 
-  // The segment runs along an axis of the tree's frame, towards the nearest side of the hull. The point outside is well
-  // clear of the position error; its own coordinates in Me and back are off by no more, being within 8 times the
+  // The segment runs along an axis of the tree's frame, towards the nearest side of the root box. The point outside is
+  // well clear of the position error; its own coordinates in Me and back are off by no more, being within 8 times the
   // greatest coordinate.
   const double position_error = 8 * posed.placement.position_error(other_side);
-  const double beyond = hull.half.maxCoeff() + 4 * position_error;
+  const double beyond = root.half.maxCoeff() + 4 * position_error;
   const Eigen::Vector3d x = posed.placement.to_frame_of(other_side, Eigen::Vector3d::Map(a.x_Me));
   int axis = 0;
   double shortest = std::numeric_limits<double>::infinity();
   Eigen::Vector3d end = x;
   for (int k = 0; k < 3; ++k) {
-    const double offset = x[k] - hull.centre[k];
-    if (std::abs(offset) > hull.half[k] + position_error) return 0;
-    const double length = hull.half[k] - std::abs(offset);
+    const double offset = x[k] - root.centre[k];
+    if (std::abs(offset) > root.half[k] + position_error) return 0;
+    const double length = root.half[k] - std::abs(offset);
     if (length >= shortest) continue;
     shortest = length;
     axis = k;
     end = x;
-    end[k] = hull.centre[k] + std::copysign(hull.half[k] + beyond, offset);
+    end[k] = root.centre[k] + std::copysign(root.half[k] + beyond, offset);
   }
   const Eigen::Vector3d end_Me = posed.placement.from_frame_of(other_side, end);
   const RankedPoint z{end_Me.data(), std::numeric_limits<std::int64_t>::max()};

@@ -223,13 +223,13 @@ MasterForce sum_bounded_clipped_elements(const Intersection& intersection, const
     add_elements(seen, sum);
   });
   // Faces that are not active, but may be in the exact problem: what they would add.
-  ForceProblem unheard = problem;
-  unheard.keep_elements = unheard.with_statistics = false;
+  ForceProblem unrecorded = problem;
+  unrecorded.keep_elements = unrecorded.with_statistics = false;
   for (const Index face : bound.undecided().faces) {
     if (intersection.is_active(master, face)) continue;
     ElementRecord none;
     WorkCounters no_work;
-    ElementSum nothing(unheard, none, no_work);
+    ElementSum nothing(unrecorded, none, no_work);
     add_elements(clip_face(intersection, master, face, problem.law, false, forming), nothing);
   }
   return sum.total();

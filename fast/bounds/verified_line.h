@@ -18,8 +18,8 @@ struct VerifiedLine {
   double greatest_depth = 0;  ///< m
 };
 
-/// No two points of the surfaces are farther apart, given that their hulls touch, as they do where a face is active or
-/// undecided, m.
+/// No two points of the surfaces are farther apart, given that their root boxes touch, as they do where a face is
+/// active or undecided, m.
 double extent_of(const PosedPair& posed);
 
 /// How far from the computed line the exact problem's line and faces may be, m, wherever any surface reaches: what the

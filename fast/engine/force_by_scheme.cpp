@@ -13,8 +13,8 @@ MasterForce sum_elements(const Intersection& intersection, Scheme scheme, Side m
              : sum_barycentric_elements(intersection, master, problem, team, scratch.barycentric, memory, record);
 }
 
-/// Where nobody hears of the elements.
-ForceProblem unheard(const ForceProblem& problem) {
+/// The same, with no record of the elements.
+ForceProblem without_records(const ForceProblem& problem) {
   ForceProblem result = problem;
   result.keep_elements = result.with_statistics = result.keep_found = false;
   return result;
@@ -31,8 +31,8 @@ PairingForce sum_bounded_elements(const Intersection& intersection, Scheme schem
           : sum_bounded_barycentric_elements(intersection, problem, scratch.barycentric_bound, bound, record);
   if (problem.with_tangent) {
     ElementRecord none;
-    const ForceProblem once_more = unheard(problem);
-    total.tangent = sum_elements(intersection, scheme, master, once_more, team, scratch, nullptr, none).tangent;
+    total.tangent =
+        sum_elements(intersection, scheme, master, without_records(problem), team, scratch, nullptr, none).tangent;
   }
   return {total, bound.result()};
 }
@@ -81,8 +81,8 @@ void form_elements_of_slave(const Intersection& intersection, Scheme scheme, Mod
                             PosedTeam& team, ForceScratch& scratch) {
   if (mode == Mode::both) return;
   ElementRecord none;
-  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, unheard(problem), team, scratch, nullptr,
-               none);
+  sum_elements(intersection, scheme, mode == Mode::E ? Side::F : Side::E, without_records(problem), team, scratch,
+               nullptr, none);
 }
 
 }  // namespace pcm::fast

@@ -77,7 +77,7 @@ Tracking::Known Tracking::know_at(const Pose& pose, PosedPair& posed, NodePairs&
   short_steps_.note_short(way);
   add_way(way, travelled_);
   if (!pairs_.holds(travelled_)) {
-    if (!short_steps_.go_on()) {
+    if (!short_steps_.others_follow()) {
       forget();
       return Known::nothing;
     }

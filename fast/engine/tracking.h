@@ -32,8 +32,8 @@ class ShortSteps {
     longest_before_ = std::exchange(longest_, 0);
   }
 
-  /// After a short step: whether others follow.
-  bool go_on() const { return count_ > 1 || counts_before_[0] > 1; }
+  /// After a short step.
+  bool others_follow() const { return count_ > 1 || counts_before_[0] > 1; }
   /// After a long step: whether short ones follow, as they did after the last two; and how long the longest may be, m.
   bool awaited() const { return longest_before_ > 0 && counts_before_[1] > 0; }
   double longest_awaited() const { return longest_before_; }

@@ -34,7 +34,7 @@ struct Placement {
   /// position_error_F.
   double vertex_error_F = 0;
   double skew = 0;    ///< |A^T A - I|, entry by entry, at most
-  double extent = 0;  ///< no two vertices of either are farther apart along an axis of Me, if the hulls touch, m
+  double extent = 0;  ///< no two vertices of either are farther apart along an axis of Me, if the root boxes touch, m
 
   Placement() = default;
   Placement(const PreparedSurface& surface_E, const PreparedSurface& surface_F, const Pose& pose)

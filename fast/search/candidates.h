@@ -79,7 +79,8 @@ class CandidateSearch {
   }
 
  private:
-  /// Eight surface boxes are nearly three times narrower than the one around them.
+  /// Of two nodes the one that is wider by more than this is opened alone, else both are: the boxes of a node's eight
+  /// children are nearly three times narrower than it is.
   static constexpr float kMuchWider = 2;
 
   bool are_bottom(Index i, Index j) const { return tree_E_.node(i).bottom() && tree_F_.node(j).bottom(); }

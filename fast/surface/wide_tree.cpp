@@ -75,10 +75,10 @@ void put_face(FaceGroup& group, std::size_t lane, const std::array<Eigen::Vector
 }  // namespace
 
 WideTree::WideTree(const TriangleMesh& mesh, const BoxTree& tree) {
-  const Box& hull = tree.root().box;
-  origin_ = hull.centre;
+  const Box& root = tree.root().box;
+  origin_ = root.centre;
   // The sum of the half widths bounds |x| + |y| + |z|; half an ulp of it is lost in each.
-  const double radius = hull.half.sum() * (1 + 0x1p-40);
+  const double radius = root.half.sum() * (1 + 0x1p-40);
   unit_ = std::ldexp(1.0, std::ilogb(radius) + 1);
   radius_ = radius / unit_;
 

@@ -49,12 +49,12 @@ struct Element {
   Side master = Side::E;
   Index master_face = 0;
   Index slave_face = 0;
-  double area = 0;                                        ///< A_k (6), m^2
-  double penetration = 0;                                 ///< u_k (11) or mean u, clamped, m, >= 0: 0 where roundings take it all
-  double normal_velocity = 0;                             ///< v_n (16), m/s, positive when approaching
-  double tangential_velocity = 0;                         ///< v_t (19), m/s
-  double normal_force = 0;                                ///< F_n (18), N
-  double tangential_force = 0;                            ///< F_t (20), N
+  double area = 0;                 ///< A_k (6), m^2
+  double penetration = 0;          ///< u_k (11) or mean u, clamped, m, >= 0: 0 where roundings take it all
+  double normal_velocity = 0;      ///< v_n (16), m/s, positive when approaching
+  double tangential_velocity = 0;  ///< v_t (19), m/s
+  double normal_force = 0;         ///< F_n (18), N
+  double tangential_force = 0;     ///< F_t (20), N
   Eigen::Vector3d normal_Me = Eigen::Vector3d::Zero();    ///< n_k = -n of the master face
   Eigen::Vector3d position_Me = Eigen::Vector3d::Zero();  ///< C_k (13), from C_e or the centroid of u, clamped, m
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();     ///< on body E, N (not halved in mode `both`)
@@ -63,12 +63,12 @@ struct Element {
 /// Summary over the elements (PCM section 9), in mode `both` those of both masters, so that areas count twice; all zero
 /// where there is none.
 struct Statistics {
-  double patch_area = 0;                                            ///< sum of A_k, m^2
-  double mean_penetration = 0;                                      ///< area-weighted, m
-  double max_pressure = 0;                                          ///< greatest F_n / A_k, Pa; 0 where all elements pull
-  double mean_pressure = 0;                                         ///< area-weighted, Pa
-  double max_normal_velocity = 0;                                   ///< greatest |v_n|, m/s
-  double max_tangential_velocity = 0;                               ///< greatest v_t, m/s
+  double patch_area = 0;               ///< sum of A_k, m^2
+  double mean_penetration = 0;         ///< area-weighted, m
+  double max_pressure = 0;             ///< greatest F_n / A_k, Pa; 0 where all elements pull
+  double mean_pressure = 0;            ///< area-weighted, Pa
+  double max_normal_velocity = 0;      ///< greatest |v_n|, m/s
+  double max_tangential_velocity = 0;  ///< greatest v_t, m/s
   Eigen::Vector3d centre_of_pressure_Me = Eigen::Vector3d::Zero();  ///< C_k weighted by F_n, m
 };
 
@@ -79,8 +79,8 @@ struct ForceBound {
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< N m
   /// A discrete decision may be another one in the exact problem, and the force with it by a finite amount. Barycentric
-  /// scheme: it may have other elements. Clipped scheme: a master face with elements may not be active or the reverse,
-  /// a face is seen nearly flush, or a master face's normal is not known.
+  /// scheme: it may have other elements. Clipped scheme: a master face with elements may not be active, one that is not
+  /// active may have some of more than roundings, a face is seen nearly flush, or a master face's normal is not known.
   bool flipped = false;
   /// The exact problem's greatest penetration lies between these, m. Whether it exceeds the law's bound is certain
   /// where that does not. The upper one may be infinite. In the clipped scheme they are apart by more than roundings

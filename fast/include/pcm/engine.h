@@ -21,7 +21,8 @@ struct PreparedSurface;
 
 /// A surface prepared for contact: adjacency, bounding volume trees. Can be shared by any number of pairings and
 /// threads. What it has near each face of its own, by which most lines of elements need no search, is computed when a
-/// contact first meets that face; no answer depends on what was asked before.
+/// contact first meets that face; no answer depends on what was asked before. Copies share it. One that was moved from
+/// may be destroyed or assigned to, no more; so may a Pairing.
 class Surface {
  public:
   /// Throws BadInput, naming what is wrong where and what mends it, when the mesh is unfit for contact (PCM section 2)
@@ -36,6 +37,7 @@ class Surface {
   /// longer setup to a slower first evaluation. O(n log n).
   void prepare_all_faces() const;
 
+  /// The engine's own.
   const PreparedSurface& data() const { return *data_; }
 
  private:

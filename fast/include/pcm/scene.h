@@ -46,7 +46,8 @@ struct SceneCounters {
 /// those of `evaluate` for each pairing's relative pose, bit for bit, whatever is skipped, however many threads, and
 /// whatever their floating-point environment.
 ///
-/// For one caller at a time, except where it says otherwise. A number that is no pairing's throws BadInput.
+/// For one caller at a time, except where it says otherwise. A number that is no pairing's throws BadInput. A scene
+/// that was moved from may be destroyed or assigned to, no more.
 class Scene {
  public:
   explicit Scene(Savings savings = {});

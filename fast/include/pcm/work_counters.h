@@ -58,5 +58,6 @@ struct WorkCounters {
     return *this;
   }
 };
+static_assert(sizeof(WorkCounters) == 20 * sizeof(std::int64_t), "all of them have to be added");
 
 }  // namespace pcm::fast

@@ -72,7 +72,7 @@ TEST(Tracking, OneShortStepAmongLongOnesIsNotPreparedFor) {
   for (int stage = 0; stage < 20; ++stage) {
     if (stage % 5 == 4) {
       steps.note_short(1e-6);
-      EXPECT_FALSE(steps.go_on()) << stage;
+      EXPECT_FALSE(steps.others_follow()) << stage;
     } else {
       steps.note_long();
       EXPECT_FALSE(steps.awaited()) << stage;
@@ -87,7 +87,7 @@ TEST(Tracking, ShortStepsAreAwaitedAfterTheyCameTwice) {
     EXPECT_EQ(steps.awaited(), step >= 2) << step;
     EXPECT_EQ(steps.longest_awaited(), step == 0 ? 0 : 3e-6);
     for (const double way : {1e-6, 3e-6, 2e-6}) steps.note_short(way);
-    EXPECT_TRUE(steps.go_on());
+    EXPECT_TRUE(steps.others_follow());
   }
 }
 
