@@ -80,8 +80,8 @@ ElementForceError force_error(const ForceProblem& problem, const Element& elemen
   result.force_Me = F_n.error * n + along + u * (F_n.size * n + force) +
                     Eigen::Vector3d::Constant(F_n.greatest() * error.normal + friction.beside + 0x1p-1060);
   result.torque_Me = cross_of_magnitudes(lever_size, result.force_Me) +
-                     cross_of_magnitudes(lever_error, force + result.force_Me) + 2 * u * cross_of_magnitudes(lever_size, force) +
-                     Eigen::Vector3d::Constant(0x1p-1060);
+                     cross_of_magnitudes(lever_error, force + result.force_Me) +
+                     2 * u * cross_of_magnitudes(lever_size, force) + Eigen::Vector3d::Constant(0x1p-1060);
   result.force_Me *= kSafetyFactor;
   result.torque_Me *= kSafetyFactor;
   return result;

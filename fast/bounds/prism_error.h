@@ -76,20 +76,20 @@ class PrismError {
   const Eigen::Vector3d& g_t_Me_;
   const Eigen::Vector3d& n_Me_;
   Eigen::Vector3d own_rounding_Me_;
-  double ss_, st_, tt_;                          ///< scalar products of the gradients, 1 / m^2
-  double length_s_, length_t_;                   ///< of p1 - p0 and p2 - p0, m
-  double gradient_s_, gradient_t_;                ///< length of the gradients of s and t, 1 / m
-  PrismPositionError any_displacement_;          ///< by any vertex of F that is off by its rounding
-  bool own_moves_;                               ///< the master is F's
-  double height_;                                ///< how far such a vertex may be off along n, m
-  double exact_depth_rounding_;                  ///< what is added to a depth's roundings where
-  double exact_depth_;                           ///< |depth| over the distance is less than this
-  PrismPositionError frame_rounding_;            ///< roundings of the frame, at depth 0
-  PrismPositionError tilt_rounding_;             ///< and times the depth
-  PrismPositionError frame_;                     ///< at depth 0
-  PrismPositionError tilt_;                      ///< times the depth
-  double third_weight_;                          ///< of the sum of the weights at depth 0
-  double third_weight_tilt_;                     ///< and times the depth
+  double ss_, st_, tt_;                  ///< scalar products of the gradients, 1 / m^2
+  double length_s_, length_t_;           ///< of p1 - p0 and p2 - p0, m
+  double gradient_s_, gradient_t_;       ///< length of the gradients of s and t, 1 / m
+  PrismPositionError any_displacement_;  ///< by any vertex of F that is off by its rounding
+  bool own_moves_;                       ///< the master is F's
+  double height_;                        ///< how far such a vertex may be off along n, m
+  double exact_depth_rounding_;          ///< what is added to a depth's roundings where
+  double exact_depth_;                   ///< |depth| over the distance is less than this
+  PrismPositionError frame_rounding_;    ///< roundings of the frame, at depth 0
+  PrismPositionError tilt_rounding_;     ///< and times the depth
+  PrismPositionError frame_;             ///< at depth 0
+  PrismPositionError tilt_;              ///< times the depth
+  double third_weight_;                  ///< of the sum of the weights at depth 0
+  double third_weight_tilt_;             ///< and times the depth
 };
 
 }  // namespace pcm::fast

@@ -46,7 +46,8 @@ enum class DampingMode : std::uint8_t {
   compression,  ///< F_d counts only while approaching (v_n > 0)
 };
 
-/// Stiffness c = K / b of each body's elastic layer (3), N/m^3 (`fast::layer_stiffness`); infinite for a rigid body, but not for both.
+/// Stiffness c = K / b of each body's elastic layer (3), N/m^3 (`fast::layer_stiffness`); infinite for a rigid body,
+/// but not for both.
 struct LayerStiffness {
   double c_E = std::numeric_limits<double>::infinity();
   double c_F = std::numeric_limits<double>::infinity();

@@ -12,8 +12,8 @@
 #endif
 
 #include "fast/force/law_parameters.h"
-#include "pcm/layer_stiffness.h"
 #include "pcm/bad_input.h"
+#include "pcm/layer_stiffness.h"
 #include "pcm/pairing_memory.h"
 #include "pcm/scene.h"
 #include "tests/fast/engine_support.h"

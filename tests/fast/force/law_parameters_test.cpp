@@ -8,8 +8,8 @@
 #include <limits>
 #include <string>
 
-#include "pcm/layer_stiffness.h"
 #include "pcm/bad_input.h"
+#include "pcm/layer_stiffness.h"
 #include "tests/fast/engine_support.h"
 
 namespace pcm::fast {
