@@ -60,8 +60,8 @@ class Chunks {
 /// written or is damaged, and where another call has begun another job in it since.
 class Campaign {
  public:
-  /// Opens the file or makes it. Nothing is done yet where it is new. A worker on another machine, or one of which this
-  /// machine can't tell, counts as dead when it has not said for so long that it lives.
+  /// Opens the file or makes it. Nothing is done yet where it is new. A worker counts as dead
+  /// when its process is gone from this machine, or when it has not said for so long that it lives.
   explicit Campaign(const std::filesystem::path& file, std::chrono::milliseconds patience = std::chrono::minutes(1));
   Campaign(const Campaign&) = delete;
   Campaign& operator=(const Campaign&) = delete;

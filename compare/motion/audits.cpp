@@ -7,6 +7,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <mutex>
 #include <utility>
 
@@ -52,6 +53,11 @@ Json kept_point(const PathPoint& point) {
   return Json::array({point.segment, point.tick});
 }
 
+/// Also infinite ones and NaN, which are misses.
+double kept_number(const Json& kept) {
+  return std::strtod(kept.get<std::string>().c_str(), nullptr);
+}
+
 PathPoint point_from(const Json& kept) {
   return {kept.at(0).get<std::size_t>(), kept.at(1).get<std::int64_t>()};
 }
@@ -71,15 +77,15 @@ Json kept_figures(const AuditResult& result) {
 AuditResult figures_from(const Json& kept) {
   AuditResult result;
   const Json& work = kept.at("work");
-  result.work = {number_from(work.at(0)), number_from(work.at(1)), number_from(work.at(2)),
-                 number_from(work.at(3)), number_from(work.at(4)), point_from(kept.at("at"))};
+  result.work = {kept_number(work.at(0)), kept_number(work.at(1)), kept_number(work.at(2)),
+                 kept_number(work.at(3)), kept_number(work.at(4)), point_from(kept.at("at"))};
   result.jumps = kept.at("jumps").get<std::size_t>();
-  result.sum_of_jumps = number_from(kept.at("sizes").at(0));
-  result.greatest_jump = number_from(kept.at("sizes").at(1));
+  result.sum_of_jumps = kept_number(kept.at("sizes").at(0));
+  result.greatest_jump = kept_number(kept.at("sizes").at(1));
   if (kept.contains("tangential")) {
     const Json& t = kept["tangential"];
     result.tangential =
-        TangentialForce{number_from(t.at(0)), number_from(t.at(1)), point_from(t.at(2)), number_from(t.at(3))};
+        TangentialForce{kept_number(t.at(0)), kept_number(t.at(1)), point_from(t.at(2)), kept_number(t.at(3))};
   }
   return result;
 }

@@ -128,7 +128,7 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       ->add_option(
           "--out", options->out,
           "Folder for tables and case files; a run with the same arguments is continued, but one of another build or "
-          "surfaces is removed, its case_*.json too, and so is what a run without campaign.sqlite has left")
+          "surfaces is removed, its case files too, and so is what a run without campaign.sqlite has left")
       ->type_name("DIR");
   command
       ->add_option("--part", options->part,

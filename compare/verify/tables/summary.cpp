@@ -64,9 +64,8 @@ std::string bounds_table(const std::vector<NamedTally>& strata, const Tally& all
   if (all.errors[kFirstBound].count() + all.unbounded == 0) return "";
   std::string text =
       "\nThe engine's own bounds on these errors of force and torque: how often broken; how many are finite, of\n"
-      "poses with a force that are not flipped, and how many infinite; how often it announced that a decision may be "
-      "another one in the exact problem;\n"
-      "median and 99.9th percentile in the same units\n";
+      "poses with a force that are not flipped, and how many infinite; how often it announced that a decision\n"
+      "may be another one in the exact problem; median and 99.9th percentile in the same units\n";
   text += fmt::format("{:<16}{:>9}{:>10}{:>11}{:>11}{:>20}{:>20}\n", "stratum", "broken", "finite", "infinite",
                       "announced", "force bound", "torque bound");
   for (const auto& [label, tally] : strata) text += bound_row(label, tally);

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -180,14 +179,19 @@ std::string case_file_name(std::string pose) {
 
 namespace {
 
-/// Whether the file is a case under the name that a run gives it, that of its pose, which its origin names, too; others
-/// are somebody's own.
+/// Whether the file is a case under the name that a run gives it, that of its pose: its origin, or one of what commas
+/// part there. Others are somebody's own.
 bool is_of_a_run(const std::filesystem::path& file) {
   std::ifstream in(file);
   const Json json = Json::parse(in, nullptr, false);
   if (!json.is_object() || !json.contains("origin") || !json["origin"].is_string()) return false;
-  const std::string pose = file.stem().string().substr(std::string_view("case_").size());
-  return case_file_name(json["origin"].get<std::string>()).find(pose) != std::string::npos;
+  const auto origin = json["origin"].get<std::string>();
+  for (std::size_t begin = 0; begin < origin.size();) {
+    const std::size_t end = std::min(origin.find(", ", begin), origin.size());
+    if (case_file_name(origin.substr(begin, end - begin)) == file.filename().string()) return true;
+    begin = end + 2;
+  }
+  return false;
 }
 
 }  // namespace

@@ -49,8 +49,6 @@ class Checks {
   /// The same for the length of a difference.
   void check_vector(Kind kind, std::string_view what, const Eigen::Vector3d& subj, const Eigen::Vector3d& truth,
                     double bound, double scale);
-  /// The value must lie between `at_least` and `at_most`. The width is the distance from the truth to the farther of
-  /// the two, divided by the truth.
   /// A check of that width was made; nothing is counted where there was nothing to hold: 0 to within 0.
   void checked(Kind kind, double bound = 0, double scale = 1);
 

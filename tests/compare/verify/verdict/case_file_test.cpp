@@ -89,11 +89,13 @@ TEST_F(CaseFiles, OfARunAreRemovedAndThoseOfOthersAreNot) {
   written.origin = "seed 1, cube-plate/generic/7/E, rotated";
   const std::string text = format_case(written, {}, {});
   write_text_file(folder_ / case_file_name("cube-plate/generic/7/E"), text);
-  write_text_file(folder_ / "case_mine.json", text);
+  const std::vector<std::string> own{"case_mine.json", "case_cube.json", "case_7.json", "case_generic.json",
+                                     "case_1.json",    "case_E.json",    "case_.json"};
+  for (const std::string& name : own) write_text_file(folder_ / name, text);
   write_text_file(folder_ / "case_notes.json", "no JSON");
   EXPECT_TRUE(remove_case_files(folder_));
   EXPECT_FALSE(std::filesystem::exists(folder_ / case_file_name("cube-plate/generic/7/E")));
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "case_mine.json"));
+  for (const std::string& name : own) EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "case_notes.json"));
   EXPECT_FALSE(remove_case_files(folder_));
 }
