@@ -9,7 +9,9 @@ namespace pcm::compare {
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code error;
   if (std::filesystem::equivalent(a, b, error)) return true;
-  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+  const std::filesystem::path one = std::filesystem::weakly_canonical(std::filesystem::absolute(a), error);
+  const std::filesystem::path other = std::filesystem::weakly_canonical(std::filesystem::absolute(b), error);
+  return !one.empty() && one == other;
 }
 
 std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile>& outputs,
