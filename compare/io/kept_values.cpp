@@ -20,6 +20,14 @@ std::string line_of(const std::string& name, const nlohmann::ordered_json& value
 
 }  // namespace
 
+nlohmann::ordered_json kept_number(double x) {
+  return fmt::format("{:a}", x);
+}
+
+double number_from_kept(const nlohmann::ordered_json& kept) {
+  return std::strtod(kept.get<std::string>().c_str(), nullptr);
+}
+
 KeptValues::KeptValues(std::filesystem::path file, const nlohmann::ordered_json& identity) : file_(std::move(file)) {
   read(identity.dump());
   // Anew, without lines that were cut off; whole or not at all.
@@ -60,8 +68,7 @@ nlohmann::ordered_json KeptValues::get(const std::string& name, const std::funct
 }
 
 double KeptValues::number(const std::string& name, const std::function<double()>& find) {
-  const auto text = get(name, [&] { return nlohmann::ordered_json(fmt::format("{:a}", find())); }).get<std::string>();
-  return std::strtod(text.c_str(), nullptr);
+  return number_from_kept(get(name, [&] { return kept_number(find()); }));
 }
 
 void KeptValues::finish() {

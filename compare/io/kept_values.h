@@ -8,10 +8,13 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 namespace pcm::compare {
+
+/// A number as it is kept, bit for bit, also an infinite one or NaN.
+nlohmann::ordered_json kept_number(double x);
+double number_from_kept(const nlohmann::ordered_json& kept);
 
 /// What a command has worked out so far, by name, in a file: it may be ended at any time, and goes on from there when
 /// it is called again. A line a value, written at once.

@@ -301,7 +301,7 @@ std::optional<SchemeFindings> findings_of(const KnownAnswerResult& result, Schem
 Table cases_table(const KnownAnswersReport& report) {
   Table table{{{"case", "case", false}, {"title", "title", false}, {"rows", "rows"}, {"missed", "missed"}}, {}};
   for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
-    const std::string of = scheme == Scheme::barycentric ? "barycentric" : "clipped";
+    const std::string of(name(scheme));
     table.columns.push_back({"deviation, " + of, of + " deviation"});
     table.columns.push_back({"order, " + of, of + " order", false});
   }

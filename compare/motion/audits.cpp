@@ -7,12 +7,11 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <mutex>
 #include <utility>
 
+#include "compare/io/exact_json.h"
 #include "compare/io/names.h"
-#include "compare/io/question_json.h"
 
 namespace pcm::compare {
 namespace {
@@ -53,11 +52,6 @@ Json kept_point(const PathPoint& point) {
   return Json::array({point.segment, point.tick});
 }
 
-/// Also infinite ones and NaN, which are misses.
-double kept_number(const Json& kept) {
-  return std::strtod(kept.get<std::string>().c_str(), nullptr);
-}
-
 PathPoint point_from(const Json& kept) {
   return {kept.at(0).get<std::size_t>(), kept.at(1).get<std::int64_t>()};
 }
@@ -66,26 +60,26 @@ Json kept_figures(const AuditResult& result) {
   const PathWork& work = result.work;
   Json kept{{"work", Json::array()}, {"at", kept_point(work.greatest_force_at)}, {"jumps", result.jumps}};
   for (const double x : {work.work, work.error, work.greatest, work.greatest_force, work.greatest_torque})
-    kept["work"].push_back(hexadecimal(x));
-  kept["sizes"] = {hexadecimal(result.sum_of_jumps), hexadecimal(result.greatest_jump)};
+    kept["work"].push_back(kept_number(x));
+  kept["sizes"] = {kept_number(result.sum_of_jumps), kept_number(result.greatest_jump)};
   if (const auto& t = result.tangential)
-    kept["tangential"] = {hexadecimal(t->greatest), hexadecimal(t->normal_there), kept_point(t->at),
-                          hexadecimal(t->greatest_normal)};
+    kept["tangential"] = {kept_number(t->greatest), kept_number(t->normal_there), kept_point(t->at),
+                          kept_number(t->greatest_normal)};
   return kept;
 }
 
 AuditResult figures_from(const Json& kept) {
   AuditResult result;
   const Json& work = kept.at("work");
-  result.work = {kept_number(work.at(0)), kept_number(work.at(1)), kept_number(work.at(2)),
-                 kept_number(work.at(3)), kept_number(work.at(4)), point_from(kept.at("at"))};
+  result.work = {number_from_kept(work.at(0)), number_from_kept(work.at(1)), number_from_kept(work.at(2)),
+                 number_from_kept(work.at(3)), number_from_kept(work.at(4)), point_from(kept.at("at"))};
   result.jumps = kept.at("jumps").get<std::size_t>();
-  result.sum_of_jumps = kept_number(kept.at("sizes").at(0));
-  result.greatest_jump = kept_number(kept.at("sizes").at(1));
+  result.sum_of_jumps = number_from_kept(kept.at("sizes").at(0));
+  result.greatest_jump = number_from_kept(kept.at("sizes").at(1));
   if (kept.contains("tangential")) {
     const Json& t = kept["tangential"];
-    result.tangential =
-        TangentialForce{kept_number(t.at(0)), kept_number(t.at(1)), point_from(t.at(2)), kept_number(t.at(3))};
+    result.tangential = TangentialForce{number_from_kept(t.at(0)), number_from_kept(t.at(1)), point_from(t.at(2)),
+                                        number_from_kept(t.at(3))};
   }
   return result;
 }

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/stability/kept_figures.h"
 
-#include <fmt/core.h>
-
-#include <cstdlib>
+#include "compare/io/kept_values.h"
 
 namespace pcm::compare::stability {
 namespace {
@@ -13,14 +11,13 @@ using Kept = nlohmann::ordered_json;
 
 Kept kept(const Figures& figures) {
   Kept list = Kept::array();
-  for (const double x : figures) list.push_back(fmt::format("{:a}", x));
+  for (const double x : figures) list.push_back(kept_number(x));
   return list;
 }
 
 Figures numbers_from(const Kept& list) {
   Figures figures{};
-  for (std::size_t k = 0; k < figures.size(); ++k)
-    figures[k] = std::strtod(list.at(k).get<std::string>().c_str(), nullptr);  // infinite ones and NaN too
+  for (std::size_t k = 0; k < figures.size(); ++k) figures[k] = number_from_kept(list.at(k));
   return figures;
 }
 

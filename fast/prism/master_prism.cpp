@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/base/geometry.h"
 #include "fast/base/number_vector.h"
 
 namespace pcm::fast {
@@ -19,8 +20,7 @@ double size_of(const std::array<Eigen::Vector3d, 3>& p) {
 /// The terms of N = (p1 - p0) x (p2 - p0) taken absolutely.
 Eigen::Vector3d magnitude_of_normal(const std::array<Eigen::Vector3d, 3>& p) {
   const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
-  return {a[1] * b[2] + a[2] * b[1] + kFilterUnderflow, a[2] * b[0] + a[0] * b[2] + kFilterUnderflow,
-          a[0] * b[1] + a[1] * b[0] + kFilterUnderflow};
+  return cross_of_magnitudes(a, b).array() + kFilterUnderflow;
 }
 
 /// A power of two such that scaling everything by 2^k scales what is made of exact numbers in that unit exactly, too:
