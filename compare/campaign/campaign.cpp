@@ -286,17 +286,20 @@ bool Campaign::all_done() {
 }
 
 void Campaign::for_each_found(const std::function<void(const std::string&, const std::string&)>& take) {
-  const std::lock_guard lock(mutex_);
-  require_own_job();
   std::vector<std::int64_t> workers;
   {
+    const std::lock_guard lock(mutex_);
+    require_own_job();
     Statement ids(database_, "SELECT DISTINCT worker FROM found");
     while (ids.step()) workers.push_back(ids.integer(0));
   }
   for (const std::int64_t worker : workers) {
-    // Nobody can write while a statement is open: first all rows of a worker, then what takes long.
+    // Nobody can write while a statement is open, nor this worker say that it lives: first all rows of a worker, then
+    // what takes long.
     std::map<std::string, std::array<std::string, 2>> found;
     {
+      const std::lock_guard lock(mutex_);
+      require_own_job();
       Statement rows(database_, "SELECT key, text, sha256 FROM found WHERE worker = ?", worker);
       while (rows.step()) found[rows.text(0)] = {rows.text(1), rows.text(2)};
     }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <future>
 #include <map>
 #include <set>
 #include <string>
@@ -79,6 +80,22 @@ TEST_F(CampaignTest, HandsOutEveryChunkOnceToAnyNumberOfThreadsAndWorkers) {
   EXPECT_EQ(std::set<std::int64_t>(done.begin(), done.end()).size(), 1000U);
   EXPECT_TRUE(first.part_done());
   EXPECT_TRUE(first.all_done());
+}
+
+TEST_F(CampaignTest, StaysAtWorkWhileWhatWasFoundIsTaken) {
+  // Taking may be long, and a worker that is not heard meanwhile counts as dead.
+  Campaign campaign(file());
+  begin(campaign, 2);
+  const std::optional<ChunkRange> first = campaign.claim(1);
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(campaign.commit(*first, {{"key", "text"}}));
+  std::future<bool> asked;
+  campaign.for_each_found([&](const std::string&, const std::string&) {
+    asked = std::async(std::launch::async, [&] { return campaign.anything_to_claim(); });
+    EXPECT_EQ(asked.wait_for(std::chrono::seconds(20)), std::future_status::ready);
+  });
+  ASSERT_TRUE(asked.valid());
+  EXPECT_TRUE(asked.get());
 }
 
 TEST_F(CampaignTest, NoMoreIsInheritedAtATimeThanIsAskedFor) {

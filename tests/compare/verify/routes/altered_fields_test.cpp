@@ -116,6 +116,30 @@ TEST(Seam, FlipThatIsNotAnnouncedIsFlagged) {
   EXPECT_EQ(broken_bounds(question, subj, true_rounded, true_exact).disagreements().front().kind, Kind::bound);
 }
 
+TEST(Seam, ClippedElementOnAFaceThatIsNotActiveIsFlaggedUnlessAFlipIsAnnounced) {
+  const SurfacePair pair = small_pair();
+  const HeldPairing held(pair.E, pair.F, ContactLaw{}, HeldPairing::Modes{Mode::both}, Scheme::clipped);
+  const Question question = held.question(Pose{}, Velocity{});
+  ASSERT_EQ(question.scheme, Scheme::clipped);
+  for (const Side master : {Side::E, Side::F})
+    for (const Index face : {2, 3, 5, 9}) {
+      fast::Contact subj;
+      subj.elements.push_back({.master = master, .master_face = face});
+      subj.bound.emplace();
+      reference::Answer true_rounded, true_exact;
+      reference::ActiveArea& area = master == Side::E ? true_exact.E : true_exact.F;
+      reference::ActiveArea& other = master == Side::E ? true_exact.F : true_exact.E;
+      area.intersected = {2, 7};
+      area.inner = {3};
+      other.inner = {5};
+      const bool active = face == 2 || face == 3;
+      EXPECT_EQ(broken_bounds(question, subj, true_rounded, true_exact).disagreements().size(), active ? 0U : 1U)
+          << (master == Side::E ? "E " : "F ") << face;
+      subj.bound->flipped = true;
+      EXPECT_TRUE(broken_bounds(question, subj, true_rounded, true_exact).disagreements().empty());
+    }
+}
+
 TEST(Seam, EveryKindOfDisagreementIsRaisedBySomeField) {
   std::set<Kind> raised{Kind::failure, Kind::history, Kind::paths};  // seam_test.cpp, above
   for (const Field& field : all_fields()) raised.insert(field.held_by);
