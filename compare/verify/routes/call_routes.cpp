@@ -48,20 +48,22 @@ void hold_law_only(Route route, bool expected, bool found, Checks& checks) {
 }
 
 /// Asks beside the pose first, twice, which leaves elements that are not those of the pose and pairs that are followed.
-void hold_known_pose(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
-                     const Ask& ask, const fast::Contact& whole, double step, fast::Workspace& workspace,
+void hold_known_pose(const AnsweredState& state, const Ask& ask, const fast::Contact& whole, fast::Workspace& workspace,
                      Checks& checks) {
-  fast::PairingMemory memory(pairing);
-  for (const double away : {step, 0.5 * step}) {
+  const Pose& pose = state.pose;
+  const Velocity& velocity = state.velocity;
+  fast::PairingMemory memory(state.pairing);
+  for (const double away : {state.step, 0.5 * state.step}) {
     Pose nearby = pose;
     nearby.r.x() += away;
     is_answered([&] { memory.evaluate(nearby, velocity, ask.wanted, workspace, ask.savings); });
   }
   const bool answered =
       is_answered([&] { memory.evaluate(pose, another(velocity), ask.wanted, workspace, ask.savings); });
-  const fast::Contact& answer = seam.evaluate_known(memory, pose, velocity, ask, workspace);
+  const fast::Contact& answer = state.seam.evaluate_known(memory, pose, velocity, ask, workspace);
   hold_route(Route::known_pose, whole, answer, ask.wanted, checks);
-  hold_law_only(Route::known_pose, answered && keeps_poses(ask, pairing.scheme()), answer.work.law_only == 1, checks);
+  hold_law_only(Route::known_pose, answered && keeps_poses(ask, state.pairing.scheme()), answer.work.law_only == 1,
+                checks);
 }
 
 /// Holds what the scene says of its pairing and its bodies against the answer's force and torque. E's axes are those of
@@ -100,14 +102,15 @@ bool hold_relative_state(const fast::Scene& scene, const Pose& pose, const Veloc
 /// Holds a scene's answer against `whole`, the one to everything and a bound. A step on the way makes the scene look
 /// for a certificate where the bodies are apart, and use it where it still holds. With `remembering` F then has another
 /// velocity first where it is asked for, and loads, which cost little there, are held too.
-void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
-                const Ask& ask, bool remembering, const fast::Contact& whole, double step, fast::Workspace& workspace,
-                Checks& checks) {
-  fast::Scene scene = scene_of(pairing, ask.wanted, ask.savings);
+void hold_scene(const AnsweredState& state, const Ask& ask, bool remembering, const fast::Contact& whole,
+                fast::Workspace& workspace, Checks& checks) {
+  const Pose& pose = state.pose;
+  const Velocity& velocity = state.velocity;
+  fast::Scene scene = scene_of(state.pairing, ask.wanted, ask.savings);
   const TwoBodies bodies(pose, velocity);
   const std::uint64_t turn = bits_of(pose, velocity, Draw::turn);
-  for (const double away : {step, 0.5 * step}) {
-    scene.move({bodies.E, stepped(bodies.F, pairing.surface_F().mesh(), away, turn)});
+  for (const double away : {state.step, 0.5 * state.step}) {
+    scene.move({bodies.E, stepped(bodies.F, state.pairing.surface_F().mesh(), away, turn)});
     if (remembering) scene.remember_poses();
     is_answered([&] { scene.evaluate(0, workspace); });
   }
@@ -115,38 +118,39 @@ void hold_scene(const EngineSeam& seam, const fast::Pairing& pairing, const Pose
   if (remembering) {
     scene.move({bodies.E, {bodies.F.pose, another(bodies.F.velocity)}});
     scene.remember_poses();
-    is_known = is_answered([&] { scene.evaluate(0, workspace); }) && keeps_poses(ask, pairing.scheme());
+    is_known = is_answered([&] { scene.evaluate(0, workspace); }) && keeps_poses(ask, state.pairing.scheme());
   }
   scene.move({bodies.E, bodies.F});
   if (!hold_relative_state(scene, pose, velocity, bodies.carried_W, checks)) return;
   const Pose relative = scene.relative_pose(0);
   const Velocity motion = scene.relative_velocity(0);
   if (fast::same_bits(relative, pose) && fast::same_bits(motion, velocity)) {
-    const fast::Contact& answer = seam.evaluate_in(scene, workspace);
+    const fast::Contact& answer = state.seam.evaluate_in(scene, workspace);
     hold_route(Route::scene, whole, answer, ask.wanted, checks);
-    const fast::SceneCounters counters = seam.counters_of(scene);
+    const fast::SceneCounters counters = state.seam.counters_of(scene);
     hold_counters(counters, answer.work, checks);
     if (counters.evaluated == 1) hold_law_only(Route::scene, is_known, counters.work.law_only == 1, checks);
     if (is_known && ask.wanted.force) {
       const Eigen::Vector3d force_Me = answer.force_Me, torque_Me = answer.torque_Me;  // the next question changes it
-      hold_loads(seam, scene, bodies.E.pose.A, relative.r, force_Me, torque_Me, checks);
+      hold_loads(state.seam, scene, bodies.E.pose.A, relative.r, force_Me, torque_Me, checks);
     }
     return;
   }
   Ask everything{Route::plain, {}, {}};
   everything.wanted.bound = ask.wanted.bound;
   everything.wanted.tangent = ask.wanted.tangent;
-  const fast::Contact there = seam.evaluate(pairing, relative, motion, everything, workspace);
-  hold_route(Route::scene, there, seam.evaluate_in(scene, workspace), ask.wanted, checks);
+  const fast::Contact there = state.seam.evaluate(state.pairing, relative, motion, everything, workspace);
+  hold_route(Route::scene, there, state.seam.evaluate_in(scene, workspace), ask.wanted, checks);
 }
 
 }  // namespace
 
-void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
-                 const fast::Contact& whole, double step, bool with_tangents, fast::Workspace& workspace,
-                 Checks& checks, const std::function<void(const fast::Contact&)>& on_bound,
+void hold_routes(const AnsweredState& state, bool with_tangents, fast::Workspace& workspace, Checks& checks,
+                 const std::function<void(const fast::Contact&)>& on_bound,
                  const std::function<void(const fast::Contact&)>& on_tangent) {
-  fast::Contact expected = whole;
+  const Pose& pose = state.pose;
+  const Velocity& velocity = state.velocity;
+  fast::Contact expected = state.whole;
   const auto allowed = [with_tangents](std::vector<Ask> asks) {
     if (!with_tangents)
       for (Ask& ask : asks) ask.wanted.tangent = false;
@@ -154,7 +158,7 @@ void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pos
   };
   for (const Ask& ask : allowed(asks_at(pose, velocity))) {
     if (ask.route == Route::plain || (ask.route == Route::tangent && !with_tangents)) continue;
-    const fast::Contact& answer = seam.evaluate(pairing, pose, velocity, ask, workspace);
+    const fast::Contact& answer = state.seam.evaluate(state.pairing, pose, velocity, ask, workspace);
     hold_route(ask.route, expected, answer, ask.wanted, checks);
     if (ask.route == Route::bounded) {
       expected.bound = answer.bound;  // others that have a bound have this one
@@ -167,34 +171,35 @@ void hold_routes(const EngineSeam& seam, const fast::Pairing& pairing, const Pos
   // Of two questions, and of two ways to ask a scene, each state takes one: all of them would cost a half more.
   const std::uint64_t ways = bits_of(pose, velocity, Draw::ways);
   const std::vector<Ask> known_pose_asks = allowed(known_pose_asks_at(pose, velocity));
-  hold_known_pose(seam, pairing, pose, velocity, known_pose_asks[ways % 2], expected, step, workspace, checks);
+  hold_known_pose(state, known_pose_asks[ways % 2], expected, workspace, checks);
   if (!is_pose_for_scenes(pose)) return;
   const std::vector<Ask> asks = allowed(scene_asks_at(pose, velocity));
   for (std::size_t k = 0; k < asks.size(); ++k)
-    hold_scene(seam, pairing, pose, velocity, asks[k], (ways >> (k + 1) & 1) != 0, expected, step, workspace, checks);
+    hold_scene(state, asks[k], (ways >> (k + 1) & 1) != 0, expected, workspace, checks);
 }
 
-void hold_motion(const EngineSeam& seam, const fast::Pairing& pairing, const std::vector<MovingPose>& before,
-                 const Pose& pose, const Velocity& velocity, const fast::Contact& whole, double step,
-                 fast::Workspace& workspace, Checks& checks) {
+void hold_motion(const AnsweredState& state, const std::vector<MovingPose>& before, fast::Workspace& workspace,
+                 Checks& checks) {
+  const Pose& pose = state.pose;
+  const Velocity& velocity = state.velocity;
   if (!is_pose_for_scenes(pose)) return;
-  fast::Scene scene = scene_of(pairing, {}, {});
+  fast::Scene scene = scene_of(state.pairing, {}, {});
   const std::uint64_t turn = bits_of(pose, velocity, Draw::bodies) % 24;
   const auto ask_at = [&](const fast::BodyState& E, const fast::BodyState& F) {
     scene.move({E, F});
-    return is_answered([&] { seam.evaluate_in(scene, workspace); });
+    return is_answered([&] { state.seam.evaluate_in(scene, workspace); });
   };
   const auto arrive = [&](const TwoBodies& bodies) {
     scene.move({bodies.E, bodies.F});
     scene.remember_poses();
   };
   // Each step as an implicit integrator takes it: the load, then difference quotients over velocity and place.
-  for (const MovingPose& state : before) {
-    const TwoBodies bodies(state.pose, state.velocity, turn, false);
+  for (const MovingPose& earlier : before) {
+    const TwoBodies bodies(earlier.pose, earlier.velocity, turn, false);
     arrive(bodies);
     ask_at(bodies.E, bodies.F);
     ask_at(bodies.E, {bodies.F.pose, another(bodies.F.velocity)});
-    ask_at(bodies.E, stepped(bodies.F, pairing.surface_F().mesh(), step, turn));
+    ask_at(bodies.E, stepped(bodies.F, state.pairing.surface_F().mesh(), state.step, turn));
   }
   const TwoBodies bodies(pose, velocity, turn, false);
   arrive(bodies);
@@ -202,18 +207,18 @@ void hold_motion(const EngineSeam& seam, const fast::Pairing& pairing, const std
   const Pose relative = scene.relative_pose(0);
   const Velocity motion = scene.relative_velocity(0);
   const Wanted everything;
-  fast::Contact there = whole;
+  fast::Contact there = state.whole;
   if (!fast::same_bits(relative, pose) || !fast::same_bits(motion, velocity))
-    there = seam.evaluate(pairing, relative, motion, {Route::plain, {}, {}}, workspace);
-  const fast::Contact& at_once = seam.evaluate_in(scene, workspace);
+    there = state.seam.evaluate(state.pairing, relative, motion, {Route::plain, {}, {}}, workspace);
+  const fast::Contact& at_once = state.seam.evaluate_in(scene, workspace);
   hold_route(Route::motion, there, at_once, everything, checks);
-  hold_counters(seam.counters_of(scene), at_once.work, checks);
+  hold_counters(state.seam.counters_of(scene), at_once.work, checks);
   const bool is_known = ask_at(bodies.E, {bodies.F.pose, another(bodies.F.velocity)});
   scene.move({bodies.E, bodies.F});
-  hold_route(Route::motion, there, seam.evaluate_in(scene, workspace), everything, checks);
-  const fast::SceneCounters counters = seam.counters_of(scene);
+  hold_route(Route::motion, there, state.seam.evaluate_in(scene, workspace), everything, checks);
+  const fast::SceneCounters counters = state.seam.counters_of(scene);
   if (counters.evaluated == 1) hold_law_only(Route::motion, is_known, counters.work.law_only == 1, checks);
-  hold_loads(seam, scene, bodies.E.pose.A, relative.r, there.force_Me, there.torque_Me, checks);
+  hold_loads(state.seam, scene, bodies.E.pose.A, relative.r, there.force_Me, there.torque_Me, checks);
 }
 
 }  // namespace pcm::compare

@@ -145,10 +145,10 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
       hold_refusal(seam, engine, pose, velocity, refusal, workspace, checks);
       checks.merge(hold_weak_tangent(engine, state, workspace, seam));
     }
-    if (!state.before.empty())
-      hold_motion(seam, engine, state.before, pose, velocity, subj, features_.size() * kStepBefore, workspace, checks);
+    const AnsweredState there{seam, engine, pose, velocity, subj, features_.size() * kStepBefore};
+    if (!state.before.empty()) hold_motion(there, state.before, workspace, checks);
     hold_routes(
-        seam, engine, pose, velocity, subj, features_.size() * kStepBefore, refusal.empty(), workspace, checks,
+        there, refusal.empty(), workspace, checks,
         [&](const fast::Contact& bounded) {
           outcome.unbounded =
               bounded.bound && !(bounded.bound->force_Me.allFinite() && bounded.bound->torque_Me.allFinite());
