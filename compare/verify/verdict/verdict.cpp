@@ -10,6 +10,7 @@
 #include <limits>
 #include <tuple>
 
+#include "compare/io/names.h"
 #include "compare/poses/rounded_vertices.h"
 #include "compare/verify/bounds/element_law.h"
 #include "compare/verify/bounds/rounded_faces.h"
