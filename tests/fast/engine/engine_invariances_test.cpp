@@ -72,6 +72,16 @@ void expect_bits(const Contact& a, const Contact& b, double length, double area,
 
 class EngineInvariance : public testing::TestWithParam<Scheme> {};
 
+Encounter scaled_by(Encounter scene, double s) {
+  scene.E = scaled(scene.E, s);
+  scene.F = scaled(scene.F, s);
+  scene.pose.r *= s;
+  scene.velocity.v *= s;
+  scene.law.transition_depth *= s;
+  scene.law.slip_velocity *= s;
+  return scene;
+}
+
 TEST_P(EngineInvariance, AllLengthsTimesAPowerOfTwoScaleEveryBit) {
   const Encounter scene(GetParam());
   const Contact plain = scene.answer();
@@ -79,39 +89,89 @@ TEST_P(EngineInvariance, AllLengthsTimesAPowerOfTwoScaleEveryBit) {
   ASSERT_GT(plain.element_count, 10);
   for (const int k : {-100, -40, -1, 3, 40, 100}) {
     const double s = std::ldexp(1.0, k);
-    Encounter large = scene;
-    large.E = scaled(scene.E, s);
-    large.F = scaled(scene.F, s);
-    large.pose.r *= s;
-    large.velocity.v *= s;
-    large.law.transition_depth *= s;
-    large.law.slip_velocity *= s;
-    expect_bits(plain, large.answer(), s, s * s, s * s * s, s * s * s * s);
+    expect_bits(plain, scaled_by(scene, s).answer(), s, s * s, s * s * s, s * s * s * s);
   }
+}
+
+TEST_P(EngineInvariance, AllLengthsTimesAPowerOfTwoScaleEveryBitOfBoundsAndTangent) {
+  Wanted wanted;
+  wanted.bound = wanted.tangent = true;
+  for (int i = 0; i < 10; ++i) {
+    Encounter scene(GetParam());
+    scene.pose = turned(0.3 * i, {0.04 * std::sin(2.0 * i), 0.04 * std::sin(3.0 * i), 0.25});
+    const Contact plain = scene.answer(wanted);
+    ASSERT_GT(plain.element_count, 10) << i;
+    for (const int k : {-60, -1, 3, 60}) {
+      const double s = std::ldexp(1.0, k), force = s * s * s, torque = force * s;
+      const Contact contact = scaled_by(scene, s).answer(wanted);
+      EXPECT_EQ(contact.bound->force_Me, plain.bound->force_Me * force) << i << ' ' << k;
+      EXPECT_EQ(contact.bound->torque_Me, plain.bound->torque_Me * torque) << i << ' ' << k;
+      EXPECT_EQ(contact.bound->flipped, plain.bound->flipped) << i << ' ' << k;
+      EXPECT_EQ(contact.bound->penetration_at_least, plain.bound->penetration_at_least * s) << i << ' ' << k;
+      EXPECT_EQ(contact.bound->penetration_at_most, plain.bound->penetration_at_most * s) << i << ' ' << k;
+      for (Eigen::Index column = 0; column < 12; ++column) {
+        const double by = column / 3 % 2 == 0 ? 1 / s : 1;  // r and v are lengths, or lengths over time
+        EXPECT_EQ(contact.tangent->topRows<3>().col(column), plain.tangent->topRows<3>().col(column) * (force * by));
+        EXPECT_EQ(contact.tangent->bottomRows<3>().col(column),
+                  plain.tangent->bottomRows<3>().col(column) * (torque * by));
+      }
+    }
+  }
+}
+
+Encounter with_axes_negated(Encounter scene, const Vector3d& signs) {
+  for (TriangleMesh* mesh : {&scene.E, &scene.F}) {
+    for (Vector3d& x : mesh->vertices) x = x.cwiseProduct(signs);
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) scene.pose.A(i, j) *= signs[i] * signs[j];
+  }
+  scene.pose.r = scene.pose.r.cwiseProduct(signs);
+  scene.velocity.v = scene.velocity.v.cwiseProduct(signs);
+  scene.velocity.w = scene.velocity.w.cwiseProduct(signs);
+  return scene;
+}
+
+/// Two axes of both frames, negated: a rotation without any rounding.
+std::vector<Vector3d> negations() {
+  return {{1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
 }
 
 TEST_P(EngineInvariance, TwoAxesNegatedInBothFramesNegateTheResultsBitForBit) {
   const Encounter scene(GetParam());
   const Contact plain = scene.answer();
-  for (int kept = 0; kept < 3; ++kept) {
-    Vector3d signs(-1, -1, -1);
-    signs[kept] = 1;
-    Encounter negated = scene;
-    for (TriangleMesh* mesh : {&negated.E, &negated.F}) {
-      for (Vector3d& x : mesh->vertices) x = x.cwiseProduct(signs);
-    }
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) negated.pose.A(i, j) *= signs[i] * signs[j];
-    }
-    negated.pose.r = negated.pose.r.cwiseProduct(signs);
-    negated.velocity.v = negated.velocity.v.cwiseProduct(signs);
-    negated.velocity.w = negated.velocity.w.cwiseProduct(signs);
-    const Contact contact = negated.answer();
+  for (const Vector3d& signs : negations()) {
+    const Contact contact = with_axes_negated(scene, signs).answer();
     EXPECT_EQ(contact.force_Me, plain.force_Me.cwiseProduct(signs));
     EXPECT_EQ(contact.torque_Me, plain.torque_Me.cwiseProduct(signs));
     EXPECT_EQ(contact.volume, plain.volume);
     EXPECT_EQ(contact.E.area, plain.E.area);
     EXPECT_EQ(contact.F.vector_area_Me, plain.F.vector_area_Me.cwiseProduct(signs));
+  }
+}
+
+TEST_P(EngineInvariance, TwoAxesNegatedInBothFramesLeaveBoundsAndNegateTheTangentBitForBit) {
+  Wanted wanted;
+  wanted.bound = wanted.tangent = true;
+  for (int i = 0; i < 20; ++i) {
+    Encounter scene(GetParam());
+    scene.pose = turned(0.3 * i, {0.04 * std::sin(2.0 * i), 0.04 * std::sin(3.0 * i), 0.25});
+    const Contact plain = scene.answer(wanted);
+    ASSERT_GT(plain.element_count, 10) << i;
+    for (const Vector3d& signs : negations()) {
+      const Contact contact = with_axes_negated(scene, signs).answer(wanted);
+      EXPECT_EQ(contact.bound->force_Me, plain.bound->force_Me) << i;
+      EXPECT_EQ(contact.bound->torque_Me, plain.bound->torque_Me) << i;
+      EXPECT_EQ(contact.bound->flipped, plain.bound->flipped) << i;
+      EXPECT_EQ(contact.bound->penetration_at_least, plain.bound->penetration_at_least) << i;
+      EXPECT_EQ(contact.bound->penetration_at_most, plain.bound->penetration_at_most) << i;
+      for (Eigen::Index row = 0; row < 6; ++row) {
+        for (Eigen::Index column = 0; column < 12; ++column) {
+          EXPECT_EQ((*contact.tangent)(row, column), signs[row % 3] * signs[column % 3] * (*plain.tangent)(row, column))
+              << i << ": " << row << ", " << column;
+        }
+      }
+    }
   }
 }
 
