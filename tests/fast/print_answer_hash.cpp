@@ -4,13 +4,10 @@
 // different instructions (`./run check`), and a quick way to see what a change leaves as it was. First 13,440 answers
 // with all figures, a line for each scheme and law; then 16,128 at the poses of `pcm verify`, a line for each scheme
 // and stratum, over all modes and everything that may be wanted.
-#include <bit>
 #include <cinttypes>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -20,130 +17,12 @@
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
 #include "pcm/engine.h"
+#include "tests/fast/answer_hash.h"
+#include "tests/fast/exact_draw.h"
 #include "tests/fast/varied_questions.h"
 
 namespace pcm::fast {
 namespace {
-
-/// FNV-1a.
-class Hash {
- public:
-  void add(std::uint64_t bits) {
-    for (int byte = 0; byte < 8; ++byte) {
-      value_ = (value_ ^ (bits >> (8 * byte) & 0xff)) * 0x100000001b3;
-    }
-  }
-  void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
-  void add(const Eigen::Vector3d& x) {
-    for (int k = 0; k < 3; ++k) add(x[k]);
-  }
-  void add(Index i) { add(static_cast<std::uint64_t>(i)); }
-  void add(bool b) { add(std::uint64_t{b}); }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325;
-};
-
-void add(Hash& hash, const ActiveArea& area) {
-  for (const Index face : area.intersected) hash.add(face);
-  for (const Index face : area.inner) hash.add(face);
-  hash.add(area.area);
-  hash.add(area.vector_area_Me);
-}
-
-void add(Hash& hash, const Element& element) {
-  hash.add(static_cast<std::uint64_t>(element.master));
-  for (const Index face : {element.master_face, element.slave_face}) hash.add(face);
-  for (const double x : {element.area, element.penetration, element.normal_velocity, element.tangential_velocity,
-                         element.normal_force, element.tangential_force})
-    hash.add(x);
-  for (const Eigen::Vector3d& x : {element.normal_Me, element.position_Me, element.force_Me}) hash.add(x);
-}
-
-void add(Hash& hash, const Statistics& statistics) {
-  for (const double x : {statistics.patch_area, statistics.mean_penetration, statistics.max_pressure,
-                         statistics.mean_pressure, statistics.max_normal_velocity, statistics.max_tangential_velocity})
-    hash.add(x);
-  hash.add(statistics.centre_of_pressure_Me);
-}
-
-void add(Hash& hash, const ForceBound& bound) {
-  hash.add(bound.force_Me);
-  hash.add(bound.torque_Me);
-  hash.add(bound.flipped);
-  hash.add(bound.penetration_at_least);
-  hash.add(bound.penetration_at_most);
-}
-
-/// All but the work it took.
-void add(Hash& hash, const Contact& contact) {
-  for (const bool b : {contact.touching, contact.nested, contact.ambiguous, contact.has_volume,
-                       contact.penetration_exceeded, contact.bound.has_value()})
-    hash.add(b);
-  for (const Crossing& crossing : contact.crossings) {
-    hash.add(static_cast<std::uint64_t>(crossing.edge_side));
-    for (const Index i : {crossing.edge[0], crossing.edge[1], crossing.face}) hash.add(i);
-    hash.add(crossing.position_Me);
-  }
-  for (const Polygon& polygon : contact.polygons) {
-    hash.add(polygon.closed);
-    for (const Index i : {polygon.first, polygon.count, polygon.patch}) hash.add(i);
-  }
-  add(hash, contact.E);
-  add(hash, contact.F);
-  for (const Index i : {contact.patches, contact.undefined_areas, contact.element_count, contact.too_deep}) hash.add(i);
-  hash.add(contact.volume);
-  for (const Element& element : contact.elements) add(hash, element);
-  hash.add(contact.max_penetration);
-  hash.add(contact.force_Me);
-  hash.add(contact.torque_Me);
-  add(hash, contact.statistics);
-  if (contact.bound) add(hash, *contact.bound);
-}
-
-/// The answer's lists, which a hash over their entries alone would not keep apart.
-void add_lengths(Hash& hash, const Contact& contact) {
-  for (const std::size_t length :
-       {contact.crossings.size(), contact.polygons.size(), contact.E.intersected.size(), contact.E.inner.size(),
-        contact.F.intersected.size(), contact.F.inner.size(), contact.elements.size()})
-    hash.add(std::uint64_t{length});
-}
-
-/// Draws with correctly rounded operations alone, so that all builds draw the same.
-class Draw {
- public:
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
-  }
-  Eigen::Vector3d vector(double greatest) {
-    const double x = between(-greatest, greatest), y = between(-greatest, greatest);
-    return {x, y, between(-greatest, greatest)};
-  }
-  /// From a quaternion within the unit ball.
-  Eigen::Matrix3d rotation() {
-    for (;;) {
-      const double a = between(-1, 1), b = between(-1, 1), c = between(-1, 1), d = between(-1, 1);
-      const double square = (a * a + b * b) + (c * c + d * d);
-      if (square > 1 || square < 0x1p-6) continue;
-      const double k = 2 / square;
-      Eigen::Matrix3d A;
-      A << 1 - k * (c * c + d * d), k * (b * c - a * d), k * (b * d + a * c),  //
-          k * (b * c + a * d), 1 - k * (b * b + d * d), k * (c * d - a * b),   //
-          k * (b * d - a * c), k * (c * d + a * b), 1 - k * (b * b + c * c);
-      return A;
-    }
-  }
-  /// Multiples of 1/8: features coincide.
-  Eigen::Vector3d lattice_vector() {
-    Eigen::Vector3d x = vector(8);
-    for (double& c : x) c = std::floor(c) / 8;
-    return x;
-  }
-
- private:
-  std::mt19937_64 random_{2003};
-};
 
 struct Pair {
   TriangleMesh E, F;
@@ -184,14 +63,14 @@ const char* name(Scheme scheme) {
 }
 
 struct Tally {
-  Hash hash;
+  test::Hash hash;
   int answers = 0;
   std::int64_t elements = 0;
 };
 
 void add_pair(const Pair& pair, const ContactLaw& law, Scheme scheme, Workspace& workspace, Tally& tally) {
   const Pairing pairing{Surface(pair.E), Surface(pair.F), law, Mode::both, scheme};
-  Draw draw;
+  test::ExactDraw draw;
   for (int i = 0; i < 2 * pair.poses; ++i) {
     const bool generic = i % 2 == 0;
     const Pose pose{generic ? draw.rotation() : Eigen::Matrix3d::Identity(),

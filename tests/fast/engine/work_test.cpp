@@ -7,10 +7,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -19,9 +16,10 @@
 #include "meshes/generate/round.h"
 #include "pcm/pairing_memory.h"
 #include "pcm/scene.h"
+#include "tests/fast/engine/kept_table.h"
 #include "tests/fast/engine_support.h"
 
-namespace pcm::fast {
+namespace pcm::fast::work_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -165,25 +163,12 @@ SceneCounters work_of_falling_boxes() {
   return total;
 }
 
-std::vector<std::string> lines_in(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 TEST(Work, IsWhatItWas) {
-  std::vector<std::string> found{kColumns};
+  std::vector<std::string> rows{kColumns};
   for (const Bodies& bodies : all_bodies())
-    for (const std::string& row : rows_of(bodies)) found.push_back(row);
-  found.push_back(row_of("falling boxes", "scene", work_of_falling_boxes().work));
-  const std::vector<std::string> expected = lines_in(PCM_SOURCE_DIR "/tests/fast/engine/work.csv");
-  if (found == expected) return;
-  std::ofstream now("work.csv");
-  for (const std::string& row : found) now << row << '\n';
-  ADD_FAILURE() << "what was found is in work.csv, in " << std::filesystem::current_path();
-  for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
-    EXPECT_EQ(found[i], expected[i]) << kColumns;
+    for (const std::string& row : rows_of(bodies)) rows.push_back(row);
+  rows.push_back(row_of("falling boxes", "scene", work_of_falling_boxes().work));
+  test::expect_kept(rows, "work.csv");
 }
 
 TEST(Work, OfAScenesPairingsIsWhatItWas) {
@@ -195,4 +180,4 @@ TEST(Work, OfAScenesPairingsIsWhatItWas) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::work_test
