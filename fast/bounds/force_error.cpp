@@ -16,6 +16,9 @@ constexpr double u = kUnitRoundoff;
 
 /// The layers' shift (13) carries up to 2 roundings; without layers, or with a rigid body, it is exact.
 constexpr double kShiftRoundings = 2;
+/// Products that underflow, in the engine or here, are off by 2^-1075 besides: no more than 2^5 of them in what is
+/// divided by a velocity or multiplied by a length.
+constexpr double kUnderflow = 0x1p-1070;
 
 /// The velocities of an element and their errors.
 struct VelocityErrors {
@@ -30,12 +33,13 @@ VelocityErrors velocity_errors(const ForceProblem& problem, const Element& eleme
   const Eigen::Vector3d turning = cross_of_magnitudes(w, lever.cwiseAbs());
   const Eigen::Vector3d v = problem.velocity.v.cwiseAbs() + turning;
   // A product, the difference of two, the sum with v.
-  const Eigen::Vector3d v_error = cross_of_magnitudes(w, lever_error) + 2 * u * turning + u * v;
+  const Eigen::Vector3d v_error =
+      cross_of_magnitudes(w, lever_error) + 2 * u * turning + u * v + Eigen::Vector3d::Constant(kUnderflow);
   VelocityErrors errors;
-  errors.v_n = n.dot(v_error) + normal_error * (v + v_error).sum() + 3 * u * n.dot(v);
+  errors.v_n = n.dot(v_error) + normal_error * (v + v_error).sum() + 3 * u * n.dot(v) + kUnderflow;
   const double v_n = std::abs(element.normal_velocity);
-  errors.slip_Me =
-      v_error + errors.v_n * n + Eigen::Vector3d::Constant((v_n + errors.v_n) * normal_error) + u * (2 * v_n * n + v);
+  errors.slip_Me = v_error + errors.v_n * n +
+                   Eigen::Vector3d::Constant((v_n + errors.v_n) * normal_error + kUnderflow) + u * (2 * v_n * n + v);
   return errors;
 }
 
@@ -53,7 +57,8 @@ ElementForceError force_error(const ForceProblem& problem, const Element& elemen
   const Eigen::Vector3d lever = element.position_Me - problem.pose.r;
   const Eigen::Vector3d lever_size = lever.cwiseAbs();
   const Eigen::Vector3d lever_error =
-      error.foot_Me + (shift * depth_error + (kShiftRoundings + 2) * u * greatest_shift) * n +
+      error.foot_Me +
+      (shift * depth_error + (kShiftRoundings + 2) * u * greatest_shift + kUnderflow * (depth + depth_error)) * n +
       Eigen::Vector3d::Constant(greatest_shift * error.normal) + u * (element.position_Me.cwiseAbs() + lever_size);
 
   VelocityErrors velocity;
@@ -93,7 +98,7 @@ GreatestForce greatest_force(const ForceProblem& problem, double area, double de
   const double u_k = std::min(depth, law.max_penetration);
   // |C_k - r|: the foot's distance, and no more than the whole penetration beyond.
   const double lever = (foot_Me - problem.pose.r).lpNorm<1>() + foot_error.sum() + u_k;
-  const double speed = problem.velocity.v.lpNorm<1>() + problem.velocity.w.lpNorm<1>() * lever;
+  const double speed = problem.velocity.v.lpNorm<1>() + problem.velocity.w.lpNorm<1>() * lever + kUnderflow;
   const double F_n = greatest_normal_force(problem, area, u_k, speed);
   const double normal = kSafetyFactor * F_n + 0x1p-1060, friction = kSafetyFactor * law.friction * F_n + 0x1p-1060;
   return {normal, friction, kSafetyFactor * lever * (normal + friction) + 0x1p-1060};

@@ -15,6 +15,9 @@ constexpr double u = kUnitRoundoff;
 
 /// The layers' stiffness (12) carries up to 3 roundings; given c_l or a rigid body it is exact.
 constexpr double kStiffnessRoundings = 3;
+/// What underflows, in the engine or here, is off by 2^-1075 besides; no more than 2^5 such products make up a number
+/// that is multiplied on. What is multiplied on may be as great as any double: so these are told for each product.
+constexpr double kUnderflow = 0x1p-1070;
 
 }  // namespace
 
@@ -25,11 +28,12 @@ Uncertain normal_force_error(const ForceProblem& problem, const Element& element
   const Uncertain area{element.area, error.area}, depth{element.penetration, error.penetration};
   const double c_l = problem.stiffness.c_l;
   const double volume_error = error.volume;
-  const double elastic = c_l * area.size * depth.size;
+  const double elastic = (c_l * area.size + kUnderflow) * depth.size;
   const double greatest_volume =
       std::min(area.greatest() * depth.greatest(), area.size * depth.size * kSafetyFactor + volume_error);
   const double elastic_error = c_l * std::min(volume_error, area.size * depth.error + area.error * depth.greatest()) +
-                               (kStiffnessRoundings + 2) * u * c_l * greatest_volume;
+                               (kStiffnessRoundings + 2) * u * c_l * greatest_volume +
+                               (kUnderflow * (1 + area.greatest())) * depth.greatest();
   double damping = 0, damping_error = 0;
   if (law.damping > 0) {
     // Damping stays as it is where it cannot be felt: (18) and the mode `compression` are maxima, which never widen an
@@ -43,9 +47,10 @@ Uncertain normal_force_error(const ForceProblem& problem, const Element& element
       faded.error = std::min(area.error * std::min(1.0, fade.greatest()) + area.size * fade.error,
                              std::max(area.error, volume_error / law.transition_depth));
     }
-    damping = law.damping * faded.size * v_n.size;
-    damping_error = law.damping * (faded.error * v_n.greatest() + faded.size * v_n.error) +
-                    5 * u * law.damping * faded.greatest() * v_n.greatest();
+    damping = (law.damping * faded.size) * v_n.size;
+    damping_error = (law.damping * faded.error) * v_n.greatest() + (law.damping * faded.size) * v_n.error +
+                    (5 * u * law.damping * faded.greatest()) * v_n.greatest() +
+                    kUnderflow * (v_n.greatest() + law.damping * (1 + area.greatest()) * v_n.greatest());
   }
   return {std::abs(element.normal_force), elastic_error + damping_error + u * (elastic + damping)};
 }
@@ -66,15 +71,15 @@ FrictionErrors friction_error(const ContactLaw& law, const Uncertain& F_n, doubl
     const double steepness = v_low < slip ? (2 - v_low / slip) / slip : 1 / v_low;
     turn = std::min(2.0, slip_error * steepness);
   }
-  return {law.friction * F_n.error * phi, law.friction * F_n.greatest() * (turn + 24 * u * phi)};
+  return {law.friction * F_n.error * phi, law.friction * F_n.greatest() * (turn + 24 * u * phi + kUnderflow)};
 }
 
 double greatest_normal_force(const ForceProblem& problem, double area, double u_k, double speed) {
   const ContactLaw& law = problem.law;
-  double F_n = problem.stiffness.c_l * area * u_k;
+  double F_n = (problem.stiffness.c_l * area + kUnderflow) * u_k;
   if (law.damping > 0) {
     const double fade = u_k < law.transition_depth ? u_k / law.transition_depth : 1;
-    F_n += law.damping * area * speed * fade;
+    F_n += (law.damping * area + kUnderflow) * speed * fade;
   }
   return F_n;
 }

@@ -3,6 +3,7 @@
 #include "fast/force/law_parameters.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -109,11 +110,13 @@ SeriesStiffness::SeriesStiffness(const ContactLaw& law) {
     shift_from_F = std::isinf(c_F) ? 0 : 1;
     return;
   }
-  // Halved, so that the sum doesn't overflow.
-  const double half_sum = 0.5 * c_E + 0.5 * c_F;
-  shift_from_E = 0.5 * c_F / half_sum;
-  shift_from_F = 0.5 * c_E / half_sum;
-  c_l = c_E * shift_from_E;
+  // Halved where the sum might overflow: small ones would lose digits by it.
+  const double part = std::max(c_E, c_F) > 1 ? 0.5 : 1;
+  const double sum = part * c_E + part * c_F;
+  shift_from_E = part * c_F / sum;
+  shift_from_F = part * c_E / sum;
+  // The share of the stiffer layer is no less than a half: the other one may be less than all doubles.
+  c_l = c_E < c_F ? c_E * shift_from_E : c_F * shift_from_F;
 }
 
 ElementForce element_force(const ContactLaw& law, double c_l, double area, double penetration, double v_n, double v_t) {

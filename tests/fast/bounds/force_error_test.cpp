@@ -25,6 +25,7 @@ struct Example {
   ContactLaw law;
   double speed;
   double least_ratio;  ///< the bound is no looser than that
+  double length = 1;   ///< times which all lengths are drawn
 };
 
 void PrintTo(const Example& example, std::ostream* out) {
@@ -43,6 +44,11 @@ ContactLaw made(double damping, double transition, double friction, double slip,
   return law;
 }
 
+ContactLaw soft(double stiffness, ContactLaw law) {
+  law.stiffness = stiffness;
+  return law;
+}
+
 ContactLaw layered(ContactLaw law, double c_E, double c_F) {
   law.layers = LayerStiffness{c_E, c_F};
   return law;
@@ -51,6 +57,26 @@ ContactLaw layered(ContactLaw law, double c_E, double c_F) {
 ContactLaw clamped(ContactLaw law, double max_penetration) {
   law.max_penetration = max_penetration;
   return law;
+}
+
+TEST(ForceError, HoldsForAStiffnessWhosePartOnANarrowColumnUnderflows) {
+  const ContactLaw law = soft(3e-320, made(0, 0, 0, 0));
+  const Pose pose;
+  const Velocity velocity;
+  const ForceProblem problem(law, pose, velocity, {});
+  Element element;
+  element.normal_Me = {0, 0, 1};
+  for (double area = 0.63; area > 1e-6; area *= 0.7) {
+    element.area = area;
+    element.penetration = 1e8;
+    apply_force(problem, Eigen::Vector3d::Zero(), element);
+    const TrueForce truth = true_force(law, problem.pose, problem.velocity, Side::E, area, element.penetration,
+                                       element.normal_Me.cast<Real>(), RealVector::Zero());
+    const ElementForceError bound = force_error(problem, element, ElementError{});
+    EXPECT_LE(std::abs(truth.force.z() - Real(element.force_Me.z())), Real(bound.force_Me.z())) << area;
+    const GreatestForce most = greatest_force(problem, area, 1e8, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+    EXPECT_LE(truth.force.z(), Real(most.force())) << area;
+  }
 }
 
 class ForceErrorOf : public testing::TestWithParam<Example> {};
@@ -67,7 +93,7 @@ TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
   double greatest = 0;
   for (int trial = 0; trial < 40000; ++trial) {
     Pose pose;
-    pose.r = vector();
+    pose.r = example.length * vector();
     const Velocity velocity{example.speed * std::exp2(-8 * std::abs(unit(random))) * vector(),
                             example.speed * std::exp2(-8 * std::abs(unit(random))) * vector()};
     ForceProblem problem(example.law, pose, velocity, {});
@@ -75,11 +101,11 @@ TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
     const double scale = trial % 4 == 0 ? 0 : std::pow(10.0, -1 - 12 * std::abs(unit(random)));
     Element element;
     element.master = random() % 2 == 0 ? Side::E : Side::F;
-    element.area = 0.01 * (1.1 + unit(random));
-    const double depth = 0.01 * (1.01 + unit(random));
+    element.area = 0.01 * example.length * (1.1 + unit(random)) * example.length;
+    const double depth = 0.01 * example.length * (1.01 + unit(random));
     element.penetration = std::min(depth, example.law.max_penetration);
     element.normal_Me = vector().normalized();
-    const Eigen::Vector3d foot = vector();
+    const Eigen::Vector3d foot = example.length * vector();
     apply_force(problem, foot, element);
 
     // One kind of error at a time, or all of them.
@@ -88,7 +114,7 @@ TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
     if (which == 0 || which == 4) error.area = scale * element.area;
     if (which == 1 || which == 4) error.penetration = scale * depth;
     if (which == 2 || which == 4) error.normal = scale;
-    if (which == 3 || which == 4) error.foot_Me = scale * vector().cwiseAbs();
+    if (which == 3 || which == 4) error.foot_Me = scale * example.length * vector().cwiseAbs();
     const Eigen::Vector3d turn = vector().normalized();
     const RealVector n =
         (element.normal_Me.cast<Real>().normalized() + Real(error.normal * 0.99) * turn.cast<Real>()).normalized();
@@ -136,7 +162,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Example{"DryFriction", made(0, 0, 0.5, 0), 1e-3, 0.3},
                     Example{"RegularisedFriction", made(0, 0, 10, 1), 1, 0.3},
                     Example{"SteepFriction", made(0, 0, 10, 1e-3), 1e-3, 0.3},
-                    Example{"Everything", clamped(layered(made(1e5, 0.01, 0.5, 0.1), 3e5, 7e4), 0.015), 1, 0.3}),
+                    Example{"Everything", clamped(layered(made(1e5, 0.01, 0.5, 0.1), 3e5, 7e4), 0.015), 1, 0.3},
+                    // At the end of doubles: what underflows is multiplied on, or divides.
+                    Example{"SubnormalSlip", made(0, 0, 0.5, 0), 1e-321, 0},
+                    Example{"SubnormalSlipThatIsSteep", made(0, 0, 0.5, 1e-320), 1e-321, 0},
+                    Example{"SubnormalSpin", made(0, 0, 0.5, 0), 1e-310, 0, 0x1p-20},
+                    Example{"SubnormalApproach", soft(1e-300, made(1e200, 0, 0, 0)), 1e-321, 0},
+                    Example{"SubnormalDamping", soft(1e-320, made(1e-320, 0, 0.5, 0)), 1e200, 0},
+                    Example{"SubnormalFade", soft(1e-300, made(1e200, 1e308, 0, 0)), 1e10, 0},
+                    Example{"HardOnSoft", layered(made(0, 0, 0, 0), 1e300, 1e-300), 0, 0},
+                    Example{"SoftOnHard", layered(made(0, 0, 0, 0), 1e-300, 1e300), 0, 0},
+                    Example{"SoftOnes", layered(made(0, 0, 0, 0), 3e-308, 5e-309), 0, 0, 0x1p100}),
     [](const testing::TestParamInfo<Example>& test) { return std::string(test.param.name); });
 
 }  // namespace
