@@ -104,7 +104,11 @@ class PartSlopes {
     for (const ConvexPolygon& piece : part.pieces) {
       for (int i = 0; i < piece.count; ++i) {
         const SideLine line = piece.lines[static_cast<std::size_t>(i)];
-        if (line != kNoLine) add_side(line, piece[i], piece[piece.next(i)]);
+        if (line != kNoLine) {
+          add_side(line, piece[i], piece[piece.next(i)]);
+        } else {
+          add_own_side(piece[i], piece[piece.next(i)]);
+        }
       }
     }
   }
@@ -175,12 +179,70 @@ class PartSlopes {
       const FaceDepth depth_h = &h == &part_.f ? depth_f_ : depth_of(h);
       add_parts(-along_level(a, b, depth_h.per_s, depth_h.per_t) * depth_h.by_motion_Me, a, 0, b, 0);
     } else {
+      if (&h == &part_.f && kind != kCrossing && goes_on_unseen(static_cast<std::size_t>(kind))) return;
       const Vector3d V = (b[kT] - a[kT]) * prism.inward_Me(2) - (b[kS] - a[kS]) * prism.inward_Me(0);
       if (kind == kCrossing || &h == &part_.f) {
         add_parts(V, a, a[kDepth], b, b[kDepth]);
       } else {
         add_edge(V, SeenEdge(h, static_cast<std::size_t>(kind)), a, b);
       }
+    }
+  }
+
+  /// The slave's face beyond an edge of f; f itself where its sheet ends there.
+  Index beyond(std::size_t edge) const {
+    const PreparedSurface& slave = posed_.surface(opposite(part_.master));
+    const Triangle& vertices = slave.face(part_.f.face);
+    const auto is_on_edge = [&](Index v) {
+      return v == part_.f.vertices[edge] || v == part_.f.vertices[(edge + 1) % 3];
+    };
+    std::size_t k = 0;
+    while (is_on_edge(vertices[k])) ++k;
+    return slave.neighbours_of(part_.f.face)[(k + 1) % 3];
+  }
+
+  /// Whether the lines leave the slave through that face, too, if they meet it, and it surely has area for them.
+  bool goes_on(Index beyond) const {
+    if (beyond == part_.f.face) return false;
+    const std::array<Vector3d, 3> points_Me = posed_.face_Me(opposite(part_.master), beyond);
+    const MasterPrism& prism = part_.prism;
+    std::array<PrismPoint, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = prism.see(points_Me[i], posed_.work);
+    // Seen from within, it runs the other way about.
+    const double area = -0.5 * cross_st(corners[0], corners[1], corners[2]);
+    const PrismPoint low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+    const PrismPoint high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    return certain(area, high[kS] - low[kS], high[kT] - low[kT],
+                   prism.uncertainty(corners, posed_.placement.max_coordinate));
+  }
+
+  /// Whether nothing of a face beyond an edge is in the master's view, though the sheet goes on there: the edge then
+  /// lies on the border of the master, to within roundings.
+  bool goes_on_unseen(std::size_t edge) const {
+    const Index face = beyond(edge);
+    for (const ProjectedFace& seen : part_.faces)
+      if (!seen.of_master && seen.face == face && seen.carries) return false;
+    return goes_on(face);
+  }
+
+  /// Whether a side lies on the line of an edge of f, to within roundings.
+  bool lies_on_edge(const PrismPoint& a, const PrismPoint& b, std::size_t edge) const {
+    const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
+    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
+    const double width_s = std::abs(to[kS] - from[kS]), width_t = std::abs(to[kT] - from[kT]);
+    const auto is_off = [&](const PrismPoint& x) {
+      return certain(0.5 * std::abs(cross_st(from, to, x)), width_s, width_t, uncertainty);
+    };
+    return !is_off(a) && !is_off(b);
+  }
+
+  /// A side on the border of the master. Where the sheet that f is of ends there as well, to within roundings, it moves
+  /// as the edge does: what part of it the master beyond the border sees, which may be less than nothing, is for both.
+  void add_own_side(const PrismPoint& a, const PrismPoint& b) {
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      if (!lies_on_edge(a, b, edge) || goes_on(beyond(edge))) continue;
+      add_side(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
+      return;
     }
   }
 
