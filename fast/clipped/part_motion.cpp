@@ -179,7 +179,8 @@ class PartSlopes {
       const FaceDepth depth_h = &h == &part_.f ? depth_f_ : depth_of(h);
       add_parts(-along_level(a, b, depth_h.per_s, depth_h.per_t) * depth_h.by_motion_Me, a, 0, b, 0);
     } else {
-      if (&h == &part_.f && kind != kCrossing && goes_on_unseen(static_cast<std::size_t>(kind))) return;
+      if (&h == &part_.f && kind != kCrossing && lies_on_border(a, b) && goes_on_unseen(static_cast<std::size_t>(kind)))
+        return;
       const Vector3d V = (b[kT] - a[kT]) * prism.inward_Me(2) - (b[kS] - a[kS]) * prism.inward_Me(0);
       if (kind == kCrossing || &h == &part_.f) {
         add_parts(V, a, a[kDepth], b, b[kDepth]);
@@ -216,8 +217,18 @@ class PartSlopes {
                    prism.uncertainty(corners, posed_.placement.max_coordinate));
   }
 
-  /// Whether nothing of a face beyond an edge is in the master's view, though the sheet goes on there: the edge then
-  /// lies on the border of the master, to within roundings.
+  /// Whether a side lies on the border of the master, to within roundings.
+  bool lies_on_border(const PrismPoint& a, const PrismPoint& b) const {
+    const MasterPrism& prism = part_.prism;
+    for (int weight = 0; weight < 3; ++weight) {
+      const std::size_t side = static_cast<std::size_t>(weight + 1) % 3;
+      if (std::abs(a[weight]) <= prism.weight_error(side, a) && std::abs(b[weight]) <= prism.weight_error(side, b))
+        return true;
+    }
+    return false;
+  }
+
+  /// Whether nothing of a face beyond an edge is in the master's view, though the sheet goes on there.
   bool goes_on_unseen(std::size_t edge) const {
     const Index face = beyond(edge);
     for (const ProjectedFace& seen : part_.faces)
@@ -239,6 +250,7 @@ class PartSlopes {
   /// A side on the border of the master. Where the sheet that f is of ends there as well, to within roundings, it moves
   /// as the edge does: what part of it the master beyond the border sees, which may be less than nothing, is for both.
   void add_own_side(const PrismPoint& a, const PrismPoint& b) {
+    if (!lies_on_border(a, b)) return;  // but parts two pieces
     for (std::size_t edge = 0; edge < 3; ++edge) {
       if (!lies_on_edge(a, b, edge) || goes_on(beyond(edge))) continue;
       add_side(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);

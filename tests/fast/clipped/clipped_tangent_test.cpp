@@ -238,6 +238,85 @@ std::vector<Pair> pairs_that_hide() {
           {"nested boxes", generate::box({-2, -2, -2}, {2, 2, 2}), tangled, turned(0.7, {0.1, 0.2, -0.1})}};
 }
 
+/// Bodies whose flat faces meet 1/16 m deep, edges of both on one another.
+struct FlushGrids {
+  const char* name;
+  TriangleMesh E, F;
+  Vector3d r;
+};
+
+std::vector<FlushGrids> flush_grids() {
+  const TriangleMesh cells = generate::gridded_box({-1.5, -1.5, -1}, {1.5, 1.5, 0}, {3, 3, 1}),
+                     cells_above = generate::gridded_box({-1.5, -1.5, 0}, {1.5, 1.5, 1}, {3, 3, 1});
+  std::vector<FlushGrids> all{
+      {"a box on the middle cell", cells, generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1}), {0, 0, -0.0625}},
+      {"a box on four cells", cells, generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1}), {0.5, 0.5, -0.0625}},
+      {"a cell on a box", generate::box({-0.5, -0.5, -1}, {0.5, 0.5, 0}), cells_above, {0, 0, -0.0625}},
+      {"a box on the diagonal of a plate",
+       generate::box({-2, -2, -1}, {2, 2, 0}),
+       generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1}),
+       {0.3, 0.3, -0.0625}}};
+  // No coordinate of these is what it is meant to be, but for roundings.
+  for (const double x : {0.1, 0.3, 0.7, -0.3})
+    all.push_back({"cells of 0.1 m",
+                   generate::gridded_box({-2, -2, -1}, {2, 2, 0}, {40, 40, 1}),
+                   generate::gridded_box({-0.5, -0.5, 0}, {0.5, 0.5, 1}, {10, 10, 2}),
+                   {x, 0.2, -0.0625}});
+  return all;
+}
+
+/// By a move along x, y and z and by a turn about z, along the flat faces.
+TEST(ClippedTangent, WhereEdgesOfBothLieOnOneAnotherIsThatOfDifferences) {
+  constexpr double kStep = 0x1p-20;
+  for (const FlushGrids& grids : flush_grids()) {
+    for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
+      const Surface E(grids.E), F(grids.F);
+      const auto at = [&](int coordinate, double by) {
+        Pose pose;
+        pose.r = grids.r;
+        if (coordinate < 3) {
+          pose.r[coordinate] += by;
+        } else {
+          pose.A = Eigen::AngleAxisd(by, Vector3d::UnitZ()).toRotationMatrix();
+        }
+        Workspace workspace;
+        return Contact(evaluate(Pairing(E, F, stiffness(1000), mode, Scheme::clipped), pose, {}, kTangent, workspace));
+      };
+      const Contact here = at(0, 0);
+      for (const int coordinate : {0, 1, 2, 5}) {
+        const Contact low = at(coordinate, -kStep), high = at(coordinate, kStep);
+        const auto expect_between = [&](const Vector3d& x, const Vector3d& x_low, const Vector3d& x_high, int row) {
+          for (int k = 0; k < 3; ++k) {
+            const double left = (x[k] - x_low[k]) / kStep, right = (x_high[k] - x[k]) / kStep;
+            const double found = (*here.tangent)(row + k, coordinate);
+            EXPECT_GE(found, std::min(left, right) - 0.01) << grids.name << ", row " << row + k << ", " << coordinate;
+            EXPECT_LE(found, std::max(left, right) + 0.01) << grids.name << ", row " << row + k << ", " << coordinate;
+          }
+        };
+        expect_between(here.force_Me, low.force_Me, high.force_Me, 0);
+        expect_between(here.torque_Me, low.torque_Me, high.torque_Me, 3);
+      }
+    }
+  }
+}
+
+/// The two diagonals lie on one another, at angles that leave roundings in all coordinates.
+TEST(ClippedTangent, OfABoxOnTheDiagonalOfAPlateIsThatOfTheBoxHoweverBothAreTurned) {
+  const TriangleMesh box = generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1});
+  for (int i = 0; i < 40; ++i) {
+    TriangleMesh plate = generate::box({-2, -2, -1}, {2, 2, 0});
+    Pose pose = turned(0.1 * i, {});
+    for (Vector3d& x : plate.vertices) x = pose.A * x;
+    const double along = 0.1 + 0.02 * i;
+    pose.r = pose.A * Vector3d(along, along, -0.0625);
+    for (const Mode mode : {Mode::E, Mode::F}) {
+      const Tangent tangent = *clipped(plate, box, pose, stiffness(1000), mode).tangent;
+      const Eigen::Matrix3d by_position = pose.A.transpose() * tangent.topLeftCorner<3, 3>() * pose.A;
+      EXPECT_LT((by_position - Vector3d(0, 0, 1000).asDiagonal().toDenseMatrix()).norm(), 1e-9) << i;
+    }
+  }
+}
+
 TEST(ClippedTangent, IsThatOfDifferencesWhereFacesHideAndCrossOthers) {
   ContactLaw law;
   law.layers = LayerStiffness{3e4, 1e4};
