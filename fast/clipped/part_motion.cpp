@@ -237,9 +237,8 @@ class PartSlopes {
   }
 
   /// Whether a side lies on the line of an edge of f, to within roundings.
-  bool lies_on_edge(const PrismPoint& a, const PrismPoint& b, std::size_t edge) const {
+  bool lies_on_edge(const PrismPoint& a, const PrismPoint& b, std::size_t edge, const Uncertainty& uncertainty) const {
     const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
-    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
     const double width_s = std::abs(to[kS] - from[kS]), width_t = std::abs(to[kT] - from[kT]);
     const auto is_off = [&](const PrismPoint& x) {
       return certain(0.5 * std::abs(cross_st(from, to, x)), width_s, width_t, uncertainty);
@@ -251,8 +250,9 @@ class PartSlopes {
   /// as the edge does: what part of it the master beyond the border sees, which may be less than nothing, is for both.
   void add_own_side(const PrismPoint& a, const PrismPoint& b) {
     if (!lies_on_border(a, b)) return;  // but parts two pieces
+    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
     for (std::size_t edge = 0; edge < 3; ++edge) {
-      if (!lies_on_edge(a, b, edge) || goes_on(beyond(edge))) continue;
+      if (!lies_on_edge(a, b, edge, uncertainty) || goes_on(beyond(edge))) continue;
       add_side(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
       return;
     }

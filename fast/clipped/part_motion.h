@@ -35,9 +35,12 @@ struct SeenPart {
 ///   h passes through f:         (dt G_s - ds G_t) . d(X), X on f
 ///   a face h of the master passes through f: l g_f . d(X), X on f, l as above with d_h - d_f in place of d_h
 ///
-/// and by nothing where the side is the master's own. Whatever else divides P is a side of two pieces and moves both
-/// the same way. min(depth, most) is continuous: where it begins to be clamped nothing is added. All is of degree three
-/// at most along a side and of degree two over a piece, so that the integrals are exact but for roundings.
+/// and by nothing where the side is the master's own. A side on an edge of f that is also the master's, to within
+/// roundings, is the edge's where f's sheet ends there as the lines see it, and the master's where it goes on:
+/// whichever of the two it was cut along, and whether or not a sliver between them was dropped. Whatever else divides P
+/// is a side of two pieces and moves both the same way. min(depth, most) is continuous: where it begins to be clamped
+/// nothing is added. All is of degree three at most along a side and of degree two over a piece, so that the integrals
+/// are exact but for roundings.
 ///
 /// `posed` is asked for the faces' vertices. A slope that is too large for doubles, or whose moments about Mf are,
 /// counts as 0.

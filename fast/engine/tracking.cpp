@@ -24,7 +24,8 @@ constexpr double kLeastAhead = 0x1p-14;
 /// How long steps may be, relative to an edge, for margins of lines to last long enough.
 constexpr double kLongestSettled = 0x1p-9;
 
-/// Adds up ways, the sum rounded up.
+/// Adds up ways, the sum rounded up: by half a unit in the last place at least, which also pays for the roundings of
+/// sums of this and a margin (TrackedPairs, LineMemory).
 void add_way(double way, double& travelled) {
   travelled = (1 + 0x1p-52) * (travelled + way);
 }

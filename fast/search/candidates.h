@@ -30,7 +30,8 @@ inline void prefetch_faces(const WideTree& tree_E, const WideTree& tree_F, const
 /// false. From the root pair down, each pair of nodes that may touch is replaced by the pairs of its wider node's
 /// children with the other node, or of both nodes' children where they are about as wide. Every crossing pair of the
 /// rounded problem is among those visited, and of any problem whose F has its vertices within their rounding; each
-/// once; their order means nothing. With a margin, m, that and the signs hold for poses near by as well (WidePose).
+/// once; their order means nothing. With a margin, m, every pair that crosses at a pose near by is visited too, and
+/// what `SureSigns` says of passing holds there; what it says of corners is of this pose alone (WidePose).
 class CandidateSearch {
  public:
   /// Leaves the root pair open, or nothing.

@@ -3,6 +3,7 @@
 #include "reference/elements/clipped_elements.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -61,7 +62,11 @@ Column column_below(MasterPlane& plane, const ConvexPiece& piece, Face f, const 
 class Envelope {
  public:
   Envelope(VisibilityPoints& points, Face master, const Proximity& near)
-      : plane_(points, master), slave_(other(master.side)), near_(near), master_box_(box_of(points, master)) {}
+      : pose_(points.enclosed.pose()),
+        plane_(points, master),
+        slave_(other(master.side)),
+        near_(near),
+        master_box_(box_of(points, master)) {}
 
   /// Appends the master face's elements.
   void find_elements(std::vector<ClippedElement>& elements) {
@@ -73,14 +78,44 @@ class Envelope {
       const std::vector<ConvexPiece> part = part_that_sees({slave_, f}, whole);
       if (part.empty()) continue;
       elements.push_back({{e.side, e.index, f}, {}});
-      for (const ConvexPiece& piece : part) {
-        PieceOutline& outline = elements.back().pieces.emplace_back();
-        for (const HalfPlane side : piece.sides) outline.push_back(plane_.name(side));
-      }
+      for (const ConvexPiece& piece : part) elements.back().pieces.push_back(outline_of(piece, {slave_, f}));
     }
   }
 
  private:
+  /// Of a piece of the part that sees f. A side that is both e's and f's is named by the line that it moves with (PCM
+  /// section 7.1).
+  PieceOutline outline_of(const ConvexPiece& piece, Face f) {
+    const std::array<HalfPlane, 3> own = plane_.see(plane_.master()).sides;
+    PieceOutline outline;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const HalfPlane side = piece.sides[i];
+      const bool is_own = std::any_of(own.begin(), own.end(), [&](HalfPlane h) { return h.line == side.line; });
+      outline.push_back(plane_.name(is_own ? moving_line(piece, i, f) : side));
+    }
+    return outline;
+  }
+
+  /// For side i of a piece, on the border of e: the line of the edge of f that it lies on where f's sheet, as e sees
+  /// it, ends there; else its own.
+  HalfPlane moving_line(const ConvexPiece& piece, std::size_t i, Face f) {
+    const std::size_t before = i == 0 ? piece.size() - 1 : i - 1;
+    const auto corner_is_on = [&](HalfPlane h, std::size_t corner) {
+      return plane_.side(h, piece.sides[corner], piece.sides[piece.next(corner)], piece.corners[corner]) == 0;
+    };
+    for (const HalfPlane h : plane_.see(f).sides)
+      if (corner_is_on(h, before) && corner_is_on(h, i) && ends_at(f, plane_.name(h))) return h;
+    return piece.sides[i];
+  }
+
+  /// Whether e sees nothing of f's sheet beyond this edge of it, from within.
+  bool ends_at(Face f, VisibilityLine edge) {
+    const Surface& surface = pose_.surface(f.side);
+    const auto faces = surface.edge_faces[static_cast<std::size_t>(find_edge(surface, {edge.a, edge.b}))];
+    const Index beyond = faces[0] == f.index ? faces[1] : faces[0];
+    return beyond == kNone || plane_.see({f.side, beyond}).facing >= 0;
+  }
+
   std::vector<ConvexPiece> part_that_sees(Face f, const ConvexPiece& whole) {
     const SeenFace& seen_f = plane_.see(f);
     if (seen_f.facing >= 0 || !seen_f.ahead) return {};  // the line enters, or f lies in e's plane
@@ -113,6 +148,7 @@ class Envelope {
     part = subtract(plane_, part, bounds);
   }
 
+  const ExactPose& pose_;
   MasterPlane plane_;
   Side slave_;
   const Proximity& near_;

@@ -98,8 +98,13 @@ struct ForceBound {
 /// penetrations from max_penetration and from u_d on, approaching (v_n >= 0) where damping is `compression`, forces
 /// that press, slip velocities from v_eps on; at rest without v_eps friction counts as constant. The clipped scheme's
 /// force has a kink as well where outlines of faces lie on one another as the master sees them: each stretch of what
-/// parts an element from others moves then as one of the lines there does. Where roundings leave nothing of the angle
-/// between a penetration line and the slave face that it meets, that element's depth counts as constant.
+/// parts an element from others moves then as one of the lines there does. Where one of these is an edge of the slave
+/// and another the border of the master face, it is the edge where the slave's sheet ends there, as seen, and the
+/// border where it goes on: so for flush grids on one another, to the last digits. What a face that is seen edgewise
+/// may show has no area yet, or one of rounding size, and is no part of it: turned out of the vertical, the walls of a
+/// box in a plane see some of that, and the derivative by such a turn lacks it. Where roundings leave nothing of the
+/// angle between a penetration line and the slave face that it meets, that element's depth counts as constant, and so
+/// does a number of an element's place whose derivative is beyond all doubles (depths of 2^-1030 m and less).
 using Tangent = Eigen::Matrix<double, 6, 12>;
 
 /// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation.

@@ -192,6 +192,37 @@ TEST(OracleTangent, OfACubeOnAPlateIsStiffnessTimesArea) {
   }
 }
 
+/// Where the square's border is that of a cell, and the sheet of the cells goes on while the square's ends.
+TEST(OracleTangent, OfASquareOnACellOfItsSizeIsAsIfNoEdgesLayOnOneAnother) {
+  const TriangleMesh square_above = generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1}),
+                     square_below = generate::box({-0.5, -0.5, -1}, {0.5, 0.5, 0});
+  const TriangleMesh cells_below = generate::gridded_box({-1.5, -1.5, -1}, {1.5, 1.5, 0}, {3, 3, 1}),
+                     cells_above = generate::gridded_box({-1.5, -1.5, 0}, {1.5, 1.5, 1}, {3, 3, 1});
+  ContactLaw law;
+  law.stiffness = 1000;
+  Pose pose;
+  pose.r = {0, 0, -0.0625};
+  for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
+    for (const Problem problem : {Problem::exact, Problem::rounded}) {
+      const auto expect = [&](const Oracle& oracle, double dM_y_dx) {
+        const Tangent tangent = tangent_of(oracle, problem, {pose, {}});
+        const auto expect_entry = [&](int row, int column, double expected) {
+          EXPECT_LT(tangent.error(row, column), 1e-20);
+          EXPECT_LE(std::abs(tangent.slope(row, column) - expected), tangent.error(row, column))
+              << "mode " << static_cast<int>(mode) << ", " << row << ", " << column;
+        };
+        expect_entry(4, 0, dM_y_dx);
+        expect_entry(2, 0, 0);
+        expect_entry(2, 1, 0);
+        expect_entry(2, 2, 1000);
+      };
+      // 62.5 N at F's own middle, wherever that is; and at E's, which F's marker leaves.
+      expect(Oracle(cells_below, square_above, law, mode, Scheme::clipped), 0);
+      expect(Oracle(square_below, cells_above, law, mode, Scheme::clipped), -62.5);
+    }
+  }
+}
+
 TEST(OracleTangent, AtAKinkIsThatOfOneSide) {
   ContactLaw law;
   law.stiffness = 100;
