@@ -32,6 +32,7 @@ struct MovingLine {
   double length, off;
   std::array<Speeds, 2> speeds;  ///< at its ends
   double speed_error;            ///< for a motion of 1, m
+  Speeds any_way;                ///< greatest speeds of a point of it in any direction, times its pull
   std::array<double, 2> depths;  ///< of the slave face, m
 
   Speeds speed_at(double at) const {
@@ -105,6 +106,8 @@ class ErrorSum {
     // X is off along its line, along the lines of penetration as its depth is, and by the roundings of both.
     const double place_error = line.off + line.depth_error + sight_.depth_error + times(sight_.slope, line.off);
     moving.speed_error = line.pull_error * (1 + reach_) + line.pull.norm() * (place_error + coordinate_error());
+    const double any = line.pull.norm(), any_turn = any * std::max(from.norm(), to.norm());
+    moving.any_way << any, any, any, any_turn, any_turn, any_turn;
     moving.depths = {line.from.z(), line.to.z()};
     lines_.push_back(moving);
   }
@@ -114,13 +117,16 @@ class ErrorSum {
 
   double clamped(double depth) const { return std::min(depth, counted_); }
 
-  /// A line that is border on both sides at most, between as many cells as there are lines.
+  /// A line that is border on both sides at most, between as many cells as there are lines. Off as the ends of a side
+  /// are its direction is, by as much over its length: so a motion along it counts, too, on either side at either end,
+  /// as much as the ends are off, across the line and along others that end there.
   void add_along(const MovingLine& line) {
     const Speeds speed = line.greatest_speed();
     const double n = static_cast<double>(lines_.size());
     const double lateral = clamped(sight_.depth_error + times(sight_.slope, line.off));
     const Speeds beside = 2 * line.length * speed;
-    const Speeds rounded = 2 * line.length * (line.speed_error + (kRoundings + n) * u * speed);
+    const Speeds rounded =
+        2 * line.length * (line.speed_error + (kRoundings + n) * u * speed) + 8 * line.off * line.any_way;
     const double depth = clamped(std::max(line.depths[0], line.depths[1]) + lateral);
     area_ += rounded;
     volume_ += depth * rounded + lateral * beside;

@@ -134,9 +134,10 @@ struct PosedPair {
   Pose pose;
   ContactLaw law = law_of_all();
   Velocity velocity = {{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}};
+  Mode mode = Mode::both;
 
   bool is_flagged() const {
-    const HeldPairing held(E, F, law, Mode::both, Scheme::clipped);
+    const HeldPairing held(E, F, law, mode, Scheme::clipped);
     fast::Workspace workspace;
     Wanted wanted;
     wanted.tangent = true;
@@ -172,6 +173,28 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereAPieceInPartsHasASideOfNoLength
       -0x1.a5b9cc6082e98p-2, -0x1.b31cbea3ab02ap-1, 0x1.50cc2a8da3e47p-2,            //
       -0x1.2859a182e24a3p-1, 0x1.0ba39de6287e8p-1, 0x1.4073e117a17b4p-1;
   pair.pose.r = {-0x1.512eae9283e78p-4, 0x1.079931c36dcb6p+1, -0x1.9d5c1a10f9b76p-2};
+  EXPECT_FALSE(pair.is_flagged());
+}
+
+/// A vertex 1e-9 m deep in an upright edge, so that the directions of the sides are off by 1e-7. Moved along that edge
+/// they stay, but for that (`pcm verify`, seed 3, grazing pose 31 of this pair).
+TEST(ClippedTangentVerdict, PassesTheEnginesWhereTinySidesMoveAlongThemselves) {
+  PosedPair pair;
+  pair.E = generate::box({1, 1, 1});
+  pair.F = degenerate::pentagram();
+  pair.pose.A << -0x1.af1111d5d854p-3, 0x1.6f7a42ffd522ap-1, -0x1.53d6cafc062c2p-1,  //
+      -0x1.a523b820446f2p-1, 0x1.e531b016c42f4p-3, 0x1.08b6235842684p-1,             //
+      0x1.0e80c0edb5e44p-1, 0x1.4f3f5ccf1c211p-1, 0x1.14bbb30d851d4p-1;
+  pair.pose.r = {0x1.8ad7d4d871475p-1, 0x1.906453177a04cp-1, -0x1.cc6f4cc7d3d43p-1};
+  pair.velocity = {{-0x1.3ed25da43eca5p-13, 0x1.cd2d6555101cp-14, 0x1.c24f49cb040fdp-15},
+                   {-0x1.965447b2844f6p-8, -0x1.8661e4e25e259p-11, -0x1.0bb80952e7083p-10}};
+  pair.law.layers = LayerStiffness{std::numeric_limits<double>::infinity(), 0x1.8f63a96b76995p+15};
+  pair.law.damping = 0x1.8000c203b854cp+17;
+  pair.law.damping_mode = DampingMode::compression;
+  pair.law.transition_depth = 0x1.78b79f4c6ceeap-10;
+  pair.law.friction = 0x1.76f195e04b644p-1;
+  pair.law.slip_velocity = 0x1.88c7af49a965fp-9;
+  pair.mode = Mode::F;
   EXPECT_FALSE(pair.is_flagged());
 }
 
