@@ -33,13 +33,15 @@ VelocityErrors velocity_errors(const ForceProblem& problem, const Element& eleme
   const Eigen::Vector3d turning = cross_of_magnitudes(w, lever.cwiseAbs());
   const Eigen::Vector3d v = problem.velocity.v.cwiseAbs() + turning;
   // A product, the difference of two, the sum with v.
+  // Nothing underflows where nothing moves.
+  const double underflow = problem.velocity.v.isZero(0) && w.isZero(0) ? 0 : kUnderflow;
   const Eigen::Vector3d v_error =
-      cross_of_magnitudes(w, lever_error) + 2 * u * turning + u * v + Eigen::Vector3d::Constant(kUnderflow);
+      cross_of_magnitudes(w, lever_error) + 2 * u * turning + u * v + Eigen::Vector3d::Constant(underflow);
   VelocityErrors errors;
-  errors.v_n = n.dot(v_error) + normal_error * (v + v_error).sum() + 3 * u * n.dot(v) + kUnderflow;
+  errors.v_n = n.dot(v_error) + normal_error * (v + v_error).sum() + 3 * u * n.dot(v) + underflow;
   const double v_n = std::abs(element.normal_velocity);
-  errors.slip_Me = v_error + errors.v_n * n +
-                   Eigen::Vector3d::Constant((v_n + errors.v_n) * normal_error + kUnderflow) + u * (2 * v_n * n + v);
+  errors.slip_Me = v_error + errors.v_n * n + Eigen::Vector3d::Constant((v_n + errors.v_n) * normal_error + underflow) +
+                   u * (2 * v_n * n + v);
   return errors;
 }
 
