@@ -144,9 +144,8 @@ struct PosedPair {
     const fast::Contact& subj = fast::evaluate(held.engine(), pose, velocity, wanted, workspace);
     EXPECT_GT(subj.element_count, 0);
     reference::Inquiry inquiry(held.oracle(), pose, velocity, {}, law, Scheme::clipped);
-    return compare::is_flagged(held.question(pose, velocity), subj,
-                               inquiry.answer(reference::Problem::rounded, Mode::both),
-                               inquiry.tangent(reference::Problem::rounded, Mode::both));
+    return compare::is_flagged(held.question(pose, velocity), subj, inquiry.answer(reference::Problem::rounded, mode),
+                               inquiry.tangent(reference::Problem::rounded, mode));
   }
 };
 
