@@ -15,6 +15,18 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Whether some edge of a face may lie on the border of the master, to within roundings that are no greater than this.
+bool may_have_edge_on_border(const ProjectedFace& f) {
+  constexpr double kNear = 0x1p-10;
+  bool any = false;
+  for (int weight = 0; weight < 3; ++weight) {
+    int near = 0;
+    for (const PrismPoint& corner : f.corners) near += std::abs(corner[weight]) <= kNear ? 1 : 0;
+    any = any || near >= 2;
+  }
+  return any;
+}
+
 /// The depth of a face of the slave over the master's plane, and how it grows as the face moves; 0 where roundings
 /// leave nothing of the angle between them.
 struct FaceDepth {
@@ -99,14 +111,18 @@ struct PlaceMoments {
 class PartSlopes {
  public:
   PartSlopes(PosedPair& posed, const SeenPart& part)
-      : posed_(posed), part_(part), depth_f_(depth_of(part.f)), p0_arm_Me_(part.prism.p0_Me() - posed.placement.r_Me) {
+      : posed_(posed),
+        part_(part),
+        depth_f_(depth_of(part.f)),
+        p0_arm_Me_(part.prism.p0_Me() - posed.placement.r_Me),
+        may_have_edge_on_border_(may_have_edge_on_border(part.f)) {
     add_inside();
     for (const ConvexPolygon& piece : part.pieces) {
       for (int i = 0; i < piece.count; ++i) {
         const SideLine line = piece.lines[static_cast<std::size_t>(i)];
         if (line != kNoLine) {
           add_side(line, piece[i], piece[piece.next(i)]);
-        } else {
+        } else if (may_have_edge_on_border_) {
           add_own_side(piece[i], piece[piece.next(i)]);
         }
       }
@@ -179,7 +195,8 @@ class PartSlopes {
       const FaceDepth depth_h = &h == &part_.f ? depth_f_ : depth_of(h);
       add_parts(-along_level(a, b, depth_h.per_s, depth_h.per_t) * depth_h.by_motion_Me, a, 0, b, 0);
     } else {
-      if (&h == &part_.f && kind != kCrossing && lies_on_border(a, b) && goes_on_unseen(static_cast<std::size_t>(kind)))
+      if (&h == &part_.f && kind != kCrossing && may_have_edge_on_border_ && lies_on_border(a, b) &&
+          goes_on_unseen(static_cast<std::size_t>(kind)))
         return;
       const Vector3d V = (b[kT] - a[kT]) * prism.inward_Me(2) - (b[kS] - a[kS]) * prism.inward_Me(0);
       if (kind == kCrossing || &h == &part_.f) {
@@ -319,6 +336,7 @@ class PartSlopes {
   const SeenPart& part_;
   FaceDepth depth_f_;
   Vector3d p0_arm_Me_;  ///< p0 - r
+  bool may_have_edge_on_border_;
   IntegralSlopes sums_;
 };
 
