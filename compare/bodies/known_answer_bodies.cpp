@@ -6,21 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "compare/io/integer_quaternion.h"
 #include "compare/io/random.h"
 
 namespace pcm::compare {
 namespace {
-
-/// A rotation from an integer quaternion: every entry the rounded quotient of two integers.
-Eigen::Matrix3d from_quaternion(const std::array<int, 4>& q) {
-  const auto [w, x, y, z] = q;
-  const double square = w * w + x * x + y * y + z * z;
-  Eigen::Matrix3d R;
-  R << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
-      2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),   //
-      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
-  return R / square;
-}
 
 constexpr std::array<std::array<int, 4>, kOrientations> kQuaternions{
     {{9, 2, 5, 1},  {8, -3, 1, 6}, {7, 4, -6, 3},  {7, -1, -5, -4}, {6, 7, 2, -3},  {6, -5, 8, 1}, {5, 3, 7, -8},
@@ -30,12 +20,12 @@ constexpr std::array<std::array<int, 4>, kOrientations> kQuaternions{
 }  // namespace
 
 Eigen::Matrix3d fixed_rotation(int i) {
-  return from_quaternion(kQuaternions[static_cast<std::size_t>(i)]);
+  return rotation_of(kQuaternions[static_cast<std::size_t>(i)]);
 }
 
 Eigen::Matrix3d fixed_roll(int i) {
   // Turns by 2 atan(b / a), spread over a quarter turn and in no rational ratio to it.
-  return from_quaternion({97, 0, 0, 2 * i + 1});
+  return rotation_of({97, 0, 0, 2 * i + 1});
 }
 
 Pose Placement::pose() const {

@@ -16,9 +16,6 @@ constexpr double u = kUnitRoundoff;
 
 /// The layers' shift (13) carries up to 2 roundings; without layers, or with a rigid body, it is exact.
 constexpr double kShiftRoundings = 2;
-/// Products that underflow, in the engine or here, are off by 2^-1075 besides: no more than 2^5 of them in what is
-/// divided by a velocity or multiplied by a length.
-constexpr double kUnderflow = 0x1p-1070;
 
 /// The velocities of an element and their errors.
 struct VelocityErrors {

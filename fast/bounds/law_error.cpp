@@ -15,9 +15,6 @@ constexpr double u = kUnitRoundoff;
 
 /// The layers' stiffness (12) carries up to 3 roundings; given c_l or a rigid body it is exact.
 constexpr double kStiffnessRoundings = 3;
-/// What underflows, in the engine or here, is off by 2^-1075 besides; no more than 2^5 such products make up a number
-/// that is multiplied on. What is multiplied on may be as great as any double: so these are told for each product.
-constexpr double kUnderflow = 0x1p-1070;
 
 }  // namespace
 

@@ -12,6 +12,11 @@
 /// formulas of fast/law/element_force.h.
 namespace pcm::fast {
 
+/// What underflows, in the engine or in a bound, is off by 2^-1075 besides; no more than 2^5 such products make up a
+/// number that is multiplied on, or that is divided by a velocity. What is multiplied on may be as great as any double:
+/// so these are told for each product.
+inline constexpr double kUnderflow = 0x1p-1070;
+
 /// A computed number, as its absolute value, and how far it may be from the true one.
 struct Uncertain {
   double size = 0;

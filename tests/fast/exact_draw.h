@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <vector>
+
+#include "pcm/inputs.h"
 
 /// Questions that are the same in all builds and on all machines.
 namespace pcm::fast::test {
@@ -44,5 +47,22 @@ class ExactDraw {
  private:
   std::mt19937_64 random_{2003};
 };
+
+struct Law {
+  const char* name;
+  ContactLaw law;
+};
+
+inline std::vector<Law> laws() {
+  ContactLaw elastic, whole;
+  whole.layers = LayerStiffness{3e6, 2e6};
+  whole.damping = 1e4;
+  whole.transition_depth = 0x1p-7;
+  whole.friction = 0.25;
+  whole.slip_velocity = 0.125;
+  ContactLaw clamped = whole;
+  clamped.max_penetration = 0x1p-5;
+  return {{"elastic", elastic}, {"damped, friction", whole}, {"damped, friction, clamped", clamped}};
+}
 
 }  // namespace pcm::fast::test

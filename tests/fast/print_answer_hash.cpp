@@ -41,23 +41,6 @@ std::vector<Pair> pairs() {
           {generate::plate(4, 4, 1), generate::box(Vector3d(1, 1, 1)), 1, 300}};
 }
 
-struct Law {
-  const char* name;
-  ContactLaw law;
-};
-
-std::vector<Law> laws() {
-  ContactLaw elastic, whole;
-  whole.layers = LayerStiffness{3e6, 2e6};
-  whole.damping = 1e4;
-  whole.transition_depth = 0x1p-7;
-  whole.friction = 0.25;
-  whole.slip_velocity = 0.125;
-  ContactLaw clamped = whole;
-  clamped.max_penetration = 0x1p-5;
-  return {{"elastic", elastic}, {"damped, friction", whole}, {"damped, friction, clamped", clamped}};
-}
-
 const char* name(Scheme scheme) {
   return scheme == Scheme::clipped ? "clipped" : "barycentric";
 }
@@ -88,7 +71,7 @@ void add_pair(const Pair& pair, const ContactLaw& law, Scheme scheme, Workspace&
 void print_hashes() {
   Workspace workspace;
   for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
-    for (const Law& law : laws()) {
+    for (const test::Law& law : test::laws()) {
       Tally tally;
       for (const Pair& pair : pairs()) add_pair(pair, law.law, scheme, workspace, tally);
       std::printf("%016" PRIx64 "  %s, %s: %d answers, %" PRId64 " elements\n", tally.hash.value(), name(scheme),

@@ -100,21 +100,10 @@ Pose pose_of(test::ExactDraw& draw, int i, double extent) {
   return pose;
 }
 
-ContactLaw law_of(int i) {
-  ContactLaw law;
-  if (i % 3 == 0) return law;
-  law.layers = LayerStiffness{3e6, 2e6};
-  law.damping = 1e4;
-  law.transition_depth = 0x1p-7;
-  law.friction = 0.25;
-  law.slip_velocity = 0.125;
-  if (i % 3 == 2) law.max_penetration = 0x1p-5;
-  return law;
-}
-
 std::string row_of(const Bodies& bodies, Scheme scheme, Mode mode) {
   const Surface E(bodies.E), F(bodies.F);
   test::ExactDraw draw;
+  const std::vector<test::Law> laws = test::laws();
   Workspace workspace;
   Wanted wanted;
   wanted.bound = wanted.tangent = true;
@@ -122,7 +111,8 @@ std::string row_of(const Bodies& bodies, Scheme scheme, Mode mode) {
   for (int i = 0; i < 96; ++i) {
     const Pose pose = pose_of(draw, i, bodies.extent);
     const Velocity velocity{draw.vector(1), draw.vector(2)};
-    hashes.add(evaluate(Pairing(E, F, law_of(i), mode, scheme), pose, velocity, wanted, workspace));
+    hashes.add(evaluate(Pairing(E, F, laws[static_cast<std::size_t>(i) % laws.size()].law, mode, scheme), pose,
+                        velocity, wanted, workspace));
   }
   const char* const master = mode == Mode::both ? "both" : mode == Mode::E ? "E" : "F";
   return bodies.name + ',' + (scheme == Scheme::clipped ? "clipped" : "barycentric") + ',' + master + ',' +

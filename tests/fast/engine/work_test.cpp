@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/io/integer_quaternion.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
@@ -24,16 +25,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The rotation of a quaternion of small whole numbers: each entry is rounded once, the same on every machine.
-Eigen::Matrix3d rotation(int w, int x, int y, int z) {
-  const int n = w * w + x * x + y * y + z * z;
-  Eigen::Matrix3d A;
-  A << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
-      2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),   //
-      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
-  return A / n;
-}
-
 /// Poses all about a body, at a distance.
 std::vector<Pose> poses_about(double distance) {
   std::vector<Pose> poses;
@@ -42,7 +33,7 @@ std::vector<Pose> poses_about(double distance) {
       for (int z = -1; z <= 1; ++z) {
         if (x == 0 && y == 0 && z == 0) continue;
         Pose pose;
-        pose.A = rotation(5, 1 + 2 * x, 3 * y - 1, 2 + z);
+        pose.A = compare::rotation_of({5, 1 + 2 * x, 3 * y - 1, 2 + z});
         pose.r = distance * Vector3d(x + 0.125, y - 0.0625, z).normalized();
         poses.push_back(pose);
       }
@@ -144,7 +135,7 @@ SceneCounters work_of_falling_boxes() {
   std::vector<BodyState> states(12);
   for (int b = 1; b < 12; ++b) {
     BodyState& state = states[static_cast<std::size_t>(b)];
-    state.pose.A = rotation(7, b % 3, 1, b % 5 - 2);
+    state.pose.A = compare::rotation_of({7, b % 3, 1, b % 5 - 2});
     state.pose.r = {0.75 * (b % 4) - 1.5, 0.875 * (b / 4) - 1, 0.625 + 0.0625 * b};
     state.velocity.v = {0, 0, -1};
   }
