@@ -102,12 +102,12 @@ class LineMemory {
   }
   /// One of which all that is known holds on.
   void keep(const Line& known) {
-    Line line = known;
-    line.first = now_.faces.size();
+    const std::size_t first = now_.faces.size();
     // First the faces, so that no line is without its own where memory ends.
     const Index* const faces = slave_faces(known);
     now_.faces.insert(now_.faces.end(), faces, faces + known.slave_count + known.own_count);
-    now_.lines.push_back(line);
+    now_.lines.push_back(known);
+    now_.lines.back().first = first;
   }
   /// One for which those faces served that are known, and do so on.
   void keep(const Line& known, Index slave_nearby) {

@@ -68,18 +68,30 @@ Distance distance_to(const Ray& ray, const FacePoints& f, double position_error)
           std::isfinite(greatest) ? greatest + position_error : kInfinity};
 }
 
-/// The penetration line as exact predicates take it, made when one is first needed.
-class ExactLine {
+/// The penetration line as the tests in double precision and the exact ones take it, made when one is first needed.
+class TestedLine {
  public:
-  explicit ExactLine(const FacePoints& points) : points_(points) {}
-  const PenetrationLine& operator*() {
-    if (!line_) line_.emplace(points_[0], points_[1], points_[2]);
-    return *line_;
+  TestedLine(const FaceGeometry& geometry, double max_coordinate)
+      : geometry_(geometry), max_coordinate_(max_coordinate) {}
+
+  const LineCoordinates& coordinates() {
+    if (!coordinates_) {
+      const FacePoints& p = geometry_.points_Me;
+      coordinates_.emplace(p, geometry_.barycentre_Me(), (p[1] - p[0]).lpNorm<1>(), (p[2] - p[0]).lpNorm<1>(),
+                           max_coordinate_);
+    }
+    return *coordinates_;
+  }
+  const PenetrationLine& exact() {
+    if (!exact_) exact_.emplace(geometry_.points_Me[0], geometry_.points_Me[1], geometry_.points_Me[2]);
+    return *exact_;
   }
 
  private:
-  const FacePoints& points_;
-  std::optional<PenetrationLine> line_;
+  const FaceGeometry& geometry_;
+  double max_coordinate_;
+  std::optional<LineCoordinates> coordinates_;
+  std::optional<PenetrationLine> exact_;
 };
 
 /// A face that the line meets.
@@ -91,24 +103,29 @@ struct FaceMet {
 };
 
 /// Whether the line meets the face at q >= 0 (before the shift); fills `met`.
-bool meets(ExactLine& line, const Ray& ray, const FacePoints& points, Passage passage, double position_error,
+bool meets(TestedLine& line, const Ray& ray, const FacePoints& points, Passage passage, double position_error,
            FaceMet& met, WorkCounters& work) {
   if (passage == Passage::unknown) {
-    met.direction = facing(*line, points, work);
-    if (met.direction == 0 || !passes_through(*line, points, work)) return false;
+    const std::optional<Passage> sharper = passage_through(line.coordinates(), points, work);
+    if (!sharper) return false;
+    passage = *sharper;
+  }
+  if (passage == Passage::unknown) {
+    met.direction = facing(line.exact(), points, work);
+    if (met.direction == 0 || !passes_through(line.exact(), points, work)) return false;
   } else {
     met.direction = passage == Passage::leaving ? -1 : 1;
   }
   met.distance = distance_to(ray, points, position_error);
   if (met.distance.greatest < 0) return false;
-  return met.distance.least > 0 || distance_sign(*line, points, work) >= 0;
+  return met.distance.least > 0 || distance_sign(line.exact(), points, work) >= 0;
 }
 
 /// The order of two faces met: by distance, then shift; 0 where both are tied.
-int compare(ExactLine& line, const FaceMet& f, const FaceMet& g, WorkCounters& work) {
+int compare(TestedLine& line, const FaceMet& f, const FaceMet& g, WorkCounters& work) {
   if (f.distance.surely_before(g.distance)) return -1;
   if (g.distance.surely_before(f.distance)) return 1;
-  return compare_distance(*line, f.points_Me, g.points_Me, work);
+  return compare_distance(line.exact(), f.points_Me, g.points_Me, work);
 }
 
 /// Calls `visit(face, passage)` for every face of a side's surface that the line may meet at most `limit` along it, m,
@@ -118,10 +135,7 @@ template <class Visit>
 double for_each_face_along(PosedPair& posed, Side side, const Ray& ray, const double& limit,
                            const FacesAlongLine* known, const LineTrace* trace, LineNodes& open, const Visit& visit) {
   if (known != nullptr) {
-    for (const Index face : known->faces) {
-      const std::optional<Passage> passage = passage_through(posed[side], known->line, face, posed.work);
-      if (passage) visit(face, *passage);
-    }
+    for (const Index face : known->faces) visit(face, Passage::unknown);
     return known->searched;
   }
   const WideTree& tree = posed.surface(side).wide_tree;
@@ -132,7 +146,7 @@ double for_each_face_along(PosedPair& posed, Side side, const Ray& ray, const do
 /// The first face of a surface that the line meets, by exact distance, then shift, then face index.
 /// `left`: one of them, through which the line surely leaves the body at a distance greater than 0, or -1.
 /// `searched`: how far along the line all faces were looked at, m. Among known ones the first may lie beyond.
-FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray& ray, Index left,
+FaceMet first_face_met(PosedPair& posed, Side slave, TestedLine& line, const Ray& ray, Index left,
                        const FacesAlongLine* known, LineNodes& open, LineTrace* trace, double& searched) {
   WorkCounters& work = posed.work;
   const double position_error = line_position_error(slave, ray, posed.placement);
@@ -165,7 +179,7 @@ FaceMet first_face_met(PosedPair& posed, Side slave, ExactLine& line, const Ray&
 }
 
 /// Whether the line meets another face of the master strictly before `limit`.
-bool leaves_master_before(PosedPair& posed, Side master, Index face, ExactLine& line, const Ray& ray,
+bool leaves_master_before(PosedPair& posed, Side master, Index face, TestedLine& line, const Ray& ray,
                           const FaceMet& limit, const FacesAlongLine* known, LineNodes& open, LineTrace* trace) {
   WorkCounters& work = posed.work;
   const double position_error = line_position_error(master, ray, posed.placement);
@@ -203,7 +217,7 @@ std::optional<Penetration> follow_line(PosedPair& posed, Side master, Index face
   const Ray ray(geometry, geometry.barycentre_Me());
   Penetration penetration;
   if (!(ray.direction_error < 1) && has_no_normal(geometry.points_Me)) return penetration;
-  ExactLine line(geometry.points_Me);
+  TestedLine line(geometry, posed.placement.max_coordinate);
   double searched = 0;
   const FaceMet first = first_face_met(posed, opposite(master), line, ray, left,
                                        known != nullptr ? &known->slave : nullptr, open, trace, searched);
@@ -219,7 +233,7 @@ std::optional<Penetration> follow_line(PosedPair& posed, Side master, Index face
     }
   }
   if (trace != nullptr) trace->own_searched = first.distance.greatest + (trace->own_listed ? trace->beyond : 0);
-  if (!(first.distance.least > 0) && distance_sign(*line, first.points_Me, posed.work) == 0) return penetration;
+  if (!(first.distance.least > 0) && distance_sign(line.exact(), first.points_Me, posed.work) == 0) return penetration;
   penetration.outcome = Penetration::Outcome::element;
   penetration.slave_face = first.face;
   penetration.depth = DepthBelow(geometry, first.points_Me).value();

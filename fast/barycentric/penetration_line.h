@@ -36,7 +36,6 @@ Penetration find_penetration(PosedPair& posed, Side master, Index face, const Fa
 
 /// All faces that a line may meet up to a distance along it, m.
 struct FacesAlongLine {
-  const LineCoordinates& line;
   std::span<const Index> faces;
   double searched = 0;
 };

@@ -73,13 +73,16 @@ DecisionLimits decision_limits(const PosedPair& posed, Side master) {
   return limits;
 }
 
-/// A lane's element on a face of the slave. Its depth is in the lanes where that is known.
-Penetration element_on(PosedPair& posed, Side slave, Index slave_face, const ElementLanes& lanes, std::size_t lane,
-                       LaneBits depth_known) {
-  const double depth = has_lane(depth_known, lane)
-                           ? lanes.depth.value[lane]
-                           : DepthBelow(geometry_of(lanes, lane), posed.face_Me(slave, slave_face)).value();
-  return {Penetration::Outcome::element, slave_face, depth, -1};
+/// A lane's element on a face of the slave. Its depth is in the lanes where that is known. Number by number: a copy of
+/// what was just written so would have to wait until it has reached memory.
+void enter_element(PosedPair& posed, Side slave, Index slave_face, const ElementLanes& lanes, std::size_t lane,
+                   LaneBits depth_known, Penetration& penetration) {
+  penetration.outcome = Penetration::Outcome::element;
+  penetration.slave_face = slave_face;
+  penetration.depth = has_lane(depth_known, lane)
+                          ? lanes.depth.value[lane]
+                          : DepthBelow(geometry_of(lanes, lane), posed.face_Me(slave, slave_face)).value();
+  penetration.first_met = -1;
 }
 
 /// Whether roundings of the vertices of a face of F, which differ from pose to pose, turn its normal by so little that
@@ -113,9 +116,8 @@ bool line_stays(const Placement& placement, Side master, const FaceGeometry& geo
 [[gnu::noinline]] std::optional<Penetration> follow_among_known(PosedPair& posed, Side master,
                                                                 const LineMemory::Line& line, const ElementLanes& lanes,
                                                                 std::size_t lane, const LineMemory& memory) {
-  const LineCoordinates coordinates = line_coordinates(posed, lanes, lane);
-  const KnownFaces known{{coordinates, {memory.slave_faces(line), line.slave_count}, line.slave_searched},
-                         {coordinates, {memory.own_faces(line), line.own_count}, line.own_searched}};
+  const KnownFaces known{{{memory.slave_faces(line), line.slave_count}, line.slave_searched},
+                         {{memory.own_faces(line), line.own_count}, line.own_searched}};
   return find_penetration_among(posed, master, line.face, geometry_of(lanes, lane), known);
 }
 
@@ -220,7 +222,7 @@ class PenetrationBatch {
 
   bool take_decision(std::size_t lane) {
     if (has_lane(left_ & decided_.element, lane)) {
-      penetrations_[lane] = element_on(posed_, slave_, met_[lane], lanes_, lane, decided_.nearest_known);
+      enter_element(posed_, slave_, met_[lane], lanes_, lane, decided_.nearest_known, penetrations_[lane]);
     } else if (has_lane(left_ & decided_.nothing, lane)) {
       penetrations_[lane] = {};
     } else if (has_lane(has_only_, lane) && follow_known(lane)) {
@@ -377,9 +379,11 @@ void find_settled(PosedPair& posed, Side master, const FaceBatch& faces, std::si
   }
   const LaneBits known = fastest_wide_elements().depth(lanes);
   for (std::size_t lane = 0; lane < count; ++lane) {
-    penetrations[lane] = has_lane(elements, lane)
-                             ? element_on(posed, slave, lines[lane]->element_on, lanes, lane, known)
-                             : Penetration();
+    if (has_lane(elements, lane)) {
+      enter_element(posed, slave, lines[lane]->element_on, lanes, lane, known, penetrations[lane]);
+    } else {
+      penetrations[lane] = {};
+    }
   }
 }
 

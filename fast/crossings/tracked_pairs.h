@@ -54,6 +54,9 @@ class TrackedPairs {
   }
 
  private:
+  /// Finds the signs of the expired pairs, and for how long they hold; whether all of them cross as they did.
+  bool look_again(PosedPair& posed, double travelled);
+
   double listed_until_ = -1;
   BoundingBall ball_of_listed_;
   // By pair: its faces of E and F, and signs that hold until the ball's points have travelled so far, m.

@@ -13,16 +13,31 @@ namespace {
 
 /// How long steps may be, relative to an edge: of those that are longer so many pairs would have to be looked at again
 /// that to find all anew costs less.
-constexpr double kLongestStep = 0x1p-7;
-/// How many steps as long as the last one a list of pairs is made for, and a line's faces are. Longer lists cost more
-/// at each.
-constexpr double kStepsAhead = 16, kLineStepsAhead = 8, kLineStepsAheadOfF = 2;
-/// The same after a longer step, of the longest short one that is awaited.
-constexpr double kStepsAheadOfLong = 3;
+constexpr double kLongestStep = 0x1p-5;
+/// Of steps that are longer than this four have to come in a row before pairs are listed: they often are but a few, and
+/// lists for them cost more than they save.
+constexpr double kLongestAtOnce = 0x1p-7;
+/// How far a list of pairs is made for, or a line's faces are. Longer lists cost more at each step.
+struct Ahead {
+  double steps;         ///< as long as the last one,
+  double fewest_steps;  ///< but no more than these where they go farther
+  double farthest;      ///< than this, relative to an edge
+};
+constexpr Ahead kPairsAhead{16, 4, 0x1p-3}, kLinesAhead{8, 2, 0x1p-4}, kLinesAheadOfF{2, 2, 0x1p-4};
+/// Pairs after a longer step, of the longest short one that is awaited.
+constexpr Ahead kPairsAheadOfLong{3, 3, 0x1p-3};
 /// What is made for no more than this, relative to an edge, costs no less: difference quotients take many such steps.
 constexpr double kLeastAhead = 0x1p-14;
+/// Of lines that are wider, relative to an edge, the faces are not worth remembering.
+constexpr double kWidestLines = 0x1p-3;
 /// How long steps may be, relative to an edge, for margins of lines to last long enough.
 constexpr double kLongestSettled = 0x1p-9;
+
+/// m. `way`: of a step.
+double way_ahead(const Ahead& ahead, double way, double edge) {
+  const double farthest = std::max(ahead.farthest * edge, ahead.fewest_steps * way);
+  return std::max(std::min(ahead.steps * way, farthest), kLeastAhead * edge);
+}
 
 /// Adds up ways, the sum rounded up: by half a unit in the last place at least, which also pays for the roundings of
 /// sums of this and a margin (TrackedPairs, LineMemory).
@@ -46,9 +61,9 @@ Tracking::Tracking(const PreparedSurface& E, const PreparedSurface& F)
 void Tracking::start_lines(double way) {
   for (const Side master : {Side::E, Side::F}) {
     const auto m = static_cast<std::size_t>(master);
-    const double steps = master == Side::E ? kLineStepsAhead : kLineStepsAheadOfF;
-    const double ahead = std::max(steps * way, kLeastAhead * usual_edge_);
     const double way_of_lines = lines_[m].motion().way_over_travel;
+    double ahead = way_ahead(master == Side::E ? kLinesAhead : kLinesAheadOfF, way, usual_edge_);
+    if (way_of_lines * ahead > kWidestLines * usual_edge_) ahead = 0;
     lines_[m].start(travelled_, ahead, way_of_lines * ahead, way_of_lines * way < kLongestSettled * usual_edge_);
   }
 }
@@ -58,8 +73,8 @@ void Tracking::forget() {
   for (LineMemory& lines : lines_) lines.clear();
 }
 
-void Tracking::list_pairs(PosedPair& posed, double steps, double way, NodePairs& open) {
-  pairs_.list(posed, std::max(steps * way, kLeastAhead * usual_edge_), open);
+void Tracking::list_pairs(PosedPair& posed, double ahead, double way, NodePairs& open) {
+  pairs_.list(posed, ahead, open);
   travelled_ = listed_travelled_ = 0;
   start_lines(way);
 }
@@ -71,19 +86,20 @@ Tracking::Known Tracking::know_at(const Pose& pose, PosedPair& posed, NodePairs&
   if (!(way < kLongestStep * usual_edge_)) {
     if (last) short_steps_.note_long();
     forget();
-    if (!short_steps_.awaited()) return Known::nothing;
-    list_pairs(posed, kStepsAheadOfLong, short_steps_.longest_awaited(), open);
+    const double awaited = short_steps_.longest_awaited();
+    if (!short_steps_.awaited() || awaited > kLongestAtOnce * usual_edge_) return Known::nothing;
+    list_pairs(posed, way_ahead(kPairsAheadOfLong, awaited, usual_edge_), awaited, open);
     return Known::crossing_pairs;
   }
   short_steps_.note_short(way);
   add_way(way, travelled_);
   if (!pairs_.holds(travelled_)) {
-    if (!short_steps_.others_follow()) {
+    if (!(way < kLongestAtOnce * usual_edge_ ? short_steps_.others_follow() : short_steps_.are_steady())) {
       forget();
       return Known::nothing;
     }
     for (LineMemory& lines : lines_) lines.start_travel_anew(travelled_);
-    list_pairs(posed, kStepsAhead, way, open);
+    list_pairs(posed, way_ahead(kPairsAhead, way, usual_edge_), way, open);
     return Known::crossing_pairs;
   }
   start_lines(way);

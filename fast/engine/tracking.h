@@ -34,6 +34,8 @@ class ShortSteps {
 
   /// After a short step.
   bool others_follow() const { return count_ > 1 || counts_before_[0] > 1; }
+  /// Whether it is the fourth in a row, at least.
+  bool are_steady() const { return count_ > 3; }
   /// After a long step: whether short ones follow, as they did after the last two; and how long the longest may be, m.
   bool awaited() const { return longest_before_ > 0 && counts_before_[1] > 0; }
   double longest_awaited() const { return longest_before_; }
@@ -79,7 +81,8 @@ class Tracking {
 
   Known know_at(const Pose& pose, PosedPair& posed, NodePairs& open);
   void forget();
-  void list_pairs(PosedPair& posed, double steps, double way, NodePairs& open);
+  /// For `ahead`, m; `way` is that of a step.
+  void list_pairs(PosedPair& posed, double ahead, double way, NodePairs& open);
   void start_lines(double way);
 
   BoundingBall ball_F_;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "fast/posed/transform.h"
+#include "fast/predicates/penetration_predicates.h"
 #include "fast/predicates/side_bound.h"
 #include "fast/search/line_search.h"
 
@@ -64,14 +65,10 @@ inline double side_of_edge(const LineCoordinates::Point& from, const LineCoordin
 }
 
 /// What is sure of the line and a face: `unknown` where nothing is, no value where the line misses it.
-inline std::optional<Passage> passage_through(PosedSurface& posed, const LineCoordinates& line, Index face,
-                                              WorkCounters& work) {
+inline std::optional<Passage> passage_through(const LineCoordinates& line, const FacePoints& f, WorkCounters& work) {
   if (!line.usable()) return Passage::unknown;
   work.predicates += 3;
-  const Triangle& corners = posed.surface().face(face);
-  const std::array<LineCoordinates::Point, 3> x{line.see(posed.vertex_Me(corners[0], work)),
-                                                line.see(posed.vertex_Me(corners[1], work)),
-                                                line.see(posed.vertex_Me(corners[2], work))};
+  const std::array<LineCoordinates::Point, 3> x{line.see(f[0]), line.see(f[1]), line.see(f[2])};
   const double error = line.error(std::max({x[0].width, x[1].width, x[2].width}));
   const std::array<double, 3> D{side_of_edge(x[0], x[1]), side_of_edge(x[1], x[2]), side_of_edge(x[2], x[0])};
   const double least = std::min({D[0], D[1], D[2]}), greatest = std::max({D[0], D[1], D[2]});

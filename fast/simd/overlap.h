@@ -7,6 +7,7 @@
 
 #include "fast/posed/placement.h"
 #include "fast/prism/master_prism.h"
+#include "fast/simd/pairs.h"
 #include "fast/surface/wide_tree.h"
 
 namespace pcm::fast {
@@ -143,6 +144,8 @@ struct WideTests {
   std::uint32_t (*boxes_in_prism)(const WideNode& node, const WidePrism& prism);
   /// Faces that the line, taken as infinite both ways, passes through.
   FacesMet (*faces_met)(const FaceGroup& faces, const WideRay& ray);
+  /// Pairs of faces in double precision.
+  LookAtPairs pairs;
 };
 
 }  // namespace pcm::fast

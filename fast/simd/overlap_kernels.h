@@ -6,6 +6,7 @@
 #pragma once
 
 #include "fast/simd/overlap.h"
+#include "fast/simd/pair_kernels.h"
 #include "fast/simd/vector_types.h"
 
 namespace pcm::fast {
@@ -290,7 +291,7 @@ FacesMet test_faces_met(const FaceGroup& faces, const WideRay& ray) {
 }
 
 constexpr WideTests kTests{test_boxes,     test_children_of_E,  test_children_of_F, test_faces,
-                           test_boxes_met, test_boxes_in_prism, test_faces_met};
+                           test_boxes_met, test_boxes_in_prism, test_faces_met,     look_at_pairs};
 
 }  // namespace
 

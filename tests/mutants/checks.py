@@ -182,7 +182,7 @@ class Checks:
         seconds = 0.0
         for program in TEST_PROGRAMS[room]:
             command = [self._build / "tests" / program, "--gtest_fail_fast", "--gtest_color=no"]
-            ended = self._run(program, command, measure, env=self._env)
+            ended = self._run(program, command, measure, env=self._env, cwd=self._build)
             seconds += ended.seconds
             if ended.status != 0:
                 return Finding(failed_test(ended), seconds)

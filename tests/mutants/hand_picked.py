@@ -544,20 +544,20 @@ PICKED = [
     # From pose to pose.
     (
         "fast/crossings/tracked_pairs.cpp",
-        "return kShorter * pair_margin",
-        "return 2 * pair_margin",
-        "the way until a pair is looked at again, doubled",
+        "until_[i] = travelled + kShorter * now.margin;",
+        "until_[i] = travelled + 4 * now.margin;",
+        "the way until a pair is looked at again, four times as long",
     ),
     (
         "fast/crossings/tracked_pairs.cpp",
-        "bool same = 3 * count < fewest_vertices;",
-        "bool same = 3 * count < 3 * count + fewest_vertices;",
+        "const bool few = 3 * count < fewest_vertices;",
+        "const bool few = 3 * count < 3 * count + fewest_vertices;",
         "a component that passes through a surface between two poses",
     ),
     (
         "fast/crossings/tracked_pairs.cpp",
-        "same = same && cross_alike(signs, signs_[i]);",
-        "same = same && (cross_alike(signs, signs_[i]) || count == 1);",
+        "alike = alike && cross_alike(now.signs, signs_[i]);",
+        "alike = alike && (cross_alike(now.signs, signs_[i]) || expired_.size() == 1);",
         "a single pair that has begun to cross",
     ),
     (
@@ -589,6 +589,24 @@ PICKED = [
         "for (LineMemory& lines : lines_) lines.clear();",
         "",
         "lines remembered over a jump",
+    ),
+    (
+        "fast/simd/pair_kernels.h",
+        "line_of_f[j] = least(line_of_f[j], lines);",
+        "",
+        "in lanes: a side of f that meets one of e",
+    ),
+    (
+        "fast/simd/pair_kernels.h",
+        "s[k][1] - s[k][0] - lone_e.higher[k], of_F,",
+        "s[k][1] - s[k][0] + lone_e.higher[k], of_F,",
+        "in lanes: a side of e that meets the third side of f",
+    ),
+    (
+        "fast/simd/pair_kernels.h",
+        "i == 0 ? -lone_f.higher[j] : lone_f.higher[j]",
+        "lone_f.higher[j]",
+        "in lanes: the gap between faces that do not cross",
     ),
     (
         "fast/crossings/pair_margin.cpp",
