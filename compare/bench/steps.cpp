@@ -45,11 +45,10 @@ struct Way {
 };
 
 const std::vector<Way>& kinds_of_ways() {
-  static const std::vector<Way> all{{"another velocity", Way::Kind::velocities, 0},
-                                    {"differences by 10 nm", Way::Kind::differences, 1e-8},
-                                    {"steps of 0.01 mm", Way::Kind::straight, 1e-5},
-                                    {"steps of 0.1 mm", Way::Kind::straight, 1e-4},
-                                    {"steps of 1 mm", Way::Kind::straight, 1e-3}};
+  static const std::vector<Way> all{
+      {"another velocity", Way::Kind::velocities, 0},  {"differences by 10 nm", Way::Kind::differences, 1e-8},
+      {"steps of 0.01 mm", Way::Kind::straight, 1e-5}, {"steps of 0.1 mm", Way::Kind::straight, 1e-4},
+      {"steps of 0.3 mm", Way::Kind::straight, 3e-4},  {"steps of 1 mm", Way::Kind::straight, 1e-3}};
   return all;
 }
 

@@ -50,9 +50,8 @@ struct Clearance {
 /// Lower bounds of the distance from any point of a face along its inward normal to the next face of the same surface
 /// (fast/surface/thickness.h), m; infinite where nothing lies beneath.
 struct ThicknessEverywhere {
-  /// What lies beneath the face is no nearer, but for slivers of rounding size beside faces that share a vertex with it
-  /// and stand upright on it. 0 where a neighbour folds back beneath the face. Holds for lines that are a little off.
-  /// At most `exact`.
+  /// Faces that share no vertex with it are no nearer, also beneath lines that are a little off; of the others
+  /// `clear_of_neighbours` tells. At most `exact`.
   double tolerant = 0;
   /// No other face has a point strictly within the prism beneath the face, and nearer, exactly in the surface's own
   /// frame: what stands upright on the prism's border does not count. 0 where a neighbour folds back beneath the face

@@ -74,22 +74,6 @@ double least_depth(const MasterPrism& prism, const std::array<PrismPoint, 3>& co
   return least - 2 * tolerance;
 }
 
-/// The same for a face that shares a vertex with the master face, whatever the tolerance: beside it, what stands
-/// upright is seen as slivers.
-double least_depth_of_neighbour(const Triangle& vertices, const std::array<PrismPoint, 3>& corners) {
-  ProjectedFace face;
-  if (!project_face(vertices, corners, face)) return kInfinity;
-  double least = kInfinity;
-  bool at_border = true;
-  for (int i = 0; i < face.seen.count; ++i) {
-    least = std::min(least, face.seen[i][kDepth]);
-    at_border = at_border && face.seen[i].head<3>().minCoeff() < 0x1p-10;
-  }
-  Moments moments;
-  moments.add(face.seen);
-  return at_border && moments.area < 0x1p-50 ? kInfinity : least;
-}
-
 /// The vertices as one master face sees them, most of them looked at once: faces that share them ask for it again and
 /// again, and depths in one plane are exact numbers' work.
 class VertexSights {
@@ -270,22 +254,20 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
     }
     if (node.face == face) continue;
     const SeenFace seen(sights, surface, master, node.face);
-    const double least = seen.is_neighbour() ? least_depth_of_neighbour(seen.vertices, seen.corners)
-                                             : least_depth(prism, seen.corners, tolerance);
-    nearest = std::min(nearest, least);
+    // A neighbour that is within the prism begins at the face: what it cuts short is not known.
+    const bool neighbour = seen.is_neighbour();
+    const double least = neighbour ? 0 : least_depth(prism, seen.corners, tolerance);
+    if (!neighbour) nearest = std::min(nearest, least);
     // Only where something is near is it asked whether it is within the prism.
     const bool above = seen.lies_above();
-    if (seen.is_neighbour() || least < (above ? nearest_rounded : nearest_within)) {
-      if (above && seen.surely_lies_above(tolerance)) continue;
-      if (seen.lies_beside(prism, surface, work)) continue;
-      if (is_beside_at_corners(prism, surface, seen, tolerance)) continue;
-      const double within = seen.is_neighbour() ? 0 : least;
-      nearest_rounded = std::min(nearest_rounded, within);
-      if (!above) nearest_within = std::min(nearest_within, within);
-    }
+    if (!(least < (above ? nearest_rounded : nearest_within))) continue;
+    if (above && seen.surely_lies_above(tolerance)) continue;
+    if (seen.lies_beside(prism, surface, work)) continue;
+    if (is_beside_at_corners(prism, surface, seen, tolerance)) continue;
+    nearest_rounded = std::min(nearest_rounded, least);
+    if (!above) nearest_within = std::min(nearest_within, least);
   }
   ThicknessEverywhere bounds;
-  // What is cut short by a neighbour within the prism is not known.
   bounds.tolerant = std::max(std::min(nearest, nearest_within), 0.0);
   bounds.exact = std::max(nearest_within, 0.0);
   bounds.rounded = std::max(std::min(nearest_within, nearest_rounded), 0.0);

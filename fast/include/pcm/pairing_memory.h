@@ -11,7 +11,7 @@ namespace pcm::fast {
 /// A pairing, and what was found of it where it was asked last. Asked about the same pose, bit for bit, with another
 /// velocity, as difference quotients for a Jacobian do, it applies the law to the elements that it knows. Asked about a
 /// pose near by, as integrators do, it looks again only at what may have changed, where points of F have moved by less
-/// than 1/128 of a usual edge (Savings::coherence). The answer is that of `fast::evaluate`, to the last bit, whatever
+/// than 1/32 of a usual edge (Savings::coherence). The answer is that of `fast::evaluate`, to the last bit, whatever
 /// was asked before. It belongs to whoever has the pairing: any workspace will do, and may be used for anything in
 /// between.
 ///

@@ -105,5 +105,20 @@ TEST(BarycentreThickness, SeesNeedlesNearlyAlongTheLine) {
   EXPECT_GE(met, 5000);
 }
 
+/// The direction of a needle's line is known to a few units in the last place over its height alone.
+TEST(BarycentreThickness, OfANeedleWhoseNormalIsNotKnownIsNothingHoweverFlatTheBody) {
+  const auto over_a_sheet = [](double width) {
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}};
+    for (const Eigen::Vector2d& x : {Eigen::Vector2d(-2, -2), {0, 2}, {2, -2}}) {
+      mesh.vertices.emplace_back(x.x(), x.y(), -0x1p-16);
+    }
+    mesh.faces = {{0, 1, 2}, {3, 4, 5}};
+    return thickness(prepare_surface(mesh), 0);
+  };
+  EXPECT_EQ(over_a_sheet(0x1p-26), 0);
+  EXPECT_GT(over_a_sheet(0.5), 0x1p-17);
+}
+
 }  // namespace
 }  // namespace pcm::fast
