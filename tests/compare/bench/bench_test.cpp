@@ -162,8 +162,8 @@ TEST(BenchSkip, NothingSkippedChangesNoBitAndEachSavingSparesWork) {
 TEST(BenchSteps, WhatIsKnownChangesNoBitAndSparesWork) {
   const QuickBench bench("steps");
   const Json all = Json::parse(bench.table("steps.json"));
-  // Five kinds of steps of two pairs in two schemes, then the recorded scenes.
-  ASSERT_EQ(all["steps"].size(), 21U);
+  // Six kinds of steps of two pairs in two schemes, then the recorded scenes.
+  ASSERT_EQ(all["steps"].size(), 25U);
   for (const Json& row : all["steps"]) {
     EXPECT_EQ(row["different"], 0) << row;
     EXPECT_GT(row["following_us"], 0) << row;
