@@ -78,8 +78,8 @@ void find_parts(PosedPair& posed, const ClippedFace& seen, double most, bool wit
         pieces_of_visible_part(posed, seen, i, scratch, overlap, part.clipping_error);
     fill_visible_part(seen, pieces, most, part);
     if (with_motions && part.is_element())
-      scratch.motions.push_back(
-          motion_of_part(posed, {seen.master, *seen.prism, faces, faces[i], pieces, part.moments, most}));
+      scratch.motions.push_back(motion_of_part(
+          posed, {seen.master, *seen.prism, faces, faces[i], pieces, part.moments, most}, scratch.moving));
   }
 }
 

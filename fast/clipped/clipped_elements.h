@@ -71,7 +71,8 @@ struct ClippedFaceScratch {
   std::vector<Overlap> overlaps;
   std::vector<ConvexPolygon> polygons;   ///< the pieces that are left of the slave face at hand
   std::vector<ConvexPolygon> remaining;  ///< of subtract_hidden
-  LineNodes line_open;                   ///< of the search along a line
+  PartMotionScratch moving;
+  LineNodes line_open;  ///< of the search along a line
 };
 
 /// Finds what a master face sees, and the parts that its elements are made of; how these move where that is asked for.

@@ -9,6 +9,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "fast/clipped/hiding_line.h"
+#include "fast/clipped/seen_edge.h"
+
 namespace pcm::fast {
 
 namespace {
@@ -47,29 +50,6 @@ struct FaceDepth {
 double along_level(const PrismPoint& a, const PrismPoint& b, double per_s, double per_t) {
   return std::abs(per_s) >= std::abs(per_t) ? (b[kT] - a[kT]) / per_s : (a[kS] - b[kS]) / per_t;
 }
-
-/// A face's edge as it is seen, and the depths of points on its line. Far beyond its ends the line parts nothing but
-/// pieces of what is seen, and any motion will do that both get: there the depth is that as far from the edge as it is
-/// long, or it would be beyond all measure for an edge that is seen on end.
-class SeenEdge {
- public:
-  SeenEdge(const ProjectedFace& h, std::size_t edge)
-      : from_(h.corners[edge]),
-        along_(h.corners[(edge + 1) % 3] - from_),
-        wider_(std::abs(along_[kS]) >= std::abs(along_[kT]) ? kS : kT) {}
-
-  /// 0 and 1 at the edge's ends.
-  double place(const PrismPoint& at) const { return (at[wider_] - from_[wider_]) / along_[wider_]; }
-  double depth(double place) const { return from_[kDepth] + std::clamp(place, kFirst, kLast) * along_[kDepth]; }
-
-  /// Where the depth is not linear.
-  static constexpr double kFirst = -1, kLast = 2;
-
- private:
-  const PrismPoint& from_;
-  PrismPoint along_;
-  int wider_;
-};
 
 /// The integrals over what is seen, and how they change as the slave moves.
 enum Integral { kOne, kDepths, kSDepths, kTDepths, kIntegrals };
@@ -110,13 +90,15 @@ struct PlaceMoments {
 
 class PartSlopes {
  public:
-  PartSlopes(PosedPair& posed, const SeenPart& part)
+  PartSlopes(PosedPair& posed, const SeenPart& part, PartMotionScratch& scratch)
       : posed_(posed),
         part_(part),
+        scratch_(scratch),
         depth_f_(depth_of(part.f)),
         p0_arm_Me_(part.prism.p0_Me() - posed.placement.r_Me),
         may_have_edge_on_border_(may_have_edge_on_border(part.f)) {
     add_inside();
+    scratch.cuts.clear();
     for (const ConvexPolygon& piece : part.pieces) {
       for (int i = 0; i < piece.count; ++i) {
         const SideLine line = piece.lines[static_cast<std::size_t>(i)];
@@ -127,6 +109,7 @@ class PartSlopes {
         }
       }
     }
+    add_borders_on_cuts();
   }
 
   const IntegralSlopes& sums() const { return sums_; }
@@ -180,10 +163,83 @@ class PartSlopes {
     places.add(shallow);
   }
 
+  /// The face and which of its lines.
+  std::pair<const ProjectedFace&, int> owner_of(SideLine line) const {
+    return {part_.faces[static_cast<std::size_t>((line - 1) / kLinesOfAFace)], (line - 1) % kLinesOfAFace};
+  }
+
+  /// A piece's side. Where an edge of another face hides nothing, pieces were cut from each other along its line; where
+  /// it only just does, another line may be there.
   void add_side(SideLine line, const PrismPoint& a, const PrismPoint& b) {
-    const auto number = static_cast<std::size_t>((line - 1) / kLinesOfAFace);
-    const int kind = (line - 1) % kLinesOfAFace;
-    const ProjectedFace& h = part_.faces[number];
+    const auto [h, kind] = owner_of(line);
+    if (kind >= 3 || &h == &part_.f) {
+      add_border(line, a, b);
+      return;
+    }
+    const SeenEdge edge(h, static_cast<std::size_t>(kind));
+    const double place_a = edge.place(a), place_b = edge.place(b);
+    const SeenEdge::Standing standing = edge.standing(a, place_a, b, place_b);
+    if (standing == SeenEdge::Standing::before) {
+      add_border(line, a, b);
+      return;
+    }
+    if (standing == SeenEdge::Standing::level) {
+      add_cut({line, a, b}, place_a, place_b);
+      return;
+    }
+    const Places hides = edge.before(a, b);
+    // As shares of the side.
+    const double at_first = (hides.first - place_a) / (place_b - place_a);
+    const double at_last = (hides.last - place_a) / (place_b - place_a);
+    const double from = std::clamp(std::min(at_first, at_last), 0.0, 1.0);
+    const double to = hides.first < hides.last ? std::clamp(std::max(at_first, at_last), 0.0, 1.0) : from;
+    const PrismPoint way = b - a, at_from = a + from * way, at_to = a + to * way;
+    const double per_share = place_b - place_a;
+    const double from_place = place_a + from * per_share, to_place = place_a + to * per_share;
+    if (from > 0) add_cut({line, a, at_from}, place_a, from_place);
+    if (from < to) add_border(line, at_from, at_to);
+    if (to < 1) add_cut({line, at_to, b}, to_place, place_b);
+  }
+
+  /// At these places of the edge, as its face has it.
+  void add_cut(const CutStretch& stretch, double place_a, double place_b) {
+    const auto [h, kind] = owner_of(stretch.line);
+    const auto edge = static_cast<std::size_t>(kind);
+    const Index from = h.vertices[edge], to = h.vertices[(edge + 1) % 3];
+    if (from < to) {
+      scratch_.cuts.add({h.of_master, from, to}, stretch, place_a, place_b);
+    } else {
+      scratch_.cuts.add({h.of_master, to, from}, stretch, 1 - place_a, 1 - place_b);
+    }
+  }
+
+  /// Of cuts beyond which something else hides f. Where it can't be told what, they move as the cuts do.
+  void add_borders_on_cuts() {
+    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
+    const SeenFaces seen{part_.prism, part_.faces, part_.f, posed_.placement.max_coordinate};
+    std::vector<CutStretch>& open = scratch_.open;
+    scratch_.cuts.find_with_one_piece(uncertainty, open);
+    while (!open.empty()) {
+      const auto [cut, a, b] = open.back();
+      open.pop_back();
+      if (lies_on_border(a, b)) {
+        add_own_side(a, b);
+        continue;
+      }
+      const auto found = are_apart(a, b, uncertainty) ? find_hiding_line(seen, a, b) : std::nullopt;
+      if (!found) {
+        add_border(cut, a, b);
+        continue;
+      }
+      const PrismPoint way = b - a, first = a + found->from * way, last = a + found->to * way;
+      add_border(found->line, first, last);
+      if (found->from > 0) open.push_back({cut, a, first});
+      if (found->to < 1) open.push_back({cut, last, b});
+    }
+  }
+
+  void add_border(SideLine line, const PrismPoint& a, const PrismPoint& b) {
+    const auto [h, kind] = owner_of(line);
     const MasterPrism& prism = part_.prism;
     if (kind == kCrossing && h.of_master) {
       const FaceDepth depth_h = depth_of(h);
@@ -253,24 +309,15 @@ class PartSlopes {
     return goes_on(face);
   }
 
-  /// Whether a side lies on the line of an edge of f, to within roundings.
-  bool lies_on_edge(const PrismPoint& a, const PrismPoint& b, std::size_t edge, const Uncertainty& uncertainty) const {
-    const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
-    const double width_s = std::abs(to[kS] - from[kS]), width_t = std::abs(to[kT] - from[kT]);
-    const auto is_off = [&](const PrismPoint& x) {
-      return certain(0.5 * std::abs(cross_st(from, to, x)), width_s, width_t, uncertainty);
-    };
-    return !is_off(a) && !is_off(b);
-  }
-
   /// A side on the border of the master. Where the sheet that f is of ends there as well, to within roundings, it moves
   /// as the edge does: what part of it the master beyond the border sees, which may be less than nothing, is for both.
   void add_own_side(const PrismPoint& a, const PrismPoint& b) {
     if (!lies_on_border(a, b)) return;  // but parts two pieces
     const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
     for (std::size_t edge = 0; edge < 3; ++edge) {
-      if (!lies_on_edge(a, b, edge, uncertainty) || goes_on(beyond(edge))) continue;
-      add_side(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
+      const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
+      if (!lie_on_line(a, b, from, to, uncertainty) || goes_on(beyond(edge))) continue;
+      add_border(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
       return;
     }
   }
@@ -334,6 +381,7 @@ class PartSlopes {
 
   PosedPair& posed_;
   const SeenPart& part_;
+  PartMotionScratch& scratch_;
   FaceDepth depth_f_;
   Vector3d p0_arm_Me_;  ///< p0 - r
   bool may_have_edge_on_border_;
@@ -342,8 +390,8 @@ class PartSlopes {
 
 }  // namespace
 
-ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part) {
-  const PartSlopes slopes(posed, part);
+ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part, PartMotionScratch& scratch) {
+  const PartSlopes slopes(posed, part, scratch);
   const IntegralSlopes& by = slopes.sums();
   const Moments& m = part.moments;
   const double twice_area = 2 * part.prism.face().area;

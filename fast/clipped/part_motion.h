@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "fast/clipped/cut_stretches.h"
 #include "fast/force/element_motion.h"
 #include "fast/posed/posed_pair.h"
 #include "fast/prism/convex_polygon.h"
@@ -23,6 +24,12 @@ struct SeenPart {
   double most;                            ///< max_penetration, m
 };
 
+/// Scratch memory of motion_of_part.
+struct PartMotionScratch {
+  CutStretches cuts;
+  std::vector<CutStretch> open;  ///< stretches with a piece on one side, whose line is still to be found
+};
+
 /// How the element that a part makes changes as the slave moves, seen from the master, by d(x) = dr + a x (x - r).
 ///
 /// The integral M of q over the part P, in (s, t), changes by the integral of dq over P and by that over its border of
@@ -38,12 +45,13 @@ struct SeenPart {
 /// and by nothing where the side is the master's own. A side on an edge of f that is also the master's, to within
 /// roundings, is the edge's where f's sheet ends there as the lines see it, and the master's where it goes on:
 /// whichever of the two it was cut along, and whether or not a sliver between them was dropped. Whatever else divides P
-/// is a side of two pieces and moves both the same way. min(depth, most) is continuous: where it begins to be clamped
-/// nothing is added. All is of degree three at most along a side and of degree two over a piece, so that the integrals
-/// are exact but for roundings.
+/// is a side of two pieces and counts for neither; where on such a line, of an edge beyond its ends, one of the two is
+/// hidden by another face that has its border just there, it is that face's (hiding_line.h). min(depth, most) is
+/// continuous: where it begins to be clamped nothing is added. All is of degree three at most along a side and of
+/// degree two over a piece, so that the integrals are exact but for roundings.
 ///
 /// `posed` is asked for the faces' vertices. A slope that is too large for doubles, or whose moments about Mf are,
 /// counts as 0.
-ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part);
+ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part, PartMotionScratch& scratch);
 
 }  // namespace pcm::fast

@@ -122,30 +122,32 @@ class Envelope {
     ConvexPiece below = clip(plane_, whole, {*seen_f.ahead, seen_f.sides[0], seen_f.sides[1], seen_f.sides[2]});
     if (below.empty()) return {};
     const Column column = column_below(plane_, below, f, master_box_);
+    const std::vector<HalfPlane> border = below.sides;
     std::vector<ConvexPiece> part{std::move(below)};
     for (const Side side : {slave_, plane_.master().side})
       for (const Index g : faces_in(column, plane_.frame().N, near_.tree(side))) {
         const Face other_face{side, g};
-        if (other_face != f && other_face != plane_.master()) take_out_what_is_before(f, other_face, part);
+        if (other_face != f && other_face != plane_.master()) take_out_what_is_before(f, other_face, border, part);
         if (part.empty()) return part;
       }
     return part;
   }
 
-  /// Takes proj(g) n {d_g >= 0} n {d_g <= d_f} out of the part.
-  void take_out_what_is_before(Face f, Face g, std::vector<ConvexPiece>& part) {
+  /// Takes proj(g) n {d_g >= 0} n {d_g <= d_f} out of the part. `border`: of what nothing hides of f.
+  void take_out_what_is_before(Face f, Face g, const std::vector<HalfPlane>& border, std::vector<ConvexPiece>& part) {
     const SeenFace& seen_g = plane_.see(g);
     if (seen_g.facing == 0) return;
     std::vector<HalfPlane> bounds(seen_g.sides.begin(), seen_g.sides.end());
-    if (seen_g.ahead) bounds.push_back(*seen_g.ahead);
+    if (seen_g.ahead) bounds.insert(bounds.begin(), *seen_g.ahead);
     if (std::all_of(part.begin(), part.end(),
                     [&](const ConvexPiece& piece) { return plainly_apart(plane_, piece, bounds); }))
       return;
+    // First where an edge of g may lie in f: it is g, or the face beyond the edge, that comes out of f there.
     if (const std::optional<HalfPlane> before = plane_.deeper(f, g))
-      bounds.push_back(*before);
+      bounds.insert(bounds.begin(), *before);
     else if (g.side == plane_.master().side || f < g)
       return;
-    part = subtract(plane_, part, bounds);
+    part = subtract(plane_, part, bounds, border);
   }
 
   const ExactPose& pose_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace pcm::reference {
@@ -22,6 +23,64 @@ ConvexPiece part_within(const MasterPlane& plane, const ConvexPiece& piece, Half
   for (std::size_t i = 0; i < part.size(); ++i)
     part.corners.push_back(plane.corner(part.sides[i], part.sides[part.next(i)]));
   return part;
+}
+
+bool is_among(Index line, const std::vector<HalfPlane>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [line](HalfPlane h) { return h.line == line; });
+}
+
+/// A piece parted by half-planes: what lies within all of them, and the rest.
+struct Parting {
+  ConvexPiece within;
+  std::vector<ConvexPiece> beyond;
+};
+
+Parting part(MasterPlane& plane, const ConvexPiece& piece, const std::vector<HalfPlane>& bounds) {
+  Parting parts{piece, {}};
+  for (const HalfPlane h : bounds) {
+    Halves halves = cut(plane, parts.within, h);
+    if (!halves.without.empty()) parts.beyond.push_back(std::move(halves.without));
+    parts.within = std::move(halves.within);
+    if (parts.within.empty()) break;
+  }
+  return parts;
+}
+
+/// Which side of the piece lies on the line of h, on its far side.
+std::optional<std::size_t> side_beyond(MasterPlane& plane, const ConvexPiece& piece, HalfPlane h) {
+  std::vector<int> at;
+  for (std::size_t i = 0; i < piece.size(); ++i)
+    at.push_back(plane.side(h, piece.sides[i], piece.sides[piece.next(i)], piece.corners[i]));
+  if (*std::max_element(at.begin(), at.end()) > 0) return {};
+  for (std::size_t i = 0; i < piece.size(); ++i)
+    if (at[i] == 0 && at[piece.next(i)] == 0) return piece.next(i);  // which runs between these corners
+  return {};
+}
+
+/// The piece lies outside the common part, so that no more than a side is beside it.
+std::vector<ConvexPiece> parted_beside(MasterPlane& plane, const ConvexPiece& piece,
+                                       const std::vector<HalfPlane>& bounds, const std::vector<HalfPlane>& kept) {
+  std::vector<std::optional<std::size_t>> beside;  // by bound
+  for (const HalfPlane h : bounds) beside.push_back(side_beyond(plane, piece, h));
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const HalfPlane h = bounds[i];
+    if (!beside[i]) continue;
+    const Index line = piece.sides[*beside[i]].line;
+    if (line == h.line || is_among(line, kept)) continue;
+    std::vector<HalfPlane> others;
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+      if (beside[k] != beside[i]) others.push_back(bounds[k]);
+    Parting parts = part(plane, piece, others);
+    ConvexPiece& inner = parts.within;
+    const std::optional<std::size_t> side = inner.empty() ? std::nullopt : side_beyond(plane, inner, h);
+    if (!side) continue;
+    inner.sides[*side] = opposite(h);
+    for (const std::size_t end : {*side == 0 ? inner.size() - 1 : *side - 1, *side})
+      inner.corners[end] = plane.corner(inner.sides[end], inner.sides[inner.next(end)]);
+    parts.beyond.push_back(std::move(inner));
+    return std::move(parts.beyond);
+  }
+  return {piece};
 }
 
 }  // namespace
@@ -66,25 +125,16 @@ bool plainly_apart(const MasterPlane& plane, const ConvexPiece& piece, const std
 }
 
 std::vector<ConvexPiece> subtract(MasterPlane& plane, const std::vector<ConvexPiece>& pieces,
-                                  const std::vector<HalfPlane>& bounds) {
+                                  const std::vector<HalfPlane>& bounds, const std::vector<HalfPlane>& kept) {
   std::vector<ConvexPiece> remaining;
   for (const ConvexPiece& piece : pieces) {
     if (plainly_apart(plane, piece, bounds)) {
       remaining.push_back(piece);
       continue;
     }
-    std::vector<ConvexPiece> beyond;
-    ConvexPiece rest = piece;
-    for (const HalfPlane h : bounds) {
-      Halves halves = cut(plane, rest, h);
-      if (!halves.without.empty()) beyond.push_back(std::move(halves.without));
-      rest = std::move(halves.within);
-      if (rest.empty()) break;
-    }
-    if (rest.empty())
-      remaining.push_back(piece);  // nothing to take out, so it need not be split
-    else
-      std::move(beyond.begin(), beyond.end(), std::back_inserter(remaining));
+    Parting parts = part(plane, piece, bounds);
+    if (parts.within.empty()) parts.beyond = parted_beside(plane, piece, bounds, kept);
+    std::move(parts.beyond.begin(), parts.beyond.end(), std::back_inserter(remaining));
   }
   return remaining;
 }

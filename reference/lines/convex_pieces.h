@@ -35,8 +35,10 @@ ConvexPiece clip(MasterPlane& plane, ConvexPiece piece, const std::vector<HalfPl
 bool plainly_apart(const MasterPlane& plane, const ConvexPiece& piece, const std::vector<HalfPlane>& bounds);
 
 /// What of the pieces lies outside the common part of all half-planes: of each the part beyond the first line, then of
-/// the rest the part beyond the second, and so on.
+/// the rest the part beyond the second, and so on. Where a piece ends at the common part without losing anything, on a
+/// line along which it was cut before, it ends there for that reason: the side is parted where the common part begins
+/// and ends, and what is between lies on the half-plane's line. `kept`: lines that no side loses.
 std::vector<ConvexPiece> subtract(MasterPlane& plane, const std::vector<ConvexPiece>& pieces,
-                                  const std::vector<HalfPlane>& bounds);
+                                  const std::vector<HalfPlane>& bounds, const std::vector<HalfPlane>& kept);
 
 }  // namespace pcm::reference

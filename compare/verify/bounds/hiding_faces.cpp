@@ -91,7 +91,16 @@ std::vector<SeenPoint> MasterView::overlap(const SeenFace& a, const SeenFace& b,
   return polygon;
 }
 
-MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const {
+bool MasterView::is_sliver(Side side, Index face, double strip) const {
+  const SeenFace corners = seen(side, face);
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, (corners[(k + 1) % 3] - corners[k]).head<2>().stableNorm());
+  return std::abs(cross(corners[1] - corners[0], corners[2] - corners[0])) <= 2 * strip * longest;
+}
+
+MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip,
+                                           bool slivers) const {
   const Side slave = opposite(master_);
   const SeenFace seen_slave = seen(slave, slave_face);
   const DepthField of_slave = depth_field(slave, slave_face, strip);
@@ -104,8 +113,9 @@ MasterView::Hiders MasterView::find_hiders(Index slave_face, const std::vector<S
     if ((of_face.low.head<2>() > of_part.high.head<2>() + strip).any()) continue;
     if ((of_face.high.head<2>() < of_part.low.head<2>() - strip).any()) continue;
     if (side_parts(master_, master_face_, side, face, strip) || side_parts(slave, slave_face, side, face, strip) ||
-        side_parts(side, face, slave, slave_face, strip) || side_parts(side, face, part, strip))
+        side_parts(side, face, part, strip))
       continue;
+    if (side_parts(side, face, slave, slave_face, strip) && !(slivers && is_sliver(side, face, strip))) continue;
     const int order_to_slave = order(side, face, slave, slave_face);
     if (order_to_slave > 0) continue;
     const SeenFace seen_face = seen(side, face);

@@ -41,6 +41,9 @@ struct SlaveInView {
 struct SightLine {
   /// As deep as the slave face is there, or 0 where that lies above the master.
   SeenPoint from = SeenPoint::Zero(), to = SeenPoint::Zero();
+  /// Where on it, as ways from `from`, something may begin to hide the slave face, m: elsewhere, or all along where the
+  /// first is beyond the last, it parts nothing but pieces of what is seen.
+  double first = 0, last = 0;
   double off = 0;  ///< it may lie as far beside, m; infinite: nothing is known
   /// As the slave's surface moves by d, seen from the master, the line moves by pull . d(X) along its normal, the
   /// direction from `from` to `to` turned by a right angle; X lies on it, this deep at either end.
@@ -137,6 +140,7 @@ class MasterView {
 
   SeenFace seen(Side side, Index face) const;
   DepthField depth_field(Side side, Index face, double strip) const;
+  bool is_sliver(Side side, Index face, double strip) const;
   /// Whether the master is wider than a strip, so that strips along its sides leave something of it.
   bool is_wider_than(double strip) const { return 2 * face_.area / face_.longest > strip; }
   /// Where the master, a and b, each grown by `margin`, lie over one another: a convex polygon. `margin` must be less
@@ -156,7 +160,9 @@ class MasterView {
   /// Which side of a's plane all corners of b lie on that a has not, as the lines run: 1 beyond it, -1 before it, 0
   /// where roundings can't tell or on both.
   int side_of_plane(Side side_a, Index a, Side side_b, Index b) const;
-  Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip) const;
+  /// `slivers`: also faces that are seen no wider than a strip and have a corner in common with the slave face, on
+  /// whichever side of that they lie. They hide no more than a strip does, but may be all that ends there.
+  Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip, bool slivers = false) const;
   /// The lines at which the face begins to hide something of the slave face, rather than end: no more than `most` each.
   void add_folds(Index slave_face, const NearFace& hider, double strip, double most, Hiders& hiders) const;
   /// The sides of these faces of E and F, each once.

@@ -30,6 +30,7 @@ using Stretch = std::pair<double, double>;
 struct MovingLine {
   Eigen::Vector2d from, along;  ///< m, and of length 1
   double length, off;
+  Stretch borders;               ///< where faces may end on it or meet
   std::array<Speeds, 2> speeds;  ///< at its ends
   double speed_error;            ///< for a motion of 1, m
   Speeds any_way;                ///< greatest speeds of a point of it in any direction, times its pull
@@ -100,6 +101,7 @@ class ErrorSum {
     moving.length = way.stableNorm();
     moving.along = moving.length > 0 ? Eigen::Vector2d(way / moving.length) : Eigen::Vector2d(1, 0);
     moving.off = line.off;
+    moving.borders = {line.first, line.last};
     moving.speeds = {speeds_along(pull_Me, from), speeds_along(pull_Me, to)};
     reach_ = std::max({reach_, from.norm(), to.norm()});
     // Of where X is as well.
@@ -147,17 +149,25 @@ class ErrorSum {
     moment_ += sight_.width * depth * moved;
   }
 
-  /// Where a line is no farther than that from another one, however far that goes.
+  /// Where a line is no farther than that from another one, and either may be a border.
   static std::optional<Stretch> stretch_near(const MovingLine& on, const MovingLine& other, double near) {
     const Eigen::Vector2d normal(-other.along.y(), other.along.x());
     const double height = normal.dot(on.from - other.from), rise = normal.dot(on.along);
     Stretch stretch{0, on.length};
+    const auto limit = [&](double first, double last) {
+      stretch = {std::max(stretch.first, first), std::min(stretch.second, last)};
+    };
     if (rise != 0) {
       const double at = -height / rise, way = near / std::abs(rise);
-      stretch = {std::max(0.0, at - way), std::min(on.length, at + way)};
+      limit(at - way, at + way);
     } else if (std::abs(height) > near) {
       return std::nullopt;
     }
+    const auto beside = [&](double way) { return on.along.dot(other.from + way * other.along - on.from); };
+    if (!(other.borders.first <= other.borders.second)) return std::nullopt;
+    const double one_end = beside(other.borders.first), other_end = beside(other.borders.second);
+    limit(std::min(one_end, other_end) - near, std::max(one_end, other_end) + near);
+    limit(on.borders.first - near, on.borders.second + near);
     if (!(stretch.first <= stretch.second)) return std::nullopt;
     return stretch;
   }

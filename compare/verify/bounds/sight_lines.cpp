@@ -184,13 +184,31 @@ class MasterView::LineList {
     const auto [first, last] = span(in_plane(a.head<2>()), in_plane(-turned_left(normal)), strip_ * lever);
     line.off = strip_ * (1 + 2 * std::max({0.0, -first, last - length}) / length);
     line.depth_error = line.off * std::abs(slope);
-    add(line, in_plane(a.head<2>()), normal, a.z(), slope);
+    add(line, in_plane(a.head<2>()), normal, a.z(), slope, nullptr, hiding_stretch(line, a, b));
+  }
+
+  /// Where an edge from a to b may hide something of the slave face, as ways from a: not beyond its ends, above the
+  /// master or beyond the face.
+  std::pair<double, double> hiding_stretch(const SightLine& line, const SeenPoint& a, const SeenPoint& b) const {
+    const double length = (b - a).head<2>().stableNorm(), end_error = 2 * strip_ + line.off;
+    double first = -end_error, last = length + end_error;
+    const auto limit = [&](double at_a, double at_b, double error) {
+      const double rise = (at_b - at_a) / length, zero = -(at_a + error) / rise;
+      if (rise > 0) first = std::max(first, zero);
+      if (rise < 0) last = std::min(last, zero);
+      if (rise == 0 && at_a + error < 0) last = -kInfinity;
+    };
+    const double depth_error = line.depth_error + end_error * (1 + std::abs(b.z() - a.z()) / length);
+    const double lead_error = depth_error + error_over_master(of_slave_) + times(of_slave_.slope.norm(), end_error);
+    limit(a.z(), b.z(), depth_error);
+    if (std::isfinite(lead_error)) limit(of_slave_.at(a) - a.z(), of_slave_.at(b) - b.z(), lead_error);
+    return {first, last};
   }
 
   /// Along which `normal` lies to the left; X lies `depth` deep at `through` and goes down by `slope`.
-  /// Where the line is one of depths, it parts nothing but over the face that has it.
+  /// Where the line is one of depths, it parts nothing but over the face that has it; `ends`: nor beyond these, m.
   void add(SightLine line, const SeenPoint& through, const Eigen::Vector2d& normal, double depth, double slope,
-           const SeenFace* over = nullptr) {
+           const SeenFace* over = nullptr, std::pair<double, double> ends = {-kInfinity, kInfinity}) {
     const SeenPoint along = in_plane(-turned_left(normal));
     const auto [first, last] = span(through, along, std::isfinite(line.off) ? line.off : strip_, over);
     if (!(first <= last) && std::isfinite(line.off)) return;
@@ -207,6 +225,8 @@ class MasterView::LineList {
     line.to = point(last);
     line.from_depth = depth + first * slope;
     line.to_depth = depth + last * slope;
+    line.first = std::max(ends.first, first) - first;
+    line.last = std::min(ends.second, last) - first;
     lines_.push_back(line);
   }
 
@@ -263,7 +283,7 @@ std::vector<SightLine> MasterView::lines_in_sight(Index slave_face) const {
     lines.lose();
     return lines.take();
   }
-  for (const NearFace* const hider : find_hiders(slave_face, part, strip).faces) {
+  for (const NearFace* const hider : find_hiders(slave_face, part, strip, true).faces) {
     lines.add_sides(hider->side, hider->face);
     lines.add_depth_0(hider->side, hider->face);
     lines.add_crossing(hider->side, hider->face);

@@ -10,6 +10,7 @@
 #include "meshes/generate/degenerate/hard_bodies.h"
 #include "meshes/generate/parts.h"
 #include "tests/fast/engine_support.h"
+#include "tests/sunken_blocks.h"
 
 /// Derivatives of force and torque in the clipped scheme: by hand, and against differences where faces hide others.
 /// Against exact ones they are held by `pcm verify` and by tests/compare/verify/verdict/tangent_verdict_test.cpp.
@@ -313,6 +314,20 @@ TEST(ClippedTangent, OfABoxOnTheDiagonalOfAPlateIsThatOfTheBoxHoweverBothAreTurn
       const Tangent tangent = *clipped(plate, box, pose, stiffness(1000), mode).tangent;
       const Eigen::Matrix3d by_position = pose.A.transpose() * tangent.topLeftCorner<3, 3>() * pose.A;
       EXPECT_LT((by_position - Vector3d(0, 0, 1000).asDiagonal().toDenseMatrix()).norm(), 1e-9) << i;
+    }
+  }
+}
+
+/// Pieces of what is seen are cut from each other along the line of one edge, and the one beyond it is hidden by a face
+/// that has its own edge there, deeper or less deep.
+TEST(ClippedTangent, WhereTheLineOfAnEdgeGoesOnAlongOtherEdgesIsThatOfDifferences) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const pcm::test::SunkenBlocks bodies(seed);
+    for (const Mode mode : {Mode::E, Mode::F}) {
+      const ContactLaw law = stiffness(kStiffness);
+      const Tangent tangent = *clipped(bodies.plate, bodies.blocks, bodies.pose, law, mode).tangent;
+      const Tangent expected = differences(bodies.plate, bodies.blocks, bodies.pose, law, mode, {});
+      EXPECT_LT((tangent - expected).lpNorm<Eigen::Infinity>(), 1e-4) << "seed " << seed;
     }
   }
 }

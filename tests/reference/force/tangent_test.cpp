@@ -15,6 +15,7 @@
 #include "reference/oracle.h"
 #include "tests/reference/poses.h"
 #include "tests/reference/problems.h"
+#include "tests/sunken_blocks.h"
 
 namespace pcm::reference {
 namespace {
@@ -219,6 +220,25 @@ TEST(OracleTangent, OfASquareOnACellOfItsSizeIsAsIfNoEdgesLayOnOneAnother) {
       // 62.5 N at F's own middle, wherever that is; and at E's, which F's marker leaves.
       expect(Oracle(cells_below, square_above, law, mode, Scheme::clipped), 0);
       expect(Oracle(square_below, cells_above, law, mode, Scheme::clipped), -62.5);
+    }
+  }
+}
+
+/// What e sees of a face is cut along the line of one edge, and ends beyond that at another one, deeper or less deep.
+TEST(OracleTangent, WhereTheLineOfAnEdgeGoesOnAlongOtherEdgesIsThatOfDifferences) {
+  const double h = 0x1p-20;
+  ContactLaw law;
+  law.stiffness = 7;
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    const pcm::test::SunkenBlocks bodies(seed);
+    const Oracle oracle(bodies.plate, bodies.blocks, law, Mode::E, Scheme::clipped);
+    const State12 state{bodies.pose, {}};
+    const Tangent tangent = tangent_of(oracle, Problem::rounded, state);
+    for (int i = 0; i < 6; ++i) {
+      const auto load = [&](double by) {
+        return load_of(oracle.answer(Problem::rounded, displaced(state, i, by).pose, {}));
+      };
+      EXPECT_LT((tangent.slope.col(i) - (load(h) - load(-h)) / (2 * h)).norm(), 1e-4) << "seed " << seed;
     }
   }
 }

@@ -16,6 +16,7 @@
 #include "meshes/generate/degenerate/hard_bodies.h"
 #include "meshes/generate/round.h"
 #include "tests/compare/small_pair.h"
+#include "tests/sunken_blocks.h"
 
 namespace pcm::compare {
 namespace {
@@ -246,6 +247,41 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereACutAlongASideTakesACornerAlone
   pair.velocity = {{-0x1.0e6320472a64dp+2, -0x1.6e122ed4f6811p+3, 0x1.4747dd3362c2ep+0},
                    {-0x1.ebf70ce954dd1p+3, 0x1.73fdaf536313ap+2, -0x1.11fdd4ba9a2d6p+0}};
   EXPECT_FALSE(pair.is_flagged());
+}
+
+/// A wall stands upright as the master sees it, and leans over the face beside it by roundings, or not: what that face
+/// is seen of ends at the wall's line in the master's plane, or at their common edge (`pcm verify`, seed 2026,
+/// degenerate pose 12779 of the lattice tetrahedra).
+TEST(ClippedTangentVerdict, PassesTheEnginesWhereAnUprightWallLeansOverItsNeighbourByRoundings) {
+  PosedPair pair;
+  pair.E.vertices = {{1, 0, -1}, {-1, 1, -1}, {2, -1, 2}, {-1, 2, -1}};
+  pair.E.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  pair.F.vertices = {{1, 2, 1}, {2, -1, -1}, {2, -2, -2}, {-2, -1, 2}};
+  pair.F.faces = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  pair.pose.A << -0x1p+0, 0x0p+0, 0x0p+0,                   //
+      0x0p+0, -0x1.89d89d89d89d9p-2, 0x1.d89d89d89d89ep-1,  //
+      0x0p+0, 0x1.d89d89d89d89ep-1, 0x1.89d89d89d89d9p-2;
+  pair.pose.r = {0x1.4p+0, 0x1.313b13b13b13bp-1, -0x1.3d89d89d89d8ap+1};
+  pair.velocity = {};
+  pair.law = {};
+  pair.law.stiffness = 1e4;
+  EXPECT_FALSE(pair.is_flagged());
+}
+
+/// Edges of blocks lie on the lines of others at other depths, beyond their ends. Taken for these they would move
+/// forces and torques by up to 30,000 N/m and N.
+TEST(ClippedTangentVerdict, DoesNotTakeAnEdgeForABorderBeyondItsEnds) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const pcm::test::SunkenBlocks bodies(seed);
+    ContactLaw law;
+    law.stiffness = 7;
+    const HeldPairing held(bodies.plate, bodies.blocks, law, Mode::E, Scheme::clipped);
+    reference::Inquiry inquiry(held.oracle(), bodies.pose, {}, {}, law, Scheme::clipped);
+    const fast::Tangent bounds =
+        tangent_bounds(held.question(bodies.pose, {}), inquiry.answer(reference::Problem::rounded, Mode::E),
+                       inquiry.tangent(reference::Problem::rounded, Mode::E).elements);
+    EXPECT_LT(bounds.leftCols(6).maxCoeff(), 1e-2) << "seed " << seed;
+  }
 }
 
 TEST(ClippedTangentVerdict, MayBeRefusedWhereWhatIsAllowedReachesBeyondAllDoubles) {

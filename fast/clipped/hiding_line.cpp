@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fast/clipped/hiding_line.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "fast/clipped/cut_stretches.h"
+#include "fast/clipped/seen_edge.h"
+
+namespace pcm::fast {
+
+namespace {
+
+/// A linear function of (s, t): its value at a point and its slopes.
+struct Slope {
+  double per_s, per_t;
+
+  explicit Slope(const ProjectedFace& face) {
+    const PrismPoint s = face.corners[1] - face.corners[0], t = face.corners[2] - face.corners[0];
+    const double twice_area = s[kS] * t[kT] - s[kT] * t[kS];
+    per_s = (s[kDepth] * t[kT] - t[kDepth] * s[kT]) / twice_area;
+    per_t = (t[kDepth] * s[kS] - s[kDepth] * t[kS]) / twice_area;
+  }
+  Slope(double by_s, double by_t) : per_s(by_s), per_t(by_t) {}
+
+  double along(const PrismPoint& way) const { return per_s * way[kS] + per_t * way[kT]; }
+  /// To the right of a way.
+  double to_the_right(const PrismPoint& way) const { return per_s * way[kT] - per_t * way[kS]; }
+};
+
+/// A way along f that lies where something begins to hide it.
+class Border {
+ public:
+  Border(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b)
+      : seen_(seen), a_(a), b_(b), way_(b - a), wider_(std::abs(way_[kS]) >= std::abs(way_[kT]) ? kS : kT) {}
+
+  /// f's own, which it lies to the left of.
+  std::optional<PartOnLine> on_edge_of_f() const {
+    const ProjectedFace& f = seen_.f;
+    const Uncertainty uncertainty = seen_.prism.uncertainty(f.corners, seen_.max_coordinate);
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      const PrismPoint &from = f.corners[edge], &to = f.corners[(edge + 1) % 3];
+      if (!lie_on_line(a_, b_, from, to, uncertainty)) continue;
+      if (const auto part = part_on(f, static_cast<int>(edge), {share_of(from), share_of(to)}, uncertainty))
+        return part;
+    }
+    return {};
+  }
+
+  /// First where it passes through f, and where through the master: an edge may lie just there.
+  std::optional<PartOnLine> on_line_of(const ProjectedFace& h) const {
+    const Uncertainty uncertainty = seen_.prism.uncertainty(h.corners, seen_.max_coordinate);
+    const double area = 0.5 * cross_st(h.corners[0], h.corners[1], h.corners[2]);
+    if (!certain(area, h.high_s - h.low_s, h.high_t - h.low_t, uncertainty)) return {};  // seen edgewise, or nearly
+    const Slope depth(h), f(seen_.f);
+    const double depth_at_a = h.corners[0][kDepth] + depth.along(a_ - h.corners[0]);
+    // Before f it lies where this is positive.
+    const Slope lead(f.per_s - depth.per_s, f.per_t - depth.per_t);
+    if (const auto part = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead, uncertainty)) return part;
+    if (const auto part = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty)) return part;
+    for (std::size_t edge = 0; edge < 3; ++edge)
+      if (const auto part = on_edge(h, edge, uncertainty)) return part;
+    return {};
+  }
+
+ private:
+  PrismPoint at(double share) const { return a_ + share * way_; }
+  double share_of(const PrismPoint& x) const { return (x[wider_] - a_[wider_]) / way_[wider_]; }
+
+  std::optional<PartOnLine> part_on(const ProjectedFace& h, int kind, const Places& shares,
+                                    const Uncertainty& uncertainty) const {
+    const double from = std::max(shares.first, 0.0), to = std::min(shares.last, 1.0);
+    if (!(from < to) || !are_apart(at(from), at(to), uncertainty)) return {};
+    return PartOnLine{line_of_face(h.number, kind), from, to};
+  }
+
+  /// What it hides lies on the left of its edge, so that this runs against the way.
+  std::optional<PartOnLine> on_edge(const ProjectedFace& h, std::size_t edge, const Uncertainty& uncertainty) const {
+    const PrismPoint &from = h.corners[edge], &to = h.corners[(edge + 1) % 3];
+    if (!((to[kS] - from[kS]) * way_[kS] + (to[kT] - from[kT]) * way_[kT] < 0)) return {};
+    if (!lie_on_line(a_, b_, from, to, uncertainty)) return {};
+    const Places places = SeenEdge(h, edge).before(a_, b_);
+    const auto share = [&](double place) { return share_of(from + place * (to - from)); };
+    return part_on(h, static_cast<int>(edge), {share(places.last), share(places.first)}, uncertainty);
+  }
+
+  /// Where a linear function is 0 that is positive where h hides f, `at_a` its value there.
+  std::optional<PartOnLine> on_level(const ProjectedFace& h, int kind, double at_a, const Slope& slope,
+                                     const Uncertainty& uncertainty) const {
+    const double error = std::abs(slope.per_s) * uncertainty.s + std::abs(slope.per_t) * uncertainty.t;
+    if (!(slope.to_the_right(way_) > 0) || !(std::abs(at_a) <= error) || !(std::abs(at_a + slope.along(way_)) <= error))
+      return {};
+    Places shares{0, 1};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PrismPoint &from = h.corners[k], &to = h.corners[(k + 1) % 3];
+      const double beside =
+          2 * (std::abs(to[kT] - from[kT]) * uncertainty.s + std::abs(to[kS] - from[kS]) * uncertainty.t);
+      shares = shares.where_not_negative(cross_st(from, to, a_) + beside, cross_st(from, to, b_) + beside);
+    }
+    return part_on(h, kind, shares, uncertainty);
+  }
+
+  const SeenFaces& seen_;
+  const PrismPoint &a_, &b_;
+  PrismPoint way_;
+  int wider_;
+};
+
+}  // namespace
+
+std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b) {
+  const Border border(seen, a, b);
+  if (const auto part = border.on_edge_of_f()) return part;
+  for (const ProjectedFace& h : seen.faces) {
+    if (h.number == seen.f.number) continue;
+    if (const auto part = border.on_line_of(h)) return part;
+  }
+  return {};
+}
+
+}  // namespace pcm::fast

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/clipped/hiding_line.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace pcm::fast {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A master of legs 1 m in the plane z = 0, seen from above, over f 1/2 m below it.
+class HidingLine : public testing::Test {
+ protected:
+  MasterPrism prism{FaceGeometry({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)})};
+  std::vector<ProjectedFace> faces;
+
+  void SetUp() override { add({Vector3d(-9, -9, -0.5), Vector3d(9, -9, -0.5), Vector3d(0, 9, -0.5)}); }
+
+  void add(const std::array<Vector3d, 3>& points, bool of_master = false) {
+    WorkCounters work;
+    const auto first = static_cast<Index>(3 * faces.size());
+    ProjectedFace face;
+    ASSERT_TRUE(project_face({first, first + 1, first + 2},
+                             {prism.see(points[0], work), prism.see(points[1], work), prism.see(points[2], work)},
+                             face));
+    face.number = static_cast<std::int32_t>(faces.size());
+    face.face = face.number;
+    face.of_master = of_master;
+    faces.push_back(face);
+  }
+  /// On f, with what is seen to the left: below t = 1/4 from greater s to less.
+  std::optional<PartOnLine> find(double from, double to, double t = 0.25) const {
+    const auto at = [t](double s) { return PrismPoint(1 - s - t, s, t, 0.5); };
+    return find_hiding_line({prism, faces, faces[0], 9}, at(from), at(to));
+  }
+  static int kind(const PartOnLine& part) { return (part.line - 1) % kLinesOfAFace; }
+  static int number(const PartOnLine& part) { return (part.line - 1) / kLinesOfAFace; }
+};
+
+TEST_F(HidingLine, IsTheEdgeOfAFaceBeforeFAsFarAsThatReaches) {
+  add({Vector3d(0.25, 0.25, -0.25), Vector3d(0.5, 0.25, -0.25), Vector3d(0.5, 0.5, -0.25)});
+  const auto found = find(0.75, 0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(number(*found), 1);
+  EXPECT_LT(kind(*found), 3);
+  EXPECT_NEAR(found->from, 1.0 / 3, 1e-15);
+  EXPECT_NEAR(found->to, 2.0 / 3, 1e-15);
+}
+
+TEST_F(HidingLine, IsNoneOfFacesOnTheOtherSideNorBeyondFNorAboveTheMaster) {
+  add({Vector3d(0.25, 0.25, -0.25), Vector3d(0.5, 0.125, -0.25), Vector3d(0.5, 0.25, -0.25)});
+  add({Vector3d(0.25, 0.25, -0.75), Vector3d(0.5, 0.25, -0.75), Vector3d(0.5, 0.5, -0.75)});
+  EXPECT_FALSE(find(0.75, 0));
+  EXPECT_FALSE(find(0.75, 0, 0.2500000001));
+}
+
+TEST_F(HidingLine, IsWhereAFacePassesThroughF) {
+  // Of the master's own, 1/2 deep at y = 1/4 and less deep beyond; its sides count as far as they may be off.
+  add({Vector3d(0.125, 0, -0.75), Vector3d(0.875, 0, -0.75), Vector3d(0.5, 0.5, -0.25)}, true);
+  const auto found = find(0.75, 0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(number(*found), 1);
+  EXPECT_EQ(kind(*found), kCrossing);
+  EXPECT_NEAR(found->from, (0.75 - 0.6875) / 0.75, 1e-12);
+  EXPECT_NEAR(found->to, (0.75 - 0.3125) / 0.75, 1e-12);
+  EXPECT_FALSE(find(0, 0.75));  // what is seen on the other side is deeper than that
+}
+
+TEST_F(HidingLine, IsWhereAFacePassesThroughTheMaster) {
+  add({Vector3d(0.125, 0, 0.25), Vector3d(0.875, 0, 0.25), Vector3d(0.5, 0.5, -0.25)});
+  const auto found = find(0.75, 0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(kind(*found), kAtDepth0);
+}
+
+TEST_F(HidingLine, IsTheEdgeOfFItself) {
+  faces.clear();
+  add({Vector3d(-9, -9, -0.5), Vector3d(9, 0.25, -0.5), Vector3d(-9, 0.25, -0.5)});
+  const auto found = find(0.75, 0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(number(*found), 0);
+  EXPECT_NEAR(found->from, 0, 1e-15);
+  EXPECT_NEAR(found->to, 1, 1e-15);
+}
+
+TEST_F(HidingLine, IsNoneOfAFaceSeenEdgewise) {
+  add({Vector3d(0.125, 0.25, 0.25), Vector3d(0.5, 0.25 + 0x1p-52, -0.25), Vector3d(0.875, 0.25, 0.25)});
+  EXPECT_FALSE(find(0.75, 0));
+}
+
+}  // namespace
+}  // namespace pcm::fast
