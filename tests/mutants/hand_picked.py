@@ -402,6 +402,18 @@ PICKED = [
         "where the master's own faces come through the slave's nothing moves",
     ),
     (
+        "fast/clipped/part_motion.cpp",
+        "    if (from > 0) add_cut({line, a, at_from}, place_a, from_place);",
+        "    if (from > 0) add_border(line, a, at_from);",
+        "a cut along an edge's line is a border, too",
+    ),
+    (
+        "fast/clipped/hiding_line.cpp",
+        "  if (const auto part = border.on_edge_of_f()) return part;",
+        "",
+        "a part never ends at the edge of its own face beyond a cut",
+    ),
+    (
         "fast/clipped/visible_parts.cpp",
         "        relabelling.apply(outside);",
         "",
