@@ -404,8 +404,14 @@ PICKED = [
     (
         "fast/clipped/part_motion.cpp",
         "    if (from > 0) add_cut({line, a, at_from}, place_a, from_place);",
-        "    if (from > 0) add_border(line, a, at_from);",
+        "    if (from > 0 && from_place < 1e300) add_border(line, a, at_from);",
         "a cut along an edge's line is a border, too",
+    ),
+    (
+        "fast/clipped/part_motion.cpp",
+        "    if (standing == SeenEdge::Standing::level) {",
+        "    if (false) {",
+        "an edge that lies in what it hides is the border",
     ),
     (
         "fast/clipped/hiding_line.cpp",
