@@ -16,6 +16,18 @@
 
 namespace pcm::test {
 
+/// With one end at this height, the other one, at `far`, wider by a factor, and along y by less: no edge that leans
+/// runs along a floor's diagonal.
+inline TriangleMesh block(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double height, double far,
+                          double factor) {
+  TriangleMesh mesh =
+      generate::box({low.x(), low.y(), std::min(height, far)}, {high.x(), high.y(), std::max(height, far)});
+  const Eigen::Vector2d middle = 0.5 * (low + high);
+  for (Eigen::Vector3d& x : mesh.vertices)
+    if (x.z() == far) x.head<2>() = middle + Eigen::Vector2d(factor, 0.9 * factor).cwiseProduct(x.head<2>() - middle);
+  return mesh;
+}
+
 /// A block 1 m deep in a plate, and smaller ones in it, of the slave's and the plate's own, with floors at other
 /// depths. All edges lie on the lines of a grid, so that the line of one goes on along others at other depths. No wall
 /// is upright, and no two blocks touch.
@@ -53,18 +65,20 @@ struct SunkenBlocks {
     pose.r = pose.A * pose.r;
     for (Eigen::Vector3d& x : plate.vertices) x = pose.A * x;
   }
+};
 
- private:
-  /// With one end at this height, the other one, at `far`, wider by a factor, and along y by less: no edge that leans
-  /// runs along a floor's diagonal.
-  static TriangleMesh block(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double height, double far,
-                            double factor) {
-    TriangleMesh mesh =
-        generate::box({low.x(), low.y(), std::min(height, far)}, {high.x(), high.y(), std::max(height, far)});
-    const Eigen::Vector2d middle = 0.5 * (low + high);
-    for (Eigen::Vector3d& x : mesh.vertices)
-      if (x.z() == far) x.head<2>() = middle + Eigen::Vector2d(factor, 0.9 * factor).cwiseProduct(x.head<2>() - middle);
-    return mesh;
+/// The block alone with one of the plate's own, whose sloping top comes out of the block's floor along its diagonal,
+/// higher to the one side of it or to the other.
+struct BlockAndSlopingTop {
+  TriangleMesh plate, floor = block({-6, -6}, {6, 6}, -1, 4, 1.25);
+  Pose pose;
+
+  explicit BlockAndSlopingTop(double slope) {
+    TriangleMesh own = block({-4, -4}, {-3, -3}, -1, -8, 0.8);
+    for (Eigen::Vector3d& x : own.vertices)
+      if (x.z() == -1) x.z() += slope * (x.y() - x.x());
+    plate = degenerate::joined(generate::box({-16, -17, -5}, {16, 16, 0}), own);
+    pose.r = {0.125, 0.25, 0};
   }
 };
 

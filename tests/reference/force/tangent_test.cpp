@@ -224,22 +224,46 @@ TEST(OracleTangent, OfASquareOnACellOfItsSizeIsAsIfNoEdgesLayOnOneAnother) {
   }
 }
 
-/// What e sees of a face is cut along the line of one edge, and ends beyond that at another one, deeper or less deep.
-TEST(OracleTangent, WhereTheLineOfAnEdgeGoesOnAlongOtherEdgesIsThatOfDifferences) {
+/// By the six coordinates of the pose, of a plate E and blocks F.
+void expect_differences(const TriangleMesh& plate, const TriangleMesh& blocks, const Pose& pose) {
   const double h = 0x1p-20;
   ContactLaw law;
   law.stiffness = 7;
+  const Oracle oracle(plate, blocks, law, Mode::E, Scheme::clipped);
+  const State12 state{pose, {}};
+  const Tangent tangent = tangent_of(oracle, Problem::rounded, state);
+  for (int i = 0; i < 6; ++i) {
+    const auto load = [&](double by) {
+      return load_of(oracle.answer(Problem::rounded, displaced(state, i, by).pose, {}));
+    };
+    const Load quotient = (load(h) - load(-h)) / (2 * h);
+    EXPECT_LT((tangent.slope.col(i) - quotient).norm(), 1e-3 + 1e-6 * quotient.norm()) << i;
+  }
+}
+
+/// What e sees of a face is cut along the line of one edge, and ends beyond that at another one, deeper or less deep.
+TEST(OracleTangent, WhereTheLineOfAnEdgeGoesOnAlongOtherEdgesIsThatOfDifferences) {
   for (unsigned seed = 0; seed < 24; ++seed) {
     const pcm::test::SunkenBlocks bodies(seed);
-    const Oracle oracle(bodies.plate, bodies.blocks, law, Mode::E, Scheme::clipped);
-    const State12 state{bodies.pose, {}};
-    const Tangent tangent = tangent_of(oracle, Problem::rounded, state);
-    for (int i = 0; i < 6; ++i) {
-      const auto load = [&](double by) {
-        return load_of(oracle.answer(Problem::rounded, displaced(state, i, by).pose, {}));
-      };
-      EXPECT_LT((tangent.slope.col(i) - (load(h) - load(-h)) / (2 * h)).norm(), 1e-4) << "seed " << seed;
-    }
+    SCOPED_TRACE(seed);
+    expect_differences(bodies.plate, bodies.blocks, bodies.pose);
+  }
+}
+
+/// The walls of the second block end in the floor of the first.
+TEST(OracleTangent, WhereTheLineOfAnEdgeGoesOnAlongWallsThatEndInTheFloorIsThatOfDifferences) {
+  using pcm::test::block;
+  const TriangleMesh blocks = degenerate::joined(
+      degenerate::joined(block({-6, -6}, {6, 6}, -1, 4, 1.25), block({-5, 3}, {-4, 4}, -0.5, 6, 0.5)),
+      block({-1, 1}, {1, 3}, -1, 6, 0.5));
+  expect_differences(generate::box({-16, -17, -5}, {16, 16, 0}), blocks, shifted(0.125, 0.25, 0));
+}
+
+TEST(OracleTangent, WhereAnEdgeOfTheMastersOwnLiesInTheSlavesFloorIsThatOfDifferences) {
+  for (const double slope : {-0.125, 0.125}) {
+    SCOPED_TRACE(slope);
+    const auto [plate, floor, pose] = pcm::test::BlockAndSlopingTop(slope);
+    expect_differences(plate, floor, pose);
   }
 }
 
