@@ -12,23 +12,33 @@ namespace pcm::fast {
 
 namespace {
 
-/// As shares of the first stretch, what it has in common with one that runs against it on its line.
-Places common(const CutStretch& x, const CutStretch& y, const Uncertainty& uncertainty) {
-  const PrismPoint way = x.b - x.a;
-  const int wider = std::abs(way[kS]) >= std::abs(way[kT]) ? kS : kT;
-  const auto share = [&](const PrismPoint& at) { return (at[wider] - x.a[wider]) / way[wider]; };
-  const Places both{std::max(share(y.b), 0.0), std::min(share(y.a), 1.0)};
-  const bool is_one = both.first < both.last && lie_on_line(y.a, y.b, x.a, x.b, uncertainty) &&
-                      are_apart(x.a + both.first * way, x.a + both.last * way, uncertainty);
-  return is_one ? both : Places{0, 0};
-}
+/// A stretch that another one on its line, to within roundings, runs against: shares of the first.
+struct Meeting {
+  double begin, end;  ///< of the other one, which may begin or end beyond
+  Places common;
 
-/// Takes out of both what they have in common.
-void part_with(const Places& shares, CutStretch& x, CutStretch& y, std::vector<CutStretch>& rest) {
-  const PrismPoint way = x.b - x.a, first = x.a + shares.first * way, last = x.a + shares.last * way;
-  if (shares.last < 1) rest.push_back({x.line, last, x.b});
-  rest.push_back({y.line, y.a, last});
-  x.b = y.a = first;
+  Meeting(const CutStretch& x, const CutStretch& y) {
+    const PrismPoint way = x.b - x.a;
+    const int wider = std::abs(way[kS]) >= std::abs(way[kT]) ? kS : kT;
+    begin = (y.a[wider] - x.a[wider]) / way[wider];
+    end = (y.b[wider] - x.a[wider]) / way[wider];
+    common = {std::max(end, 0.0), std::min(begin, 1.0)};
+  }
+  bool is_one(const CutStretch& x, const CutStretch& y, const Uncertainty& uncertainty) const {
+    const PrismPoint way = x.b - x.a;
+    return common.first < common.last && lie_on_line(y.a, y.b, x.a, x.b, uncertainty) &&
+           are_apart(x.a + common.first * way, x.a + common.last * way, uncertainty);
+  }
+};
+
+/// Takes out of both what they have in common: what is left of the other one lies beyond the first one's ends.
+void part_with(const Meeting& meeting, CutStretch& x, CutStretch& y, std::vector<CutStretch>& rest) {
+  const CutStretch one = x, other = y;
+  const PrismPoint way = one.b - one.a;
+  x.b = one.a + meeting.common.first * way;
+  if (meeting.common.last < 1) rest.push_back({one.line, one.a + meeting.common.last * way, one.b});
+  y.b = meeting.begin > 1 ? one.b : other.a;
+  if (meeting.end < 0) rest.push_back({other.line, one.a, other.b});
 }
 
 }  // namespace
@@ -45,16 +55,18 @@ void CutStretches::find_with_one_piece(const Uncertainty& uncertainty, std::vect
     if (balance > 0) found.push_back({here.line, here.point, next.point});
     if (balance < 0) found.push_back({here.line, next.point, here.point});
   }
+  // No more than that can part one line, whatever roundings make of their ends.
+  std::size_t partings = found.size() * found.size();
   for (std::size_t i = 0; i < found.size(); ++i)
-    for (std::size_t j = i + 1; j < found.size(); ++j) {
+    for (std::size_t j = i + 1; j < found.size() && partings > 0; ++j) {
       if (!are_apart(found[i].a, found[i].b, uncertainty)) break;
-      const Places shares = common(found[i], found[j], uncertainty);
-      if (!(shares.first < shares.last)) continue;
+      const Meeting meeting(found[i], found[j]);
+      if (!meeting.is_one(found[i], found[j], uncertainty)) continue;
       CutStretch x = found[i], y = found[j];
-      part_with(shares, x, y, found);
+      part_with(meeting, x, y, found);
       found[i] = x;
       found[j] = y;
-      j = i;
+      --partings;
     }
 }
 

@@ -219,6 +219,8 @@ class PartSlopes {
     const SeenFaces seen{part_.prism, part_.faces, part_.f, posed_.placement.max_coordinate};
     std::vector<CutStretch>& open = scratch_.open;
     scratch_.cuts.find_with_one_piece(uncertainty, open);
+    // Each line of each face takes its part of a stretch once; no more is asked, whatever roundings leave.
+    std::size_t questions = open.size() * (1 + kLinesOfAFace * part_.faces.size());
     while (!open.empty()) {
       const auto [cut, a, b] = open.back();
       open.pop_back();
@@ -226,11 +228,13 @@ class PartSlopes {
         add_own_side(a, b);
         continue;
       }
-      const auto found = are_apart(a, b, uncertainty) ? find_hiding_line(seen, a, b) : std::nullopt;
+      const bool ask = questions > 0 && are_apart(a, b, uncertainty);
+      const auto found = ask ? find_hiding_line(seen, a, b) : std::nullopt;
       if (!found) {
         add_border(cut, a, b);
         continue;
       }
+      --questions;
       const PrismPoint way = b - a, first = a + found->from * way, last = a + found->to * way;
       add_border(found->line, first, last);
       if (found->from > 0) open.push_back({cut, a, first});

@@ -22,8 +22,9 @@ namespace pcm::fast {
 /// Error, with u = 2^-53, M the greatest |coordinate| in Me, |a| and |b| the 1-norms of both edges, W the greatest
 /// |coordinate| of x - C, at most 2 M: C is off by 8 u M, x - C by 10 u M, X by 10 u M |a| and five roundings of at
 /// most 2 M |a|: 20 u M |a|. Likewise Y. Of D's two products each is at most |a| |b| W^2 and off by 40 u M |a| |b| W
-/// and two roundings: 88 u M |a| |b| W for both. 128 pays for rounding the bound itself. Underflow costs nothing beside
-/// that where M |a| and M |b| exceed 2^-500 and the bound 2^-900. Products of D are at most 2^47 times the bound, so
+/// and two roundings: 88 u M |a| |b| W for both. 128 pays for rounding the bound itself, whose first factors exceed
+/// 2^-1000 together, so that none of it is lost. Other underflow costs nothing beside that where M |a| and M |b| exceed
+/// 2^-500 and the bound 2^-900. Products of D are at most 2^47 times the bound, so
 /// that none overflows where it is below 2^970; else it is infinite.
 class LineCoordinates {
  public:
@@ -36,7 +37,8 @@ class LineCoordinates {
                   double max_coordinate)
       : C_(barycentre), a_(p[1] - p[0]), b_(p[2] - p[0]) {
     error_per_width_ = kSideError * max_coordinate * a * b;
-    usable_ = max_coordinate * a > kLeastSideProduct && max_coordinate * b > kLeastSideProduct;
+    usable_ = max_coordinate * a > kLeastSideProduct && max_coordinate * b > kLeastSideProduct &&
+              error_per_width_ > kLeastErrorPerWidth;
   }
 
   /// Whether numbers are neither so large nor so small that the bound fails.
@@ -54,6 +56,8 @@ class LineCoordinates {
   }
 
  private:
+  static constexpr double kLeastErrorPerWidth = 0x1p-1000;
+
   Eigen::Vector3d C_, a_, b_;
   double error_per_width_;
   bool usable_;

@@ -118,6 +118,19 @@ TEST(ClippedTangent, OfASideThatAnEdgeLiesOnIsNotTheEdgesBeyondItsEnds) {
     }
 }
 
+/// A needle along a cube's edge: what is left of stretches that are one to within roundings may be
+/// farther apart than these, and was parted without end (`pcm verify`, seed 2026, adversarial pose 3170 of this pair).
+TEST(ClippedTangent, OfANeedleWhoseLinesAreAllOneToWithinRoundingsEnds) {
+  Pose pose;
+  pose.A << 0x1.1702e17ac7a21p-1, 0x1.a20bd700e1b33p-2, -0x1.76f9886b0138fp-1,  //
+      -0x1.2061214d8c5bbp-3, -0x1.a20bd700b680dp-1, -0x1.1ead4ba7355c3p-1,      //
+      -0x1.a73372218be4p-1, 0x1.a20bd700d4e15p-2, -0x1.8cc21dc668ac5p-2;
+  pose.r = {-0x1.fffb34444f8ap-2, 0x1.ffff26f859799p-2, -0x1.fffcb1991bbcfp-2};
+  const TriangleMesh cube = generate::box({1, 1, 1}), needle = degenerate::needle(0x1p-16);
+  for (const Mode mode : {Mode::E, Mode::F})
+    EXPECT_TRUE(clipped(cube, needle, pose, stiffness(kStiffness), mode).tangent->allFinite());
+}
+
 /// The cube's faces beside the one that is seen stand upright, so that edges of theirs look shorter than roundings and
 /// run anywhere, here along the side of that face (`pcm verify`, seed 19, near-degenerate pose 3020 of this pair).
 TEST(ClippedTangent, OfASideThatSeveralCutsDidNotQuiteReachIsThatOfTheFaceItself) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcm::fast {
+namespace pcm::fast::cut_stretches_test {
 namespace {
 
 constexpr Uncertainty kUncertainty{0x1p-48, 0x1p-48};
@@ -79,4 +79,4 @@ TEST(CutStretches, OfDifferentEdgesAreKeptApart) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::cut_stretches_test

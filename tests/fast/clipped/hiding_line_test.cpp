@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcm::fast {
+namespace pcm::fast::hiding_line_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -94,4 +94,4 @@ TEST_F(HidingLine, IsNoneOfAFaceSeenEdgewise) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::hiding_line_test

@@ -6,7 +6,7 @@
 
 #include <initializer_list>
 
-namespace pcm::fast {
+namespace pcm::fast::line_beside_cut_test {
 namespace {
 
 constexpr SideLine kCut = 7;
@@ -78,4 +78,4 @@ TEST(LineBesideCut, IsTheCutsOwnWhereNothingHasALength) {
 }
 
 }  // namespace
-}  // namespace pcm::fast
+}  // namespace pcm::fast::line_beside_cut_test
