@@ -30,8 +30,8 @@ class RandomNumbers {
   std::uniform_real_distribution<double> uniform_{-1, 1};
 };
 
-/// How many of 4000 passages are said to be sure; none of them is wrong. Faces of the size `M`, of which an edge passes
-/// the line within roundings; the sides of the master's face are of the sizes `a` and `b`.
+/// How many of 4000 passages are said to be sure; none of them is wrong. Faces of the size `M`, of most of which an
+/// edge passes the line within roundings; the sides of the master's face are of the sizes `a` and `b`.
 int sure_passages(double M, double a, double b) {
   RandomNumbers random(1);
   int sure = 0;
@@ -40,8 +40,8 @@ int sure_passages(double M, double a, double b) {
     const std::array<Vector3d, 3> p{Vector3d::Zero(), a * side_a, b * side_b};
     const Vector3d barycentre = (p[0] + p[1] + p[2]) / 3;
     const Vector3d on_line = barycentre + 0.2 * M * random.number() * side_a.cross(side_b).normalized();
-    std::array<Vector3d, 3> f{0.4 * M * random.vector(), Vector3d::Zero(), 0.4 * M * random.vector()};
-    f[1] = on_line - (0.1 + 0.5 * std::abs(random.number())) * (f[0] - on_line);
+    std::array<Vector3d, 3> f{0.4 * M * random.vector(), 0.4 * M * random.vector(), 0.4 * M * random.vector()};
+    if (i % 4 != 0) f[1] = on_line - (0.1 + 0.5 * std::abs(random.number())) * (f[0] - on_line);
     double max_coordinate = 0;
     for (const std::array<Vector3d, 3>& face : {p, f})
       for (const Vector3d& x : face) max_coordinate = std::max(max_coordinate, x.lpNorm<Eigen::Infinity>());
