@@ -20,7 +20,7 @@ bool cross_alike(const PairSigns& a, const PairSigns& b) {
   return a.passing == 0 || pair_crossing(a) == pair_crossing(b);
 }
 
-/// Of coordinates: no volume of greater ones is within reach of lanes.
+/// Of coordinates: of lesser ones nothing in the lanes overflows.
 constexpr double kGreatestInLanes = 0x1p80;
 
 /// Signs of a pair and how far points of F may travel until they may be others, m.

@@ -18,7 +18,7 @@ namespace pcm::fast {
 /// where poses are a hair apart.
 ///
 /// All is so at the pose asked for, in the rounded problem: what is not found again there can't be otherwise (WidePose,
-/// pair_margin), ties least of all, which have no margin.
+/// pair_margin and fast/simd/pairs.h), ties least of all, which have no margin.
 class TrackedPairs {
  public:
   /// What `update` can tell of what crosses, compared with the pose before.

@@ -14,8 +14,8 @@ namespace {
 /// How long steps may be, relative to an edge: of those that are longer so many pairs would have to be looked at again
 /// that to find all anew costs less.
 constexpr double kLongestStep = 0x1p-5;
-/// Of steps that are longer than this four have to come in a row before pairs are listed: they often are but a few, and
-/// lists for them cost more than they save.
+/// Before a step that is longer than this three short ones have to come in a row for pairs to be listed: long ones
+/// often are but a few, and lists for them cost more than they save.
 constexpr double kLongestAtOnce = 0x1p-7;
 /// How far a list of pairs is made for, or a line's faces are. Longer lists cost more at each step.
 struct Ahead {

@@ -33,10 +33,11 @@ struct PairsLookedAt {
 ///
 /// Error, u = 2^-53, all in 1-norms: with beta the sum of e's sides from e_0, zeta that of f's, and gamma no less than
 /// any f_k - e_i, a height over f is off by 8 u zeta^2 gamma, over e by 8 u beta^2 gamma, s_ij by 8 u beta zeta gamma:
-/// three differences, three roundings more of the normal, three of the sum. The other volumes are sums of up to two of
-/// each kind, and four roundings of what is no more than these; so 32 u of each that takes part covers all. Normals and
-/// their differences are off by less than 32 u of the product of the sides that they are made of. Lengths that are out
-/// of reach of products of six make no lane sure; none may be as great as 2^80 m, which the caller sees to.
+/// three differences, two roundings of the normal, three of the sum. The other volumes are sums of up to two of each
+/// kind, and four roundings of what is no more than these; so 32 u of each that takes part covers all. Normals, and
+/// differences of two b_i x c_j, are off by less than 32 u zeta^2, 32 u beta^2 or 32 u beta zeta. No lane is sure whose
+/// volumes or margins are so small that products of them underflow. No coordinate may be as great as 2^80 m, which the
+/// caller sees to: products of ten lengths then are less than 2^840.
 using LookAtPairs = PairsLookedAt (*)(const PairLanes& lanes);
 
 }  // namespace pcm::fast
