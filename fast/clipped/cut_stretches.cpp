@@ -14,7 +14,7 @@ namespace {
 
 /// A stretch that another one on its line, to within roundings, runs against: shares of the first.
 struct Meeting {
-  double begin, end;  ///< of the other one, which may begin or end beyond
+  double begin, end;  ///< of the other one, which may begin or end beyond: begin > end, for it runs back
   Places common;
 
   Meeting(const CutStretch& x, const CutStretch& y) {
@@ -55,7 +55,7 @@ void CutStretches::find_with_one_piece(const Uncertainty& uncertainty, std::vect
     if (balance > 0) found.push_back({here.line, here.point, next.point});
     if (balance < 0) found.push_back({here.line, next.point, here.point});
   }
-  // No more than that can part one line, whatever roundings make of their ends.
+  // A limit, whatever roundings make of their ends: what is left then moves as its cut.
   std::size_t partings = found.size() * found.size();
   for (std::size_t i = 0; i < found.size(); ++i)
     for (std::size_t j = i + 1; j < found.size() && partings > 0; ++j) {

@@ -53,8 +53,7 @@ class Border {
   /// First where it passes through f, and where through the master: an edge may lie just there.
   std::optional<PartOnLine> on_line_of(const ProjectedFace& h) const {
     const Uncertainty uncertainty = seen_.prism.uncertainty(h.corners, seen_.max_coordinate);
-    const double area = 0.5 * cross_st(h.corners[0], h.corners[1], h.corners[2]);
-    if (!certain(area, h.high_s - h.low_s, h.high_t - h.low_t, uncertainty)) return {};  // seen edgewise, or nearly
+    if (is_seen_edgewise(h, uncertainty)) return {};
     const Slope depth(h), f(seen_.f);
     const double depth_at_a = h.corners[0][kDepth] + depth.along(a_ - h.corners[0]);
     // Before f it lies where this is positive.
@@ -67,6 +66,25 @@ class Border {
   }
 
  private:
+  /// All of it, though it may reach beyond the master: to within roundings it has no area.
+  static bool is_seen_edgewise(const ProjectedFace& h, const Uncertainty& uncertainty) {
+    const auto& [a, b, c] = h.corners;
+    const auto width = [&](int weight) {
+      return std::max({a[weight], b[weight], c[weight]}) - std::min({a[weight], b[weight], c[weight]});
+    };
+    return !certain(0.5 * cross_st(a, b, c), width(kS), width(kT), uncertainty);
+  }
+  /// Whether a linear function that is 0 on the way rises over h by more than roundings of depths.
+  bool rises_over(const ProjectedFace& h, const Slope& slope) const {
+    constexpr double kLevel = 0x1p-30;  // of a depth; its roundings are kHeightError of it
+    double low = 0, high = 0, depth = std::max(std::abs(a_[kDepth]), std::abs(b_[kDepth]));
+    for (const PrismPoint& corner : h.corners) {
+      low = std::min(low, slope.along(corner - a_));
+      high = std::max(high, slope.along(corner - a_));
+      depth = std::max(depth, std::abs(corner[kDepth]));
+    }
+    return high - low > kLevel * depth;
+  }
   PrismPoint at(double share) const { return a_ + share * way_; }
   double share_of(const PrismPoint& x) const { return (x[wider_] - a_[wider_]) / way_[wider_]; }
 
@@ -93,6 +111,7 @@ class Border {
     const double error = std::abs(slope.per_s) * uncertainty.s + std::abs(slope.per_t) * uncertainty.t;
     if (!(slope.to_the_right(way_) > 0) || !(std::abs(at_a) <= error) || !(std::abs(at_a + slope.along(way_)) <= error))
       return {};
+    if (!rises_over(h, slope)) return {};
     Places shares{0, 1};
     for (std::size_t k = 0; k < 3; ++k) {
       const PrismPoint &from = h.corners[k], &to = h.corners[(k + 1) % 3];

@@ -179,7 +179,9 @@ class PartSlopes {
     const SeenEdge edge(h, static_cast<std::size_t>(kind));
     const double place_a = edge.place(a), place_b = edge.place(b);
     const SeenEdge::Standing standing = edge.standing(a, place_a, b, place_b);
-    if (standing == SeenEdge::Standing::before) {
+    const double per_share = place_b - place_a;
+    const bool is_placed = std::isfinite(per_share) && per_share != 0;
+    if (standing == SeenEdge::Standing::before || !is_placed) {
       add_border(line, a, b);
       return;
     }
@@ -194,7 +196,6 @@ class PartSlopes {
     const double from = std::clamp(std::min(at_first, at_last), 0.0, 1.0);
     const double to = hides.first < hides.last ? std::clamp(std::max(at_first, at_last), 0.0, 1.0) : from;
     const PrismPoint way = b - a, at_from = a + from * way, at_to = a + to * way;
-    const double per_share = place_b - place_a;
     const double from_place = place_a + from * per_share, to_place = place_a + to * per_share;
     if (from > 0) add_cut({line, a, at_from}, place_a, from_place);
     if (from < to) add_border(line, at_from, at_to);

@@ -149,7 +149,7 @@ class ErrorSum {
     moment_ += sight_.width * depth * moved;
   }
 
-  /// Where a line is no farther than that from another one, and either may be a border.
+  /// Where a line is no farther than that from another one, and both may be a border.
   static std::optional<Stretch> stretch_near(const MovingLine& on, const MovingLine& other, double near) {
     const Eigen::Vector2d normal(-other.along.y(), other.along.x());
     const double height = normal.dot(on.from - other.from), rise = normal.dot(on.along);

@@ -118,6 +118,29 @@ TEST(ClippedTangent, OfASideThatAnEdgeLiesOnIsNotTheEdgesBeyondItsEnds) {
     }
 }
 
+/// A plate's own block and the slave's floor lie in one plane, and pass for no faces that cross: their slopes are
+/// roundings.
+TEST(ClippedTangent, OfFloorsInOnePlaneIsOfTheSizeOfTheBodies) {
+  TriangleMesh block = generate::box({-2, -2, 1}, {0, 0, 2.25});
+  for (Vector3d& x : block.vertices) {
+    if (x.z() == 1) {
+      x.x() = -1 + 0.75 * (x.x() + 1);
+      x.y() = -1 + 0.675 * (x.y() + 1);
+    } else if (x.x() == 0) {
+      x.z() = 2.5;
+    }
+  }
+  TriangleMesh plate = joined(generate::box({-2, -2, -2}, {2, 2, -1}), block);
+  TriangleMesh floor = generate::box({-2, -2, -1}, {0, 1, 1});
+  for (int i = 0; i < 6; ++i) {
+    for (Triangle& face : plate.faces) face = {face[1], face[2], face[0]};
+    if (i % 3 == 0)
+      for (Triangle& face : floor.faces) face = {face[1], face[2], face[0]};
+    const Contact contact = clipped(plate, floor, shifted(0.5, -0.75, 2), stiffness(kStiffness), Mode::E);
+    EXPECT_NEAR(contact.tangent->lpNorm<Eigen::Infinity>(), 34.1352, 1e-4) << i;
+  }
+}
+
 /// A needle along a cube's edge: what is left of stretches that are one to within roundings may be
 /// farther apart than these, and was parted without end (`pcm verify`, seed 2026, adversarial pose 3170 of this pair).
 TEST(ClippedTangent, OfANeedleWhoseLinesAreAllOneToWithinRoundingsEnds) {

@@ -88,7 +88,15 @@ TEST_F(HidingLine, IsTheEdgeOfFItself) {
   EXPECT_NEAR(found->to, 1, 1e-15);
 }
 
+TEST_F(HidingLine, IsNoneOfAFaceInThePlaneOfF) {
+  add({Vector3d(0.125, 0.25, -0.5), Vector3d(0.875, 0.25, -0.5 - 0x1p-53), Vector3d(0.5, 0.75, -0.5 + 0x1p-53)});
+  const auto found = find(0.75, 0);
+  EXPECT_TRUE(!found || kind(*found) < 3);
+}
+
 TEST_F(HidingLine, IsNoneOfAFaceSeenEdgewise) {
+  // Also where no more than a corner lies over the master.
+  add({Vector3d(0.5, 0.25, -0.25), Vector3d(2.5, -1.75 + 0x1p-51, 0.25), Vector3d(4.5, -3.75, -7)});
   add({Vector3d(0.125, 0.25, 0.25), Vector3d(0.5, 0.25 + 0x1p-52, -0.25), Vector3d(0.875, 0.25, 0.25)});
   EXPECT_FALSE(find(0.75, 0));
 }
