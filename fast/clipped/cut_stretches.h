@@ -28,6 +28,7 @@ struct EdgeKey {
 class CutStretches {
  public:
   void clear() { ends_.clear(); }
+  bool empty() const { return ends_.empty(); }
 
   /// Of a stretch, at these places of the edge: 0 at its first vertex, 1 at the other one.
   void add(const EdgeKey& edge, const CutStretch& stretch, double place_a, double place_b) {

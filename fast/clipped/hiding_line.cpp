@@ -76,7 +76,6 @@ class Border {
   }
   /// Whether a linear function that is 0 on the way rises over h by more than roundings of depths.
   bool rises_over(const ProjectedFace& h, const Slope& slope) const {
-    constexpr double kLevel = 0x1p-30;  // of a depth; its roundings are kHeightError of it
     double low = 0, high = 0, depth = std::max(std::abs(a_[kDepth]), std::abs(b_[kDepth]));
     for (const PrismPoint& corner : h.corners) {
       low = std::min(low, slope.along(corner - a_));

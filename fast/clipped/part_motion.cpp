@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "fast/clipped/face_depth.h"
 #include "fast/clipped/hiding_line.h"
 #include "fast/clipped/seen_edge.h"
 
@@ -28,27 +29,6 @@ bool may_have_edge_on_border(const ProjectedFace& f) {
     any = any || near >= 2;
   }
   return any;
-}
-
-/// The depth of a face of the slave over the master's plane, and how it grows as the face moves; 0 where roundings
-/// leave nothing of the angle between them.
-struct FaceDepth {
-  Vector3d by_motion_Me;  ///< N_h / (n_k . N_h)
-  double per_s, per_t;    ///< m
-
-  FaceDepth(const std::array<Vector3d, 3>& points_Me, const MasterPrism& prism) {
-    const Vector3d N = (points_Me[1] - points_Me[0]).cross(points_Me[2] - points_Me[0]);
-    by_motion_Me = N / -N.dot(prism.face().n_Me);
-    if (!by_motion_Me.allFinite()) by_motion_Me.setZero();
-    per_s = -by_motion_Me.dot(prism.edge_s_Me());
-    per_t = -by_motion_Me.dot(prism.edge_t_Me());
-  }
-};
-
-/// With which factor the side from a to b lies along the line on which a linear function is 0, turned by a right angle
-/// from its gradient.
-double along_level(const PrismPoint& a, const PrismPoint& b, double per_s, double per_t) {
-  return std::abs(per_s) >= std::abs(per_t) ? (b[kT] - a[kT]) / per_s : (a[kS] - b[kS]) / per_t;
 }
 
 /// The integrals over what is seen, and how they change as the slave moves.
@@ -216,6 +196,7 @@ class PartSlopes {
 
   /// Of cuts beyond which something else hides f. Where it can't be told what, they move as the cuts do.
   void add_borders_on_cuts() {
+    if (scratch_.cuts.empty()) return;
     const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
     const SeenFaces seen{part_.prism, part_.faces, part_.f, posed_.placement.max_coordinate};
     std::vector<CutStretch>& open = scratch_.open;

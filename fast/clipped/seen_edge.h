@@ -24,6 +24,9 @@ struct Places {
   }
 };
 
+/// Depths that differ by no more than this part of the greatest count as one: their roundings are kHeightError of it.
+inline constexpr double kLevel = 0x1p-30;
+
 /// A face's edge as it is seen, and the depths of points on its line. Far beyond its ends the line parts nothing but
 /// pieces of what is seen, and any motion will do that both get: there the depth is that as far from the edge as it is
 /// long, or it would be beyond all measure for an edge that is seen on end.
@@ -54,7 +57,6 @@ class SeenEdge {
     partly   ///< before f somewhere, or nowhere
   };
   Standing standing(const PrismPoint& a, double place_a, const PrismPoint& b, double place_b) const {
-    constexpr double kLevel = 0x1p-30;
     const double depth_a = depth(place_a), depth_b = depth(place_b);
     const double lead_a = a[kDepth] - depth_a, lead_b = b[kDepth] - depth_b;
     const double level = kLevel * std::max(std::abs(a[kDepth]), std::abs(b[kDepth]));

@@ -25,6 +25,14 @@ ConvexPiece part_within(const MasterPlane& plane, const ConvexPiece& piece, Half
   return part;
 }
 
+/// Where the corners lie: 1 within h, 0 on its line.
+std::vector<int> sides_of_corners(MasterPlane& plane, const ConvexPiece& piece, HalfPlane h) {
+  std::vector<int> sides;
+  for (std::size_t i = 0; i < piece.size(); ++i)
+    sides.push_back(plane.side(h, piece.sides[i], piece.sides[piece.next(i)], piece.corners[i]));
+  return sides;
+}
+
 bool is_among(Index line, const std::vector<HalfPlane>& lines) {
   return std::any_of(lines.begin(), lines.end(), [line](HalfPlane h) { return h.line == line; });
 }
@@ -48,9 +56,7 @@ Parting part(MasterPlane& plane, const ConvexPiece& piece, const std::vector<Hal
 
 /// Which side of the piece lies on the line of h, on its far side.
 std::optional<std::size_t> side_beyond(MasterPlane& plane, const ConvexPiece& piece, HalfPlane h) {
-  std::vector<int> at;
-  for (std::size_t i = 0; i < piece.size(); ++i)
-    at.push_back(plane.side(h, piece.sides[i], piece.sides[piece.next(i)], piece.corners[i]));
+  const std::vector<int> at = sides_of_corners(plane, piece, h);
   if (*std::max_element(at.begin(), at.end()) > 0) return {};
   for (std::size_t i = 0; i < piece.size(); ++i)
     if (at[i] == 0 && at[piece.next(i)] == 0) return piece.next(i);  // which runs between these corners
@@ -94,9 +100,7 @@ ConvexPiece whole_face(const MasterPlane& plane, const SeenFace& face) {
 }
 
 Halves cut(MasterPlane& plane, const ConvexPiece& piece, HalfPlane h) {
-  std::vector<int> sides;
-  for (std::size_t i = 0; i < piece.size(); ++i)
-    sides.push_back(plane.side(h, piece.sides[i], piece.sides[piece.next(i)], piece.corners[i]));
+  std::vector<int> sides = sides_of_corners(plane, piece, h);
   const auto [least, greatest] = std::minmax_element(sides.begin(), sides.end());
   if (*least >= 0) return {piece, {}};
   if (*greatest <= 0) return {{}, piece};
