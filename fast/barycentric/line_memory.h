@@ -37,9 +37,9 @@ class LineMemory {
     vertex_error_ = 0;
   }
 
-  /// At the next pose, to which points of F have travelled so far, m. What is searched for holds for `ahead` more; then
-  /// lines are no farther from where they are than `radius`, m. `settle`: it is worth while to ask until when lines go
-  /// on to find what they find.
+  /// At the next pose, to which points of F have travelled so far, m. What is searched for holds for `ahead` more, 0:
+  /// is not worth remembering; then lines are no farther from where they are than `radius`, m. `settle`: it is worth
+  /// while to ask until when lines go on to find what they find.
   void start(double travelled, double ahead, double radius, bool settle = true) {
     std::swap(past_, now_);
     now_.clear();
@@ -50,6 +50,7 @@ class LineMemory {
     settle_ = settle;
   }
   bool is_to_settle() const { return settle_; }
+  bool is_to_remember_faces() const { return ahead_ > 0; }
 
   /// Travel is counted from here on.
   void start_travel_anew(double travelled) {

@@ -100,6 +100,11 @@ bool line_stays(const Placement& placement, Side master, const FaceGeometry& geo
 [[gnu::noinline]] Penetration search_and_remember(PosedPair& posed, Side master, Index face,
                                                   const FaceGeometry& geometry, Index left, PenetrationWalks& walks,
                                                   LineMemory& memory) {
+  if (!memory.is_to_remember_faces()) {
+    const Penetration penetration = find_penetration(posed, master, face, geometry, walks.open, nullptr, left);
+    memory.keep(face, penetration.slave_face);
+    return penetration;
+  }
   LineTrace& trace = walks.trace;
   trace.radius = memory.radius();
   trace.beyond = 2 * memory.radius();

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/simd/pairs.h"
+
 namespace pcm::fast {
 
 namespace {
@@ -15,11 +17,6 @@ using Points = std::array<Eigen::Vector3d, 3>;
 
 /// Between these bounds of the greatest coordinate, m, nothing below over- or underflows that is not said to.
 constexpr double kLeastUnscaled = 0x1p-40, kGreatestUnscaled = 0x1p40;
-/// Roundings of a product of two or three differences of points, in units of the product of their lengths, or 1-norms:
-/// 16 u would do.
-constexpr double kProductRoundings = 0x1p-48;
-/// Products of three lengths that are no greater tell nothing: no margin.
-constexpr double kLeastProduct = 0x1p-300;
 
 /// No less than the square of the length of a product of two lengths, however small.
 double at_least_square(const Eigen::Vector3d& product) {
@@ -56,7 +53,7 @@ struct SeenCorners {
     const double f_above = std::min(f0, std::min(f1, f2)) - std::max(0.0, std::max(e1, e2));
     const double e_above = std::min(0.0, std::min(e1, e2)) - std::max(f0, std::max(f1, f2));
     const double gap = std::max(f_above, e_above);
-    return {gap > kLeastProduct ? gap * gap : 0, at_least_square(direction)};
+    return {gap > kLeastSureVolume ? gap * gap : 0, at_least_square(direction)};
   }
 };
 
@@ -75,7 +72,7 @@ double distance_between(const Points& e, const Points& f, const PairSigns& signs
       const Eigen::Vector3d b = e[cyclic_corner(lone_E + i)] - e[cyclic_corner(lone_E)];
       for (int j = 1; j < 3; ++j) look_along(b.cross(f[cyclic_corner(lone_F + j)] - f[cyclic_corner(lone_F)]));
     }
-  return distance.root() - kProductRoundings * corners.at_least_farthest();
+  return distance.root() - kVolumeRoundings * corners.at_least_farthest();
 }
 
 /// The distance |product| / |across|, less the roundings of either, which are `roundings` and `across_roundings` at
@@ -84,7 +81,7 @@ SquaredDistance distance_of(double product, double roundings, const Eigen::Vecto
   const double numerator = std::abs(product) - roundings;
   const double denominator =
       (1 + 0x1p-20) * at_least_square(across) + (1 + 0x1p20) * across_roundings * across_roundings;
-  return {numerator > kLeastProduct ? numerator * numerator : 0, denominator};
+  return {numerator > kLeastSureVolume ? numerator * numerator : 0, denominator};
 }
 
 /// Of the line from `from` to `to`, which passes through a face: the least distance of its ends from the face's plane
@@ -92,13 +89,13 @@ SquaredDistance distance_of(double product, double roundings, const Eigen::Vecto
 SquaredDistance margin_of_edge(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Points& face) {
   const std::array<Eigen::Vector3d, 3> sides{face[1] - face[0], face[2] - face[1], face[0] - face[2]};
   const Eigen::Vector3d N = sides[0].cross(sides[1]);
-  const double N_roundings = kProductRoundings * sides[0].lpNorm<1>() * sides[1].lpNorm<1>();
+  const double N_roundings = kVolumeRoundings * sides[0].lpNorm<1>() * sides[1].lpNorm<1>();
   const auto from_plane = [&](const Eigen::Vector3d& x) {
     return distance_of(N.dot(x), N_roundings * x.lpNorm<1>(), N, N_roundings);
   };
   SquaredDistance least = std::min(from_plane(from - face[0]), from_plane(to - face[0]));
   const Eigen::Vector3d edge = to - from;
-  const double edge_roundings = kProductRoundings * edge.lpNorm<1>();
+  const double edge_roundings = kVolumeRoundings * edge.lpNorm<1>();
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d across = edge.cross(sides[k]), x = face[k] - from;
     const double roundings = edge_roundings * sides[k].lpNorm<1>();

@@ -17,26 +17,25 @@ constexpr double kLongestStep = 0x1p-5;
 /// Before a step that is longer than this three short ones have to come in a row for pairs to be listed: long ones
 /// often are but a few, and lists for them cost more than they save.
 constexpr double kLongestAtOnce = 0x1p-7;
-/// How far a list of pairs is made for, or a line's faces are. Longer lists cost more at each step.
-struct Ahead {
-  double steps;         ///< as long as the last one,
-  double fewest_steps;  ///< but no more than these where they go farther
-  double farthest;      ///< than this, relative to an edge
-};
-constexpr Ahead kPairsAhead{16, 4, 0x1p-3}, kLinesAhead{8, 2, 0x1p-4}, kLinesAheadOfF{2, 2, 0x1p-4};
+/// For how many steps as long as the last one a list of pairs is made, or the list of faces that a line may meet.
+/// Longer lists cost more at each step.
+constexpr double kPairsAhead = 16, kLinesAhead = 8, kLinesAheadOfF = 2;
 /// Pairs after a longer step, of the longest short one that is awaited.
-constexpr Ahead kPairsAheadOfLong{3, 3, 0x1p-3};
+constexpr double kPairsAheadOfLong = 3;
+/// But for no farther than this, relative to an edge.
+constexpr double kFarthestPairs = 0x1p-3, kFarthestLines = 0x1p-4;
+/// A list serves one more step at least.
+static_assert(kFarthestPairs >= 2 * kLongestStep && kFarthestLines >= 2 * kLongestStep);
 /// What is made for no more than this, relative to an edge, costs no less: difference quotients take many such steps.
 constexpr double kLeastAhead = 0x1p-14;
-/// Of lines that are wider, relative to an edge, the faces are not worth remembering.
+/// Lines that are wider, relative to an edge, meet too many faces to be worth remembering.
 constexpr double kWidestLines = 0x1p-3;
 /// How long steps may be, relative to an edge, for margins of lines to last long enough.
 constexpr double kLongestSettled = 0x1p-9;
 
-/// m. `way`: of a step.
-double way_ahead(const Ahead& ahead, double way, double edge) {
-  const double farthest = std::max(ahead.farthest * edge, ahead.fewest_steps * way);
-  return std::max(std::min(ahead.steps * way, farthest), kLeastAhead * edge);
+/// m. `way`: of a step; `farthest`: relative to an edge.
+double way_ahead(double steps, double way, double farthest, double edge) {
+  return std::max(std::min(steps * way, farthest * edge), kLeastAhead * edge);
 }
 
 /// Adds up ways, the sum rounded up: by half a unit in the last place at least, which also pays for the roundings of
@@ -62,8 +61,10 @@ void Tracking::start_lines(double way) {
   for (const Side master : {Side::E, Side::F}) {
     const auto m = static_cast<std::size_t>(master);
     const double way_of_lines = lines_[m].motion().way_over_travel;
-    double ahead = way_ahead(master == Side::E ? kLinesAhead : kLinesAheadOfF, way, usual_edge_);
-    if (way_of_lines * ahead > kWidestLines * usual_edge_) ahead = 0;
+    double ahead =
+        std::min(way_ahead(master == Side::E ? kLinesAhead : kLinesAheadOfF, way, kFarthestLines, usual_edge_),
+                 kWidestLines * usual_edge_ / way_of_lines);
+    if (ahead < 2 * way) ahead = 0;  // they would not serve another step
     lines_[m].start(travelled_, ahead, way_of_lines * ahead, way_of_lines * way < kLongestSettled * usual_edge_);
   }
 }
@@ -88,7 +89,7 @@ Tracking::Known Tracking::know_at(const Pose& pose, PosedPair& posed, NodePairs&
     forget();
     const double awaited = short_steps_.longest_awaited();
     if (!short_steps_.awaited() || awaited > kLongestAtOnce * usual_edge_) return Known::nothing;
-    list_pairs(posed, way_ahead(kPairsAheadOfLong, awaited, usual_edge_), awaited, open);
+    list_pairs(posed, way_ahead(kPairsAheadOfLong, awaited, kFarthestPairs, usual_edge_), awaited, open);
     return Known::crossing_pairs;
   }
   short_steps_.note_short(way);
@@ -99,7 +100,7 @@ Tracking::Known Tracking::know_at(const Pose& pose, PosedPair& posed, NodePairs&
       return Known::nothing;
     }
     for (LineMemory& lines : lines_) lines.start_travel_anew(travelled_);
-    list_pairs(posed, way_ahead(kPairsAhead, way, usual_edge_), way, open);
+    list_pairs(posed, way_ahead(kPairsAhead, way, kFarthestPairs, usual_edge_), way, open);
     return Known::crossing_pairs;
   }
   start_lines(way);

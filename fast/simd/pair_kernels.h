@@ -14,15 +14,10 @@ namespace pcm::fast {
 
 namespace {
 
-/// 32 u.
-constexpr double kVolumeRoundings = 0x1p-48;
-/// Volumes that are no greater tell nothing.
-constexpr double kLeastVolume = 0x1p-300;
-
 /// How far a volume surely is from 0; 0 where it may have either sign.
 inline Double4 surely(const Double4& volume, const Double4& roundings) {
   const Double4 least_absolute = absolute(volume) - roundings;
-  return least_absolute > four(kLeastVolume) ? least_absolute : four(0);
+  return least_absolute > four(kLeastSureVolume) ? least_absolute : four(0);
 }
 
 /// The squares of distances, as fractions: to find the least or the greatest takes no root and no division.
@@ -74,13 +69,13 @@ struct Heights {
 };
 
 /// A face seen from the corner that lies alone on its side of the other plane; from any where none does.
-struct FromLoneCornerOf {
+struct SidesFromLoneCorner {
   Vector4 corner;
   std::array<Vector4, 2> side;     ///< to the next corner, and to the last
   std::array<Double4, 2> higher;   ///< those corners than the lone one: normal . side
   std::array<Double4, 2> nearest;  ///< of both ends of a side, to the plane, surely
 
-  FromLoneCornerOf(const std::array<Vector4, 3>& x, const Heights& heights) {
+  SidesFromLoneCorner(const std::array<Vector4, 3>& x, const Heights& heights) {
     const Long4 first_is_lone = ~(heights.above[1] ^ heights.above[2]),
                 second_is_lone = ~(heights.above[0] ^ heights.above[2]);
     const auto vector = [&](std::size_t k) {
@@ -117,7 +112,7 @@ PairsLookedAt look_at_pairs(const PairLanes& lanes) {
 
   const Heights e_over_F(N_F, {e[0] - f[0], e[1] - f[0], e[2] - f[0]}, of_F * gamma);
   const Heights f_over_E(N_E, {first_apart, f[1] - e[0], f[2] - e[0]}, of_E * gamma);
-  const FromLoneCornerOf lone_e(e, e_over_F), lone_f(f, f_over_E);
+  const SidesFromLoneCorner lone_e(e, e_over_F), lone_f(f, f_over_E);
   const Vector4 x = lone_f.corner - lone_e.corner;
 
   std::array<std::array<Double4, 2>, 2> s;
