@@ -7,12 +7,14 @@
 #include <limits>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "compare/poses/greatest_extent.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/degenerate/hard_bodies.h"
 #include "meshes/generate/degenerate/lattice_tetrahedra.h"
+#include "meshes/generate/degenerate/sunken_blocks.h"
 #include "meshes/generate/parts.h"
 #include "meshes/generate/round.h"
 #include "pcm/read_mesh.h"
@@ -144,14 +146,25 @@ class PairList {
   std::size_t turn_ = 0;
 };
 
-/// Pairs of lattice tetrahedra.
-constexpr std::uint64_t kLatticePairs = 48;
+/// Pairs of lattice tetrahedra, and of sunken blocks.
+constexpr std::uint64_t kLatticePairs = 48, kSunkenPairs = 48;
 
 void add_lattice_tetrahedra(PairList& list) {
   auto [first_E, first_F] = degenerate::lattice_tetrahedra(0);
   list.add_hurting("lattice tetrahedra", std::move(first_E), std::move(first_F), 0);
   for (std::uint64_t number = 1; number < kLatticePairs; ++number)
     list.pairs.back().variants.push_back(degenerate::lattice_tetrahedra(number));
+}
+
+/// Every second pair is the one before with its bodies exchanged.
+void add_sunken_blocks(PairList& list) {
+  auto [plate, body] = degenerate::sunken_blocks(0);
+  list.add_hurting("sunken blocks", std::move(plate), std::move(body), 0);
+  for (std::uint64_t number = 1; number < kSunkenPairs; ++number) {
+    std::array<TriangleMesh, 2> pair = degenerate::sunken_blocks(number / 2);
+    if (number % 2 == 1) std::swap(pair[0], pair[1]);
+    list.pairs.back().variants.push_back(std::move(pair));
+  }
 }
 
 void add_hurting_pairs(PairList& list) {
@@ -197,6 +210,8 @@ void add_hurting_pairs(PairList& list) {
   list.add_hurting("plate stack-gridded cube", plate_stack(8, 0x1p-3, 0x1p-7), gridded_box(0.5, 2), 0);
   // A small turn about its marker moves the body far.
   list.add_hurting("cube-cube off its marker", cube, box({16, -0.5, -0.5}, {17, 0.5, 0.5}), kSmallShare);
+  // Lines of edges that go on along other edges at other depths.
+  add_sunken_blocks(list);
 }
 
 }  // namespace

@@ -316,6 +316,11 @@ TEST(Pairs, ThatHurtComeInBothOrders) {
   ASSERT_TRUE(tetrahedra);
   EXPECT_EQ(tetrahedra->variants.size(), 47U);
   EXPECT_GT(tetrahedra->share(Stratum::degenerate, Scheme::clipped), kWholeShare);
+  const SurfacePair* blocks = named("sunken blocks");
+  ASSERT_TRUE(blocks);
+  ASSERT_EQ(blocks->variants.size(), 47U);
+  EXPECT_EQ(blocks->variants[0][0].vertices, blocks->F.vertices);
+  EXPECT_EQ(blocks->variants[0][1].vertices, blocks->E.vertices);
 }
 
 }  // namespace

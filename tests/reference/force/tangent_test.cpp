@@ -252,8 +252,8 @@ TEST(OracleTangent, WhereTheLineOfAnEdgeGoesOnAlongOtherEdgesIsThatOfDifferences
 
 /// The walls of the last block end in the floor of the first; with each side of its faces first in turn.
 TEST(OracleTangent, WhereTheLineOfAnEdgeGoesOnAlongWallsThatEndInTheFloorIsThatOfDifferences) {
-  using pcm::test::block;
-  TriangleMesh one = block({-5, 3}, {-4, 4}, -0.5, 6, 0.5), other = block({-1, 1}, {1, 3}, -1, 6, 0.5);
+  using degenerate::leaning_block;
+  TriangleMesh one = leaning_block({-5, 3}, {-4, 4}, -0.5, 6, 0.5), other = leaning_block({-1, 1}, {1, 3}, -1, 6, 0.5);
   const auto begin_with_the_next = [](TriangleMesh& mesh) {
     for (Triangle& face : mesh.faces) face = {face[1], face[2], face[0]};
   };
@@ -262,7 +262,7 @@ TEST(OracleTangent, WhereTheLineOfAnEdgeGoesOnAlongWallsThatEndInTheFloorIsThatO
     begin_with_the_next(one);
     if (i % 3 == 0) begin_with_the_next(other);
     const TriangleMesh blocks =
-        degenerate::joined(degenerate::joined(block({-6, -6}, {6, 6}, -1, 4, 1.25), one), other);
+        degenerate::joined(degenerate::joined(leaning_block({-6, -6}, {6, 6}, -1, 4, 1.25), one), other);
     expect_differences(generate::box({-16, -17, -5}, {16, 16, 0}), blocks, shifted(0.125, 0.25, 0));
   }
 }
