@@ -10,7 +10,7 @@
 
 #include "compare/bench/timing.h"
 #include "compare/error_budget/bodies.h"
-#include "compare/io/svg_plot.h"
+#include "compare/io/pictures/svg_plot.h"
 #include "compare/io/table.h"
 #include "compare/wrong_answers/tested_engine.h"
 

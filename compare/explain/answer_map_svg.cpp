@@ -6,7 +6,7 @@
 #include <array>
 
 #include "compare/explain/answer_map.h"
-#include "compare/io/svg.h"
+#include "compare/io/pictures/svg.h"
 
 namespace pcm::compare {
 namespace {

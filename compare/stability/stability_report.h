@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "compare/io/svg_plot.h"
+#include "compare/io/pictures/svg_plot.h"
 #include "compare/io/table.h"
 #include "compare/stability/stability.h"
 

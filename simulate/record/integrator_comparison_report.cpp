@@ -8,7 +8,7 @@
 #include <array>
 #include <iterator>
 
-#include "compare/io/svg_plot.h"
+#include "compare/io/pictures/svg_plot.h"
 
 namespace pcm::simulate {
 namespace {

@@ -20,10 +20,10 @@
 #include "compare/bench/steps.h"
 #include "compare/bench/work_precision.h"
 #include "compare/cli/frame/programs.h"
+#include "compare/io/pictures/svg_plot.h"
 #include "compare/io/question_json.h"
 #include "compare/io/report_folder.h"
 #include "compare/io/sha256.h"
-#include "compare/io/svg_plot.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 

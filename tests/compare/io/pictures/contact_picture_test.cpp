@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/io/contact_picture.h"
+#include "compare/io/pictures/contact_picture.h"
 
 #include <gtest/gtest.h>
 

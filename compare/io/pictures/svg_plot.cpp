@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/io/svg_plot.h"
+#include "compare/io/pictures/svg_plot.h"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compare/io/svg.h"
+#include "compare/io/pictures/svg.h"
 
 namespace pcm::compare {
 namespace {

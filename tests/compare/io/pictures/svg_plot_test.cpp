@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/io/svg_plot.h"
-#include "compare/io/svg.h"
+#include "compare/io/pictures/svg_plot.h"
+#include "compare/io/pictures/svg.h"
 
 #include <gtest/gtest.h>
 

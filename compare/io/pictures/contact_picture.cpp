@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/io/contact_picture.h"
+#include "compare/io/pictures/contact_picture.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "compare/io/svg.h"
+#include "compare/io/pictures/svg.h"
 
 namespace pcm::compare {
 namespace {
