@@ -52,7 +52,8 @@ struct ActiveAreaScratch {
 /// Finds the active areas (PCM section 5). Exact on the rounded problem. The crossings must be listed by edge.
 /// Closed other surface: one vertex of each part that the crossings leave undecided is located directly, winding
 /// numbers spread from there over the intersected faces' edges and over the inside, never over the outside; a component
-/// without crossing is located by one vertex. Cost near the size of the active area, in memory that has grown.
+/// without crossing is located by one vertex. Cost near the size of the active area, and a box test for each component,
+/// in memory that has grown.
 /// Open other surface: labels come from crossed edges alone and spread over sets of uncrossed faces, as PCM section 5
 /// says; nothing is nested. Cost up to the size of the components touched.
 ///

@@ -215,7 +215,7 @@ InsideAreas measure_inside_areas(PosedPair& posed, const Crossings& crossings, c
     result.undefined += totals.undefined;
     thrice_volume += totals.thrice_volume;
   }
-  result.has_volume = posed.surface(Side::E).closed && posed.surface(Side::F).closed && !areas.ambiguous;
+  result.has_volume = posed.surface(Side::E).closed && posed.surface(Side::F).closed;
   if (result.has_volume) result.volume = thrice_volume / 3;
   return result;
 }

@@ -34,11 +34,11 @@ void label_vertex(ActiveFaces& side, std::vector<Index>& labelled, Index v, Labe
 
 }  // namespace
 
-bool find_active_area_in_open(const PosedPair& posed, const Crossings& crossings, Side side_name,
-                              ActiveAreaScratch& scratch, ActiveFaces& side) {
-  const CrossedSurface& crossed = crossings.of(side_name);
-  const PreparedSurface& surface = posed.surface(side_name);
-  side.label.start(surface.mesh.vertices.size());
+bool find_active_area_in_open(const PosedPair& posed, const Crossings& crossings, Side side,
+                              ActiveAreaScratch& scratch, ActiveFaces& found) {
+  const CrossedSurface& crossed = crossings.of(side);
+  const PreparedSurface& surface = posed.surface(side);
+  found.label.start(surface.mesh.vertices.size());
   scratch.set_of_face.start(surface.mesh.faces.size());
   scratch.face_sets.clear();
   scratch.set_faces.clear();
@@ -48,18 +48,18 @@ bool find_active_area_in_open(const PosedPair& posed, const Crossings& crossings
   labelled.clear();
   for (std::size_t c = 0; c < crossings.nodes.size(); ++c) {
     const CrossingNode& crossing = crossings.nodes[c];
-    if (crossing.edge_side != side_name) continue;
+    if (crossing.edge_side != side) continue;
     const EdgeCrossings& list = crossed.edges.at(crossing.edge);
     if (list.first != static_cast<Index>(c) || list.winding_change == 0) continue;
     const std::array<Index, 2>& ends = surface.edge(crossing.edge);
-    label_vertex(side, labelled, ends[0], list.winding_change > 0 ? kOutside : kInside);
-    label_vertex(side, labelled, ends[1], list.winding_change > 0 ? kInside : kOutside);
+    label_vertex(found, labelled, ends[0], list.winding_change > 0 ? kOutside : kInside);
+    label_vertex(found, labelled, ends[1], list.winding_change > 0 ? kInside : kOutside);
   }
   for (const Index v : labelled) {
     for (const Index face : surface.vertex_faces[v]) {
       if (crossed.is_intersected.contains(face)) continue;
       std::uint8_t& bits = scratch.set_labels[static_cast<std::size_t>(set_of(scratch, surface, crossed, face))];
-      bits = static_cast<std::uint8_t>(bits | side.label[v]);
+      bits = static_cast<std::uint8_t>(bits | found.label[v]);
     }
   }
   bool ambiguous = false;
@@ -72,8 +72,8 @@ bool find_active_area_in_open(const PosedPair& posed, const Crossings& crossings
     }
     for (Index i = begin; i < end; ++i) {
       const Index face = scratch.set_faces[static_cast<std::size_t>(i)];
-      if (bits == kInside) side.inner.push_back(face);
-      for (const Index v : surface.face(face)) label_vertex(side, labelled, v, static_cast<Label>(bits));
+      if (bits == kInside) found.inner.push_back(face);
+      for (const Index v : surface.face(face)) label_vertex(found, labelled, v, static_cast<Label>(bits));
     }
   }
   return ambiguous;

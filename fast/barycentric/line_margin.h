@@ -12,7 +12,7 @@ namespace pcm::fast {
 /// How the slave moves, seen from a master's penetration lines, while points of F travel.
 struct LineMotion {
   double way_over_travel = 1;  ///< of the slave's points near a line, at most
-  double turning_radius = 1;   ///< travel over turn, at least, m
+  double turning_radius = 1;   ///< travel over turn, at least, of rotations; m
 };
 
 /// A line that surely leaves the slave's body through the slave's face f, and that certificates decide.

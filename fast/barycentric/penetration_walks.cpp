@@ -150,14 +150,13 @@ class PenetrationBatch {
   void find() {
     if (memory_ != nullptr) follow_remembered();
     if (walks_.may_walk) walk();
-    if (left_ != 0) decide();
+    if (through_ != 0) decide();
     for (std::size_t lane = 0; lane < count_; ++lane) {
       if (has_lane(found_, lane)) {
         keep_found(lane);
       } else if (!take_decision(lane)) {
         search(lane);
       }
-      lanes_.depth.value[lane] = penetrations_[lane].depth;
     }
   }
 
@@ -206,7 +205,7 @@ class PenetrationBatch {
 
   void walk() {
     for (std::size_t lane = 0; lane < count_; ++lane) {
-      if (has_lane(found_ | left_, lane)) continue;
+      if (has_lane(found_ | through_, lane)) continue;
       const Index start =
           start_[lane] >= 0 ? start_[lane] : slave_face_near(posed_.surface(master_), faces_[lane], walks_);
       const Index met = walk_to_line(posed_, master_, lanes_, lane, start);
@@ -215,9 +214,9 @@ class PenetrationBatch {
   }
 
   void decide() {
-    enter_slave_corners(left_, met_);
+    enter_slave_corners(through_, met_);
     for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
-      const std::size_t from = one_of(left_, lane);
+      const std::size_t from = one_of(through_, lane);
       lanes_.thickness.value[lane] = thickness(posed_.surface(master_), faces_[from]);
       lanes_.clearance[lane] = clearance(posed_.surface(slave_), met_[from]);
       lanes_.slave_free.value[lane] = has_lane(has_only_, from) ? lines_[from]->slave_searched : 0;
@@ -226,9 +225,9 @@ class PenetrationBatch {
   }
 
   bool take_decision(std::size_t lane) {
-    if (has_lane(left_ & decided_.element, lane)) {
+    if (has_lane(through_ & decided_.element, lane)) {
       enter_element(posed_, slave_, met_[lane], lanes_, lane, decided_.nearest_known, penetrations_[lane]);
-    } else if (has_lane(left_ & decided_.nothing, lane)) {
+    } else if (has_lane(through_ & decided_.nothing, lane)) {
       penetrations_[lane] = {};
     } else if (has_lane(has_only_, lane) && follow_known(lane)) {
       keep_found(lane);
@@ -289,7 +288,7 @@ class PenetrationBatch {
 
   void search(std::size_t lane) {
     const Index face = faces_[lane];
-    const Index left = has_lane(left_ & decided_.left, lane) ? met_[lane] : -1;
+    const Index left = has_lane(through_ & decided_.left, lane) ? met_[lane] : -1;
     ++search_counter(lane);
     const FaceGeometry geometry = geometry_of(lanes_, lane);
     penetrations_[lane] = memory_ != nullptr
@@ -302,7 +301,7 @@ class PenetrationBatch {
   /// By why it has to be searched for.
   std::int64_t& search_counter(std::size_t lane) {
     WorkCounters& work = posed_.work;
-    if (!has_lane(left_, lane)) return work.searches_unseen;
+    if (!has_lane(through_, lane)) return work.searches_unseen;
     if (has_lane(decided_.oblique, lane)) return work.searches_oblique;
     return has_lane(decided_.left & decided_.thin, lane) ? work.searches_master : work.searches_slave;
   }
@@ -324,7 +323,7 @@ class PenetrationBatch {
   }
   void set_left(std::size_t lane, Index met) {
     met_[lane] = walks_.slave_nearby[faces_[lane]] = walks_.last = met;
-    left_ |= 1U << lane;
+    through_ |= 1U << lane;
   }
 
   /// All lanes get corners; those that are not asked for will not be looked at.
@@ -349,7 +348,7 @@ class PenetrationBatch {
 
   LaneBits found_ = 0;     ///< what they find was told by the faces remembered
   LaneBits has_only_ = 0;  ///< may meet one face of the slave alone, as far as that was searched
-  LaneBits left_ = 0;      ///< surely pass through the slave's face `met`, from inside, at whatever distance
+  LaneBits through_ = 0;      ///< surely pass through the slave's face `met`, from inside, at whatever distance
   FaceBatch start_, met_, entered_;
   DecidedLanes decided_;
 };

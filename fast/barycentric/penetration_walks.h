@@ -33,7 +33,7 @@ using RememberedLines = std::array<const LineMemory::Line*, kElementLanes>;
 /// The results of find_penetration but for `first_met`, for up to four faces at once, by walks over the slave, each
 /// from the face found at the last pose, for a neighbour or, where there is none, for the last face. Where the faces'
 /// clearance and thickness, or what is remembered, say that nothing else is met: near O(1). Else by find_penetration.
-/// The lanes hold the faces' geometry and receive their depths. `walks` has been started for this pose and master.
+/// The lanes hold the faces' geometry. `walks` has been started for this pose and master.
 /// `memory`: of the lines at the last pose, or nullptr; it is told what is found.
 void find_penetrations(PosedPair& posed, Side master, const FaceBatch& faces, std::size_t count, ElementLanes& lanes,
                        PenetrationWalks& walks, LineMemory* memory, const RememberedLines& lines,

@@ -25,7 +25,7 @@ Eigen::Vector3d edge_meets_face(const Eigen::Vector3d& a, const Eigen::Vector3d&
   const double at_b = std::max(0.0, -sign * height(b));
   // A height of the wrong sign is rounding. Where both are, the edge is as near the plane as floating point can tell.
   const double sum = at_a + at_b;
-  if (sum == 0 || !std::isfinite(sum)) return a + 0.5 * (b - a);
+  if (sum == 0) return a + 0.5 * (b - a);
   // From the nearer end, so that a point close to it is as exact as that end.
   return at_a <= at_b ? Eigen::Vector3d(a + (at_a / sum) * (b - a)) : Eigen::Vector3d(b + (at_b / sum) * (a - b));
 }

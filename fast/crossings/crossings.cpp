@@ -21,7 +21,7 @@ CrossingNode crossing_node(const PosedPair& posed, const PairSigns& signs, const
   const bool of_E = passage.edge_side == Side::E;
   const PreparedSurface& surface = posed.surface(passage.edge_side);
   const Index edge_face = of_E ? face_E : face_F;
-  const Corners above = of_E ? signs.above_F : signs.above_E;
+  const Corners above = of_E ? signs.above_of_E : signs.above_of_F;
   const auto corner = static_cast<std::size_t>(passage.corner);
   CrossingNode node;
   node.edge_side = passage.edge_side;
@@ -140,29 +140,27 @@ void find_pairs_by_threads(const CandidateSearch& search, PosedPair& posed, cons
 
 void CrossingIndex::start() {
   keys_.clear();
-  if (capacity_ == 0) capacity_ = 256;
-  table_.start(capacity_);
+  table_.start(places());
+}
+
+std::size_t CrossingIndex::find(std::uint64_t key) const {
+  std::size_t at = first_place(key, log2_places_);
+  while (table_.contains(at) && table_.at(at).key != key) at = (at + 1) & (places() - 1);
+  return at;
 }
 
 void CrossingIndex::grow() {
-  capacity_ *= 2;
-  table_.start(capacity_);
-  const std::vector<std::uint64_t>& keys = keys_;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    std::size_t at = (keys[i] * 0x9E3779B97F4A7C15u >> 20) & (capacity_ - 1);
-    while (table_.contains(at)) at = (at + 1) & (capacity_ - 1);
-    table_[at] = {keys[i], static_cast<Index>(i)};
-  }
+  ++log2_places_;
+  table_.start(places());
+  for (std::size_t i = 0; i < keys_.size(); ++i) table_.set(find(keys_[i]), {keys_[i], static_cast<Index>(i)});
 }
 
 Index CrossingIndex::find_or_insert(std::uint64_t key, Index fresh) {
-  if (2 * keys_.size() >= capacity_) grow();
-  std::size_t at = (key * 0x9E3779B97F4A7C15u >> 20) & (capacity_ - 1);
-  for (; table_.contains(at); at = (at + 1) & (capacity_ - 1)) {
-    if (table_[at].key == key) return table_[at].value;
-  }
+  if (2 * keys_.size() >= places()) grow();
+  const std::size_t at = find(key);
+  if (table_.contains(at)) return table_.at(at).value;
   assert(fresh == static_cast<Index>(keys_.size()));  // as grow() enters them
-  table_[at] = {key, fresh};
+  table_.set(at, {key, fresh});
   keys_.push_back(key);
   return fresh;
 }
@@ -177,10 +175,12 @@ bool find_crossings(PosedPair& posed, const CrossingOptions& options, PosedTeam&
     if (open.size() >= kEnoughForThreads) find_pairs_by_threads(search, posed, options, team, scratch, crossings);
   }
   const PairTest test(posed, options);
+  bool any_cross = !crossings.nodes.empty();
   const auto visit = [&](Index face_E, Index face_F, const SureSigns& known) {
     if (options.keep_candidates) crossings.candidates.emplace_back(face_E, face_F);
     const PairSigns signs = test.signs(face_E, face_F, known);
     if (signs.passing == 0) return true;
+    any_cross = true;
     ++posed.work.crossing_pairs;
     if (options.stop_at_first) return false;
     enter_pair(crossing_pair(posed, face_E, face_F, signs), scratch, crossings);
@@ -188,7 +188,7 @@ bool find_crossings(PosedPair& posed, const CrossingOptions& options, PosedTeam&
   };
   search.visit_below(open, posed.work, visit);
   sort_intersected(scratch, crossings);
-  return posed.work.crossing_pairs > 0;
+  return any_cross;
 }
 
 void find_crossings_among(const TrackedPairs& pairs, PosedPair& posed, CrossingScratch& scratch, Crossings& crossings) {

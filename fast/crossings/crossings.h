@@ -70,6 +70,12 @@ struct Crossings {
 /// Crossings by key: open addressing, emptied in constant time.
 class CrossingIndex {
  public:
+  /// Where a key is looked for first, of 2^log2_places places: the highest bits of a product, which all bits of the key
+  /// have a part in. Keys of one face and many edges differ in high ones alone.
+  static std::size_t first_place(std::uint64_t key, int log2_places) {
+    return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> (64 - log2_places));
+  }
+
   void start();
   /// The place of the crossing with this key in the list; where it is new, `fresh` is entered and returned, which must
   /// be the number of keys so far.
@@ -80,10 +86,14 @@ class CrossingIndex {
     std::uint64_t key = 0;
     Index value = -1;
   };
+  std::size_t places() const { return std::size_t{1} << log2_places_; }
+  /// Where the key is, or else where there is room for it.
+  std::size_t find(std::uint64_t key) const;
   void grow();
+
   std::vector<std::uint64_t> keys_;  ///< in the order of insertion, to fill a larger table
   FastClearArray<Slot> table_;
-  std::size_t capacity_ = 0;
+  int log2_places_ = 8;
 };
 
 /// Two faces that cross: where the segment that they share starts and ends.

@@ -34,11 +34,11 @@ struct SquaredDistance {
 };
 
 /// The corners of two faces, seen from the first one of e.
-struct SeenCorners {
+struct CornersFromE0 {
   std::array<Eigen::Vector3d, 2> e;
   std::array<Eigen::Vector3d, 3> f;
 
-  SeenCorners(const Points& e_points, const Points& f_points)
+  CornersFromE0(const Points& e_points, const Points& f_points)
       : e{e_points[1] - e_points[0], e_points[2] - e_points[0]},
         f{f_points[0] - e_points[0], f_points[1] - e_points[0], f_points[2] - e_points[0]} {}
 
@@ -59,12 +59,12 @@ struct SeenCorners {
 
 /// A lower bound of the distance between two faces that do not cross, less the roundings of a gap, m.
 double distance_between(const Points& e, const Points& f, const PairSigns& signs) {
-  const SeenCorners corners(e, f);
+  const CornersFromE0 corners(e, f);
   SquaredDistance distance;
   const auto look_along = [&](const Eigen::Vector3d& direction) {
     distance = std::max(distance, corners.gap_along(direction));
   };
-  const int lone_E = lone_corner(signs.above_F), lone_F = lone_corner(signs.above_E);
+  const int lone_E = lone_corner(signs.above_of_E), lone_F = lone_corner(signs.above_of_F);
   look_along((f[1] - f[0]).cross(f[2] - f[0]));
   if (lone_E >= 0) look_along((e[1] - e[0]).cross(e[2] - e[0]));
   if (lone_E >= 0 && lone_F >= 0)
@@ -106,7 +106,7 @@ SquaredDistance margin_of_edge(const Eigen::Vector3d& from, const Eigen::Vector3
 
 /// Of faces that cross, m.
 double margin_of_passing(const Points& e, const Points& f, const PairSigns& signs) {
-  const int lone_E = lone_corner(signs.above_F), lone_F = lone_corner(signs.above_E);
+  const int lone_E = lone_corner(signs.above_of_E), lone_F = lone_corner(signs.above_of_F);
   SquaredDistance least{1, 0};  // more than any
   for (int i = 0; i < 2; ++i) {
     // As SureSigns numbers them: from the lone corner, and to it.

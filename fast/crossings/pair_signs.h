@@ -40,7 +40,7 @@ inline std::size_t cyclic_corner(int k) {
 
 /// What is known of a pair of faces that may cross.
 struct PairSigns {
-  Corners above_F = 0, above_E = 0;  ///< corners of e above f, and of f above e
+  Corners above_of_E = 0, above_of_F = 0;  ///< corners of e above f, and of f above e
   unsigned passing = 0;              ///< as in SureSigns
 };
 
@@ -52,11 +52,11 @@ struct PairSigns {
 inline PairSigns find_signs(const std::array<RankedPoint, 3>& e, const std::array<RankedPoint, 3>& f,
                             const SureSigns& known, double sure, WorkCounters& work) {
   PairSigns result;
-  result.above_F = known.of_E() ? known.above_of_E() : find_corners_above(f, e, sure, work);
-  const int lone_E = lone_corner(result.above_F);
+  result.above_of_E = known.of_E() ? known.above_of_E() : find_corners_above(f, e, sure, work);
+  const int lone_E = lone_corner(result.above_of_E);
   if (lone_E < 0) return result;
-  result.above_E = known.of_F() ? known.above_of_F() : find_corners_above(e, f, sure, work);
-  const int lone_F = lone_corner(result.above_E);
+  result.above_of_F = known.of_F() ? known.above_of_F() : find_corners_above(e, f, sure, work);
+  const int lone_F = lone_corner(result.above_of_F);
   if (lone_F < 0) return result;
 
   const RankedPoint& a = e[cyclic_corner(lone_E)];
@@ -88,9 +88,9 @@ struct PairCrossing {
 /// How two faces cross, some of whose edges pass through the other. Circulation: a directed edge of e from above to
 /// below f ends the segment, one of f that does so starts it.
 inline PairCrossing pair_crossing(const PairSigns& signs) {
-  const int lone_E = lone_corner(signs.above_F), lone_F = lone_corner(signs.above_E);
-  const unsigned starting = (is_above(signs.above_F, cyclic_corner(lone_E)) ? 0b0010U : 0b0001U) |
-                            (is_above(signs.above_E, cyclic_corner(lone_F)) ? 0b0100U : 0b1000U);
+  const int lone_E = lone_corner(signs.above_of_E), lone_F = lone_corner(signs.above_of_F);
+  const unsigned starting = (is_above(signs.above_of_E, cyclic_corner(lone_E)) ? 0b0010U : 0b0001U) |
+                            (is_above(signs.above_of_F, cyclic_corner(lone_F)) ? 0b0100U : 0b1000U);
   assert(std::popcount(signs.passing & starting) == 1 && std::popcount(signs.passing & ~starting) == 1);
   const auto passage = [&](unsigned edge) -> EdgePassage {
     const int number = std::countr_zero(edge);

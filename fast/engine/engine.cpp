@@ -19,19 +19,19 @@ namespace pcm::fast {
 namespace {
 
 /// Writes the polygons and their points into the answer.
-void report_polygons(const Workspace::Data& data, Contact& contact) {
-  for (const Index c : data.polygons.crossing_order) {
-    const CrossingNode& node = data.crossings[c];
+void report_polygons(const Intersection& found, const PolygonChains& chains, const Patches& patches, Contact& contact) {
+  for (const Index c : chains.crossing_order) {
+    const CrossingNode& node = found.crossings[c];
     Crossing crossing;
     crossing.edge_side = node.edge_side;
-    crossing.edge = data.posed.surface(node.edge_side).edge(node.edge);
+    crossing.edge = found.posed.surface(node.edge_side).edge(node.edge);
     crossing.face = node.face;
     crossing.position_Me = node.position_Me;
     contact.crossings.push_back(crossing);
   }
-  contact.polygons.assign(data.polygons.polygons.begin(), data.polygons.polygons.end());
-  for (std::size_t p = 0; p < contact.polygons.size(); ++p) contact.polygons[p].patch = data.patches.of_polygon[p];
-  contact.patches = data.patches.count;
+  contact.polygons.assign(chains.polygons.begin(), chains.polygons.end());
+  for (std::size_t p = 0; p < contact.polygons.size(); ++p) contact.polygons[p].patch = patches.of_polygon[p];
+  contact.patches = patches.count;
 }
 
 void report_active_areas(const Intersection& found, Contact& contact) {
@@ -176,7 +176,7 @@ void evaluate_wanted(const Pairing& pairing, const Pose& pose, double orthogonal
   report_active_areas(found, contact);
   if (wanted.polygons) {
     group_patches(data.posed, data.crossings, data.polygons, data.active, data.patch_scratch, data.patches);
-    report_polygons(data, contact);
+    report_polygons(found, data.polygons, data.patches, contact);
   }
   if (wanted.areas) {
     report_inside_areas(measure_inside_areas(data.posed, data.crossings, data.polygons, data.active, data.area_scratch),

@@ -24,7 +24,7 @@ class ShortSteps {
  public:
   /// `way`: of points of F, m.
   void note_short(double way) {
-    ++count_;
+    count_ = std::min(count_ + 1, kSteady);
     longest_ = std::max(longest_, way);
   }
   void note_long() {
@@ -35,13 +35,14 @@ class ShortSteps {
   /// After a short step.
   bool others_follow() const { return count_ > 1 || counts_before_[0] > 1; }
   /// Whether it is the fourth in a row, at least.
-  bool are_steady() const { return count_ > 3; }
+  bool are_steady() const { return count_ == kSteady; }
   /// After a long step: whether short ones follow, as they did after the last two; and how long the longest may be, m.
   bool awaited() const { return longest_before_ > 0 && counts_before_[1] > 0; }
   double longest_awaited() const { return longest_before_; }
 
  private:
-  int count_ = 0;                           ///< since the last long step
+  static constexpr int kSteady = 4;
+  int count_ = 0;                           ///< since the last long step, up to kSteady
   std::array<int, 2> counts_before_{2, 0};  ///< between long steps before, the last ones first; at first others follow
   double longest_ = 0, longest_before_ = 0;
 };

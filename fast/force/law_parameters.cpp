@@ -86,7 +86,10 @@ namespace {
   if (!(poisson > -1 && poisson < 0.45)) {
     refuse("elastic layer: Poisson's ratio", poisson, "greater than -1 and less than 0.45");
   }
-  return (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) * young / thickness;
+  const double stiffness = (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) * young / thickness;
+  if (!(stiffness >= std::numeric_limits<double>::min() && stiffness <= std::numeric_limits<double>::max()))
+    refuse("elastic layer: stiffness K / b", stiffness, "between 2^-1022 and 2^1024 N/m^3; choose other units");
+  return stiffness;
 }
 
 }  // namespace

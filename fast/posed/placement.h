@@ -34,7 +34,10 @@ struct Placement {
   /// position_error_F.
   double vertex_error_F = 0;
   double skew = 0;    ///< |A^T A - I|, entry by entry, at most
-  double extent = 0;  ///< no two vertices of either are farther apart along an axis of Me, if the root boxes touch, m
+  /// No two vertices of either are farther apart along an axis of Me, if the root boxes touch, m. It is the sum of all
+  /// widths in Me and Mf. With root boxes apart by up to a quarter of it along each axis (TrackedPairs) no product of
+  /// distances along x, along y and along z exceeds its cube: their sum is at most sqrt(3) + 3/4 of it.
+  double extent = 0;
 
   Placement() = default;
   Placement(const PreparedSurface& surface_E, const PreparedSurface& surface_F, const Pose& pose)

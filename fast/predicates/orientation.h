@@ -56,8 +56,8 @@ inline int filtered_orientation(const double* a, const double* b, const double* 
   return (determinant > bound) - (determinant < -bound);
 }
 
-/// The same bound for all points no two of which are farther apart than `extent` along any axis: each of the six terms
-/// is at most extent^3. A part in 2^40 pays for the roundings of the bound itself.
+/// The same bound for all points no two of which are farther apart than `extent` along any axis, or whose greatest
+/// distances along the three axes have no greater product: each of the six terms is at most extent^3. A part in 2^40 pays for the roundings of the bound itself.
 inline double sure_determinant(double extent) {
   const double product = extent * extent + kFilterUnderflow;
   return kFilterRelative * (1 + 0x1p-40) * (6 * product * extent + kFilterUnderflow);

@@ -28,7 +28,7 @@ inline constexpr double kHeightError = kFilterRelative / kExactHeight;
 
 /// Numbers so small are sure to no part of themselves where they are products, for an ulp of a number that underflows
 /// is all of it: heights, m^3, and depths, m. Only their signs are right then.
-inline constexpr double kUnderflown = 0x1p-960;
+inline constexpr double kUnderflown = kFilterUnderflow;
 
 /// A face with N to a few ulps of itself also where it is a needle: there the cross product of rounded differences
 /// loses its digits, and with them the direction of the penetration lines, so it is computed exactly.

@@ -20,8 +20,8 @@ double lower_bound_of_thickness(const PreparedSurface& surface, Index face);
 ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& surface, Index face);
 
 /// A lower bound of the distance from the face's barycentre along its inward normal to the next face of the same
-/// surface, m; infinite where there is none (PCM section 6). It holds for every line off the true one by less than
-/// kThicknessTolerance times the greatest coordinate, 0 where that can't be told. It serves as a filter only: a
+/// surface, m; infinite where there is none (PCM section 6). It holds for every line off the computed ray by less than
+/// kThicknessTolerance times the greatest coordinate (thickness_holds tells of which), 0 where that can't be told. It serves as a filter only: a
 /// penetration below it needs no search of the master's own faces. Computed when first asked for, in O(log n) where the
 /// surface is well shaped.
 inline double thickness(const PreparedSurface& surface, Index face) {
@@ -35,8 +35,11 @@ inline ThicknessEverywhere thickness_everywhere(const PreparedSurface& surface, 
 }
 
 /// Whether the bounds of a face hold for it as a pose has placed it. Its vertices are where the pose takes them but for
-/// `vertex_error`, m, which turns its normal by at most twice that over its edges' heights. Never where heights over
-/// the face times its area may underflow.
+/// `vertex_error`, m, which turns its normal by at most that times two of its edges over its area: on the body the line
+/// is off by no more than 3.47 times its greatest coordinate M times this, for no two of its points are farther apart.
+/// What the factor 8 has to spare is 5 `vertex_error` at least, as edges over area exceed 1.15 / M; it pays for the
+/// other faces' vertices, and for lengths in Mf that are not quite those in Me. Never where heights over the face times
+/// its area may underflow.
 inline bool thickness_holds(const PreparedSurface& surface, double vertex_error, const FaceGeometry& face) {
   const Ray ray(face, face.points_Me[0]);
   const auto& p = face.points_Me;

@@ -39,10 +39,7 @@ double stiffness_of_layer(const std::string& option, const std::string& text) {
   const double thickness = positive_number(option, parts[2]);
   try {
     const double stiffness = fast::layer_stiffness(young, poisson, thickness);
-    if (rigid) return kRigid;
-    if (!(stiffness > 0 && std::isfinite(stiffness)))
-      throw BadInput("the stiffness of '" + text + "' is beyond what a double can hold");
-    return stiffness;
+    return rigid ? kRigid : stiffness;
   } catch (const BadInput& error) {
     throw BadInput(option + ": " + error.what());
   }

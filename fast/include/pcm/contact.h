@@ -85,7 +85,7 @@ struct ForceBound {
   /// The exact problem's greatest penetration lies between these, m. Whether it exceeds the law's bound is certain
   /// where that does not. The upper one may be infinite. In the clipped scheme they are apart by more than roundings
   /// where what is deepest is only seen through a gap as narrow as roundings, or next to a face seen edgewise, or where
-  /// the search for it ends undecided (fast/bounds/visible_depth.h).
+  /// the search for it ends undecided, after 256 pieces of what a face sees.
   double penetration_at_least = 0;
   double penetration_at_most = 0;
 };
@@ -107,24 +107,28 @@ struct ForceBound {
 /// does a number of an element's place whose derivative is beyond all doubles (depths of 2^-1030 m and less).
 using Tangent = Eigen::Matrix<double, 6, 12>;
 
-/// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation.
+/// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation. What was not
+/// wanted is empty, 0 or false: nothing but `touching` is known where only that was asked for.
 struct Contact {
-  bool touching = false;            ///< the surfaces cross
-  bool nested = false;              ///< a component of one lies in the other without crossing
-  bool ambiguous = false;           ///< an open surface labels a set of faces both ways (PCM section 5)
-  std::vector<Crossing> crossings;  ///< of all polygons, one polygon after the other
-  std::vector<Polygon> polygons;    ///< ordered by their first crossing
-  Index patches = 0;
-  ActiveArea E;
+  bool touching = false;   ///< the surfaces cross
+  bool nested = false;     ///< a component of one lies in the other without crossing; not known where only touch is
+                           ///< wanted
+  bool ambiguous = false;  ///< an open surface labels a set of faces both ways (PCM section 5); not known there either
+  std::vector<Crossing> crossings;  ///< of all polygons, one polygon after the other; where `polygons` are wanted
+  std::vector<Polygon> polygons;    ///< ordered by their first crossing; likewise
+  Index patches = 0;                ///< polygons whose active areas are connected belong to one; likewise
+  ActiveArea E;                     ///< its areas where `areas` are wanted
   ActiveArea F;
   Index undefined_areas = 0;  ///< intersected faces in which a border of the other surface ends: their area counts as 0
-  bool has_volume = false;    ///< false where a surface is open or the answer is ambiguous
+  bool has_volume = false;    ///< both surfaces are closed; false where no `areas` are wanted
   double volume = 0;          ///< of the intersection, m^3
   std::vector<Element> elements;  ///< by master (E first), then master face, then slave face; empty unless wanted
   Index element_count = 0;        ///< over all masters evaluated
-  Index too_deep = 0;             ///< active faces whose penetration line leaves the master first
-  double max_penetration = 0;     ///< greatest u (clipped: anywhere) over all masters evaluated, before clamping, m
-  /// max_penetration > that of the law. Either hangs on an ulp where only parts of rounding size lie so deep:
+  /// Active faces of the masters evaluated whose barycentre lies in the other body, but whose penetration line leaves
+  /// the master before it meets the other surface: the body is thinner there than the penetration, and has no force.
+  Index too_deep = 0;
+  double max_penetration = 0;  ///< greatest u (clipped: anywhere) over all masters evaluated, before clamping, m
+  /// max_penetration > that of the law. Either depends on an ulp where only parts of rounding size lie so deep:
   /// ForceBound tells what is certain.
   bool penetration_exceeded = false;
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N

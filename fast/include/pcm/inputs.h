@@ -18,7 +18,8 @@ inline Side opposite(Side side) {
 }
 
 /// Position and orientation of marker Mf seen from marker Me: x_E = A x_F + r.
-/// A is a rotation to 1e-9: max |A^T A - I| <= 1e-9 and det A > 0; it is used as given, never orthogonalised.
+/// A is a rotation to 1e-9: max |A^T A - I| <= 1e-9 and det A > 0; it is used as given, never orthogonalised. r is no
+/// farther than 2^300 m along any axis.
 struct Pose {
   Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< A_MeMf
   Eigen::Vector3d r = Eigen::Vector3d::Zero();      ///< r_MeMf in Me, m
@@ -46,8 +47,8 @@ enum class DampingMode : std::uint8_t {
   compression,  ///< F_d counts only while approaching (v_n > 0)
 };
 
-/// Stiffness c = K / b of each body's elastic layer (3), N/m^3 (`fast::layer_stiffness`); infinite for a rigid body,
-/// but not for both.
+/// Stiffness c = K / b of each body's elastic layer (3), N/m^3 (`fast::layer_stiffness`): 2^-1022 at least, infinite
+/// for a rigid body, but not for both, as they are unless one is given.
 struct LayerStiffness {
   double c_E = std::numeric_limits<double>::infinity();
   double c_F = std::numeric_limits<double>::infinity();

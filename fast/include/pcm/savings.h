@@ -4,8 +4,10 @@
 
 namespace pcm::fast {
 
-/// What is left out because it was not asked for or can't matter. No saving changes a bit of any answer; each can be
-/// switched off, to measure what it is worth and to show just that. WorkCounters and SceneCounters count the work that
+/// What is left out because it was not asked for or can't matter. No saving changes a bit of any answer that there is
+/// without it; where a number that was not asked for leaves the range of doubles, an evaluation may throw BadInput
+/// without `only_wanted`, `velocities` or `broad_phase` and answer with them. Each can be switched off, to measure what
+/// it is worth and to show just that. WorkCounters and SceneCounters count the work that
 /// is left.
 struct Savings {
   /// Scene: pairings whose bodies' boxes are apart are not looked at.
@@ -27,8 +29,8 @@ struct Savings {
   /// PairingMemory, and scenes that remember poses: where only the velocity is another one, only the law is applied
   /// anew. Off: all is found anew.
   bool known_poses = true;
-  /// PairingMemory, and scenes: what crosses is followed from pose to pose as long as steps are short. Off: it is found
-  /// anew at each.
+  /// PairingMemory, and scenes: what crosses is followed from pose to pose as long as steps are short. Off, or with
+  /// `filters` off: it is found anew at each.
   bool coherence = true;
 
   /// Everything switched off.

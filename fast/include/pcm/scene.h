@@ -22,7 +22,7 @@ struct BodyState {
 /// What a pairing contributes, at the marker of its body F, in the frame of its body E; all zero where it is apart.
 struct PairingLoad {
   bool touching = false;
-  bool nested = false;
+  bool nested = false;                                  ///< not known where the pairing wants only touch
   Eigen::Vector3d force_Me = Eigen::Vector3d::Zero();   ///< on body E, N
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on body E about Mf, N m
 };
@@ -55,7 +55,8 @@ class Scene {
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
 
-  /// Bodies and pairings are numbered from 0 in the order they are added. A surface may be that of many bodies.
+  /// Bodies and pairings are numbered from 0 in the order they are added. A surface may be that of many bodies. Until
+  /// the first `move` a body is at rest in the origin, its axes those of W.
   Index add_body(Surface surface);
   /// Throws BadInput where there is no such body, both are the same, or a parameter of the law is out of its range.
   Index add_pairing(Index body_E, Index body_F, ContactLaw law = {}, Mode mode = Mode::E,
@@ -81,8 +82,8 @@ class Scene {
   void remember_poses();
 
   /// Answers one pairing, where its bodies are; the answer lives until the next use of `workspace`, or until the
-  /// pairing is asked for again. Throws as `evaluate` does. Different pairings may be asked for by different threads at
-  /// once, each with its own workspace.
+  /// pairing is asked for again. Throws as `evaluate` does, also where bodies are more than 2^300 m apart. Different
+  /// pairings may be asked for by different threads at once, each with its own workspace.
   const Contact& evaluate(Index pairing, Workspace& workspace);
 
   /// Called with each answer in `evaluate_all`, from the thread that has it.

@@ -14,8 +14,8 @@ struct WorkCounters {
   std::int64_t face_rows = 0;             ///< faces of F that were tested against up to eight of E at once
   std::int64_t live_lanes = 0;            ///< face pairs in these whose boxes touch
   std::int64_t candidate_pairs = 0;       ///< face pairs that boxes and planes do not separate
-  std::int64_t unsure_pairs = 0;          ///< of these, where single precision could not tell whether they cross
-  std::int64_t crossing_pairs = 0;        ///< face pairs that cross
+  std::int64_t unsure_pairs = 0;          ///< of these, where single precision was not asked or could not tell
+  std::int64_t crossing_pairs = 0;        ///< face pairs that cross; 0 where a step changed none, and none is listed
   std::int64_t vertices_transformed = 0;  ///< of F, each at most once a thread
   std::int64_t predicates = 0;            ///< signs asked for, but those that single precision decides in lanes
   std::int64_t exact_predicates = 0;      ///< signs the floating-point filter could not decide

@@ -37,6 +37,9 @@ TEST(Law, LayerModulusOfAnIncompressibleLayerIsRefused) {
   }
   for (const double young : {0.0, -1.0, kInf, kNaN}) expect_refused([&] { layer_stiffness(young, 0.3, 1); }, "Young");
   for (const double b : {0.0, -1.0, kInf, kNaN}) expect_refused([&] { layer_stiffness(1e6, 0.3, b); }, "thickness");
+  // Infinite would mean rigid, and 0 is no layer.
+  expect_refused([&] { layer_stiffness(1e300, 0.3, 1e-300); }, "stiffness K / b");
+  expect_refused([&] { layer_stiffness(1e-300, 0.3, 1e10); }, "stiffness K / b");
 }
 
 TEST(Law, ParametersOutOfRangeAreRefusedByName) {

@@ -152,8 +152,8 @@ TEST(PairsInLanes, AreSureOfWhatIsSoAloneHoweverNearToATie) {
     crossing += exact.passing != 0 ? 1 : 0;
     ASSERT_EQ(found.signs.passing, exact.passing) << "seed " << kSeed << ", pair " << k;
     if (exact.passing == 0) continue;
-    ASSERT_EQ(found.signs.above_E, exact.above_E) << "seed " << kSeed << ", pair " << k;
-    ASSERT_EQ(found.signs.above_F, exact.above_F) << "seed " << kSeed << ", pair " << k;
+    ASSERT_EQ(found.signs.above_of_F, exact.above_of_F) << "seed " << kSeed << ", pair " << k;
+    ASSERT_EQ(found.signs.above_of_E, exact.above_of_E) << "seed " << kSeed << ", pair " << k;
   }
   EXPECT_GT(sure, 6000);
   EXPECT_GT(crossing, 1000);
