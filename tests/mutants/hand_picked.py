@@ -110,8 +110,8 @@ PICKED = [
     ),
     (
         "fast/crossings/crossings.cpp",
-        "  capacity_ *= 2;\n  table_.start(capacity_);\n",
-        "  capacity_ *= 2;\n  table_.start(capacity_);\n  return;\n",
+        "  ++log2_places_;\n  table_.start(places());\n",
+        "  ++log2_places_;\n  table_.start(places());\n  return;\n",
         "crossings are forgotten as their table grows",
     ),
     (
