@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshes/files/read_obj.h"
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "meshes/base/floating_point_environment.h"
@@ -12,6 +15,18 @@
 
 namespace pcm {
 namespace {
+
+/// The statements of Wavefront OBJ, old spellings among them, but for vertices and faces.
+constexpr std::string_view kOtherStatements[] = {
+    "vt",        "vn",     "vp",     "g",      "o",     "s",    "mg",       "l",        "p",
+    "mtllib",    "usemtl", "maplib", "usemap", "bevel", "lod",  "c_interp", "d_interp", "shadow_obj",
+    "trace_obj", "cstype", "deg",    "bmat",   "step",  "curv", "curv2",    "surf",     "parm",
+    "trim",      "hole",   "scrv",   "sp",     "end",   "con",  "ctech",    "stech",    "call",
+    "csh",       "bsp",    "bzp",    "cdc",    "cdp",   "res"};
+
+bool is_other_statement(std::string_view word) {
+  return std::find(std::begin(kOtherStatements), std::end(kOtherStatements), word) != std::end(kOtherStatements);
+}
 
 Eigen::Vector3d read_vertex(const TextLines& lines) {
   const std::vector<std::string_view>& words = lines.words();
@@ -86,6 +101,11 @@ TriangleMesh parse_obj(std::string_view text, const std::string& name) {
     } else if (words[0] == "f" || words[0] == "fo") {  // "fo" is its old spelling
       polygons.begin(lines.line());
       for (std::size_t i = 1; i < words.size(); ++i) polygons.add_corner(read_corner(lines, words[i], vertices_so_far));
+    } else if (!is_other_statement(words[0])) {
+      lines.fail(
+          in_quotes(words[0]) +
+          " is no statement of Wavefront OBJ (a vertex begins with v, a face with f); correct the line, or put # "
+          "before it");
     }
   }
   if (mesh.vertices.empty())

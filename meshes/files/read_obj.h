@@ -15,7 +15,8 @@ namespace pcm {
 ///
 /// `v x y z`, also with a weight w (which must be 1) and colours (ignored); each number is the double nearest to its
 /// decimal. `f` with v, v/vt, v//vn or v/vt/vn; negative indices count back from the last vertex so far. All other
-/// statements (normals, groups, materials, lines, ...) are ignored. The result is as the file has it: check.h says
+/// statements of the format (normals, groups, materials, lines, ...) are ignored; what is none, as a face misspelt, is
+/// refused. The result is as the file has it: check.h says
 /// whether it is fit for contact. Its name is the path.
 ///
 /// Throws BadInput naming the file, and the line where there is one, and what to do: missing, a folder, binary, not a

@@ -65,7 +65,7 @@ TEST(ReadObj, LineEndingsCommentsContinuationsAndByteOrderMarkAreUnderstood) {
 
 TEST(ReadObj, OtherStatementsAreIgnored) {
   EXPECT_EQ(faces_of("mtllib a b.mtl\no thing\n" + kSquare +
-                     "vt 0 0\nvn 0 0 1\nvp 1\ng\ns off\nusemtl x\nl 1 2\np 1\ncurv 0 1 2\n\"\nf 1 2 3\n"),
+                     "vt 0 0\nvn 0 0 1\nvp 1\ng\ns off\nusemtl x\nl 1 2\np 1\ncurv 0 1 2\nf 1 2 3\n"),
             (std::vector<Triangle>{{0, 1, 2}}));
 }
 
@@ -112,7 +112,9 @@ TEST(ReadObj, ErrorsNameFileLineAndRemedy) {
                  "a.obj:5: '" + std::string(corner) + "' is not a corner of a face");
   expect_error(kSquare, "a.obj: no face in the file");
   expect_error("", "a.obj: no vertex in the file");
-  expect_error("<html>\n<body>\n", "a.obj: no vertex in the file");
+  expect_error("<html>\n<body>\n", "a.obj:1: '<html>' is no statement of Wavefront OBJ");
+  for (const char* word : {"ff", "F", "V", "face", "1", "\""})
+    expect_error(kSquare + word + " 1 2 3\nf 1 2 3\n", "a.obj:5: '" + std::string(word) + "' is no statement");
   expect_error("f 1 2 3\n", "a.obj: no vertex in the file");
   expect_error("v 0 0 " + std::string(100, 'z') + "\n", "'" + std::string(40, 'z') + "...' is not a finite number");
 }
@@ -148,7 +150,7 @@ TEST(ReadObj, NoTextOfRandomWordsDoesAnythingButReadOrRefuse) {
   int read = 0;
   for (int i = 0; i < 20000; ++i) {
     std::string text = i % 2 == 0 ? kSquare : "";
-    for (int k = 0; k < 20; ++k) text += words[random() % words.size()] + " ";
+    for (int k = 0; k < 1 + i % 20; ++k) text += words[random() % words.size()] + " ";
     try {
       for (const Triangle& face : parse_obj(text, "fuzz").faces)
         for (const Index vertex : face) ASSERT_GE(vertex, 0);
