@@ -20,7 +20,7 @@ namespace pcm::reference {
 class ExactPose;
 }
 
-/// Why an answer is what it is: what coincides in a pose, or nearly does, who decides the signs that hang on it, and
+/// Why an answer is what it is: what coincides in a pose, or nearly does, who decides the signs that depend on it, and
 /// how near the next pose with another answer is. All of the rounded problem, which both engine and oracle decide.
 namespace pcm::compare {
 

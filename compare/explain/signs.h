@@ -10,7 +10,7 @@
 #include "pcm/work_counters.h"
 #include "reference/pose/exact_pose.h"
 
-/// The signs that hang on a coincidence, and who decides them.
+/// The signs that depend on a coincidence, and who decides them.
 namespace pcm::compare {
 
 /// Of a coincidence: of each vertex with each face at its partner; of two edges; of a penetration line with each edge

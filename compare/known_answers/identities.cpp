@@ -51,7 +51,7 @@ fast::Contact bounded_answer(const Posed& posed, Mode mode, Scheme scheme) {
   return contact;
 }
 
-/// The barycentric scheme only: which slivers the clipped one drops hangs on how far F reaches at most, as its box
+/// The barycentric scheme only: which slivers the clipped one drops depends on how far F reaches at most, as its box
 /// says.
 void place_beforehand(const Posed& posed, Findings& findings) {
   Posed at_rest = posed;

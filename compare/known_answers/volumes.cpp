@@ -131,7 +131,7 @@ std::vector<KnownAnswer> volumes(Extent extent) {
     const double exact = rounding(condition(mesh, kPlateWidth, orientations));
     for (const Scheme scheme : kSchemes)
       for (const Quantity quantity : {Quantity::force, Quantity::arm, Quantity::volume}) {
-        // The volume hangs on the polygons alone.
+        // The volume depends on the polygons alone.
         if (quantity == Quantity::volume && scheme != Scheme::barycentric) continue;
         Series& series = problem.series.emplace_back();
         const char* name = quantity == Quantity::force ? "F_z / (K V)"

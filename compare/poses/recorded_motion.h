@@ -25,7 +25,7 @@ MovingPose state_of(const RecordedStep& step);
 /// between theirs. `before` is how F came there: along the line of its first velocity, from one size of the smaller
 /// body away, where it has a velocity, then step by step. So a state is a function of the recording and of the random
 /// numbers alone, however short the recording is, and with all that an engine which remembers can remember of it;
-/// nothing hangs on what was asked before.
+/// nothing depends on what was asked before.
 DrawnPose draw_along(const std::vector<RecordedStretch>& motion, double size, PoseRandom random);
 
 }  // namespace pcm::compare

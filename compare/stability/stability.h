@@ -19,7 +19,7 @@
 ///
 /// What it ought to be. The engine solves the exact problem of vertices of F that are off by up to about two ulps of
 /// the greatest coordinate S, each on its own (PCM section 1), and rounds some dozen times after that; the condition is
-/// how far the answer moves as all vertices of F are displaced alike, by up to an ulp of S. Where the answer hangs on
+/// how far the answer moves as all vertices of F are displaced alike, by up to an ulp of S. Where the answer depends on
 /// the placement of F, both are of the order of 2^-53 S times the same derivative, so their quotient is of the order of
 /// 1 at any S and any depth, and less where the errors of many vertices average out. Where the condition is less than
 /// 2^-53, the quotient shows that the answer is a double.

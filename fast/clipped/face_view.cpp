@@ -189,7 +189,7 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
     if (face == master_face) continue;
     const std::array<PrismPoint, 3> corners = see_own_corners(posed, master, master_face, prism, face).points;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
-    // What else is listed hangs on how it was listed; a face that lies over the master and no deeper is, in any case.
+    // What else is listed depends on how it was listed; a face that lies over the master and no deeper is, in any case.
     if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > view.own_depth) continue;
     add_projected(posed, master, face, true, prism, corners, view.faces);
   }

@@ -34,7 +34,7 @@ struct PairingMemory::Data {
 
   explicit Data(Pairing p) : pairing(std::move(p)), tracking(pairing.surface_E().data(), pairing.surface_F().data()) {}
 
-  /// Whether all that velocities change hangs on the elements alone.
+  /// Whether all that velocities change depends on the elements alone.
   bool can_repeat(const Wanted& asked) const { return !(asked.tangent && pairing.scheme() == Scheme::clipped); }
   const Contact& answer(const Pose& asked_pose, const Velocity& velocity, const Wanted& asked, Workspace& workspace,
                         const Savings& savings);

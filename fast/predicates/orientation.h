@@ -11,7 +11,7 @@
 #include "pcm/work_counters.h"
 
 /// On which side of the plane of three vertices a fourth one lies, orient3d: the one predicate that crossings, polygons
-/// and active areas hang on (PCM section 4). Three stages: floating-point filter, exact arithmetic, tie rule. Most
+/// and active areas depend on (PCM section 4). Three stages: floating-point filter, exact arithmetic, tie rule. Most
 /// signs of crossings are decided before, eight at a time in single precision (SureSigns, fast/simd/overlap.h). The
 /// clipped scheme needs heights, not only signs, and no tie rule: fast/prism/master_prism.h takes the same determinant.
 /// All finite doubles are welcome; results do not change when all lengths are multiplied by 2^k.
@@ -57,7 +57,8 @@ inline int filtered_orientation(const double* a, const double* b, const double* 
 }
 
 /// The same bound for all points no two of which are farther apart than `extent` along any axis, or whose greatest
-/// distances along the three axes have no greater product: each of the six terms is at most extent^3. A part in 2^40 pays for the roundings of the bound itself.
+/// distances along the three axes have no greater product: each of the six terms is at most extent^3. A part in 2^40
+/// pays for the roundings of the bound itself.
 inline double sure_determinant(double extent) {
   const double product = extent * extent + kFilterUnderflow;
   return kFilterRelative * (1 + 0x1p-40) * (6 * product * extent + kFilterUnderflow);

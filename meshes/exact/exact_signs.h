@@ -8,8 +8,8 @@
 
 #include "pcm/triangle_mesh.h"
 
-/// Signs that reading and checking a surface hang on, exact for every finite input: floating point with an error bound
-/// first, exact numbers where that can't tell. The engine and the oracle have predicates of their own.
+/// Signs that reading and checking a surface depend on, exact for every finite input: floating point with an error
+/// bound first, exact numbers where that can't tell. The engine and the oracle have predicates of their own.
 namespace pcm {
 
 /// The sign of (b - a) x (c - a): +1 where a, b, c turn counterclockwise, 0 where they are collinear.

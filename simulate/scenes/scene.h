@@ -122,7 +122,7 @@ struct InitialState {
 struct Scene {
   std::string title;
   Eigen::Vector3d gravity_G{0, 0, -9.81};  ///< m/s^2
-  std::vector<Body> bodies;                ///< parents before those that hang on them
+  std::vector<Body> bodies;                ///< parents before those that depend on them
   std::vector<SceneSurface> surfaces;
   std::vector<ScenePairing> pairings;
   double duration = 0;  ///< s, from t = 0 also where an initial state is later

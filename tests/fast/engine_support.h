@@ -30,7 +30,7 @@ inline ContactLaw stiffness(double c_l) {
   return law;
 }
 
-/// With damping d_l, N s/m^3, its fade and friction: all that hangs on velocities.
+/// With damping d_l, N s/m^3, its fade and friction: all that depends on velocities.
 inline ContactLaw rough(double damping) {
   ContactLaw law = stiffness(5.9e5);
   law.damping = damping;

@@ -174,7 +174,7 @@ void add_contact_command(CLI::App& program, Run& run) {
       "or one is a thousand times as large as its layer (--layer-E, --layer-F) is thick.\n"
       "--bound: the key bound of each object holds bounds on force and torque, component by component, and the two\n"
       "numbers between which max_penetration is (null: infinite, numbers come near the end of the range of doubles);\n"
-      "flipped: an element or a flush face hangs on an ulp.\n"
+      "flipped: an element or a flush face depends on an ulp.\n"
       "--advise: elements, edges across the contact, error of the barycentric force against the clipped integral "
       "(median\n"
       "and greatest), greatest share of one face (what the force jumps by when that is lost), faces too deep, poses "

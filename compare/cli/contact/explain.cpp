@@ -198,7 +198,7 @@ void add_explain_command(CLI::App& program, Run& run) {
   command->footer(
       "Which vertices, edges and faces of the two surfaces coincide, or nearly do; what penetration lines pass "
       "through\n"
-      "(barycentric scheme); by what margin; whether the floating-point filter decides the signs that hang on it, "
+      "(barycentric scheme); by what margin; whether the floating-point filter decides the signs that depend on it, "
       "exact\n"
       "arithmetic or the tie rule, and by which of its displacements; and how near the next pose with another answer "
       "is.\n"

@@ -15,7 +15,7 @@ namespace pcm::compare {
 
 /// How far a right engine's clipped elements may be from the oracle's on the same rounded problem.
 ///
-/// Which slave face a point of a master face sees hangs on where projected edges and folds run. A right engine places
+/// Which slave face a point of a master face sees depends on where projected edges and folds run. A right engine places
 /// projected edges to within a strip of width `strip`: the roundings of both weights, which a skew master face makes
 /// long ways along its sides, and what a turn of the lines by the error of their direction moves points by. So an
 /// element's part is right but for strips along its outline, and along that of all the master face would see of the

@@ -29,7 +29,7 @@ struct ForceBounds {
   double torque = 0;
 };
 
-/// Bounds for what hangs on the polygons.
+/// Bounds for what depends on the polygons.
 struct AreaBounds {
   std::vector<std::vector<double>> positions;  ///< by polygon and point, m
   double area_E = 0;                           ///< m^2

@@ -24,8 +24,8 @@ ContactLaw weakened(const ContactLaw& law);
 
 /// Holds that a tangent under the weakened law would be beyond all doubles under the law itself. The engine refuses
 /// also where nothing but a sum on the way is beyond them; how much greater than what comes of it such a sum may be
-/// hangs on what cancels, and is not derived: the greatest entry may be 2^10 times too small for a refusal. Where more
-/// cancels this speaks up, and somebody has to look.
+/// depends on what cancels, and is not derived: the greatest entry may be 2^10 times too small for a refusal. Where
+/// more cancels this speaks up, and somebody has to look.
 void hold_beyond_doubles(const fast::Tangent& under_weakened_law, Checks& checks);
 
 }  // namespace pcm::compare

@@ -33,7 +33,7 @@ struct PlannedCell {
 class PlannedPoses {
  public:
   /// Prepares every pair, on all cores. Throws BadInput where a mesh is unfit, naming the pair, and where what the plan
-  /// names gets no pose. `seam`, which must outlive this, hands on the engine's answers where a state hangs on them.
+  /// names gets no pose. `seam`, which must outlive this, hands on the engine's answers where a state depends on them.
   explicit PlannedPoses(VerificationPlan plan, const EngineSeam& seam = EngineSeam::none());
 
   const VerificationPlan& plan() const { return plan_; }

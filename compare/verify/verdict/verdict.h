@@ -14,7 +14,7 @@
 namespace pcm::compare {
 
 /// Holds every field of the engine's whole answer (Wanted as it is by default) against the oracle's answer to the
-/// rounded problem and against the answer's own elements. Where discrete facts disagree, the values that hang on them
+/// rounded problem and against the answer's own elements. Where discrete facts disagree, the values that depend on them
 /// are not held. Clipped elements are held one by one but for slivers, which may come and go (clipped_bounds.h).
 Checks hold_answer(const Question& question, const fast::Contact& subj, const reference::Answer& true_rounded);
 

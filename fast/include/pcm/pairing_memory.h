@@ -28,7 +28,7 @@ class PairingMemory {
   /// and then knows no pose or the one that it knew before. More than the law is asked, and `WorkCounters::law_only` is
   /// 0, where
   /// - the pose differs from that of the last answer it kept in any bit, the sign of a zero included, or `wanted` does;
-  /// - a bound is wanted, or a tangent in the clipped scheme: these hang on more than the elements, and such answers
+  /// - a bound is wanted, or a tangent in the clipped scheme: these depend on more than the elements, and such answers
   ///   are not kept;
   /// - `savings` has `known_poses` or `only_wanted` switched off: likewise.
   const Contact& evaluate(const Pose& pose, const Velocity& velocity, const Wanted& wanted, Workspace& workspace,

@@ -7,7 +7,7 @@
 namespace pcm::fast {
 
 /// How much work an evaluation did, and how much it was spared. With several threads in an evaluation, box_tests,
-/// vertices_transformed, predicates, exact ones and ties too, and searches hang on which thread took what.
+/// vertices_transformed, predicates, exact ones and ties too, and searches depend on which thread took what.
 struct WorkCounters {
   std::int64_t box_tests = 0;
   std::int64_t node_pairs = 0;            ///< of the trees, whose children or faces were tested

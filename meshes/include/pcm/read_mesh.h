@@ -16,7 +16,7 @@ inline constexpr const char* kMeshFormats = "OBJ or OFF";
 /// Throws BadInput where the reader does and for any other extension.
 ///
 /// A new format takes a reader beside read_off.cpp, a line in read_mesh.cpp and its name above. Faces must share
-/// vertices, which a format of separate triangles has to be made to, and vertices need an order: ties hang on it.
+/// vertices, which a format of separate triangles has to be made to, and vertices need an order: ties depend on it.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
 }  // namespace pcm

@@ -175,7 +175,7 @@ TEST_P(EngineInvariance, TwoAxesNegatedInBothFramesLeaveBoundsAndNegateTheTangen
   }
 }
 
-/// All that derives bounds and derivatives goes by single coordinates, and may not prefer any. Bounds hang on what
+/// All that derives bounds and derivatives goes by single coordinates, and may not prefer any. Bounds depend on what
 /// roundings really are, by a few hundredths.
 TEST_P(EngineInvariance, RenamedAxesTurnForceBoundAndTangent) {
   Wanted wanted;

@@ -81,7 +81,7 @@ struct Question {
 
 std::vector<Question> questions() {
   const TriangleMesh cube = generate::gridded_box(2, 2), ball = generate::icosphere(1, 2);
-  // Faces a denormal apart: which lies before the other hangs on it.
+  // Faces a denormal apart: which lies before the other depends on it.
   const double tiny = 0x1p-1070;
   const TriangleMesh standing = generate::box(Eigen::Vector3d(-0.5, -0.5, 0), Eigen::Vector3d(0.5, 0.5, 1));
   TriangleMesh uneven = generate::plate(2, 2, 1, 3, 3);

@@ -194,7 +194,7 @@ TEST(OracleForce, RotatedPoseDifferenceOfTheProblemsIsRounding) {
 }
 
 /// The base of a tetrahedron, its barycentre above the origin, pressed into a plate whose top's diagonal passes through
-/// the origin: which of the plate's two faces the line meets hangs on how the turned plate's corners are rounded.
+/// the origin: which of the plate's two faces the line meets depends on how the turned plate's corners are rounded.
 TEST(OracleForce, LineThroughAnEdgeOfATurnedSlaveIsNotCertified) {
   TriangleMesh tetrahedron;
   tetrahedron.vertices = {{0.5, -0.25, 0}, {-0.25, 0.5, 0}, {-0.25, -0.25, 0}, {0.0625, 0.03125, 0.5}};

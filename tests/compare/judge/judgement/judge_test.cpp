@@ -185,8 +185,8 @@ TEST_F(Answers, WithBodiesSwappedAreWrong) {
   });
 }
 
-/// An element's area is known to some roundings; other values hang on how shallow the contact is, and the derived bound
-/// is wider than this at some poses.
+/// An element's area is known to some roundings; other values depend on how shallow the contact is, and the derived
+/// bound is wider than this at some poses.
 TEST_F(Answers, WithValuesOffInTheNinthDigitAreWrong) {
   const auto off = [](double& x) {
     x *= 1 + 1e-9;
@@ -250,7 +250,7 @@ TEST(Judge, FindsTheVolumesOfTheCatalogueAsTheyWereWorkedOutByHand) {
   EXPECT_GT(known, 40);
 }
 
-/// One cube on top of another: whether they touch hangs on a tie, which moving either way by an ulp decides.
+/// One cube on top of another: whether they touch depends on a tie, which moving either way by an ulp decides.
 TEST(Near, IsWhatIsRightAnUlpAway) {
   PosedQuestions posed = worked_example();
   posed.surfaces[1].mesh = posed.surfaces[0].mesh;

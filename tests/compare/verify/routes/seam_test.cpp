@@ -264,8 +264,8 @@ TEST(Seam, EngineThatThrowsIsAFailure) {
   EXPECT_EQ(outcome.disagreements.front().kind, Kind::failure);
 }
 
-/// Two wedges of some 2^240 m: where one slides along its own face, friction without v_eps hangs on a slip that is all
-/// roundings, and its derivative on the spin is beyond all doubles (`pcm verify`, seed 19, extreme pose 16759).
+/// Two wedges of some 2^240 m: where one slides along its own face, friction without v_eps depends on a slip that is
+/// all roundings, and its derivative on the spin is beyond all doubles (`pcm verify`, seed 19, extreme pose 16759).
 struct HugeWedges {
   ContactLaw law;
   HeldPairing::State state;
