@@ -78,7 +78,12 @@ void apply(const SimulateOptions& options, Scene& scene) {
     if (!text.empty()) value = compare::positive_number(option, text);
   };
   if (!options.method.empty()) scene.integrator.method = method_named(options.method);
-  if (!options.jacobian.empty()) scene.integrator.jacobian = jacobian_named(options.jacobian);
+  if (!options.jacobian.empty()) {
+    scene.integrator.jacobian = jacobian_named(options.jacobian);
+    if (!options.compares && !takes_jacobians(scene.integrator.method))
+      throw BadInput("--jacobian: " + std::string(name(scene.integrator.method)) +
+                     " takes no Jacobian; leave it out, or choose bdf, ida or esdirk");
+  }
   number("--duration", options.duration, scene.duration);
   number("--relative-tolerance", options.relative, scene.integrator.relative_tolerance);
   number("--absolute-tolerance", options.absolute, scene.integrator.absolute_tolerance);
@@ -211,27 +216,39 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
       "  pcm simulate mine.json --out mine --integrator bdf\n"
       "  pcm simulate mine.json --from mine --at 1.5 --out finer --relative-tolerance 1e-6");
   command->add_option("SCENE", options->scene, built_in_names() + ", or a scene file");
-  command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out");
-  command->add_option("--integrator", options->method,
-                      "adams, bdf, ida, dormand_prince, esdirk, rkc or runge_kutta_merson, in place of the scene's");
-  command->add_option("--jacobian", options->jacobian,
-                      "differences or tangents, in place of the scene's: of what bdf, ida and esdirk make Jacobians");
-  command->add_option("--duration", options->duration, "In s, in place of the scene's");
-  command->add_option("--from", options->from,
-                      "Start from a state that a run of this scene, or of one with the same bodies and joints, has "
-                      "recorded in this folder");
-  command->add_option("--at", options->at, "In s: which one; the run begins there, its duration counts from t = 0");
-  command->add_option("--relative-tolerance", options->relative, "In place of the scene's");
-  command->add_option("--absolute-tolerance", options->absolute, "In m, rad, m/s and rad/s, in place of the scene's");
-  command->add_option("--greatest-step", options->greatest_step, "In s, in place of the scene's");
-  command->add_option("--slip-velocity", options->slip_velocity,
-                      "In m/s, of every law with friction, in place of the scene's");
+  command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out")->type_name("DIR");
+  command
+      ->add_option("--integrator", options->method,
+                   "adams, bdf, ida, dormand_prince, esdirk, rkc or runge_kutta_merson, in place of the scene's")
+      ->type_name("METHOD");
+  command
+      ->add_option("--jacobian", options->jacobian,
+                   "differences or tangents, in place of the scene's: of what bdf, ida and esdirk make Jacobians")
+      ->type_name("WORD");
+  command->add_option("--duration", options->duration, "In s, in place of the scene's")->type_name("S");
+  command
+      ->add_option("--from", options->from,
+                   "Start from a state that a run of this scene, or of one with the same bodies and joints, has "
+                   "recorded in this folder")
+      ->type_name("DIR");
+  command->add_option("--at", options->at, "In s: which one; the run begins there, its duration counts from t = 0")
+      ->type_name("T");
+  command->add_option("--relative-tolerance", options->relative, "In place of the scene's")->type_name("X");
+  command->add_option("--absolute-tolerance", options->absolute, "In m, rad, m/s and rad/s, in place of the scene's")
+      ->type_name("X");
+  command->add_option("--greatest-step", options->greatest_step, "In s, in place of the scene's")->type_name("S");
+  command
+      ->add_option("--slip-velocity", options->slip_velocity,
+                   "In m/s, of every law with friction, in place of the scene's")
+      ->type_name("V");
   command->add_flag(
       "--compare-integrators", options->compares,
       "In place of a run: every integrator, where it takes Jacobians by differences and by tangents, at several "
       "tolerances and slip velocities; a table and a picture, in the folder SCENE-integrators where --out is left out");
-  command->add_option("--spectrum", options->spectrum,
-                      "Every so many steps also the eigenvalues of df/dy, in spectrum.csv");
+  command
+      ->add_option("--spectrum", options->spectrum,
+                   "Every so many steps also the eigenvalues of df/dy, in spectrum.csv")
+      ->type_name("N");
   command->add_flag("--paraview", options->paraview, "Also write the frames for ParaView: paraview/frames.pvd");
   command
       ->add_option("--stills", options->stills,

@@ -211,11 +211,12 @@ void add_peers(CLI::App& bench, Run& run) {
   command->footer(
       "Peers are those of Debian that were there when the program was built; './run bench' installs them.\n"
       "Example:\n  pcm bench peers --bodies bubbles --poses 50 --out bench");
-  command->add_option("--poses", options->poses, "Touching poses, and as many separated ones, a body (200)");
+  command->add_option("--poses", options->poses, "Touching poses, and as many separated ones, a body (200)")
+      ->type_name("N");
   command
       ->add_option("--bodies", options->bodies, fmt::format("Only these of: {}", fmt::join(bench_body_names(), ", ")))
       ->delimiter(',');
-  command->add_option("--out", options->out, "Folder for tables: peers.md, .csv, .json");
+  command->add_option("--out", options->out, "Folder for tables: peers.md, .csv, .json")->type_name("DIR");
   command->add_flag("--quick", options->quick, "3 poses: to see it work");
   command->callback([options, &run] { run = [options] { return bench_peers(*options); }; });
 }
@@ -226,7 +227,7 @@ void add_scaling(CLI::App& bench, Run& run) {
   command->footer(
       "Two spheres of 320 to 1,310,720 faces each.\n"
       "Example:\n  pcm bench scaling --out bench");
-  command->add_option("--out", options->out, "Folder for tables: scaling.md, .csv, .json, setup.csv");
+  command->add_option("--out", options->out, "Folder for tables: scaling.md, .csv, .json, setup.csv")->type_name("DIR");
   command->add_flag("--quick", options->quick, "2 poses, up to 5120 faces: to see it work");
   command->callback([options, &run] { run = [options] { return bench_scaling(*options); }; });
 }
@@ -238,8 +239,9 @@ void add_skip(CLI::App& bench, Run& run) {
       "Fifty bubbles jostle in a container on a prescribed motion, with every saving on, each off, all off.\n"
       "The exit status is 1 where an answer differs in a bit.\n"
       "Example:\n  pcm bench skip --out bench");
-  command->add_option("--steps", options->steps, "Steps of a millisecond (100)");
-  command->add_option("--out", options->out, "Folder for tables: skip.md, .csv, .json, skip_scene.csv");
+  command->add_option("--steps", options->steps, "Steps of a millisecond (100)")->type_name("N");
+  command->add_option("--out", options->out, "Folder for tables: skip.md, .csv, .json, skip_scene.csv")
+      ->type_name("DIR");
   command->add_flag("--quick", options->quick, "8 bubbles, 3 steps: to see it work");
   command->callback([options, &run] { run = [options] { return bench_skip(*options); }; });
 }
@@ -252,7 +254,8 @@ void add_steps(CLI::App& bench, Run& run) {
       "Bubbles and spheres on seeded ways, and the pairings of recorded scenes, step by step.\n"
       "The exit status is 1 where an answer differs in a bit from that of the engine without a past.\n"
       "Example:\n  pcm bench steps --out bench");
-  command->add_option("--out", options->out, "Folder for tables: steps.md, .csv, .json, steps_work.csv");
+  command->add_option("--out", options->out, "Folder for tables: steps.md, .csv, .json, steps_work.csv")
+      ->type_name("DIR");
   command->add_flag("--quick", options->quick, "2 ways each, 1 pass: to see it work");
   command->callback([options, &run] { run = [options] { return bench_steps(*options); }; });
 }
@@ -266,8 +269,10 @@ void add_work_precision(CLI::App& bench, Run& run) {
       "and\n"
       "against the exact integral on the same meshes. Both schemes compared on the same meshes and at equal time.\n"
       "Example:\n  pcm bench work-precision --out bench");
-  command->add_option("--out", options->out,
-                      "Folder for tables and plots: work_precision.md, .csv, .json and one .svg a pair of bodies");
+  command
+      ->add_option("--out", options->out,
+                   "Folder for tables and plots: work_precision.md, .csv, .json and one .svg a pair of bodies")
+      ->type_name("DIR");
   command->add_flag("--quick", options->quick, "Coarser meshes, 5 orientations: to see it work");
   command->callback([options, &run] { run = [options] { return bench_work_precision(*options); }; });
 }

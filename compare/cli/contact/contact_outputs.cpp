@@ -87,6 +87,11 @@ void ContactOutputs::begin() {
   if (pose_ > 0) return;
   // First what may fail without harm: a table is emptied when it is begun.
   const std::string text = json_file_text(provenance_);
+  for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements}) {
+    const std::filesystem::path folder = table ? std::filesystem::path(*table).parent_path() : std::filesystem::path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+      throw BadInput(*table + ": the file can't be created; check that its folder exists and that you may write to it");
+  }
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements})
     if (table && has_a_place_beside(*table)) write_text_file(provenance_file(*table), text);
   if (options_.csv) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -90,10 +91,17 @@ Asked from_surfaces(const std::vector<std::string>& files, double metres_per_uni
   return {files[0] + " and " + files[1], std::move(E), std::move(F), {}, Mode::E, Scheme::barycentric, {}};
 }
 
+bool is_surface_file(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  return extension == ".obj" || extension == ".off" || extension == ".OBJ" || extension == ".OFF";
+}
+
 Asked asked(const ExplainCommand& command) {
   if (command.named.has_value() == !command.files.empty())
     throw BadInput("give a case file, two surfaces, or --pose with the name of a degenerate pose");
   if (command.files.size() > 2) throw BadInput("give one case file or two surfaces, not more");
+  if (command.files.size() == 1 && is_surface_file(command.files[0]))
+    throw BadInput(command.files[0] + ": one surface alone; give those of E and F, or a case file");
   for (const auto& [option, given] : {std::pair{"--poses", command.poses.poses.has_value()},
                                       std::pair{"--quaternions", command.poses.orientations.quaternions.has_value()},
                                       std::pair{"--orthonormalise", command.poses.orientations.orthonormalise},

@@ -36,13 +36,13 @@ double finite_number(const std::string& option, const std::string& text) {
 
 double positive_number(const std::string& option, const std::string& text) {
   const double number = finite_number(option, text);
-  if (!(number > 0)) throw BadInput(option + ": " + text + " is not positive");
+  if (!(number > 0)) throw BadInput(option + ": " + text + " is not positive; give a number above 0");
   return number;
 }
 
 double nonnegative_number(const std::string& option, const std::string& text) {
   const double number = finite_number(option, text);
-  if (number < 0) throw BadInput(option + ": " + text + " is negative");
+  if (number < 0) throw BadInput(option + ": " + text + " is negative; give 0 or more");
   return number;
 }
 

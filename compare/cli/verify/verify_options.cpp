@@ -94,9 +94,10 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "Known answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each\n"
       "case are written to --out. Stability: 1 when an error exceeds the engine's own bound or an answer is not\n"
       "finite; tables and a plot a sweep are written to --out.\n"
-      "A run with --out may be killed and goes on where it was, half a second excepted. Any number of processes may "
-      "share\n"
-      "in it: start the same command once more, on another machine that has the folder too, or by mpirun.\n"
+      "A run with --out may be killed and goes on where it was; half a second's work is lost, some seconds' in runs "
+      "over\n"
+      "all pairs and strata. Any number of processes may share in it: start the same command once more, on another\n"
+      "machine that has the folder too, or by mpirun.\n"
       "Poses of a trajectory are asked under the law of their pairing; they are not generic, and no measure is "
       "demanded.\n"
       "Examples:\n"
@@ -127,8 +128,9 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
   command
       ->add_option(
           "--out", options->out,
-          "Folder for tables and case files; a run with the same arguments is continued, but one of another build or "
-          "surfaces is removed, its case files too, and so is what a run without campaign.sqlite has left")
+          "Folder for tables and case files; a run with the same arguments is continued, one of another build or "
+          "surfaces removed with its case files, and so is what a run without campaign.sqlite has left; a folder of "
+          "another run, or of an earlier version, is refused")
       ->type_name("DIR");
   command
       ->add_option("--part", options->part,

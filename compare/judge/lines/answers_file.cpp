@@ -39,7 +39,8 @@ std::optional<Reply> AnswersFile::next() {
 Reply AnswersFile::reply_from(const Json& json) {
   const std::string id = text_at(json, "id");
   const auto known = by_id_.find(id);
-  if (known == by_id_.end()) throw BadInput("no pose is called " + in_quotes(id));
+  if (known == by_id_.end())
+    throw BadInput("no pose is called " + in_quotes(id) + "; copy the id from the line of poses.jsonl that it answers");
   const std::size_t question = known->second;
   std::int64_t& answered_at = answered_at_[question];
   if (answered_at != 0)
@@ -55,8 +56,8 @@ Reply AnswersFile::reply_from(const Json& json) {
 std::string AnswersFile::missing() const {
   const auto first = std::find(answered_at_.begin(), answered_at_.end(), 0);
   if (first == answered_at_.end()) return "";
-  return fmt::format("{}: {} of {} poses have no answer, the first is {}", lines_.name(),
-                     std::count(first, answered_at_.end(), 0), answered_at_.size(),
+  return fmt::format("{}: {} of {} poses have no answer, the first is {}; where an engine has none, write the id alone",
+                     lines_.name(), std::count(first, answered_at_.end(), 0), answered_at_.size(),
                      in_quotes(posed_.questions[static_cast<std::size_t>(first - answered_at_.begin())].id));
 }
 

@@ -70,7 +70,8 @@ std::string text_at(const Json& object, const char* key) {
 }
 
 JsonLines::JsonLines(const std::filesystem::path& path) : name_(path.string()), file_(path, std::ios::binary) {
-  if (!file_.is_open() || std::filesystem::is_directory(path)) throw BadInput(name_ + ": this is no readable file");
+  if (!file_.is_open() || std::filesystem::is_directory(path))
+    throw BadInput(name_ + ": this is no readable file; check the path");
 }
 
 std::optional<Json> JsonLines::next() {

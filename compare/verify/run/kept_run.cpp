@@ -74,6 +74,13 @@ std::vector<Finding> findings_from(const nlohmann::ordered_json& json) {
   return findings;
 }
 
+/// The folder, before anything is made in it.
+fs::path without_earlier_version(fs::path folder) {
+  if (fs::exists(folder / "state.json"))
+    throw BadInput("--out " + folder.string() + ": it holds a run of an earlier version of pcm; choose another folder");
+  return folder;
+}
+
 }  // namespace
 
 void remove_unfinished_tables(const fs::path& folder) {
@@ -81,7 +88,7 @@ void remove_unfinished_tables(const fs::path& folder) {
 }
 
 KeptRun::KeptRun(fs::path folder, const Verification& run, JobPart part)
-    : SharedChunks(folder), folder_(std::move(folder)), run_(run) {
+    : SharedChunks(without_earlier_version(folder)), folder_(std::move(folder)), run_(run) {
   campaign_.begin([&](const std::optional<Campaign::Job>& held, bool at_work) { return decide(held, at_work, part); });
 }
 
@@ -89,8 +96,6 @@ std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>&
   const std::string out = "--out " + folder_.string() + ": ";
   const Campaign::Job anew{json_line(identity_of(run_.plan())), run_.chunks(), part};
   if (!held) {
-    if (fs::exists(folder_ / "state.json"))
-      throw BadInput(out + "it holds a run of an earlier version of pcm; choose another folder");
     if (remove_results(folder_)) notice_ = out + "tables and cases of a run whose campaign is gone are removed";
     return anew;
   }

@@ -169,7 +169,11 @@ void PlannedPoses::add_drawn_cells() {
     add_cells(stratum, for_general, general);
     add_cells(stratum, poses - for_general, small);
   }
-  if (cells_.empty()) throw BadInput("none of the strata asked for is to be had with these pairs");
+  if (cells_.empty())
+    throw BadInput(
+        "none of the strata asked for is to be had with these pairs (trajectory has pairs of its own, those of the "
+        "scenes "
+        "of 'pcm simulate'); ask for other strata, or leave out --pair");
   say_what_gets_no_pose(fit);
 }
 

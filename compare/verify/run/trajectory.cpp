@@ -92,13 +92,24 @@ void add_pairing(const Json& json, const std::vector<NamedSurface>& surfaces, co
   recorded.file = folder / text_at(json, "poses");
 }
 
+constexpr std::string_view kNoTrajectory =
+    "this is no trajectory of pcm; give trajectory/trajectory.json of a folder of 'pcm simulate'";
+
+Json parsed_index(const std::string& text) {
+  try {
+    return Json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    throw BadInput(std::string(kNoTrajectory) + ": " + description(error));
+  }
+}
+
 VerificationPlan read_index(const fs::path& file) {
   const std::string text = read_text_file(file);
   return within(file.string(), [&] {
     VerificationPlan plan;
-    const Json json = Json::parse(text);
+    const Json json = parsed_index(text);
     if (!json.is_object() || !json.contains("pcm_trajectory") || json["pcm_trajectory"] != 1)
-      throw BadInput("this is no trajectory of pcm (\"pcm_trajectory\": 1 is missing)");
+      throw BadInput(std::string(kNoTrajectory) + " (\"pcm_trajectory\": 1 is missing)");
     const fs::path folder = file.parent_path();
     std::vector<NamedSurface> surfaces;
     for (const Json& surface : array_at(json, "surfaces"))

@@ -243,6 +243,15 @@ TEST(SimulateCommand, ComparesIntegratorsOfScenesWithFriction) {
   EXPECT_NE(zero.err.find("--slip-velocity: 0 is not positive"), std::string::npos) << zero.err;
 }
 
+TEST(SimulateCommand, RefusesAJacobianForAnIntegratorThatTakesNone) {
+  const Folder folder(block_over_floor("0.1"));
+  const Outcome outcome = folder.run({"--integrator", "adams", "--jacobian", "tangents"});
+  EXPECT_EQ(outcome.status, 2);
+  expect_one_line(outcome.err);
+  EXPECT_NE(outcome.err.find("adams takes no Jacobian; leave it out, or choose bdf, ida or esdirk"), std::string::npos)
+      << outcome.err;
+}
+
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
   const TemporaryFolder folder;
   const Outcome outcome = compare::run_pcm({"simulate", folder.path("")});

@@ -31,7 +31,7 @@
 extern "C" {
 #endif
 
-/// Raised where programs that use this header have to be compiled anew. The library's file name ends in it.
+/// Raised where programs that use this header have to be compiled anew. The library's soname ends in it.
 #define PCM_ABI_VERSION 1
 
 /// The library's own PCM_ABI_VERSION and its version, such as "0.1.0".

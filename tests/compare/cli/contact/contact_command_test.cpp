@@ -86,6 +86,10 @@ TEST_F(ContactCommand, AFileIsWrittenThatIsNeitherReadNorWrittenOtherwise) {
   EXPECT_EQ(content_of(box_), box);
   EXPECT_EQ(content_of(poses), kOverlap);
   EXPECT_FALSE(std::filesystem::exists(csv));
+  const std::string nowhere = scratch_.path("no") + "/rows.csv";
+  const Outcome outcome = run_pcm({"contact", box_, box_, "--poses", poses, "--csv", nowhere});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find(nowhere + ": the file can't be created"), std::string::npos) << outcome.err;
 }
 
 TEST_F(ContactCommand, BadInputEmptiesNoFileOfAnEarlierRun) {

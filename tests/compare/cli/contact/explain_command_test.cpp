@@ -174,7 +174,8 @@ TEST(ExplainCommand, RefusesWhatItCannotDo) {
   expect({"explain"}, "give a case file, two surfaces, or --pose");
   expect({"explain", surface, "--pose", "vertex_on_face"}, "give a case file, two surfaces, or --pose");
   expect({"explain", surface, surface, surface}, "not more");
-  expect({"explain", surface}, "this is no case file of pcm");
+  expect({"explain", surface}, "one surface alone; give those of E and F, or a case file");
+  expect({"explain", skew}, "this is no case file of pcm");
   expect({"explain", "--pose", "no_such_pose"}, "there is no degenerate case 'no_such_pose'");
   expect({"explain", surface, scratch.path("nowhere.obj")}, "nowhere.obj");
   expect({"explain", surface, surface, "--poses", skew}, "skew.txt:1");

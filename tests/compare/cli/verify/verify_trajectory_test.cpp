@@ -96,7 +96,8 @@ TEST_F(VerifyTrajectory, RefusesOptionsThatContradict) {
 TEST_F(VerifyTrajectory, RefusesABadIndexByItsKey) {
   const std::string file = trajectory_.file();
   trajectory_.folder().write("trajectory.json", "no JSON");
-  expect_refused(file + ": parse error");
+  expect_refused(file +
+                 ": this is no trajectory of pcm; give trajectory/trajectory.json of a folder of 'pcm simulate'");
   trajectory_.folder().write("trajectory.json", "[1]");
   expect_refused(file + ": this is no trajectory of pcm");
   expect_bad_index([](Json& json) { json["pcm_trajectory"] = 2; }, "this is no trajectory of pcm");
