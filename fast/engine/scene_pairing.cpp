@@ -120,7 +120,8 @@ const Contact* answer(ScenePairing& pairing, const SceneBody& E, const SceneBody
 }
 
 void answer_and_keep_load(ScenePairing& pairing, Index number, const SceneBody& E, const SceneBody& F,
-                          const Savings& savings, Workspace& workspace, const Scene::Visit& visit) {
+                          const Savings& savings, Workspace& workspace,
+                          const std::function<void(Index pairing, const Contact& contact)>& visit) {
   pairing.load = {};
   pairing.on_E = pairing.on_F = {};
   try {

@@ -7,14 +7,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "fast/engine/separation.h"
 #include "fast/engine/tracking.h"
+#include "pcm/body_state.h"
 #include "pcm/pairing_memory.h"
 #include "pcm/savings.h"
-#include "pcm/scene.h"
 
 namespace pcm::fast {
 
@@ -102,6 +103,7 @@ const Contact* answer(ScenePairing& pairing, const SceneBody& E, const SceneBody
 /// The same, and what the pairing's load is on its bodies. What is thrown is kept as its `failure`. `visit` of the
 /// answer where they are in contact.
 void answer_and_keep_load(ScenePairing& pairing, Index number, const SceneBody& E, const SceneBody& F,
-                          const Savings& savings, Workspace& workspace, const Scene::Visit& visit);
+                          const Savings& savings, Workspace& workspace,
+                          const std::function<void(Index pairing, const Contact& contact)>& visit);
 
 }  // namespace pcm::fast

@@ -34,6 +34,7 @@ inline const std::vector<Part>& parts() {
         {"work_counters.h", "base"},
         {"contact.h", "base"},
         {"savings.h", "base"},
+        {"body_state.h", "base"},
         {"workspace.h", "engine"},
         {"engine.h", "engine"},
         {"pairing_memory.h", "engine"},
