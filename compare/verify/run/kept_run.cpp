@@ -76,7 +76,7 @@ std::vector<Finding> findings_from(const nlohmann::ordered_json& json) {
 
 /// The folder, before anything is made in it.
 fs::path without_earlier_version(fs::path folder) {
-  if (fs::exists(folder / "state.json"))
+  if (fs::exists(folder / "state.json") && !fs::exists(folder / kCampaignFile))
     throw BadInput("--out " + folder.string() + ": it holds a run of an earlier version of pcm; choose another folder");
   return folder;
 }

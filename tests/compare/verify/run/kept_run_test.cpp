@@ -255,6 +255,7 @@ TEST_F(KeptRunTest, OfAnEarlierVersionIsLeftAlone) {
   const Verification run(plan_);
   EXPECT_THROW(KeptRun(scratch_.path(), run), BadInput);
   EXPECT_TRUE(exists("state.json"));
+  EXPECT_FALSE(exists(kCampaignFile));
 }
 
 TEST_F(KeptRunTest, ThatLacksAnArgumentOrHasOneMoreIsOfOtherArguments) {
