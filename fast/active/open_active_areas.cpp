@@ -34,8 +34,8 @@ void label_vertex(ActiveFaces& side, std::vector<Index>& labelled, Index v, Labe
 
 }  // namespace
 
-bool find_active_area_in_open(const PosedPair& posed, const Crossings& crossings, Side side,
-                              ActiveAreaScratch& scratch, ActiveFaces& found) {
+bool find_active_area_in_open(const PosedPair& posed, const Crossings& crossings, Side side, ActiveAreaScratch& scratch,
+                              ActiveFaces& found) {
   const CrossedSurface& crossed = crossings.of(side);
   const PreparedSurface& surface = posed.surface(side);
   found.label.start(surface.mesh.vertices.size());

@@ -348,7 +348,7 @@ class PenetrationBatch {
 
   LaneBits found_ = 0;     ///< what they find was told by the faces remembered
   LaneBits has_only_ = 0;  ///< may meet one face of the slave alone, as far as that was searched
-  LaneBits through_ = 0;      ///< surely pass through the slave's face `met`, from inside, at whatever distance
+  LaneBits through_ = 0;   ///< surely pass through the slave's face `met`, from inside, at whatever distance
   FaceBatch start_, met_, entered_;
   DecidedLanes decided_;
 };

@@ -41,7 +41,7 @@ inline std::size_t cyclic_corner(int k) {
 /// What is known of a pair of faces that may cross.
 struct PairSigns {
   Corners above_of_E = 0, above_of_F = 0;  ///< corners of e above f, and of f above e
-  unsigned passing = 0;              ///< as in SureSigns
+  unsigned passing = 0;                    ///< as in SureSigns
 };
 
 /// Finds which edges of e and f pass through the other face: none where the faces do not cross. The planes meet in a

@@ -17,8 +17,8 @@ namespace {
 /// Pairs of boxes that are split before the search settles for what it has.
 constexpr int kMostSplits = 512;
 
-/// Boxes of inner nodes farther apart than this many times their half widths are not split further: the true distance is
-/// at most 1 + 2 sqrt(3) / kFarApart times their gap. Faces, told apart by their planes, are not split at all.
+/// Boxes of inner nodes farther apart than this many times their half widths are not split further: the true distance
+/// is at most 1 + 2 sqrt(3) / kFarApart times their gap. Faces, told apart by their planes, are not split at all.
 constexpr double kFarApart = 4;
 
 /// A lower bound of the distance between two boxes: in the axes of either frame the gaps along them are the legs of a

@@ -33,7 +33,7 @@ struct Placement {
   /// gamma_4 M along each axis of Me, so by 7 u M along each of Mf and 12.2 u M in all; the skew counts as in
   /// position_error_F.
   double vertex_error_F = 0;
-  double skew = 0;    ///< |A^T A - I|, entry by entry, at most
+  double skew = 0;  ///< |A^T A - I|, entry by entry, at most
   /// No two vertices of either are farther apart along an axis of Me, if the root boxes touch, m. It is the sum of all
   /// widths in Me and Mf. With root boxes apart by up to a quarter of it along each axis (TrackedPairs) no product of
   /// distances along x, along y and along z exceeds its cube: their sum is at most sqrt(3) + 3/4 of it.

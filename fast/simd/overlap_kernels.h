@@ -166,8 +166,8 @@ struct Passing {
   std::array<Int8, 4> edges;
 };
 
-/// As find_signs (fast/crossings/pair_signs.h) finds them: from the signs of (a_i - a) x (p - a) . (p_j - p), a and p the lone
-/// corners.
+/// As find_signs (fast/crossings/pair_signs.h) finds them: from the signs of (a_i - a) x (p - a) . (p_j - p), a and p
+/// the lone corners.
 inline Passing edges_passing(const FromLoneCorner& E, const FromLoneCorner& F, const Float8& error) {
   const Vector8 c = F.corner - E.corner, d0 = F.next - F.corner, d1 = F.last - F.corner;
   const Vector8 m0 = cross(E.next - E.corner, c), m1 = cross(E.last - E.corner, c);

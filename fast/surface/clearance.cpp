@@ -24,7 +24,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // moved at both ends. What `Region` measures of a moved point x is a depth, n . (x - p), or a distance from a side's
 // plane, that plus T times the depth: both change by less than 8 e + 16 e / h |x - p|, while 16 e / h is small.
 constexpr double kPositionError = 16 * kClearanceTolerance;  ///< 8 e, relative to the greatest coordinate
-constexpr double kGreatestTurn = 0x1p-8;    ///< 16 e / h
+constexpr double kGreatestTurn = 0x1p-8;                     ///< 16 e / h
 
 /// T of both cones. What K is wider by than the cone, 1 / 32 of the depth, pays for planes that are moved and tilted.
 constexpr std::array<double, 2> kTangent{0.81, 1.2};

@@ -21,9 +21,9 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
 
 /// A lower bound of the distance from the face's barycentre along its inward normal to the next face of the same
 /// surface, m; infinite where there is none (PCM section 6). It holds for every line off the computed ray by less than
-/// kThicknessTolerance times the greatest coordinate (thickness_holds tells of which), 0 where that can't be told. It serves as a filter only: a
-/// penetration below it needs no search of the master's own faces. Computed when first asked for, in O(log n) where the
-/// surface is well shaped.
+/// kThicknessTolerance times the greatest coordinate (thickness_holds tells of which), 0 where that can't be told. It
+/// serves as a filter only: a penetration below it needs no search of the master's own faces. Computed when first asked
+/// for, in O(log n) where the surface is well shaped.
 inline double thickness(const PreparedSurface& surface, Index face) {
   return surface.known_thickness.get(face, [&] { return lower_bound_of_thickness(surface, face); });
 }

@@ -19,7 +19,8 @@ struct alignas(32) Lanes {
 };
 
 /// A node with up to eight children, in its first lanes. Coordinates are those of its tree, single precision; every box
-/// holds what it stands for however numbers were rounded to single precision, to within roundings in double precision. Empty lanes are zeros, which `used` tells from boxes.
+/// holds what it stands for however numbers were rounded to single precision, to within roundings in double precision.
+/// Empty lanes are zeros, which `used` tells from boxes.
 struct alignas(64) WideNode {
   std::array<Lanes, 3> centre;        ///< of the children's boxes, by axis
   std::array<Lanes, 3> half;          ///< half their widths
