@@ -89,7 +89,8 @@ void ContactOutputs::begin() {
   const std::string text = json_file_text(provenance_);
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements}) {
     const std::filesystem::path folder = table ? std::filesystem::path(*table).parent_path() : std::filesystem::path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
+    std::error_code ignored;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
       throw BadInput(*table + ": the file can't be created; check that its folder exists and that you may write to it");
   }
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements})

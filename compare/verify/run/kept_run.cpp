@@ -74,10 +74,14 @@ std::vector<Finding> findings_from(const nlohmann::ordered_json& json) {
   return findings;
 }
 
+void refuse_earlier_version(const fs::path& folder) {
+  if (fs::exists(folder / "state.json"))
+    throw BadInput("--out " + folder.string() + ": it holds a run of an earlier version of pcm; choose another folder");
+}
+
 /// The folder, before anything is made in it.
 fs::path without_earlier_version(fs::path folder) {
-  if (fs::exists(folder / "state.json") && !fs::exists(folder / kCampaignFile))
-    throw BadInput("--out " + folder.string() + ": it holds a run of an earlier version of pcm; choose another folder");
+  if (!fs::exists(folder / kCampaignFile)) refuse_earlier_version(folder);
   return folder;
 }
 
@@ -96,6 +100,7 @@ std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>&
   const std::string out = "--out " + folder_.string() + ": ";
   const Campaign::Job anew{json_line(identity_of(run_.plan())), run_.chunks(), part};
   if (!held) {
+    refuse_earlier_version(folder_);  // beside a campaign that was opened, but begun by nobody
     if (remove_results(folder_)) notice_ = out + "tables and cases of a run whose campaign is gone are removed";
     return anew;
   }

@@ -256,6 +256,10 @@ TEST_F(KeptRunTest, OfAnEarlierVersionIsLeftAlone) {
   EXPECT_THROW(KeptRun(scratch_.path(), run), BadInput);
   EXPECT_TRUE(exists("state.json"));
   EXPECT_FALSE(exists(kCampaignFile));
+  // An empty campaign is what a refusal used to leave.
+  for (const char* file : {kCampaignFile, "verification.md"}) scratch_.write(file, "");
+  EXPECT_THROW(KeptRun(scratch_.path(), run), BadInput);
+  EXPECT_TRUE(exists("verification.md"));
 }
 
 TEST_F(KeptRunTest, ThatLacksAnArgumentOrHasOneMoreIsOfOtherArguments) {
