@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
+#include <utility>
 
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/bodies.h"
@@ -19,8 +21,9 @@ struct SunkenBlocks {
 
   /// Odd seeds: turned, so that everything is off by roundings.
   explicit SunkenBlocks(unsigned seed) {
-    auto [plate_here, blocks_here] = degenerate::sunken_blocks(seed);
-    plate = plate_here, blocks = blocks_here;
+    std::array<TriangleMesh, 2> pair = degenerate::sunken_blocks(seed);
+    plate = std::move(pair[0]);
+    blocks = std::move(pair[1]);
     pose.r = {0.125, 0.25, 0};
     if (seed % 2 == 0) return;
     pose.A = Eigen::AngleAxisd(0.37, Eigen::Vector3d::UnitZ()).toRotationMatrix();

@@ -112,6 +112,14 @@ class PairList {
     add_hurting(name_E + "-" + name_F, mesh_E, mesh_F, greatest_share);
     add_hurting(name_F + "-" + name_E, mesh_F, mesh_E, greatest_share);
   }
+  /// `pair_of(number)` gives its pairs, without a part in the strata that are not hard.
+  template <class PairOf>
+  void add_family(std::string name, const PairOf& pair_of) {
+    constexpr std::uint64_t kPairs = 48;
+    auto [first_E, first_F] = pair_of(0);
+    add_hurting(std::move(name), std::move(first_E), std::move(first_F), 0);
+    for (std::uint64_t number = 1; number < kPairs; ++number) pairs.back().variants.push_back(pair_of(number));
+  }
   void add_files(std::string name, const std::filesystem::path& file_E, const std::filesystem::path& file_F,
                  std::vector<std::string>& missing) {
     ++turn_;  // The laws of the others don't depend on what is installed.
@@ -146,31 +154,17 @@ class PairList {
   std::size_t turn_ = 0;
 };
 
-/// Pairs of lattice tetrahedra, and of sunken blocks.
-constexpr std::uint64_t kLatticePairs = 48, kSunkenPairs = 48;
-
-void add_lattice_tetrahedra(PairList& list) {
-  auto [first_E, first_F] = degenerate::lattice_tetrahedra(0);
-  list.add_hurting("lattice tetrahedra", std::move(first_E), std::move(first_F), 0);
-  for (std::uint64_t number = 1; number < kLatticePairs; ++number)
-    list.pairs.back().variants.push_back(degenerate::lattice_tetrahedra(number));
-}
-
 /// Every second pair is the one before with its bodies exchanged.
-void add_sunken_blocks(PairList& list) {
-  auto [plate, body] = degenerate::sunken_blocks(0);
-  list.add_hurting("sunken blocks", std::move(plate), std::move(body), 0);
-  for (std::uint64_t number = 1; number < kSunkenPairs; ++number) {
-    std::array<TriangleMesh, 2> pair = degenerate::sunken_blocks(number / 2);
-    if (number % 2 == 1) std::swap(pair[0], pair[1]);
-    list.pairs.back().variants.push_back(std::move(pair));
-  }
+std::array<TriangleMesh, 2> sunken_blocks_in_either_order(std::uint64_t number) {
+  std::array<TriangleMesh, 2> pair = degenerate::sunken_blocks(number / 2);
+  if (number % 2 == 1) std::swap(pair[0], pair[1]);
+  return pair;
 }
 
 void add_hurting_pairs(PairList& list) {
   using namespace degenerate;
   using namespace generate;
-  add_lattice_tetrahedra(list);
+  list.add_family("lattice tetrahedra", lattice_tetrahedra);
 
   // Thin or tiny parts: thinner than the penetration, or far smaller than the body.
   const TriangleMesh cube = box({1, 1, 1}), spike = fan_tipped_spike(0x1p-20), thin_plate = plate(1, 1, 0x1p-20, 2, 2);
@@ -211,7 +205,7 @@ void add_hurting_pairs(PairList& list) {
   // A small turn about its marker moves the body far.
   list.add_hurting("cube-cube off its marker", cube, box({16, -0.5, -0.5}, {17, 0.5, 0.5}), kSmallShare);
   // Lines of edges that go on along other edges at other depths.
-  add_sunken_blocks(list);
+  list.add_family("sunken blocks", sunken_blocks_in_either_order);
 }
 
 }  // namespace

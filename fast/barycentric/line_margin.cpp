@@ -15,9 +15,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Pays for a few roundings of quantities that are off by less than 2^-30 of themselves (kLeastShare in
 /// penetration_walks.cpp), and for what F turns by beyond `turning_radius` where A is a rotation to 1e-9 only, at most
-/// 6e-9 in all. That roundings tilt the normals of F's small faces from pose to pose, by up to 2^-17, is
-/// paid by clearances: they are less by what a move of any vertex by 2^-30 of the greatest coordinate would tilt them,
-/// 64 times as much.
+/// 6e-9 in all. That roundings tilt the normals of F's small faces from pose to pose, by up to 2^-17, is paid by
+/// clearances: they are less by what a move of any vertex by 2^-30 of the greatest coordinate would tilt them, 64 times
+/// as much.
 constexpr double kDown = 1 - 0x1p-20;
 
 /// How far the line is from the nearest side of f, seen along it, m; 0 where it may be on one.

@@ -37,9 +37,9 @@ class LineMemory {
     vertex_error_ = 0;
   }
 
-  /// At the next pose, to which points of F have travelled so far, m. What is searched for holds for `ahead` more, 0:
-  /// is not worth remembering; then lines are no farther from where they are than `radius`, m. `settle`: it is worth
-  /// while to ask until when lines go on to find what they find.
+  /// At the next pose, to which points of F have travelled so far, m. What is searched for holds for `ahead` more,
+  /// and until then lines are no farther from where they are than `radius`, m; with 0 it is not worth remembering.
+  /// `settle`: it is worth while to ask until when lines go on to find what they find.
   void start(double travelled, double ahead, double radius, bool settle = true) {
     std::swap(past_, now_);
     now_.clear();

@@ -100,17 +100,12 @@ bool line_stays(const Placement& placement, Side master, const FaceGeometry& geo
 [[gnu::noinline]] Penetration search_and_remember(PosedPair& posed, Side master, Index face,
                                                   const FaceGeometry& geometry, Index left, PenetrationWalks& walks,
                                                   LineMemory& memory) {
-  if (!memory.is_to_remember_faces()) {
-    const Penetration penetration = find_penetration(posed, master, face, geometry, walks.open, nullptr, left);
-    memory.keep(face, penetration.slave_face);
-    return penetration;
-  }
-  LineTrace& trace = walks.trace;
-  trace.radius = memory.radius();
-  trace.beyond = 2 * memory.radius();
-  const Penetration penetration = find_penetration(posed, master, face, geometry, walks.open, &trace, left);
-  if (line_stays(posed.placement, master, geometry, memory.radius())) {
-    memory.keep(face, penetration.slave_face, trace);
+  walks.trace.radius = memory.radius();
+  walks.trace.beyond = 2 * memory.radius();
+  LineTrace* const trace = memory.is_to_remember_faces() ? &walks.trace : nullptr;
+  const Penetration penetration = find_penetration(posed, master, face, geometry, walks.open, trace, left);
+  if (trace != nullptr && line_stays(posed.placement, master, geometry, memory.radius())) {
+    memory.keep(face, penetration.slave_face, *trace);
   } else {
     memory.keep(face, penetration.slave_face);
   }

@@ -70,8 +70,8 @@ struct Crossings {
 /// Crossings by key: open addressing, emptied in constant time.
 class CrossingIndex {
  public:
-  /// Where a key is looked for first, of 2^log2_places places: the highest bits of a product, which all bits of the key
-  /// have a part in. Keys of one face and many edges differ in high ones alone.
+  /// Where a key is looked for first, of 2^log2_places > 1 places: the highest bits of a product, for each depends on
+  /// all bits of the key that are no higher. Keys of one face and many edges differ in high ones alone.
   static std::size_t first_place(std::uint64_t key, int log2_places) {
     return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> (64 - log2_places));
   }

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/engine/scene_pairing.h"
 
-#include <cmath>
-
-#include "fast/base/geometry.h"
 #include "fast/base/same_bits.h"
 #include "fast/engine/engine.h"
 #include "fast/engine/workspace.h"

@@ -13,7 +13,9 @@
 
 #include "fast/engine/separation.h"
 #include "fast/engine/tracking.h"
+#include "fast/posed/motion.h"
 #include "pcm/body_state.h"
+#include "pcm/engine.h"
 #include "pcm/pairing_memory.h"
 #include "pcm/savings.h"
 

@@ -24,7 +24,7 @@ constexpr double kPairsAhead = 16, kLinesAhead = 8, kLinesAheadOfF = 2;
 constexpr double kPairsAheadOfLong = 3;
 /// But for no farther than this, relative to an edge.
 constexpr double kFarthestPairs = 0x1p-3, kFarthestLines = 0x1p-4;
-/// A list serves one more step at least.
+/// Twice as far as a step goes at least: a list serves the next one.
 static_assert(kFarthestPairs >= 2 * kLongestStep && kFarthestLines >= 2 * kLongestStep);
 /// What is made for no more than this, relative to an edge, costs no less: difference quotients take many such steps.
 constexpr double kLeastAhead = 0x1p-14;
@@ -64,7 +64,7 @@ void Tracking::start_lines(double way) {
     double ahead =
         std::min(way_ahead(master == Side::E ? kLinesAhead : kLinesAheadOfF, way, kFarthestLines, usual_edge_),
                  kWidestLines * usual_edge_ / way_of_lines);
-    if (ahead < 2 * way) ahead = 0;  // they would not serve another step
+    if (ahead < 2 * way) ahead = 0;  // they would hardly serve another step
     lines_[m].start(travelled_, ahead, way_of_lines * ahead, way_of_lines * way < kLongestSettled * usual_edge_);
   }
 }

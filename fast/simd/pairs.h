@@ -9,7 +9,7 @@
 namespace pcm::fast {
 
 /// Roundings of a product of two or three differences of points, and of the volumes below, in units of the product of
-/// their 1-norms: 32 u.
+/// their 1-norms: 32 u. Of a product alone 16 u would do.
 inline constexpr double kVolumeRoundings = 0x1p-48;
 /// Volumes that are no greater tell nothing.
 inline constexpr double kLeastSureVolume = 0x1p-300;

@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 
+#include "meshes/files/extension.h"
 #include "meshes/files/read_obj.h"
 #include "meshes/files/read_off.h"
 #include "meshes/files/text_file.h"
@@ -13,9 +14,7 @@
 namespace pcm {
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string extension = extension_of(path);
   if (extension == ".obj") return read_obj(path);
   if (extension == ".off") return read_off(path);
   // A missing file or a folder is the likelier mistake and is reported as such.

@@ -16,11 +16,10 @@ namespace pcm {
 /// `v x y z`, also with a weight w (which must be 1) and colours (ignored); each number is the double nearest to its
 /// decimal. `f` with v, v/vt, v//vn or v/vt/vn; negative indices count back from the last vertex so far. All other
 /// statements of the format (normals, groups, materials, lines, ...) are ignored; what is none, as a face misspelt, is
-/// refused. The result is as the file has it: check.h says
-/// whether it is fit for contact. Its name is the path.
+/// refused. The result is as the file has it: check.h says whether it is fit for contact. Its name is the path.
 ///
 /// Throws BadInput naming the file, and the line where there is one, and what to do: missing, a folder, binary, not a
-/// finite number, an index out of range, a face of fewer than three corners, no vertex, no face.
+/// finite number, an index out of range, a face of fewer than three corners, no statement of OBJ, no vertex, no face.
 /// Cost: linear, tens of megabytes a second, but for concave polygons of many corners.
 TriangleMesh read_obj(const std::filesystem::path& path);
 

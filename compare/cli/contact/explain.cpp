@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -26,6 +25,7 @@
 #include "compare/explain/explanation_text.h"
 #include "compare/io/names.h"
 #include "compare/verify/verdict/case_file.h"
+#include "meshes/files/extension.h"
 #include "meshes/files/text_file.h"
 #include "meshes/generate/degenerate/catalogue.h"
 #include "pcm/bad_input.h"
@@ -92,8 +92,7 @@ Asked from_surfaces(const std::vector<std::string>& files, double metres_per_uni
 }
 
 bool is_surface_file(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  return extension == ".obj" || extension == ".off" || extension == ".OBJ" || extension == ".OFF";
+  return extension_of(file) == ".obj" || extension_of(file) == ".off";
 }
 
 Asked asked(const ExplainCommand& command) {

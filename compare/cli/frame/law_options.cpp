@@ -3,7 +3,6 @@
 #include "compare/cli/frame/law_options.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -38,7 +37,8 @@ double stiffness_of_layer(const std::string& option, const std::string& text) {
   const double poisson = finite_number(option, parts[1]);
   const double thickness = positive_number(option, parts[2]);
   try {
-    const double stiffness = fast::layer_stiffness(young, poisson, thickness);
+    // Of a rigid layer only Poisson's ratio is left to be looked at.
+    const double stiffness = fast::layer_stiffness(young, poisson, rigid ? 1 : thickness);
     return rigid ? kRigid : stiffness;
   } catch (const BadInput& error) {
     throw BadInput(option + ": " + error.what());

@@ -5,15 +5,13 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "meshes/files/extension.h"
 #include "meshes/generate/make.h"
 #include "pcm/bad_input.h"
 #include "pcm/write_obj.h"
@@ -48,9 +46,7 @@ Parameters parameters_from(const std::vector<std::string>& words) {
 
 /// What is written is OBJ, under whatever name but that of another format.
 void require_no_other_format(const std::string& output) {
-  std::string extension = std::filesystem::path(output).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = extension_of(output);
   for (const char* other : {".off", ".stl", ".ply", ".vtk", ".vtp"})
     if (extension == other) throw BadInput(output + ": only Wavefront OBJ is written; name the output .obj");
 }

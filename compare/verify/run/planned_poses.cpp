@@ -172,8 +172,7 @@ void PlannedPoses::add_drawn_cells() {
   if (cells_.empty())
     throw BadInput(
         "none of the strata asked for is to be had with these pairs (trajectory has pairs of its own, those of the "
-        "scenes "
-        "of 'pcm simulate'); ask for other strata, or leave out --pair");
+        "scenes of 'pcm simulate'); ask for other strata, or leave out --pair");
   say_what_gets_no_pose(fit);
 }
 

@@ -5,10 +5,10 @@
 namespace pcm::fast {
 
 /// What is left out because it was not asked for or can't matter. No saving changes a bit of any answer that there is
-/// without it; where a number that was not asked for leaves the range of doubles, an evaluation may throw BadInput
-/// without `only_wanted`, `velocities` or `broad_phase` and answer with them. Each can be switched off, to measure what
-/// it is worth and to show just that. WorkCounters and SceneCounters count the work that
-/// is left.
+/// without it; where a number that was not asked for leaves the range of doubles, or a relative pose that of poses, an
+/// evaluation may throw BadInput without `only_wanted`, `velocities`, `broad_phase` or `certificates` and answer with
+/// them. Each can be switched off, to measure what it is worth and to show just that. WorkCounters and SceneCounters
+/// count the work that is left.
 struct Savings {
   /// Scene: pairings whose bodies' boxes are apart are not looked at.
   bool broad_phase = true;

@@ -62,7 +62,8 @@ class Scene {
   void remember_poses();
 
   /// Answers one pairing, where its bodies are; the answer lives until the next use of `workspace`, or until the
-  /// pairing is asked for again. Throws as `evaluate` does, also where bodies are more than 2^300 m apart. Different
+  /// pairing is asked for again. Throws as `evaluate` does, also for a relative pose of more than 2^300 m where it
+  /// is not known before that the bodies are apart. Different
   /// pairings may be asked for by different threads at once, each with its own workspace.
   const Contact& evaluate(Index pairing, Workspace& workspace);
 
