@@ -12,15 +12,6 @@ namespace pcm::fast {
 
 namespace {
 
-PlacedFace placed_face(PosedPair& posed, const ClippedFace& seen, const ProjectedFace& face) {
-  const Side side = face.of_master ? seen.master : opposite(seen.master);
-  return {face,
-          {posed.vertex_Me(side, face.vertices[0]), posed.vertex_Me(side, face.vertices[1]),
-           posed.vertex_Me(side, face.vertices[2])},
-          *seen.prism,
-          posed.placement.max_coordinate};
-}
-
 /// Integrals over parts of one face; of min(depth, most) in place of the depth. Area and greatest depth are none of the
 /// clamp's.
 Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
@@ -42,11 +33,11 @@ std::span<const ConvexPolygon> pieces_of_visible_part(PosedPair& posed, const Cl
                                                       ClippingError& clipping_error) {
   const ProjectedFace& f = scratch.view.faces[index];
   if (overlap == scratch.overlaps.end() || overlap->first != index) return {&f.seen, 1};
-  const PlacedFace placed_f = placed_face(posed, seen, f);
+  const PlacedFace placed_f = placed_face(posed, seen.master, *seen.prism, f);
   scratch.polygons.assign(1, f.seen);
   for (; overlap != scratch.overlaps.end() && overlap->first == index; ++overlap) {
     if (scratch.polygons.empty()) continue;
-    const PlacedFace placed_g = placed_face(posed, seen, scratch.view.faces[overlap->second]);
+    const PlacedFace placed_g = placed_face(posed, seen.master, *seen.prism, scratch.view.faces[overlap->second]);
     subtract_hidden(placed_f, placed_g, scratch.polygons, scratch.remaining, clipping_error, posed.work);
   }
   for (const ConvexPolygon& polygon : scratch.polygons) clipping_error.add_piece(polygon, f.seen);

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "fast/clipped/cut_stretches.h"
+#include "fast/clipped/placed_face.h"
 #include "fast/clipped/seen_edge.h"
 
 namespace pcm::fast {
@@ -40,7 +41,7 @@ class Border {
   /// f's own, which it lies to the left of.
   std::optional<PartOnLine> on_edge_of_f() const {
     const ProjectedFace& f = seen_.f;
-    const Uncertainty uncertainty = seen_.prism.uncertainty(f.corners, seen_.max_coordinate);
+    const Uncertainty uncertainty = seen_.prism.uncertainty(f.corners, seen_.posed.placement.max_coordinate);
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const PrismPoint &from = f.corners[edge], &to = f.corners[(edge + 1) % 3];
       if (!lie_on_line(a_, b_, from, to, uncertainty)) continue;
@@ -52,14 +53,16 @@ class Border {
 
   /// First where it passes through f, and where through the master: an edge may lie just there.
   std::optional<PartOnLine> on_line_of(const ProjectedFace& h) const {
-    const Uncertainty uncertainty = seen_.prism.uncertainty(h.corners, seen_.max_coordinate);
+    const Uncertainty uncertainty = seen_.prism.uncertainty(h.corners, seen_.posed.placement.max_coordinate);
     if (is_seen_edgewise(h, uncertainty)) return {};
     const Slope depth(h), f(seen_.f);
     const double depth_at_a = h.corners[0][kDepth] + depth.along(a_ - h.corners[0]);
     // Before f it lies where this is positive.
     const Slope lead(f.per_s - depth.per_s, f.per_t - depth.per_t);
-    if (const auto part = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead, uncertainty)) return part;
-    if (const auto part = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty)) return part;
+    const auto crossing = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead, uncertainty);
+    if (crossing && passes_through_f(h)) return crossing;
+    const auto at_depth_0 = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty);
+    if (at_depth_0 && passes_through_master(h)) return at_depth_0;
     for (std::size_t edge = 0; edge < 3; ++edge)
       if (const auto part = on_edge(h, edge, uncertainty)) return part;
     return {};
@@ -73,6 +76,15 @@ class Border {
       return std::max({a[weight], b[weight], c[weight]}) - std::min({a[weight], b[weight], c[weight]});
     };
     return !certain(0.5 * cross_st(a, b, c), width(kS), width(kT), uncertainty);
+  }
+  bool passes_through_f(const ProjectedFace& h) const {
+    const PlacedFace placed_f = placed_face(seen_.posed, seen_.master, seen_.prism, seen_.f);
+    const PlacedFace placed_h = placed_face(seen_.posed, seen_.master, seen_.prism, h);
+    return meet_in_line(heights_over(placed_f, placed_h, seen_.posed.work)) &&
+           meet_in_line(heights_over(placed_h, placed_f, seen_.posed.work));
+  }
+  static bool passes_through_master(const ProjectedFace& h) {
+    return meet_in_line({h.corners[0][kDepth], h.corners[1][kDepth], h.corners[2][kDepth]});
   }
   /// Whether a linear function that is 0 on the way rises over h by more than roundings of depths.
   bool rises_over(const ProjectedFace& h, const Slope& slope) const {

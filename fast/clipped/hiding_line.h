@@ -5,16 +5,18 @@
 #include <optional>
 #include <vector>
 
+#include "fast/posed/posed_pair.h"
 #include "fast/prism/master_prism.h"
 
 namespace pcm::fast {
 
 /// What a master face sees of f, and all that it sees.
 struct SeenFaces {
+  PosedPair& posed;  ///< asked for the faces' vertices
+  Side master;
   const MasterPrism& prism;
   const std::vector<ProjectedFace>& faces;
   const ProjectedFace& f;
-  double max_coordinate;  ///< of the pose, m (Placement)
 };
 
 /// Part of a straight way, as shares of it, and the line on which it lies.
@@ -24,8 +26,9 @@ struct PartOnLine {
 };
 
 /// Of a way from a to b along f, which is seen on the left of it alone: the edge at which f itself ends there, or the
-/// line at which a face ends or begins to lie before f, as far as that lies on the way to within roundings. Nothing
-/// where no line does on a stretch that is longer than these. Where there are several, any.
+/// line at which a face ends or begins to lie before f, as far as that lies on the way to within roundings. Whether a
+/// face passes through f, or through the master, is no question of roundings. Nothing where no line does on a stretch
+/// that is longer than these. Where there are several, any.
 std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b);
 
 }  // namespace pcm::fast

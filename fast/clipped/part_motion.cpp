@@ -198,7 +198,7 @@ class PartSlopes {
   void add_borders_on_cuts() {
     if (scratch_.cuts.empty()) return;
     const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
-    const SeenFaces seen{part_.prism, part_.faces, part_.f, posed_.placement.max_coordinate};
+    const SeenFaces seen{posed_, part_.master, part_.prism, part_.faces, part_.f};
     std::vector<CutStretch>& open = scratch_.open;
     scratch_.cuts.find_with_one_piece(uncertainty, open);
     // Each line of each face takes its part of a stretch once; no more is asked, whatever roundings leave.

@@ -84,21 +84,6 @@ HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double,
   return {r1 * e2[kT] - r2 * e1[kT], a[kS], r2 * e1[kS] - r1 * e2[kS], a[kT], line};
 }
 
-/// Heights of the vertices of g over the plane of f, times twice the area of f and another factor > 0. Above is where
-/// the lines come from: the vertices of f run counterclockwise as the master sees them.
-std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, WorkCounters& work) {
-  std::array<double, 3> heights;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto& shared = f.projected.vertices;
-    const bool is_corner = f.projected.of_master == g.projected.of_master &&
-                           std::find(shared.begin(), shared.end(), g.projected.vertices[k]) != shared.end();
-    heights[k] = is_corner ? 0 : height_over(f.points_Me, g.points_Me[k], work);
-  }
-  const double greatest = std::max({std::abs(heights[0]), std::abs(heights[1]), std::abs(heights[2])});
-  if (greatest > 0 && greatest < kUnderflown) return scaled_heights_over(f.points_Me, g.points_Me);
-  return heights;
-}
-
 /// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both sides.
 int side_of_plane(const std::array<double, 3>& heights) {
   const bool above = std::max({heights[0], heights[1], heights[2]}) > 0;

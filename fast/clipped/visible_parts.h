@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "fast/clipped/placed_face.h"
 #include "fast/prism/master_prism.h"
 
 namespace pcm::fast {
@@ -63,17 +64,6 @@ struct FaceExtent {
 /// there.
 void find_overlaps(const std::vector<ProjectedFace>& faces, std::vector<FaceExtent>& by_low_s,
                    std::vector<Overlap>& overlaps);
-
-/// A face in the prism together with its vertices in Me.
-struct PlacedFace {
-  const ProjectedFace& projected;
-  std::array<Eigen::Vector3d, 3> points_Me;  ///< of `projected.vertices`, so counterclockwise as the master sees them
-  const MasterPrism& prism;
-  double max_coordinate;  ///< of the pose, m (Placement)
-
-  /// Of its sides.
-  Uncertainty uncertainty() const { return prism.uncertainty(projected.corners, max_coordinate); }
-};
 
 /// What was done to the pieces of a face, convex polygons, that is not exact but for roundings of its own points.
 struct ClippingError {

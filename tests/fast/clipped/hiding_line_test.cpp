@@ -8,24 +8,41 @@
 #include <optional>
 #include <vector>
 
+#include "fast/posed/posed_pair.h"
+#include "fast/surface/prepared_surface.h"
+
 namespace pcm::fast::hiding_line_test {
 namespace {
 
 using Eigen::Vector3d;
 
-/// A master of legs 1 m in the plane z = 0, seen from above, over f 1/2 m below it.
+/// A master of legs 1 m in the plane z = 0, seen from above, over f 1/2 m below it. Every face has vertices of its own.
 class HidingLine : public testing::Test {
  protected:
   MasterPrism prism{FaceGeometry({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)})};
+  std::array<TriangleMesh, 2> meshes;  ///< of the master, of the slave
   std::vector<ProjectedFace> faces;
 
-  void SetUp() override { add({Vector3d(-9, -9, -0.5), Vector3d(9, -9, -0.5), Vector3d(0, 9, -0.5)}); }
+  void SetUp() override {
+    clear();
+    add({Vector3d(-9, -9, -0.5), Vector3d(9, -9, -0.5), Vector3d(0, 9, -0.5)});
+  }
+  void clear() {
+    meshes = {};
+    faces.clear();
+    add_to(meshes[0], {Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)});
+  }
 
+  static Triangle add_to(TriangleMesh& mesh, const std::array<Vector3d, 3>& points) {
+    const auto first = static_cast<Index>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
+    mesh.faces.push_back({first, first + 1, first + 2});
+    return mesh.faces.back();
+  }
   void add(const std::array<Vector3d, 3>& points, bool of_master = false) {
     WorkCounters work;
-    const auto first = static_cast<Index>(3 * faces.size());
     ProjectedFace face;
-    ASSERT_TRUE(project_face({first, first + 1, first + 2},
+    ASSERT_TRUE(project_face(add_to(meshes[of_master ? 0 : 1], points),
                              {prism.see(points[0], work), prism.see(points[1], work), prism.see(points[2], work)},
                              face));
     face.number = static_cast<std::int32_t>(faces.size());
@@ -36,7 +53,10 @@ class HidingLine : public testing::Test {
   /// On f, with what is seen to the left: below t = 1/4 from greater s to less.
   std::optional<PartOnLine> find(double from, double to, double t = 0.25) const {
     const auto at = [t](double s) { return PrismPoint(1 - s - t, s, t, 0.5); };
-    return find_hiding_line({prism, faces, faces[0], 9}, at(from), at(to));
+    const PreparedSurface E = prepare_surface(meshes[0]), F = prepare_surface(meshes[1]);
+    PosedPair posed;
+    posed.place(E, F, {}, 0, false);
+    return find_hiding_line({posed, Side::E, prism, faces, faces[0]}, at(from), at(to));
   }
   static int kind(const PartOnLine& part) { return (part.line - 1) % kLinesOfAFace; }
   static int number(const PartOnLine& part) { return (part.line - 1) / kLinesOfAFace; }
@@ -78,8 +98,40 @@ TEST_F(HidingLine, IsWhereAFacePassesThroughTheMaster) {
   EXPECT_EQ(kind(*found), kAtDepth0);
 }
 
+// Its plane meets f, or the master, where the edge is, but for what can't be told from roundings by places.
+TEST_F(HidingLine, IsTheEdgeOfAFaceThatAllButReachesFOrTheMaster) {
+  const std::array<double, 2> ends_before{-0.5 + 0x1p-50, -0x1p-50};
+  for (const double z : ends_before) {
+    SCOPED_TRACE(z);
+    SetUp();
+    add({Vector3d(0.125, 0.25, z), Vector3d(0.875, 0.25, z), Vector3d(0.5, 0.75, -0.25)});
+    const auto found = find(0.75, 0);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(number(*found), 1);
+    EXPECT_LT(kind(*found), 3);
+    SetUp();
+    add({Vector3d(0.125, 0.25, z), Vector3d(0.875, 0.25, z), Vector3d(0.5, 0.75, -0.25)}, true);
+    const auto of_own = find(0.75, 0);
+    ASSERT_TRUE(of_own);
+    EXPECT_LT(kind(*of_own), 3);
+  }
+}
+
+TEST_F(HidingLine, IsWhereAFacePassesThroughFOrTheMasterByOneUlp) {
+  const std::array<double, 2> ends_beyond{-0.5 - 0x1p-53, 0x1p-1000};
+  const std::array<int, 2> kinds{kCrossing, kAtDepth0};
+  for (std::size_t k = 0; k < 2; ++k) {
+    SCOPED_TRACE(k);
+    SetUp();
+    add({Vector3d(0.125, 0.25, ends_beyond[k]), Vector3d(0.875, 0.25, ends_beyond[k]), Vector3d(0.5, 0.75, -0.25)});
+    const auto found = find(0.75, 0);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(kind(*found), kinds[k]);
+  }
+}
+
 TEST_F(HidingLine, IsTheEdgeOfFItself) {
-  faces.clear();
+  clear();
   add({Vector3d(-9, -9, -0.5), Vector3d(9, 0.25, -0.5), Vector3d(-9, 0.25, -0.5)});
   const auto found = find(0.75, 0);
   ASSERT_TRUE(found);

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "compare/poses/rounded_vertices.h"
 #include "compare/verify/bounds/tangent_bounds.h"
@@ -14,6 +16,7 @@
 #include "compare/verify/run/recorded_scenes.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/hard_bodies.h"
+#include "meshes/generate/degenerate/sunken_blocks.h"
 #include "meshes/generate/round.h"
 #include "tests/compare/small_pair.h"
 #include "tests/sunken_blocks.h"
@@ -266,6 +269,41 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereAnUprightWallLeansOverItsNeighb
   pair.law = {};
   pair.law.stiffness = 1e4;
   EXPECT_FALSE(pair.is_flagged());
+}
+
+/// A floor's edge lies off the master's plane, or off another floor, by ulps: there the planes of the two meet as near
+/// to the edge as can't be told from roundings of places, but not the faces, and forces would grow up to 10^5 times as
+/// fast as they do (`pcm verify`, seed 2026, near-degenerate poses 12877, 11704, 14065 and 9964).
+TEST(ClippedTangentVerdict, PassesTheEnginesWhereAFloorIsOffFlushByUlps) {
+  struct Case {
+    std::uint64_t number;
+    bool swapped;
+    std::array<std::array<double, 3>, 3> A;
+    Eigen::Vector3d r;
+  };
+  const std::array<Case, 4> cases{{
+      {6, true, {{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}, {0x1.1cp+2, 0x1.0ap+2, -0x1.4f7fffffffff9p+1}},
+      {20,
+       false,
+       {{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}}},
+       {0x1.9fffffffffff8p+3, 0x1.b7fffffffffffp+3, -0x1.2fffffffffffep+2}},
+      {0, true, {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}, {-0x1.4p+1, 0x1.7fffffffffff8p+3, 0x1.c8p+2}},
+      {14, false, {{{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}}, {-0x1.2p-2, -0x1.c84p+2, -0x1.0bfffffffffffp+2}},
+  }};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.number);
+    PosedPair pair;
+    std::array<TriangleMesh, 2> bodies = degenerate::sunken_blocks(c.number);
+    if (c.swapped) std::swap(bodies[0], bodies[1]);
+    pair.E = bodies[0];
+    pair.F = bodies[1];
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        pair.pose.A(row, column) = c.A[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    pair.pose.r = c.r;
+    pair.velocity = {{0.3, -0.2, 0.1}, {0, 0, 0}};
+    EXPECT_FALSE(pair.is_flagged());
+  }
 }
 
 /// Edges of blocks lie on the lines of others at other depths, beyond their ends. Taken for these they would move
