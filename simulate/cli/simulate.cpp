@@ -80,7 +80,7 @@ void apply(const SimulateOptions& options, Scene& scene) {
   if (!options.method.empty()) scene.integrator.method = method_named(options.method);
   if (!options.jacobian.empty()) {
     scene.integrator.jacobian = jacobian_named(options.jacobian);
-    if (!options.compares && !takes_jacobians(scene.integrator.method))
+    if (!takes_jacobians(scene.integrator.method))
       throw BadInput("--jacobian: the integrator (" + std::string(name(scene.integrator.method)) +
                      ") takes none; leave it out, or choose bdf, ida or esdirk");
   }
@@ -241,7 +241,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
       ->add_option("--slip-velocity", options->slip_velocity,
                    "In m/s, of every law with friction, in place of the scene's")
       ->type_name("V");
-  command->add_flag(
+  CLI::Option* const compares = command->add_flag(
       "--compare-integrators", options->compares,
       "In place of a run: every integrator, where it takes Jacobians by differences and by tangents, at several "
       "tolerances and slip velocities; a table and a picture, in the folder SCENE-integrators where --out is left out");
@@ -255,6 +255,9 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
                    "In s: also pictures of the recorded states next to these instants, still_T.png; in place of the "
                    "scene's")
       ->type_name("T,T,...");
+  for (const char* option : {"--integrator", "--jacobian", "--relative-tolerance", "--absolute-tolerance", "--spectrum",
+                             "--paraview", "--stills"})
+    compares->excludes(option);
   command->add_flag("--print", options->print, "Print the scene and run nothing");
   command->add_flag("--schema", options->schema, "Print the JSON schema of scene files");
   command->callback([options, &run] { run = [options] { return simulate(*options); }; });

@@ -301,7 +301,12 @@ void SceneReader::read_pairing(const Json& json, const std::string& at) {
 void SceneReader::read_integrator(const Json& json) {
   IntegratorSettings& settings = scene_.integrator;
   if (json.contains("method")) settings.method = word_from(json["method"].get<std::string>(), kMethods);
-  if (json.contains("jacobian")) settings.jacobian = word_from(json["jacobian"].get<std::string>(), kJacobians);
+  if (json.contains("jacobian")) {
+    settings.jacobian = word_from(json["jacobian"].get<std::string>(), kJacobians);
+    if (!takes_jacobians(settings.method))
+      json_.refuse("/integrator/jacobian",
+                   json["method"].get<std::string>() + " takes none; leave it out, or choose bdf, ida or esdirk");
+  }
   read(json, "relative_tolerance", settings.relative_tolerance);
   read(json, "absolute_tolerance", settings.absolute_tolerance);
   read(json, "greatest_step", settings.greatest_step);

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -65,6 +66,8 @@ int exit_status_of(const std::function<Exit()>& work) {
     status = verdict;
   } catch (const BadInput& error) {
     complain(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain(error.path1().string() + ": " + error.code().message() + "; check the name");
   } catch (const std::system_error& error) {
     complain(error.what());
   } catch (const std::bad_alloc&) {

@@ -109,8 +109,11 @@ VerificationPlan read_index(const fs::path& file) {
   return within(file.string(), [&] {
     VerificationPlan plan;
     const Json json = parsed_index(text);
-    if (!json.is_object() || !json.contains("pcm_trajectory") || json["pcm_trajectory"] != 1)
+    if (!json.is_object() || !json.contains("pcm_trajectory"))
       throw BadInput(std::string(kNoTrajectory) + " (\"pcm_trajectory\": 1 is missing)");
+    if (json["pcm_trajectory"] != 1)
+      throw BadInput("\"pcm_trajectory\" is " + json["pcm_trajectory"].dump() +
+                     ", and only 1 is known; record it anew");
     const fs::path folder = file.parent_path();
     std::vector<NamedSurface> surfaces;
     for (const Json& surface : array_at(json, "surfaces"))

@@ -253,6 +253,27 @@ TEST(SimulateCommand, RefusesAJacobianForAnIntegratorThatTakesNone) {
       << outcome.err;
 }
 
+TEST(SimulateCommand, RefusesWhatAComparisonOfIntegratorsHasInSeveralWaysOrNotAtAll) {
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--integrator", "adams"},
+                                                  {"--jacobian", "tangents"},
+                                                  {"--relative-tolerance", "1e-5"},
+                                                  {"--absolute-tolerance", "1e-5"},
+                                                  {"--spectrum", "5"},
+                                                  {"--stills", "0.005"},
+                                                  {"--paraview"}}) {
+    SCOPED_TRACE(options[0]);
+    std::vector<std::string> arguments{"simulate", "creep", "--compare-integrators", "--duration",
+                                       "0.01",     "--out", folder.path("out")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = compare::run_pcm(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    expect_one_line(outcome.err);
+    EXPECT_NE(outcome.err.find(options[0]), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder.path("out")));
+  }
+}
+
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
   const TemporaryFolder folder;
   const Outcome outcome = compare::run_pcm({"simulate", folder.path("")});

@@ -109,6 +109,7 @@ TEST(ReadScene, RefusesWithFileLineAndKey) {
       {R"("make": "box")", R"("scale": 2)", "block.json:9: bodies[0].surfaces[0]: it takes either make or file"},
       {R"("name": "plate")", R"("name": "block")", "another surface has the name 'block'"},
       {R"("method": "ida")", R"("method": "euler")", "block.json:19: integrator.method: it must be one of: adams, bdf"},
+      {R"("method": "ida")", R"("method": "rkc")", "block.json:19: integrator.jacobian: rkc takes none"},
       {R"("tangents")", R"("exact")", "block.json:19: integrator.jacobian: it must be one of: differences, tangents"},
       {"1e-6", "-1e-6", "block.json:19: integrator.relative_tolerance: Expected number greater than 0"},
       {"1e-6", "1e999", "block.json:19: no JSON: "},

@@ -56,6 +56,16 @@ class ProgramBadInput : public testing::Test {
   }
 };
 
+TEST_F(ProgramBadInput, NamesLongerThanFileSystemsTake) {
+  const std::string name(300, 'a');
+  expect_bad_contact({"--csv", name + "/x.csv"}, name + "/x.csv: File name too long");
+  expect_bad_contact({"--elements", name}, name + ": File name too long");
+  expect_bad_contact({"--poses", name}, name + ": ");
+  expect_bad_surface(name + ".obj", name + ".obj: ");
+  expect_bad_input({"verify", "--poses", "1", "--out", name}, name + ": ");
+  expect_bad_input({"simulate", name}, name + ": ");
+}
+
 TEST_F(ProgramBadInput, CommandsAndOptions) {
   expect_bad_input({}, "command");
   expect_bad_input({"frobnicate"}, "frobnicate");

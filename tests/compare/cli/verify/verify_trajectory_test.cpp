@@ -100,7 +100,8 @@ TEST_F(VerifyTrajectory, RefusesABadIndexByItsKey) {
                  ": this is no trajectory of pcm; give trajectory/trajectory.json of a folder of 'pcm simulate'");
   trajectory_.folder().write("trajectory.json", "[1]");
   expect_refused(file + ": this is no trajectory of pcm");
-  expect_bad_index([](Json& json) { json["pcm_trajectory"] = 2; }, "this is no trajectory of pcm");
+  expect_bad_index([](Json& json) { json["pcm_trajectory"] = 2; }, "\"pcm_trajectory\" is 2, and only 1 is known");
+  expect_bad_index([](Json& json) { json.erase("pcm_trajectory"); }, "this is no trajectory of pcm");
   expect_bad_index([](Json& json) { json.erase("surfaces"); }, "key 'surfaces' not found");
   expect_bad_index([](Json& json) { json["pairings"] = "none"; }, "pairings: ");
   expect_bad_index([](Json& json) { json["surfaces"][1].erase("file"); }, "surfaces[1]: key 'file' not found");
