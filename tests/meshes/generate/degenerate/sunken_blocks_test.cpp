@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <utility>
@@ -65,6 +67,48 @@ TEST(SunkenBlocks, HaveEdgesInLineAtDifferentDepths) {
     with_such_a_line += has_one;
   }
   EXPECT_GE(with_such_a_line, 24);
+}
+
+using Blocks = std::vector<std::vector<Eigen::Vector3d>>;
+
+/// The corners of all but the first, of both bodies.
+Blocks smaller_blocks(std::uint64_t number) {
+  constexpr std::size_t kCorners = 8;
+  Blocks blocks;
+  for (const TriangleMesh& mesh : degenerate::sunken_blocks(number))
+    for (std::size_t first = kCorners; first < mesh.vertices.size(); first += kCorners)
+      blocks.emplace_back(mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first),
+                          mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first + kCorners));
+  return blocks;
+}
+
+TEST(SunkenBlocks, SmallerOnesAreFourInOneOfTheBodiesOrTheOtherAndApart) {
+  std::size_t in_plates = 0;
+  for (std::uint64_t number = 0; number < 48; ++number) {
+    SCOPED_TRACE(number);
+    in_plates += degenerate::sunken_blocks(number)[0].vertices.size() / 8 - 1;
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const std::vector<Eigen::Vector3d>& block : smaller_blocks(number)) {
+      Eigen::AlignedBox3d box;
+      for (const Eigen::Vector3d& x : block) box.extend(x);
+      for (const Eigen::AlignedBox3d& other : boxes) EXPECT_FALSE(box.intersects(other));
+      boxes.push_back(box);
+    }
+    EXPECT_EQ(boxes.size(), 4U);
+  }
+  EXPECT_GE(in_plates, 48U);
+  EXPECT_LE(in_plates, 96U);
+}
+
+TEST(SunkenBlocks, WallsLean) {
+  for (std::uint64_t number = 0; number < 48; ++number)
+    for (const std::vector<Eigen::Vector3d>& block : smaller_blocks(number))
+      for (std::size_t a = 0; a < block.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+          if (block[a].z() == block[b].z()) continue;
+          EXPECT_NE(block[a].x(), block[b].x()) << number;
+          EXPECT_NE(block[a].y(), block[b].y()) << number;
+        }
 }
 
 TEST(LeaningBlock, IsWiderAtItsFarEndByTheFactorAndAlongYByLess) {
