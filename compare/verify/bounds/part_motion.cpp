@@ -23,6 +23,7 @@ using Speeds = Eigen::Array<double, 1, 6>;
 
 /// Roundings of an integral along a side or over a triangle, and of its factors.
 constexpr double kRoundings = 64;
+constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
 
 /// From here to there along a line, m.
 using Stretch = std::pair<double, double>;
@@ -69,10 +70,21 @@ class ErrorSum {
     for (const SightLine& line : view.lines_in_sight(element.slave_face)) add(line);
   }
 
+  PartGrowth greatest() const {
+    if (!known_) return {Speeds::Constant(kNothingKnown), Speeds::Constant(kNothingKnown)};
+    PartGrowth growth{Speeds::Zero(), (element_.area + area_error_) * (fastest_growth_ + growth_error())};
+    for (const MovingLine& line : lines_) {
+      const Speeds moved = (2 * line.length + 8 * line.off) * line.greatest_speed() + 8 * line.off * line.any_way;
+      const double lateral = sight_.depth_error + times(sight_.slope, line.off);
+      growth.area += moved;
+      growth.volume += clamped(std::max(line.depths[0], line.depths[1]) + lateral) * moved;
+    }
+    return {kHigherOrder * growth.area, kHigherOrder * growth.volume};
+  }
+
   PartMotionError total() {
     if (!known_) {
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      area_ = volume_ = moment_ = Speeds::Constant(kInfinity);
+      area_ = volume_ = moment_ = Speeds::Constant(kNothingKnown);
       return {area_, volume_, moment_};
     }
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -186,14 +198,16 @@ class ErrorSum {
     return at(stretch.first).max(at(stretch.second));
   }
 
+  /// Of the depth's growth, for a motion of 1, m.
+  double growth_error() const { return growth_.error * (1 + reach_) + growth_.pull.norm() * coordinate_error(); }
+
   /// The depth grows by N_f . d(X) / (n_k . N_f) where it is not clamped.
   void add_inside() {
     const double n = static_cast<double>(lines_.size()), area = element_.area + area_error_;
     const double depth_error = kHigherOrder * (sight_.depth_error + times(sight_.slope, 2 * sight_.strip));
     const double unsure = area_error_ + view_.area_about_depth(element_.slave_face, most_, depth_error);
-    const double speed_error = growth_.error * (1 + reach_) + growth_.pull.norm() * coordinate_error();
     const Speeds error =
-        std::min(unsure, area) * fastest_growth_ + area * (speed_error + (kRoundings + n * n) * u * fastest_growth_);
+        std::min(unsure, area) * fastest_growth_ + area * (growth_error() + (kRoundings + n * n) * u * fastest_growth_);
     volume_ += error;
     moment_ += view_.longest_side() * error;
   }
@@ -218,6 +232,11 @@ class ErrorSum {
 PartMotionError part_motion_error(const Question& question, const reference::Element& element,
                                   const ClippedBounds::OfElement& bound, const MasterView& view) {
   return ErrorSum(question, element, bound, view).total();
+}
+
+PartGrowth greatest_part_growth(const Question& question, const reference::Element& element,
+                                const ClippedBounds::OfElement& bound, const MasterView& view) {
+  return ErrorSum(question, element, bound, view).greatest();
 }
 
 }  // namespace pcm::compare

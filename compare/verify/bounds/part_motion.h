@@ -29,4 +29,13 @@ struct PartMotionError {
 PartMotionError part_motion_error(const Question& question, const reference::Element& element,
                                   const ClippedBounds::OfElement& bound, const MasterView& view);
 
+/// How fast area, m^2, and the integral of the clamped penetration, m^3, may grow or shrink at most, of whatever of a
+/// slave face a right engine sees: all lines in sight may be its border, on both sides and all along. Infinite where
+/// nothing is known.
+struct PartGrowth {
+  Eigen::Array<double, 1, 6> area, volume;
+};
+PartGrowth greatest_part_growth(const Question& question, const reference::Element& element,
+                                const ClippedBounds::OfElement& bound, const MasterView& view);
+
 }  // namespace pcm::compare

@@ -12,6 +12,7 @@
 #include "compare/verify/bounds/part_motion.h"
 #include "compare/verify/bounds/rounded_faces.h"
 #include "compare/verify/bounds/rounding_bounds.h"
+#include "compare/verify/bounds/sliver_slopes.h"
 #include "compare/verify/bounds/uncertain_number.h"
 #include "reference/numbers/vector3.h"
 
@@ -221,6 +222,15 @@ class SlopeSum {
     }
   }
 
+  /// Of either side alone, or of both.
+  void add(const GreatestSlopes& greatest) {
+    const auto up_to = [](double most) { return Vector{Number(0, most), Number(0, most), Number(0, most)}; };
+    for (std::size_t k = 0; k < kCoordinates; ++k) {
+      sums_[k].force = sums_[k].force + up_to(greatest.force[k]);
+      sums_[k].torque = sums_[k].torque + up_to(greatest.torque[k]);
+    }
+  }
+
   fast::Tangent errors(Mode mode) const {
     // Both sides are within the error of one number.
     const double share = mode == Mode::both ? 1 : 2;
@@ -249,10 +259,6 @@ fast::Tangent barycentric_bounds(const Question& question, const reference::Answ
   return sum.errors(question.mode);
 }
 
-fast::Tangent nothing_known() {
-  return fast::Tangent::Constant(std::numeric_limits<double>::infinity());
-}
-
 fast::Tangent clipped_bounds(const Question& question, const reference::Answer& true_rounded,
                              const std::vector<reference::ElementMotion>& motions) {
   const ClippedBounds bounds(question, true_rounded);
@@ -261,9 +267,12 @@ fast::Tangent clipped_bounds(const Question& question, const reference::Answer& 
   for (std::size_t i = 0; i < true_rounded.elements.size(); ++i) {
     const reference::Element& e = true_rounded.elements[i];
     const ClippedBounds::OfElement& bound = bounds.elements()[i];
-    if (bound.sliver) return nothing_known();
     if (!view || view->master() != e.master || view->master_face() != e.master_face)
       view.emplace(bounds.faces(), e.master, e.master_face);
+    if (bound.sliver) {
+      sum.add(greatest_slopes_of_sliver(question, e, bound, greatest_part_growth(question, e, bound, *view)));
+      continue;
+    }
     const PartMotionError error = part_motion_error(question, e, bound, *view);
     sum.add(MovingElement(question, e, bound.bounds), ClippedGeometry(question, e, bound.bounds, motions[i], error));
   }

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verify/bounds/sliver_slopes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "compare/verify/bounds/bound_arithmetic.h"
+#include "compare/verify/bounds/element_law.h"
+
+namespace pcm::compare {
+namespace {
+
+/// a / b for bounds, b >= 0.
+double quotient(double a, double b) {
+  return a == 0 ? 0 : b > 0 ? a / b : std::numeric_limits<double>::infinity();
+}
+
+/// Greatest values, of the oracle's sliver or a right engine's.
+class Sliver {
+ public:
+  Sliver(const Question& question, const reference::Element& e, const ClippedBounds::OfElement& bound)
+      : law_(question.law),
+        on_E_(e.master == Side::E),
+        stiffness_(series_stiffness(law_)),
+        area_(e.area + bound.bounds.area),
+        depth_(std::min(std::max(bound.sight.deepest, e.greatest_penetration), law_.max_penetration)),
+        width_(bound.sight.width),
+        shift_(share_of_penetration(law_, e.master)),
+        lever_((e.position_Me - question.pose.r).norm() + bound.bounds.position + depth_),
+        v_(question.velocity.v.norm()),
+        w_(question.velocity.w.norm()),
+        speed_(v_ + times(w_, lever_)) {}
+
+  struct Slopes {
+    double force, torque;
+  };
+
+  /// By a coordinate of r, a turn, v or w (`of` 0 to 3) with which area and volume grow by no more than this.
+  Slopes by(std::size_t of, double d_area, double d_volume) const {
+    const double u_d = law_.transition_depth;
+    const double faded_area = u_d > 0 ? std::min(area_, area_ * depth_ / u_d) : area_;
+    const double d_faded_area = u_d > 0 ? std::max(d_area, quotient(d_volume, u_d)) : d_area;
+    // V times the way of C_k, and A f times that.
+    const double way = 2 * times(width_, d_volume) + shift_ * times(depth_, d_volume + times(depth_, d_area));
+    const double faded_way = quotient(way, u_d);
+
+    const double d_v = rate_of_velocity(of);
+    const double normal = stiffness_ * area_ * depth_ + law_.damping * faded_area * speed_;
+    const double d_normal =
+        stiffness_ * d_volume +
+        times(law_.damping, times(speed_, d_faded_area) + times(faded_area, d_v) + times(w_, faded_way));
+    const double normal_times_way = stiffness_ * way + times(law_.damping, times(speed_, faded_way));
+    const double d_slip = times(normal, d_v) + times(w_, normal_times_way);
+    const double friction = times(law_.friction, d_normal + quotient(2 * d_slip, law_.slip_velocity));
+
+    const double all = 1 + law_.friction;
+    Slopes slopes{d_normal + friction, all * normal_times_way};
+    // Seen from F, force and torque turn with it; seen from E, the arm from Mf gets shorter.
+    if (!on_E_ && of == 1) slopes.force += all * normal;
+    if (on_E_ && of == 0) slopes.torque += all * normal;
+    slopes.torque += times(lever_, slopes.force);
+    return {kHigherOrder * slopes.force, kHigherOrder * slopes.torque};
+  }
+
+ private:
+  /// Of v_k at a point that stays where it is.
+  double rate_of_velocity(std::size_t of) const {
+    if (of == 0) return on_E_ ? w_ : 0;
+    if (of == 1) return on_E_ ? 0 : speed_;
+    return of == 2 ? 1 : lever_;
+  }
+
+  const ContactLaw& law_;
+  bool on_E_;
+  double stiffness_;
+  double area_, depth_, width_;
+  double shift_, lever_;
+  double v_, w_, speed_;
+};
+
+}  // namespace
+
+GreatestSlopes greatest_slopes_of_sliver(const Question& question, const reference::Element& element,
+                                         const ClippedBounds::OfElement& bound, const PartGrowth& growth) {
+  const Sliver sliver(question, element, bound);
+  GreatestSlopes greatest;
+  for (std::size_t k = 0; k < greatest.force.size(); ++k) {
+    const bool moves = k < 6;
+    const auto column = static_cast<Eigen::Index>(k);
+    const Sliver::Slopes slopes = sliver.by(k / 3, moves ? growth.area[column] : 0, moves ? growth.volume[column] : 0);
+    greatest.force[k] = slopes.force;
+    greatest.torque[k] = slopes.torque;
+  }
+  return greatest;
+}
+
+}  // namespace pcm::compare

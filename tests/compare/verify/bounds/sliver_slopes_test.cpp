@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/verify/bounds/sliver_slopes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+
+#include "compare/verify/bounds/element_law.h"
+#include "compare/verify/bounds/tangent_bounds.h"
+#include "compare/verify/routes/held_pairing.h"
+#include "tests/compare/small_pair.h"
+
+namespace pcm::compare::sliver_slopes_test {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Near-degenerate poses at which an element may be a sliver.
+template <class Visit>
+void for_each_pose_with_slivers(const ContactLaw& law, const Velocity& velocity, int count, const Visit& visit) {
+  const SurfacePair pair = small_pair();
+  const HeldPairing held(pair.E, pair.F, law, Mode::both, Scheme::clipped);
+  int found = 0;
+  for (std::uint64_t i = 0; found < count; ++i) {
+    ASSERT_LT(i, 10000U);
+    const Pose pose = draw_pose(Stratum::near_degenerate, held.features(), PoseRandom(31, 2, 0, i)).pose;
+    reference::Inquiry inquiry(held.oracle(), pose, velocity, {}, law, Scheme::clipped);
+    const reference::Answer answer = inquiry.answer(reference::Problem::rounded, Mode::both);
+    const Question question = held.question(pose, velocity);
+    const ClippedBounds bounds(question, answer);
+    if (std::none_of(bounds.elements().begin(), bounds.elements().end(), [](const auto& e) { return e.sliver; }))
+      continue;
+    ++found;
+    visit(question, answer, inquiry.tangent(reference::Problem::rounded, Mode::both), bounds);
+  }
+}
+
+TEST(SliverSlopes, OfTheOraclesSliversWithoutMotionAreNoGreater) {
+  ContactLaw law;
+  law.layers = LayerStiffness{3e6, 1e6};
+  const double c = series_stiffness(law);
+  int slivers = 0;
+  double closest = 0;
+  for_each_pose_with_slivers(law, {}, 40,
+                             [&](const Question& question, const reference::Answer& answer,
+                                 const reference::Tangent& truth, const ClippedBounds& bounds) {
+                               for (std::size_t i = 0; i < answer.elements.size(); ++i) {
+                                 const reference::Element& e = answer.elements[i];
+                                 const ClippedBounds::OfElement& bound = bounds.elements()[i];
+                                 if (!bound.sliver) continue;
+                                 ++slivers;
+                                 const MasterView view(bounds.faces(), e.master, e.master_face);
+                                 const GreatestSlopes greatest = greatest_slopes_of_sliver(
+                                     question, e, bound, greatest_part_growth(question, e, bound, view));
+                                 for (Eigen::Index k = 0; k < 6; ++k) {
+                                   const auto& motion = truth.elements[i].slope;
+                                   const double grows =
+                                       c * std::abs(e.area * motion(1, k) + e.penetration * motion(0, k));
+                                   const double most = greatest.force[static_cast<std::size_t>(k)];
+                                   EXPECT_LE(grows, most);
+                                   if (most > 0) closest = std::max(closest, grows / most);
+                                 }
+                               }
+                             });
+  EXPECT_GT(slivers, 40);
+  EXPECT_GT(closest, 1e-2);
+}
+
+TEST(SliverSlopes, LeaveMostDerivativesBounded) {
+  ContactLaw law;
+  law.layers = LayerStiffness{3e6, 1e6};
+  law.damping = 300;
+  law.transition_depth = 0.01;
+  law.friction = 0.3;
+  law.slip_velocity = 0.5;
+  int all = 0, bounded = 0;
+  for_each_pose_with_slivers(law, {{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}}, 40,
+                             [&](const Question& question, const reference::Answer& answer,
+                                 const reference::Tangent& truth, const ClippedBounds&) {
+                               ++all;
+                               bounded += tangent_bounds(question, answer, truth.elements).allFinite();
+                             });
+  EXPECT_GT(bounded, all / 2) << "of " << all;
+}
+
+/// A part of E's face at z = 0 whose area, volume and first moment grow at given rates.
+struct GrowingPart {
+  double area, d_area, volume, d_volume;
+  Vector3d moment, d_moment;  ///< from where it is, at most `width` times volume and its rate
+
+  reference::Element element_at(double t, const Question& question, double shift) const {
+    reference::Element e;
+    e.master = Side::E;
+    e.normal_Me = {0, 0, -1};
+    e.area = area + t * d_area;
+    const double volume_there = volume + t * d_volume;
+    e.penetration = e.greatest_penetration = volume_there / e.area;
+    e.position_Me =
+        Vector3d(0.5, 0.25, 0) + (moment + t * d_moment) / volume_there + shift * e.penetration * e.normal_Me;
+    return after_law(question, e);
+  }
+};
+
+TEST(SliverSlopes, OfAnyLawAndMotionAreThoseOfDifferencesOrMore) {
+  std::mt19937 random(5);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  const auto vector = [&](double length) -> Vector3d {
+    return length * Vector3d(between(-1, 1), between(-1, 1), between(-1, 1)) / std::sqrt(3.0);
+  };
+  const SurfacePair pair = small_pair();
+  double closest_force = 0, closest_torque = 0;
+  for (int i = 0; i < 4000; ++i) {
+    SCOPED_TRACE(i);
+    ContactLaw law;
+    law.layers = LayerStiffness{between(1e3, 1e6), between(1e3, 1e6)};
+    law.damping = i % 2 == 0 ? between(0, 1e6) : 0;
+    law.transition_depth = between(0.01, 0.2);
+    law.friction = i % 3 == 0 ? between(0, 1) : 0;
+    law.slip_velocity = between(0.1, 1);
+    law.damping_mode = static_cast<DampingMode>(i / 24 % 3);
+    const SurfaceFeatures E(pair.E), F(pair.F);
+    const Pose pose{Eigen::Matrix3d::Identity(), vector(2)};
+    const Velocity velocity{vector(1), i % 5 == 0 ? Vector3d::Zero() : vector(2)};
+    const double shift = share_of_penetration(law, Side::E), width = between(1e-3, 0.5), depth = 0.2;
+    // By r, a turn of F, which E does not see but by its part, v or w.
+    const auto of = static_cast<std::size_t>(i / 2 % 4);
+    const double fast = of < 2 ? std::ldexp(1, -static_cast<int>(random() % 16)) : 0;
+    GrowingPart part;
+    part.area = between(1e-6, 1e-3);
+    part.d_area = fast * between(-1, 1);
+    part.volume = part.area * between(0.05, 1) * depth;
+    part.d_volume = fast * between(-1, 1) * depth;
+    part.moment = vector(width * part.volume);
+    part.d_moment = vector(width * std::abs(part.d_volume));
+
+    const auto load = [&](double t) {
+      Question question{E, F, law, Mode::E, Scheme::clipped, pose, velocity};
+      if (of == 0) question.pose.r.y() += t;
+      if (of == 2) question.velocity.v.y() += t;
+      if (of == 3) question.velocity.w.y() += t;
+      const reference::Element e = part.element_at(t, question, shift);
+      Eigen::Matrix<double, 6, 1> both;
+      both << e.force_Me, (e.position_Me - question.pose.r).cross(e.force_Me);
+      return both;
+    };
+    const double h = 1e-6 * part.volume / (depth * (1 + width));
+    const Eigen::Matrix<double, 6, 1> right = (load(h) - load(0)) / h, left = (load(0) - load(-h)) / h;
+    const Question question{E, F, law, Mode::E, Scheme::clipped, pose, velocity};
+    ClippedBounds::OfElement bound;
+    bound.sight.deepest = depth;
+    bound.sight.width = width;
+    bound.bounds.position = width;
+    PartGrowth growth{Eigen::Array<double, 1, 6>::Constant(std::abs(part.d_area)),
+                      Eigen::Array<double, 1, 6>::Constant(std::abs(part.d_volume))};
+    const GreatestSlopes greatest =
+        greatest_slopes_of_sliver(question, part.element_at(0, question, shift), bound, growth);
+    const std::size_t k = 3 * of + 1;
+    const double force = std::min(right.head<3>().norm(), left.head<3>().norm());
+    const double torque = std::min(right.tail<3>().norm(), left.tail<3>().norm());
+    EXPECT_LE(force, greatest.force[k]);
+    EXPECT_LE(torque, greatest.torque[k]);
+    closest_force = std::max(closest_force, force / greatest.force[k]);
+    closest_torque = std::max(closest_torque, torque / greatest.torque[k]);
+  }
+  EXPECT_GT(closest_force, 0.3);
+  EXPECT_GT(closest_torque, 0.2);
+}
+
+TEST(SliverSlopes, AreUnknownWhereTheLawHasNoBoundOfThem) {
+  const SurfacePair pair = small_pair();
+  const SurfaceFeatures E(pair.E), F(pair.F);
+  reference::Element e;
+  e.area = 1e-9;
+  e.penetration = e.greatest_penetration = 0.1;
+  e.normal_Me = {0, 0, -1};
+  ClippedBounds::OfElement bound;
+  bound.sight.width = 0.1;
+  const PartGrowth growth{Eigen::Array<double, 1, 6>::Constant(1), Eigen::Array<double, 1, 6>::Constant(0.1)};
+  const auto greatest = [&](const ContactLaw& law, const Velocity& velocity) {
+    return greatest_slopes_of_sliver({E, F, law, Mode::E, Scheme::clipped, {}, velocity}, e, bound, growth);
+  };
+  const Velocity slides{{1, 0, 0}, {0, 0, 0}}, turns{{1, 0, 0}, {0, 1, 0}};
+  ContactLaw law;
+  law.damping = 10;
+  law.transition_depth = 0.01;
+  law.friction = 0.5;
+  law.slip_velocity = 0.1;
+  EXPECT_TRUE(std::isfinite(greatest(law, turns).force[0]));
+  ContactLaw unfaded = law;
+  unfaded.transition_depth = 0;
+  EXPECT_TRUE(std::isfinite(greatest(unfaded, slides).force[0]));
+  EXPECT_FALSE(std::isfinite(greatest(unfaded, turns).force[0]));
+  ContactLaw jumping = law;
+  jumping.slip_velocity = 0;
+  EXPECT_FALSE(std::isfinite(greatest(jumping, turns).force[0]));
+  jumping.friction = 0;
+  EXPECT_TRUE(std::isfinite(greatest(jumping, turns).force[0]));
+}
+
+}  // namespace
+}  // namespace pcm::compare::sliver_slopes_test
