@@ -27,8 +27,9 @@ struct PartOnLine {
 
 /// Of a way from a to b along f, which is seen on the left of it alone: the edge at which f itself ends there, or the
 /// line at which a face ends or begins to lie before f, as far as that lies on the way to within roundings. Whether a
-/// face passes through f, or through the master, is no question of roundings. Nothing where no line does on a stretch
-/// that is longer than these. Where there are several, any.
+/// face passes through f, or through the master, or lies before f, is decided exactly where depths do not tell; beside
+/// a corner at which it just does, edge and line lie on one another, and either is taken. Nothing where no line does
+/// on a stretch that is longer than roundings. Where there are several, any.
 std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b);
 
 }  // namespace pcm::fast

@@ -41,13 +41,16 @@ class SeenEdge {
   double place(const PrismPoint& at) const { return (at[wider_] - from_[wider_]) / along_[wider_]; }
   double depth(double place) const { return from_[kDepth] + std::clamp(place, kFirst, kLast) * along_[kDepth]; }
 
-  /// Where the edge lies before f, and not above the master. a and b: points of f on the edge's line, in two places.
+  /// Where the edge lies not above the master.
+  Places beneath_master() const {
+    return Places{0, 1}.where_not_negative(from_[kDepth], from_[kDepth] + along_[kDepth]);
+  }
+  /// There and before f. a and b: points of f on the edge's line, in two places.
   Places before(const PrismPoint& a, const PrismPoint& b) const {
     const double place_a = place(a), per_place = (b[kDepth] - a[kDepth]) / (place(b) - place_a);
     const double f_at_0 = a[kDepth] - place_a * per_place;
-    return Places{0, 1}
-        .where_not_negative(from_[kDepth], from_[kDepth] + along_[kDepth])
-        .where_not_negative(f_at_0 - from_[kDepth], f_at_0 + per_place - (from_[kDepth] + along_[kDepth]));
+    return beneath_master().where_not_negative(f_at_0 - from_[kDepth],
+                                               f_at_0 + per_place - (from_[kDepth] + along_[kDepth]));
   }
 
   /// How the edge's line lies to f and to the master from a to b, points of f on it.

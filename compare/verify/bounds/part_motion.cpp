@@ -73,6 +73,7 @@ class ErrorSum {
   PartGrowth greatest() const {
     if (!known_) return {Speeds::Constant(kNothingKnown), Speeds::Constant(kNothingKnown)};
     PartGrowth growth{Speeds::Zero(), (element_.area + area_error_) * (fastest_growth_ + growth_error())};
+    // As in add_along and add_where_near, all of it.
     for (const MovingLine& line : lines_) {
       const Speeds moved = (2 * line.length + 8 * line.off) * line.greatest_speed() + 8 * line.off * line.any_way;
       const double lateral = sight_.depth_error + times(sight_.slope, line.off);

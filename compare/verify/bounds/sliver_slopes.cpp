@@ -12,7 +12,7 @@
 namespace pcm::compare {
 namespace {
 
-/// a / b for bounds, b >= 0.
+/// a / b for bounds, b >= 0: nothing is nothing, whatever it is divided by.
 double quotient(double a, double b) {
   return a == 0 ? 0 : b > 0 ? a / b : std::numeric_limits<double>::infinity();
 }
@@ -28,9 +28,9 @@ class Sliver {
         depth_(std::min(std::max(bound.sight.deepest, e.greatest_penetration), law_.max_penetration)),
         width_(bound.sight.width),
         shift_(share_of_penetration(law_, e.master)),
-        lever_((e.position_Me - question.pose.r).norm() + bound.bounds.position + depth_),
-        v_(question.velocity.v.norm()),
-        w_(question.velocity.w.norm()),
+        lever_((e.position_Me - question.pose.r).stableNorm() + bound.bounds.position + depth_),
+        v_(question.velocity.v.stableNorm()),
+        w_(question.velocity.w.stableNorm()),
         speed_(v_ + times(w_, lever_)) {}
 
   struct Slopes {
@@ -43,7 +43,7 @@ class Sliver {
     const double faded_area = u_d > 0 ? std::min(area_, area_ * depth_ / u_d) : area_;
     const double d_faded_area = u_d > 0 ? std::max(d_area, quotient(d_volume, u_d)) : d_area;
     // V times the way of C_k, and A f times that.
-    const double way = 2 * times(width_, d_volume) + shift_ * times(depth_, d_volume + times(depth_, d_area));
+    const double way = 2 * times(width_, d_volume) + times(shift_ * depth_, d_volume + times(depth_, d_area));
     const double faded_way = quotient(way, u_d);
 
     const double d_v = rate_of_velocity(of);
@@ -57,7 +57,7 @@ class Sliver {
 
     const double all = 1 + law_.friction;
     Slopes slopes{d_normal + friction, all * normal_times_way};
-    // Seen from F, force and torque turn with it; seen from E, the arm from Mf gets shorter.
+    // Seen from F, force and torque turn with it; seen from E, the arm from Mf changes.
     if (!on_E_ && of == 1) slopes.force += all * normal;
     if (on_E_ && of == 0) slopes.torque += all * normal;
     slopes.torque += times(lever_, slopes.force);

@@ -23,8 +23,8 @@ struct GreatestSlopes {
 ///   - V times the derivative of the centre of pressure is made of those of V and of the moment, and V du = u (dV - u
 ///     dA); F_n times it is c_l, or d_l v_n / u_d at most, times that;
 ///   - friction mu F_n (2 - t) t along the slip, t = v_t / v_eps, turns and grows by 2 / v_eps times it at most.
-/// Nothing is known with damping without u_d, where F turns, and with friction without v_eps. `growth`: of what is seen
-/// of its slave face (greatest_part_growth).
+/// Nothing is known of torques, nor where F turns of forces, with damping without u_d; nor where the velocity of slip
+/// may change with friction without v_eps. `growth`: of what is seen of its slave face (greatest_part_growth).
 GreatestSlopes greatest_slopes_of_sliver(const Question& question, const reference::Element& element,
                                          const ClippedBounds::OfElement& bound, const PartGrowth& growth);
 

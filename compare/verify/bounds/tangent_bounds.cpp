@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 
 #include "compare/verify/bounds/clipped_bounds.h"
@@ -222,7 +221,7 @@ class SlopeSum {
     }
   }
 
-  /// Of either side alone, or of both.
+  /// Of an element that either side may lack: neither side has it change faster.
   void add(const GreatestSlopes& greatest) {
     const auto up_to = [](double most) { return Vector{Number(0, most), Number(0, most), Number(0, most)}; };
     for (std::size_t k = 0; k < kCoordinates; ++k) {

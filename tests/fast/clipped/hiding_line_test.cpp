@@ -52,11 +52,13 @@ class HidingLine : public testing::Test {
   }
   /// On f, with what is seen to the left: below t = 1/4 from greater s to less.
   std::optional<PartOnLine> find(double from, double to, double t = 0.25) const {
-    const auto at = [t](double s) { return PrismPoint(1 - s - t, s, t, 0.5); };
+    return find(PrismPoint(1 - from - t, from, t, 0.5), PrismPoint(1 - to - t, to, t, 0.5));
+  }
+  std::optional<PartOnLine> find(const PrismPoint& from, const PrismPoint& to) const {
     const PreparedSurface E = prepare_surface(meshes[0]), F = prepare_surface(meshes[1]);
     PosedPair posed;
     posed.place(E, F, {}, 0, false);
-    return find_hiding_line({posed, Side::E, prism, faces, faces[0]}, at(from), at(to));
+    return find_hiding_line({posed, Side::E, prism, faces, faces[0]}, from, to);
   }
   static int kind(const PartOnLine& part) { return (part.line - 1) % kLinesOfAFace; }
   static int number(const PartOnLine& part) { return (part.line - 1) / kLinesOfAFace; }
@@ -114,6 +116,29 @@ TEST_F(HidingLine, IsTheEdgeOfAFaceThatAllButReachesFOrTheMaster) {
     const auto of_own = find(0.75, 0);
     ASSERT_TRUE(of_own);
     EXPECT_LT(kind(*of_own), 3);
+  }
+}
+
+// All of it is above f, and its depths less f's, as they are rounded, are 0 and -2^-54 m.
+TEST_F(HidingLine, IsTheEdgeOfATiltedFaceThatLiesBeforeFByLessThanRoundings) {
+  const std::array<Vector3d, 3> edge_first{Vector3d(0.125, 0.25, -0x1.14a2c8b30fe22p-1),
+                                           Vector3d(0.875, 0.25, -0x1.704b421a3d79fp-2),
+                                           Vector3d(0.5, 0.75, -0x1.999999999999ap-4)};
+  for (const double lower : {0.0, 0x1p-50}) {
+    SCOPED_TRACE(lower);
+    clear();
+    add({Vector3d(-9, -9, -0x1.102ad2d5ac3d0p-3), Vector3d(9, -9, 0x1.0cf6205b260dap+2),
+         Vector3d(0, 9, -0x1.8474c9c478abbp+1)});
+    std::array<Vector3d, 3> points = edge_first;
+    for (std::size_t k = 0; k < 2; ++k) points[k].z() -= lower;
+    points[2].z() -= lower == 0 ? 0 : 2;
+    add(points);
+    const auto found = find({0, 0.75, 0.25, 0x1.8f1fa4a6e3310p-2}, {0.75, 0, 0.25, 0x1.240cf9f962bdbp-1});
+    EXPECT_EQ(found.has_value(), lower == 0);  // lower, and its corner with it, it lies behind f
+    if (!found) continue;
+    EXPECT_LT(kind(*found), 3);
+    EXPECT_NEAR(found->from, 0, 1e-12);
+    EXPECT_NEAR(found->to, 1 - 0.125 / 0.75, 1e-12);
   }
 }
 

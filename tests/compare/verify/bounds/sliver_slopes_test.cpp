@@ -198,6 +198,7 @@ TEST(SliverSlopes, AreUnknownWhereTheLawHasNoBoundOfThem) {
   ContactLaw unfaded = law;
   unfaded.transition_depth = 0;
   EXPECT_TRUE(std::isfinite(greatest(unfaded, slides).force[0]));
+  EXPECT_FALSE(std::isfinite(greatest(unfaded, slides).torque[0]));
   EXPECT_FALSE(std::isfinite(greatest(unfaded, turns).force[0]));
   ContactLaw jumping = law;
   jumping.slip_velocity = 0;
