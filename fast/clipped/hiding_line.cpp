@@ -61,13 +61,11 @@ class Border {
     // Before f it lies where this is positive.
     const Slope lead(f.per_s - depth.per_s, f.per_t - depth.per_t);
     const auto crossing = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead, uncertainty);
-    const Order order = crossing ? order_to_f(h) : Order::told_by_depths;
-    if (order == Order::crossing) return crossing;
-    if (order == Order::behind) return {};
+    if (crossing && passes_through_f(h)) return crossing;
     const auto at_depth_0 = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty);
     if (at_depth_0 && passes_through_master(h)) return at_depth_0;
     for (std::size_t edge = 0; edge < 3; ++edge)
-      if (const auto part = on_edge(h, edge, order, uncertainty)) return part;
+      if (const auto part = on_edge(h, edge, uncertainty)) return part;
     return {};
   }
 
@@ -80,17 +78,13 @@ class Border {
     };
     return !certain(0.5 * cross_st(a, b, c), width(kS), width(kT), uncertainty);
   }
-  /// How h lies to f where depths are one but for roundings.
-  enum class Order : std::uint8_t { told_by_depths, crossing, before, behind };
-  Order order_to_f(const ProjectedFace& h) const {
-    WorkCounters& work = seen_.posed.work;
-    const PlacedFace placed_f = placed_face(seen_.posed, seen_.master, seen_.prism, seen_.f);
-    const PlacedFace placed_h = placed_face(seen_.posed, seen_.master, seen_.prism, h);
-    const auto h_over_f = heights_over(placed_f, placed_h, work), f_over_h = heights_over(placed_h, placed_f, work);
-    if (meet_in_line(h_over_f) && meet_in_line(f_over_h)) return Order::crossing;
-    const bool is_before = *std::min_element(h_over_f.begin(), h_over_f.end()) >= 0 ||
-                           *std::max_element(f_over_h.begin(), f_over_h.end()) <= 0;
-    return is_before ? Order::before : Order::behind;
+  PlacedFace placed(const ProjectedFace& face) const {
+    return placed_face(seen_.posed, seen_.master, seen_.prism, face);
+  }
+  bool passes_through_f(const ProjectedFace& h) const {
+    const PlacedFace placed_f = placed(seen_.f), placed_h = placed(h);
+    return meet_in_line(heights_over(placed_f, placed_h, seen_.posed.work)) &&
+           meet_in_line(heights_over(placed_h, placed_f, seen_.posed.work));
   }
   static bool passes_through_master(const ProjectedFace& h) {
     return meet_in_line({h.corners[0][kDepth], h.corners[1][kDepth], h.corners[2][kDepth]});
@@ -115,14 +109,21 @@ class Border {
     return PartOnLine{line_of_face(h.number, kind), from, to};
   }
 
+  /// Of an edge of h that lies on the way.
+  Places places_before_f(const ProjectedFace& h, const SeenEdge& edge) const {
+    if (edge.standing(a_, edge.place(a_), b_, edge.place(b_)) != SeenEdge::Standing::level) return edge.before(a_, b_);
+    if (passes_through_f(h)) return edge.before(a_, b_);
+    std::array<double, 3> f_over_h{};
+    const Order order = order_of(placed(h), placed(seen_.f), f_over_h, seen_.posed.work);
+    return order == Order::before ? edge.beneath_master() : Places{0, 0};
+  }
+
   /// What it hides lies on the left of its edge, so that this runs against the way.
-  std::optional<PartOnLine> on_edge(const ProjectedFace& h, std::size_t edge, Order order,
-                                    const Uncertainty& uncertainty) const {
+  std::optional<PartOnLine> on_edge(const ProjectedFace& h, std::size_t edge, const Uncertainty& uncertainty) const {
     const PrismPoint &from = h.corners[edge], &to = h.corners[(edge + 1) % 3];
     if (!((to[kS] - from[kS]) * way_[kS] + (to[kT] - from[kT]) * way_[kT] < 0)) return {};
     if (!lie_on_line(a_, b_, from, to, uncertainty)) return {};
-    const SeenEdge seen_edge(h, edge);
-    const Places places = order == Order::before ? seen_edge.beneath_master() : seen_edge.before(a_, b_);
+    const Places places = places_before_f(h, SeenEdge(h, edge));
     const auto share = [&](double place) { return share_of(from + place * (to - from)); };
     return part_on(h, static_cast<int>(edge), {share(places.last), share(places.first)}, uncertainty);
   }

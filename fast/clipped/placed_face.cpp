@@ -30,6 +30,29 @@ std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, Wor
   return heights;
 }
 
+namespace {
+
+/// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both sides.
+int side_of_plane(const std::array<double, 3>& heights) {
+  const bool above = std::max({heights[0], heights[1], heights[2]}) > 0;
+  const bool below = std::min({heights[0], heights[1], heights[2]}) < 0;
+  return above && below ? 2 : above ? 1 : below ? -1 : 0;
+}
+
+}  // namespace
+
+Order order_of(const PlacedFace& g, const PlacedFace& f, std::array<double, 3>& f_over_g, WorkCounters& work) {
+  const int side_of_g = side_of_plane(heights_over(f, g, work));
+  if (side_of_g == 0) {
+    return !g.projected.of_master && g.projected.face < f.projected.face ? Order::before : Order::after;
+  }
+  if (side_of_g != 2) return side_of_g > 0 ? Order::before : Order::after;
+  f_over_g = heights_over(g, f, work);
+  const int side_of_f = side_of_plane(f_over_g);
+  if (side_of_f != 2) return side_of_f > 0 ? Order::after : Order::before;
+  return Order::crossing;
+}
+
 bool meet_in_line(const std::array<double, 3>& heights) {
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   return (*low < 0 && *high > 0) || std::count(heights.begin(), heights.end(), 0.0) == 2;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 
 #include "fast/posed/posed_pair.h"
 #include "fast/prism/master_prism.h"
@@ -26,6 +27,14 @@ PlacedFace placed_face(PosedPair& posed, Side master, const MasterPrism& prism, 
 /// Heights of the vertices of g over the plane of f, times twice the area of f and another factor > 0, their signs
 /// exact. Above is where the lines come from: the vertices of f run counterclockwise as the master sees them.
 std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, WorkCounters& work);
+
+/// Where a face lies along the lines, compared with another one.
+enum class Order : std::uint8_t { before, after, crossing };
+
+/// How g lies to f, exactly; `f_over_g`, the heights of f's vertices over g, is filled where they cross. Where the two
+/// planes are one, the face of smaller index is before the other one of the slave, and none of the master before any of
+/// the slave.
+Order order_of(const PlacedFace& g, const PlacedFace& f, std::array<double, 3>& f_over_g, WorkCounters& work);
 
 /// Whether a plane meets a face whose vertices lie at these heights over it in a line, not in a vertex alone.
 bool meet_in_line(const std::array<double, 3>& heights);

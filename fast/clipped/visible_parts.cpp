@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "fast/clipped/line_beside_cut.h"
@@ -26,9 +25,6 @@ bool side_separates(const ProjectedFace& a, const ProjectedFace& b) {
   }
   return false;
 }
-
-/// Where a face lies along the lines, compared with another one.
-enum class Order : std::uint8_t { before, after, crossing };
 
 /// A linear function c_s (s - s_0) + c_t (t - t_0); a half plane is where it is not negative.
 struct HalfPlane {
@@ -82,26 +78,6 @@ HalfPlane where_not_negative(const ProjectedFace& face, const std::array<double,
   const PrismPoint a =
       one_negative ? point_at_zero(Q, values[next], P, values[lone]) : point_at_zero(P, values[lone], Q, values[next]);
   return {r1 * e2[kT] - r2 * e1[kT], a[kS], r2 * e1[kS] - r1 * e2[kS], a[kT], line};
-}
-
-/// 1: all above or in the plane, -1: below or in it, 0: all in it, 2: on both sides.
-int side_of_plane(const std::array<double, 3>& heights) {
-  const bool above = std::max({heights[0], heights[1], heights[2]}) > 0;
-  const bool below = std::min({heights[0], heights[1], heights[2]}) < 0;
-  return above && below ? 2 : above ? 1 : below ? -1 : 0;
-}
-
-/// How g lies to f; `f_over_g` is filled where they cross.
-Order order_of(const PlacedFace& g, const PlacedFace& f, std::array<double, 3>& f_over_g, WorkCounters& work) {
-  const int side_of_g = side_of_plane(heights_over(f, g, work));
-  if (side_of_g == 0) {
-    return !g.projected.of_master && g.projected.face < f.projected.face ? Order::before : Order::after;
-  }
-  if (side_of_g != 2) return side_of_g > 0 ? Order::before : Order::after;
-  f_over_g = heights_over(g, f, work);
-  const int side_of_f = side_of_plane(f_over_g);
-  if (side_of_f != 2) return side_of_f > 0 ? Order::after : Order::before;
-  return Order::crossing;
 }
 
 Heights heights_of(const ConvexPolygon& polygon, const HalfPlane& half_plane) {
