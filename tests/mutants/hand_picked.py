@@ -481,13 +481,13 @@ PICKED = [
     ),
     # The clipped scheme.
     (
-        "fast/clipped/visible_parts.cpp",
+        "fast/clipped/placed_face.cpp",
         "return !g.projected.of_master && g.projected.face < f.projected.face ? Order::before : Order::after;",
         "return !g.projected.of_master && g.projected.face > f.projected.face ? Order::before : Order::after;",
         "which of two faces that coincide hides the other",
     ),
     (
-        "fast/clipped/visible_parts.cpp",
+        "fast/clipped/placed_face.cpp",
         "if (side_of_f != 2) return side_of_f > 0 ? Order::after : Order::before;",
         "if (side_of_f != 2) return side_of_f > 0 ? Order::before : Order::after;",
         "which of two faces lies before the other",

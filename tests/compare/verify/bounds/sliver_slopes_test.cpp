@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <random>
 
 #include "compare/verify/bounds/element_law.h"
@@ -173,6 +174,52 @@ TEST(SliverSlopes, OfAnyLawAndMotionAreThoseOfDifferencesOrMore) {
   }
   EXPECT_GT(closest_force, 0.3);
   EXPECT_GT(closest_torque, 0.2);
+}
+
+/// Of an element of F that stays as it is while F turns.
+TEST(SliverSlopes, OfTheOtherMasterWhileItTurnsAreThoseOfDifferencesOrMore) {
+  const SurfacePair pair = small_pair();
+  const SurfaceFeatures E(pair.E), F(pair.F);
+  // At rest the force turns alone; of the second the part along the normal grows alone.
+  const std::array<Velocity, 3> velocities{{{}, {{0, 0.25, 0}, {0, 0, 0}}, {{0.3, -0.2, 0.4}, {1, -2, 0.5}}}};
+  const Vector3d arm(0.25, -0.5, 0.125), axis = Vector3d::UnitX();
+  for (std::size_t i = 0; i < 9; ++i) {
+    SCOPED_TRACE(i);
+    const Velocity& velocity = velocities[i % 3];
+    ContactLaw law;
+    law.layers = LayerStiffness{std::numeric_limits<double>::infinity(), 1e3};
+    law.damping = 1e5;
+    law.transition_depth = 0.01;
+    law.friction = 0.5;
+    law.slip_velocity = 8;
+    law.damping_mode = static_cast<DampingMode>(i / 3);
+    reference::Element e;
+    e.master = Side::F;
+    e.normal_Me = {0, 0, -1};
+    e.area = 1e-6;
+    e.penetration = e.greatest_penetration = 0.1;
+    e.position_Me = arm;
+    // As F sees it.
+    const auto load = [&](double t) {
+      const Eigen::AngleAxisd turn(t, axis), back(-t, axis);
+      const Question question{E, F, law, Mode::F, Scheme::clipped, {}, {back * velocity.v, back * velocity.w}};
+      const Vector3d force = after_law(question, e).force_Me;
+      Eigen::Matrix<double, 6, 1> both;
+      both << turn * force, turn * arm.cross(force);
+      return both;
+    };
+    const Eigen::Matrix<double, 6, 1> slope = (load(0x1p-20) - load(-0x1p-20)) / 0x1p-19;
+    const Question question{E, F, law, Mode::F, Scheme::clipped, {}, velocity};
+    const PartGrowth none{Eigen::Array<double, 1, 6>::Zero(), Eigen::Array<double, 1, 6>::Zero()};
+    const GreatestSlopes greatest = greatest_slopes_of_sliver(question, e, {}, none);
+    EXPECT_GT(slope.head<3>().norm(), greatest.force[3] / 64);
+    EXPECT_LE(slope.head<3>().norm(), greatest.force[3]);
+    EXPECT_LE(slope.tail<3>().norm(), greatest.torque[3]);
+    PartGrowth unknown = none;
+    unknown.area[3] = unknown.volume[3] = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(std::isinf(greatest_slopes_of_sliver(question, e, {}, unknown).force[3]));
+    EXPECT_TRUE(std::isinf(greatest_slopes_of_sliver(question, e, {}, unknown).torque[3]));
+  }
 }
 
 TEST(SliverSlopes, AreUnknownWhereTheLawHasNoBoundOfThem) {
