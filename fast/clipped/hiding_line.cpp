@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include "fast/clipped/cut_stretches.h"
 #include "fast/clipped/placed_face.h"
@@ -62,8 +61,8 @@ class Border {
     const Slope lead(f.per_s - depth.per_s, f.per_t - depth.per_t);
     const auto crossing = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead, uncertainty);
     if (crossing && passes_through_f(h)) return crossing;
-    const auto at_depth_0 = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty);
-    if (at_depth_0 && passes_through_master(h)) return at_depth_0;
+    if (passes_through_master(h))
+      if (const auto part = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty)) return part;
     for (std::size_t edge = 0; edge < 3; ++edge)
       if (const auto part = on_edge(h, edge, uncertainty)) return part;
     return {};

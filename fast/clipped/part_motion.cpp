@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "fast/clipped/face_depth.h"
-#include "fast/clipped/hiding_line.h"
 #include "fast/clipped/seen_edge.h"
 
 namespace pcm::fast {
@@ -70,12 +69,11 @@ struct PlaceMoments {
 
 class PartSlopes {
  public:
-  PartSlopes(PosedPair& posed, const SeenPart& part, PartMotionScratch& scratch)
-      : posed_(posed),
-        part_(part),
+  PartSlopes(const SeenPart& part, PartMotionScratch& scratch)
+      : part_(part),
         scratch_(scratch),
         depth_f_(depth_of(part.f)),
-        p0_arm_Me_(part.prism.p0_Me() - posed.placement.r_Me),
+        p0_arm_Me_(part.prism.p0_Me() - part.posed.placement.r_Me),
         may_have_edge_on_border_(may_have_edge_on_border(part.f)) {
     add_inside();
     scratch.cuts.clear();
@@ -96,7 +94,7 @@ class PartSlopes {
 
  private:
   FaceDepth depth_of(const ProjectedFace& h) const {
-    return {posed_.face_Me(h.of_master ? part_.master : opposite(part_.master), h.face), part_.prism};
+    return {part_.posed.face_Me(h.of_master ? part_.master : opposite(part_.master), h.face), part_.prism};
   }
 
   /// X - r of the point X at (s, t) and a depth; `one` times that.
@@ -197,8 +195,7 @@ class PartSlopes {
   /// Of cuts beyond which something else hides f. Where it can't be told what, they move as the cuts do.
   void add_borders_on_cuts() {
     if (scratch_.cuts.empty()) return;
-    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
-    const SeenFaces seen{posed_, part_.master, part_.prism, part_.faces, part_.f};
+    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, part_.posed.placement.max_coordinate);
     std::vector<CutStretch>& open = scratch_.open;
     scratch_.cuts.find_with_one_piece(uncertainty, open);
     // Each line of each face takes its part of a stretch once; no more is asked, whatever roundings leave.
@@ -211,7 +208,7 @@ class PartSlopes {
         continue;
       }
       const bool ask = questions > 0 && are_apart(a, b, uncertainty);
-      const auto found = ask ? find_hiding_line(seen, a, b) : std::nullopt;
+      const auto found = ask ? find_hiding_line(part_, a, b) : std::nullopt;
       if (!found) {
         add_border(cut, a, b);
         continue;
@@ -251,7 +248,7 @@ class PartSlopes {
 
   /// The slave's face beyond an edge of f; f itself where its sheet ends there.
   Index beyond(std::size_t edge) const {
-    const PreparedSurface& slave = posed_.surface(opposite(part_.master));
+    const PreparedSurface& slave = part_.posed.surface(opposite(part_.master));
     const Triangle& vertices = slave.face(part_.f.face);
     const auto is_on_edge = [&](Index v) {
       return v == part_.f.vertices[edge] || v == part_.f.vertices[(edge + 1) % 3];
@@ -264,16 +261,16 @@ class PartSlopes {
   /// Whether the lines leave the slave through that face, too, if they meet it, and it surely has area for them.
   bool goes_on(Index beyond) const {
     if (beyond == part_.f.face) return false;
-    const std::array<Vector3d, 3> points_Me = posed_.face_Me(opposite(part_.master), beyond);
+    const std::array<Vector3d, 3> points_Me = part_.posed.face_Me(opposite(part_.master), beyond);
     const MasterPrism& prism = part_.prism;
     std::array<PrismPoint, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = prism.see(points_Me[i], posed_.work);
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = prism.see(points_Me[i], part_.posed.work);
     // Seen from within, it runs the other way about.
     const double area = -0.5 * cross_st(corners[0], corners[1], corners[2]);
     const PrismPoint low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const PrismPoint high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
     return certain(area, high[kS] - low[kS], high[kT] - low[kT],
-                   prism.uncertainty(corners, posed_.placement.max_coordinate));
+                   prism.uncertainty(corners, part_.posed.placement.max_coordinate));
   }
 
   /// Whether a side lies on the border of the master, to within roundings.
@@ -299,7 +296,7 @@ class PartSlopes {
   /// as the edge does: what part of it the master beyond the border sees, which may be less than nothing, is for both.
   void add_own_side(const PrismPoint& a, const PrismPoint& b) {
     if (!lies_on_border(a, b)) return;  // but parts two pieces
-    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, posed_.placement.max_coordinate);
+    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, part_.posed.placement.max_coordinate);
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
       if (!lie_on_line(a, b, from, to, uncertainty) || goes_on(beyond(edge))) continue;
@@ -365,7 +362,6 @@ class PartSlopes {
     }
   }
 
-  PosedPair& posed_;
   const SeenPart& part_;
   PartMotionScratch& scratch_;
   FaceDepth depth_f_;
@@ -376,8 +372,8 @@ class PartSlopes {
 
 }  // namespace
 
-ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part, PartMotionScratch& scratch) {
-  const PartSlopes slopes(posed, part, scratch);
+ElementMotion motion_of_part(const SeenPart& part, PartMotionScratch& scratch) {
+  const PartSlopes slopes(part, scratch);
   const IntegralSlopes& by = slopes.sums();
   const Moments& m = part.moments;
   const double twice_area = 2 * part.prism.face().area;

@@ -6,22 +6,17 @@
 #include <vector>
 
 #include "fast/clipped/cut_stretches.h"
+#include "fast/clipped/hiding_line.h"
 #include "fast/force/element_motion.h"
-#include "fast/posed/posed_pair.h"
 #include "fast/prism/convex_polygon.h"
-#include "fast/prism/master_prism.h"
 
 namespace pcm::fast {
 
-/// What a master face sees of a face f of the slave, and all that it sees.
-struct SeenPart {
-  Side master;
-  const MasterPrism& prism;
-  const std::vector<ProjectedFace>& faces;
-  const ProjectedFace& f;
-  std::span<const ConvexPolygon> pieces;  ///< what is visible of f
-  const Moments& moments;                 ///< of these, of min(depth, most)
-  double most;                            ///< max_penetration, m
+/// What is visible of a face f of the slave, and how far it counts.
+struct SeenPart : SeenFaces {
+  std::span<const ConvexPolygon> pieces;
+  const Moments& moments;  ///< of these, of min(depth, most)
+  double most;             ///< max_penetration, m
 };
 
 /// Scratch memory of motion_of_part.
@@ -50,8 +45,8 @@ struct PartMotionScratch {
 /// continuous: where it begins to be clamped nothing is added. All is of degree three at most along a side and of
 /// degree two over a piece, so that the integrals are exact but for roundings.
 ///
-/// `posed` is asked for the faces' vertices. A slope that is too large for doubles, or whose moments about Mf are,
+/// A slope that is too large for doubles, or whose moments about Mf are,
 /// counts as 0.
-ElementMotion motion_of_part(PosedPair& posed, const SeenPart& part, PartMotionScratch& scratch);
+ElementMotion motion_of_part(const SeenPart& part, PartMotionScratch& scratch);
 
 }  // namespace pcm::fast

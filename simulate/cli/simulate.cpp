@@ -81,8 +81,8 @@ void apply(const SimulateOptions& options, Scene& scene) {
   if (!options.jacobian.empty()) {
     scene.integrator.jacobian = jacobian_named(options.jacobian);
     if (!takes_jacobians(scene.integrator.method))
-      throw BadInput("--jacobian: the integrator (" + std::string(name(scene.integrator.method)) +
-                     ") takes none; leave it out, or choose bdf, ida or esdirk");
+      throw BadInput("--jacobian: the integrator (" + std::string(name(scene.integrator.method)) + ")" +
+                     kTakesNoJacobians);
   }
   number("--duration", options.duration, scene.duration);
   number("--relative-tolerance", options.relative, scene.integrator.relative_tolerance);

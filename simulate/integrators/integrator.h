@@ -65,6 +65,8 @@ std::string_view name(Method method);
 inline bool takes_jacobians(Method method) {
   return method == Method::bdf || method == Method::ida || method == Method::esdirk;
 }
+/// What is said of one that does not, where Jacobians are asked for.
+inline constexpr const char* kTakesNoJacobians = " takes none; leave it out, or choose bdf, ida or esdirk";
 
 struct StepControl {
   /// The error committed by one step is kept below a root mean square of 1 over the components, each divided by

@@ -304,8 +304,7 @@ void SceneReader::read_integrator(const Json& json) {
   if (json.contains("jacobian")) {
     settings.jacobian = word_from(json["jacobian"].get<std::string>(), kJacobians);
     if (!takes_jacobians(settings.method))
-      json_.refuse("/integrator/jacobian",
-                   json["method"].get<std::string>() + " takes none; leave it out, or choose bdf, ida or esdirk");
+      json_.refuse("/integrator/jacobian", json["method"].get<std::string>() + kTakesNoJacobians);
   }
   read(json, "relative_tolerance", settings.relative_tolerance);
   read(json, "absolute_tolerance", settings.absolute_tolerance);

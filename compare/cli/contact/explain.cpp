@@ -92,7 +92,8 @@ Asked from_surfaces(const std::vector<std::string>& files, double metres_per_uni
 }
 
 bool is_surface_file(const std::string& file) {
-  return extension_of(file) == ".obj" || extension_of(file) == ".off";
+  const std::string extension = extension_of(file);
+  return extension == ".obj" || extension == ".off";
 }
 
 Asked asked(const ExplainCommand& command) {

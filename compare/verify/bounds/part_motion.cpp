@@ -76,9 +76,8 @@ class ErrorSum {
     // As in add_along and add_where_near, all of it.
     for (const MovingLine& line : lines_) {
       const Speeds moved = (2 * line.length + 8 * line.off) * line.greatest_speed() + 8 * line.off * line.any_way;
-      const double lateral = sight_.depth_error + times(sight_.slope, line.off);
       growth.area += moved;
-      growth.volume += clamped(std::max(line.depths[0], line.depths[1]) + lateral) * moved;
+      growth.volume += greatest_depth(line) * moved;
     }
     return {kHigherOrder * growth.area, kHigherOrder * growth.volume};
   }
@@ -131,6 +130,13 @@ class ErrorSum {
   double coordinate_error() const { return kRoundings * u * (reach_ + view_.max_coordinate()); }
 
   double clamped(double depth) const { return std::min(depth, counted_); }
+  /// Of the slave face where the line may lie, m.
+  double depth_error_beside(const MovingLine& line) const {
+    return clamped(sight_.depth_error + times(sight_.slope, line.off));
+  }
+  double greatest_depth(const MovingLine& line) const {
+    return clamped(std::max(line.depths[0], line.depths[1]) + depth_error_beside(line));
+  }
 
   /// A line that is border on both sides at most, between as many cells as there are lines. Off as the ends of a side
   /// are its direction is, by as much over its length: so a motion along it counts, too, on either side at either end,
@@ -138,11 +144,11 @@ class ErrorSum {
   void add_along(const MovingLine& line) {
     const Speeds speed = line.greatest_speed();
     const double n = static_cast<double>(lines_.size());
-    const double lateral = clamped(sight_.depth_error + times(sight_.slope, line.off));
+    const double lateral = depth_error_beside(line);
     const Speeds beside = 2 * line.length * speed;
     const Speeds rounded =
         2 * line.length * (line.speed_error + (kRoundings + n) * u * speed) + 8 * line.off * line.any_way;
-    const double depth = clamped(std::max(line.depths[0], line.depths[1]) + lateral);
+    const double depth = greatest_depth(line);
     area_ += rounded;
     volume_ += depth * rounded + lateral * beside;
     moment_ += view_.longest_side() * depth * rounded + (sight_.width * lateral + line.off * depth) * beside;

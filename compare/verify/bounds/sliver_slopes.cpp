@@ -8,9 +8,12 @@
 
 #include "compare/verify/bounds/bound_arithmetic.h"
 #include "compare/verify/bounds/element_law.h"
+#include "reference/numbers/dual.h"
 
 namespace pcm::compare {
 namespace {
+
+using Of = reference::Coordinate::Of;
 
 /// a / b for bounds, b >= 0: nothing is nothing, whatever it is divided by.
 double quotient(double a, double b) {
@@ -18,9 +21,9 @@ double quotient(double a, double b) {
 }
 
 /// Greatest values, of the oracle's sliver or a right engine's.
-class Sliver {
+class SliverLoad {
  public:
-  Sliver(const Question& question, const reference::Element& e, const ClippedBounds::OfElement& bound)
+  SliverLoad(const Question& question, const reference::Element& e, const ClippedBounds::OfElement& bound)
       : law_(question.law),
         on_E_(e.master == Side::E),
         stiffness_(series_stiffness(law_)),
@@ -37,8 +40,8 @@ class Sliver {
     double force, torque;
   };
 
-  /// By a coordinate of r, a turn, v or w (`of` 0 to 3) with which area and volume grow by no more than this.
-  Slopes by(std::size_t of, double d_area, double d_volume) const {
+  /// By a coordinate with which area and volume grow by no more than this.
+  Slopes by(Of of, double d_area, double d_volume) const {
     const double u_d = law_.transition_depth;
     const double faded_area = u_d > 0 ? std::min(area_, area_ * depth_ / u_d) : area_;
     const double d_faded_area = u_d > 0 ? std::max(d_area, quotient(d_volume, u_d)) : d_area;
@@ -58,18 +61,18 @@ class Sliver {
     const double all = 1 + law_.friction;
     Slopes slopes{d_normal + friction, all * normal_times_way};
     // Seen from F, force and torque turn with it; seen from E, the arm from Mf changes.
-    if (!on_E_ && of == 1) slopes.force += all * normal;
-    if (on_E_ && of == 0) slopes.torque += all * normal;
+    if (!on_E_ && of == Of::rotation) slopes.force += all * normal;
+    if (on_E_ && of == Of::position) slopes.torque += all * normal;
     slopes.torque += times(lever_, slopes.force);
     return {kHigherOrder * slopes.force, kHigherOrder * slopes.torque};
   }
 
  private:
   /// Of v_k at a point that stays where it is.
-  double rate_of_velocity(std::size_t of) const {
-    if (of == 0) return on_E_ ? w_ : 0;
-    if (of == 1) return on_E_ ? 0 : speed_;
-    return of == 2 ? 1 : lever_;
+  double rate_of_velocity(Of of) const {
+    if (of == Of::position) return on_E_ ? w_ : 0;
+    if (of == Of::rotation) return on_E_ ? 0 : speed_;
+    return of == Of::velocity ? 1 : lever_;
   }
 
   const ContactLaw& law_;
@@ -84,12 +87,13 @@ class Sliver {
 
 GreatestSlopes greatest_slopes_of_sliver(const Question& question, const reference::Element& element,
                                          const ClippedBounds::OfElement& bound, const PartGrowth& growth) {
-  const Sliver sliver(question, element, bound);
+  const SliverLoad load(question, element, bound);
   GreatestSlopes greatest;
   for (std::size_t k = 0; k < greatest.force.size(); ++k) {
-    const bool moves = k < 6;
+    const Of of = static_cast<Of>(k / 3);
+    const bool moves = of == Of::position || of == Of::rotation;
     const auto column = static_cast<Eigen::Index>(k);
-    const Sliver::Slopes slopes = sliver.by(k / 3, moves ? growth.area[column] : 0, moves ? growth.volume[column] : 0);
+    const SliverLoad::Slopes slopes = load.by(of, moves ? growth.area[column] : 0, moves ? growth.volume[column] : 0);
     greatest.force[k] = slopes.force;
     greatest.torque[k] = slopes.torque;
   }

@@ -5,12 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
-#include <random>
 #include <vector>
 
 #include "fast/posed/posed_pair.h"
 #include "fast/surface/prepared_surface.h"
+#include "tests/fast/exact_draw.h"
 
 namespace pcm::fast::hiding_line_test {
 namespace {
@@ -20,7 +21,8 @@ using Eigen::Vector3d;
 /// A master of legs 1 m in the plane z = 0, seen from above, over f 1/2 m below it. Every face has vertices of its own.
 class HidingLine : public testing::Test {
  protected:
-  MasterPrism prism{FaceGeometry({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)})};
+  const std::array<Vector3d, 3> master{Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)};
+  MasterPrism prism{FaceGeometry(master)};
   std::array<TriangleMesh, 2> meshes;  ///< of the master, of the slave
   std::vector<ProjectedFace> faces;
 
@@ -31,7 +33,7 @@ class HidingLine : public testing::Test {
   void clear() {
     meshes = {};
     faces.clear();
-    add_to(meshes[0], {Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)});
+    add_to(meshes[0], master);
   }
 
   static Triangle add_to(TriangleMesh& mesh, const std::array<Vector3d, 3>& points) {
@@ -50,6 +52,10 @@ class HidingLine : public testing::Test {
     face.face = face.number;
     face.of_master = of_master;
     faces.push_back(face);
+  }
+  /// From an edge at this height that lies on the way.
+  void add_rising_from(double z, bool of_master = false) {
+    add({Vector3d(0.125, 0.25, z), Vector3d(0.875, 0.25, z), Vector3d(0.5, 0.75, -0.25)}, of_master);
   }
   /// On f, with what is seen to the left: below t = 1/4 from greater s to less.
   std::optional<PartOnLine> find(double from, double to, double t = 0.25) const {
@@ -107,13 +113,13 @@ TEST_F(HidingLine, IsTheEdgeOfAFaceThatAllButReachesFOrTheMaster) {
   for (const double z : ends_before) {
     SCOPED_TRACE(z);
     SetUp();
-    add({Vector3d(0.125, 0.25, z), Vector3d(0.875, 0.25, z), Vector3d(0.5, 0.75, -0.25)});
+    add_rising_from(z);
     const auto found = find(0.75, 0);
     ASSERT_TRUE(found);
     EXPECT_EQ(number(*found), 1);
     EXPECT_LT(kind(*found), 3);
     SetUp();
-    add({Vector3d(0.125, 0.25, z), Vector3d(0.875, 0.25, z), Vector3d(0.5, 0.75, -0.25)}, true);
+    add_rising_from(z, true);
     const auto of_own = find(0.75, 0);
     ASSERT_TRUE(of_own);
     EXPECT_LT(kind(*of_own), 3);
@@ -123,19 +129,16 @@ TEST_F(HidingLine, IsTheEdgeOfAFaceThatAllButReachesFOrTheMaster) {
 // The depths of a tilted face's edge, less f's, are a few roundings, before f or behind it, whatever they are found to
 // be: all of the face lies on the edge's side.
 TEST_F(HidingLine, IsTheEdgeOfAFaceOffATiltedFByUlpsWhereItLiesBeforeItExactly) {
-  std::mt19937 random(11);
-  const auto draw = [&random](double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
-  };
+  test::ExactDraw draw;
   int before = 0, behind = 0;
   for (int i = 0; i < 6000; ++i) {
     SCOPED_TRACE(i);
-    const double at_0 = draw(-0.75, -0.5), per_x = draw(-0.25, 0.25), per_y = draw(-0.25, 0.25);
+    const double at_0 = draw.between(-0.75, -0.5), per_x = draw.between(-0.25, 0.25), per_y = draw.between(-0.25, 0.25);
     const auto z = [&](double x, double y) { return at_0 + x * per_x + y * per_y; };
-    const auto ulps = [&random] { return static_cast<double>(random() % 5) - 2; };
+    const auto ulps = [&draw] { return std::floor(draw.between(-2, 3)); };
     const auto on_f = [&](double x, double y, double off) { return Vector3d(x, y, z(x, y) + off); };
     const std::array<Vector3d, 3> f{on_f(-9, -9, 0), on_f(9, -9, 0), on_f(0, 9, 0)};
-    const double rise = random() % 2 == 0 ? 0.1 : -0.1;
+    const double rise = draw.between(-1, 1) < 0 ? 0.1 : -0.1;
     const std::array<Vector3d, 3> h{on_f(0.125, 0.25, ulps() * 0x1p-53), on_f(0.875, 0.25, ulps() * 0x1p-53),
                                     on_f(0.5, 0.75, rise)};
     WorkCounters work;
@@ -167,7 +170,7 @@ TEST_F(HidingLine, IsWhereAFacePassesThroughFOrTheMasterByOneUlp) {
   for (std::size_t k = 0; k < 2; ++k) {
     SCOPED_TRACE(k);
     SetUp();
-    add({Vector3d(0.125, 0.25, ends_beyond[k]), Vector3d(0.875, 0.25, ends_beyond[k]), Vector3d(0.5, 0.75, -0.25)});
+    add_rising_from(ends_beyond[k]);
     const auto found = find(0.75, 0);
     ASSERT_TRUE(found);
     EXPECT_EQ(kind(*found), kinds[k]);

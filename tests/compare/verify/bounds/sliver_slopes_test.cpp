@@ -11,12 +11,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <random>
 
 #include "compare/verify/bounds/element_law.h"
 #include "compare/verify/bounds/tangent_bounds.h"
 #include "compare/verify/routes/held_pairing.h"
+#include "tests/compare/law_of_all.h"
 #include "tests/compare/small_pair.h"
+#include "tests/fast/exact_draw.h"
 
 namespace pcm::compare::sliver_slopes_test {
 namespace {
@@ -75,14 +76,8 @@ TEST(SliverSlopes, OfTheOraclesSliversWithoutMotionAreNoGreater) {
 }
 
 TEST(SliverSlopes, LeaveMostDerivativesBounded) {
-  ContactLaw law;
-  law.layers = LayerStiffness{3e6, 1e6};
-  law.damping = 300;
-  law.transition_depth = 0.01;
-  law.friction = 0.3;
-  law.slip_velocity = 0.5;
   int all = 0, bounded = 0;
-  for_each_pose_with_slivers(law, {{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}}, 40,
+  for_each_pose_with_slivers(law_of_all(), {{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}}, 40,
                              [&](const Question& question, const reference::Answer& answer,
                                  const reference::Tangent& truth, const ClippedBounds&) {
                                ++all;
@@ -110,13 +105,9 @@ struct GrowingPart {
 };
 
 TEST(SliverSlopes, OfAnyLawAndMotionAreThoseOfDifferencesOrMore) {
-  std::mt19937 random(5);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
-  };
-  const auto vector = [&](double length) -> Vector3d {
-    return length * Vector3d(between(-1, 1), between(-1, 1), between(-1, 1)) / std::sqrt(3.0);
-  };
+  fast::test::ExactDraw draw;
+  const auto between = [&](double low, double high) { return draw.between(low, high); };
+  const auto vector = [&](double length) { return draw.vector(length / std::sqrt(3.0)); };
   const SurfacePair pair = small_pair();
   double closest_force = 0, closest_torque = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -130,11 +121,11 @@ TEST(SliverSlopes, OfAnyLawAndMotionAreThoseOfDifferencesOrMore) {
     law.damping_mode = static_cast<DampingMode>(i / 24 % 3);
     const SurfaceFeatures E(pair.E), F(pair.F);
     const Pose pose{Eigen::Matrix3d::Identity(), vector(2)};
-    const Velocity velocity{vector(1), i % 5 == 0 ? Vector3d::Zero() : vector(2)};
+    const Velocity velocity{vector(1), i % 5 == 0 ? Vector3d(0, 0, 0) : vector(2)};
     const double shift = share_of_penetration(law, Side::E), width = between(1e-3, 0.5), depth = 0.2;
     // By r, a turn of F, which E does not see but by its part, v or w.
     const auto of = static_cast<std::size_t>(i / 2 % 4);
-    const double fast = of < 2 ? std::ldexp(1, -static_cast<int>(random() % 16)) : 0;
+    const double fast = of < 2 ? std::ldexp(1, -static_cast<int>(between(0, 16))) : 0;
     GrowingPart part;
     part.area = between(1e-6, 1e-3);
     part.d_area = fast * between(-1, 1);

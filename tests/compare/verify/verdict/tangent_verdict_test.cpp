@@ -18,6 +18,7 @@
 #include "meshes/generate/degenerate/hard_bodies.h"
 #include "meshes/generate/degenerate/sunken_blocks.h"
 #include "meshes/generate/round.h"
+#include "tests/compare/law_of_all.h"
 #include "tests/compare/small_pair.h"
 #include "tests/sunken_blocks.h"
 
@@ -25,17 +26,6 @@ namespace pcm::compare {
 namespace {
 
 constexpr std::uint64_t kSeed = 31;
-
-/// A law with everything in it, but no threshold that elements are just at.
-ContactLaw law_of_all() {
-  ContactLaw law;
-  law.layers = LayerStiffness{3e6, 1e6};
-  law.damping = 300;
-  law.transition_depth = 0.01;
-  law.friction = 0.3;
-  law.slip_velocity = 0.5;
-  return law;
-}
 
 /// Poses of two small bodies that move, the engine's tangent there and the oracle's.
 template <class Visit>
@@ -278,17 +268,18 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereAFloorIsOffFlushByUlps) {
   struct Case {
     std::uint64_t number;
     bool swapped;
-    std::array<std::array<double, 3>, 3> A;
-    Eigen::Vector3d r;
+    Pose pose;
   };
   const std::array<Case, 4> cases{{
-      {6, true, {{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}, {0x1.1cp+2, 0x1.0ap+2, -0x1.4f7fffffffff9p+1}},
+      {6, true, {Eigen::Matrix3d{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {0x1.1cp+2, 0x1.0ap+2, -0x1.4f7fffffffff9p+1}}},
       {20,
        false,
-       {{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}}},
-       {0x1.9fffffffffff8p+3, 0x1.b7fffffffffffp+3, -0x1.2fffffffffffep+2}},
-      {0, true, {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}, {-0x1.4p+1, 0x1.7fffffffffff8p+3, 0x1.c8p+2}},
-      {14, false, {{{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}}, {-0x1.2p-2, -0x1.c84p+2, -0x1.0bfffffffffffp+2}},
+       {Eigen::Matrix3d{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}},
+        {0x1.9fffffffffff8p+3, 0x1.b7fffffffffffp+3, -0x1.2fffffffffffep+2}}},
+      {0, true, {Eigen::Matrix3d{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, {-0x1.4p+1, 0x1.7fffffffffff8p+3, 0x1.c8p+2}}},
+      {14,
+       false,
+       {Eigen::Matrix3d{{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}, {-0x1.2p-2, -0x1.c84p+2, -0x1.0bfffffffffffp+2}}},
   }};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.number);
@@ -297,10 +288,7 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereAFloorIsOffFlushByUlps) {
     if (c.swapped) std::swap(bodies[0], bodies[1]);
     pair.E = bodies[0];
     pair.F = bodies[1];
-    for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column)
-        pair.pose.A(row, column) = c.A[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-    pair.pose.r = c.r;
+    pair.pose = c.pose;
     pair.velocity = {{0.3, -0.2, 0.1}, {0, 0, 0}};
     EXPECT_FALSE(pair.is_flagged());
   }

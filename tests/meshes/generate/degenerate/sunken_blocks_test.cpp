@@ -69,11 +69,11 @@ TEST(SunkenBlocks, HaveEdgesInLineAtDifferentDepths) {
   EXPECT_GE(with_such_a_line, 24);
 }
 
+constexpr std::size_t kCorners = 8;
 using Blocks = std::vector<std::vector<Eigen::Vector3d>>;
 
 /// The corners of all but the first, of both bodies.
 Blocks smaller_blocks(std::uint64_t number) {
-  constexpr std::size_t kCorners = 8;
   Blocks blocks;
   for (const TriangleMesh& mesh : degenerate::sunken_blocks(number))
     for (std::size_t first = kCorners; first < mesh.vertices.size(); first += kCorners)
@@ -86,7 +86,7 @@ TEST(SunkenBlocks, SmallerOnesAreFourInOneOfTheBodiesOrTheOtherAndApart) {
   std::size_t in_plates = 0;
   for (std::uint64_t number = 0; number < 48; ++number) {
     SCOPED_TRACE(number);
-    in_plates += degenerate::sunken_blocks(number)[0].vertices.size() / 8 - 1;
+    in_plates += degenerate::sunken_blocks(number)[0].vertices.size() / kCorners - 1;
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const std::vector<Eigen::Vector3d>& block : smaller_blocks(number)) {
       Eigen::AlignedBox3d box;
