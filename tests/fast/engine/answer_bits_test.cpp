@@ -100,10 +100,21 @@ Pose pose_of(test::ExactDraw& draw, int i, double extent) {
   return pose;
 }
 
+/// Those of all hashes, and one with friction and one with damping alone: bounds ask for each.
+std::vector<ContactLaw> all_laws() {
+  std::vector<ContactLaw> laws;
+  for (const test::Law& law : test::laws()) laws.push_back(law.law);
+  ContactLaw damped = laws[1], friction = laws[1];
+  damped.friction = 0;
+  friction.damping = 0;
+  laws.insert(laws.end(), {damped, friction});
+  return laws;
+}
+
 std::string row_of(const Bodies& bodies, Scheme scheme, Mode mode) {
   const Surface E(bodies.E), F(bodies.F);
   test::ExactDraw draw;
-  const std::vector<test::Law> laws = test::laws();
+  const std::vector<ContactLaw> laws = all_laws();
   Workspace workspace;
   Wanted wanted;
   wanted.bound = wanted.tangent = true;
@@ -111,8 +122,8 @@ std::string row_of(const Bodies& bodies, Scheme scheme, Mode mode) {
   for (int i = 0; i < 96; ++i) {
     const Pose pose = pose_of(draw, i, bodies.extent);
     const Velocity velocity{draw.vector(1), draw.vector(2)};
-    hashes.add(evaluate(Pairing(E, F, laws[static_cast<std::size_t>(i) % laws.size()].law, mode, scheme), pose,
-                        velocity, wanted, workspace));
+    hashes.add(evaluate(Pairing(E, F, laws[static_cast<std::size_t>(i) % laws.size()], mode, scheme), pose, velocity,
+                        wanted, workspace));
   }
   const char* const master = mode == Mode::both ? "both" : mode == Mode::E ? "E" : "F";
   return bodies.name + ',' + (scheme == Scheme::clipped ? "clipped" : "barycentric") + ',' + master + ',' +
