@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/bounds/uncertain_strips.h"
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
+
+#include "fast/bounds/face_over_piece.h"
 
 /// What is certain of faces whose corners may be shifted, and the areas that their sides may pass over, against faces
 /// that are shifted: by much more than roundings do, so that areas and points can be compared in plain doubles.
@@ -319,6 +322,34 @@ TEST(FaceEnclosure, GreatestAreaHoldsWhatAFaceMayCoverOfTheMaster) {
   }
   std::printf("  greatest area over its bound %.3f\n", greatest);
   EXPECT_GE(greatest, 0.9);
+}
+
+mpq_class exact_at(const LinearDepth& plane, const mpq_class& s, const mpq_class& t) {
+  return plane.value + mpq_class(plane.per_s) * (s - plane.s_0) + mpq_class(plane.per_t) * (t - plane.t_0);
+}
+
+TEST(FaceEnclosure, HowMuchFartherOneFaceIsHoldsItsRoundingsWhereTheyAreNearlyAsFar) {
+  Draw draw(12);
+  double greatest = 0;  // Of what it is off, in roundings of the depth.
+  for (int trial = 0; trial < 20000; ++trial) {
+    FaceEnclosure f = draw_face(draw, 0, 0), g = draw_face(draw, 0, 3);
+    const double slope = std::exp2(-12 + 12 * draw.unit());
+    g.depth = {draw.unit(), draw.unit(), draw.unit(), slope * draw.unit(), slope * draw.unit()};
+    f.depth = g.depth;
+    f.depth.s_0 = draw.unit();
+    f.depth.t_0 = draw.unit();
+    f.depth.value = g.depth.at(f.depth.s_0, f.depth.t_0);
+    f.depth_error = g.depth_error = 0;
+    const double s = std::abs(draw.unit()), t = std::abs(draw.unit());
+    ConvexPolygon there;
+    there.add(point(s, t, 0));
+    const mpq_class farther = exact_at(f.depth, s, t) - exact_at(g.depth, s, t);
+    ASSERT_GE(mpq_class(depth_beyond(f, g).greatest_over(there)), farther) << trial;
+    ASSERT_GE(mpq_class(depth_beyond(g, f).greatest_over(there)), -farther) << trial;
+    greatest = std::max(greatest, std::abs(farther.get_d()) / (kUnitRoundoff * std::abs(g.depth.value)));
+  }
+  std::printf("  off by up to %.2f roundings of the depth\n", greatest);
+  EXPECT_GE(greatest, 0.5);
 }
 
 TEST(FaceEnclosure, FacesThatAreCertainlyApartStayApart) {

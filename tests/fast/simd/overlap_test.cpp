@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -243,6 +244,30 @@ TEST_P(WideTestsOn, WideInstructionsGiveTheBitsOfPortableOnes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Situations, WideTestsOn, testing::ValuesIn(situations()), name_of);
+
+/// What WidePose, WideRay and WidePrism derive of single precision, in roundings of it: what boxes, planes and edges
+/// may be off by at the worst, which bodies drawn by chance come nowhere near.
+TEST_P(WideTestsOn, MarginsAreAtLeastWhatIsDerived) {
+  const WideTree &tree_E = E.data().wide_tree, &tree_F = F.data().wide_tree;
+  const WidePose pose(tree_E, tree_F, placement);
+  const double radii = tree_E.radius() + tree_F.unit() / tree_E.unit() * tree_F.radius(), rounding = 0x1p-24 * radii;
+  EXPECT_GE(pose.box_error_E, 34 * rounding);
+  EXPECT_GE(pose.box_error_F, 34 * rounding);
+  EXPECT_GE(pose.plane_error, 100 * rounding);
+  EXPECT_GE(pose.edge_error, (16 + 8 * 3.5 / 3) * rounding);
+  const double margin = 0x1p-4 * radii, most_of_it = 0.999 * margin;
+  const WidePose moved(tree_E, tree_F, placement, margin * tree_E.unit());
+  EXPECT_GE(moved.box_error_E - pose.box_error_E, most_of_it);
+  EXPECT_GE(moved.box_error_F - pose.box_error_F, most_of_it);
+  EXPECT_GE(moved.plane_error - pose.plane_error, most_of_it);
+  if (std::isfinite(pose.edge_error)) {
+    EXPECT_GE(moved.edge_error - pose.edge_error, 2 * most_of_it);
+  }
+
+  const Eigen::Vector3d from_tree(3, -2, 1);
+  const WideRay ray(tree_E, tree_E.origin() + tree_E.unit() * from_tree, Eigen::Vector3d::UnitX(), 0);
+  EXPECT_GE(ray.box_error, 24 * 0x1p-24 * (tree_E.radius() + from_tree.lpNorm<1>()));
+}
 
 TEST(WideTree, HoldsEveryFaceOnceInBoxesAroundIt) {
   for (const Index level : {0, 1, 2, 3}) {

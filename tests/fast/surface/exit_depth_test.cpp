@@ -224,17 +224,34 @@ TEST(ExitDepth, WhatBeginsBesideTheFaceByLessThanTheToleranceLiesBeneathIt) {
   EXPECT_NEAR(exits_of_upper_side(step(2 * tolerance), 2).second, 1, 1e-7);
 }
 
+/// A block of three sides, 4 m high, its upper side in z = 0.
+TriangleMesh block() {
+  TriangleMesh mesh;
+  for (const double z : {0.0, -4.0}) mesh.vertices.insert(mesh.vertices.end(), {{-1, -1, z}, {1, -1, z}, {1, 1, z}});
+  mesh.faces = {{0, 1, 2}, {3, 5, 4}, {0, 3, 1}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}};
+  return mesh;
+}
+
+TEST(ExitDepth, ACavityNoWiderThanTheToleranceBeneathTheCountedPointIsNotMetByAllLines) {
+  // Sides whose ends are 2 to 2.1 tolerances from that point, added up, pass it nearer than their ends may be moved.
+  const double tolerance = 2 * kThicknessTolerance * 4;
+  const auto at = [&](double off_s, double off_t, double z) {
+    const double s = 0.3125 - 0x1p-10 + off_s * std::sqrt(0.5) * tolerance, t = 0.25 + 0x1p-7 + off_t * 0.5 * tolerance;
+    return Eigen::Vector3d(-1 + 2 * s + 2 * t, -1 + 2 * t, z);
+  };
+  for (const double size : {0.5, 0.97, 1.0, 1.03, 1.5, 3.0}) {
+    const TriangleMesh speck = degenerate::tetrahedron(
+        {at(0, 0, -0.5), at(0.6 * size, -0.45 * size, -1), at(-0.6 * size, -0.45 * size, -1), at(0, 0.97 * size, -1)});
+    EXPECT_NEAR(exits_of_upper_side(joined(block(), inverted(speck)), 1).second, 4, 1e-7) << size;
+  }
+}
+
 TEST(ExitDepth, ARoofThatMayRiseThroughTheFaceIsNotMetByAllLines) {
-  // A block of three sides, passed through by a wide tent whose tip is so far beneath the block's upper side and whose
-  // floor is 3 m below it.
+  // Passed through by a wide tent whose tip is so far beneath the block's upper side and whose floor is 3 m below it.
   const auto exit_below_tip = [](double tip) {
-    TriangleMesh block;
-    for (const double z : {0.0, -4.0})
-      block.vertices.insert(block.vertices.end(), {{-1, -1, z}, {1, -1, z}, {1, 1, z}});
-    block.faces = {{0, 1, 2}, {3, 5, 4}, {0, 3, 1}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}};
     const TriangleMesh tent = degenerate::tetrahedron({Eigen::Vector3d(0.25, -0.25, -tip), Eigen::Vector3d(-18, -9, -3),
                                                        Eigen::Vector3d(9, -9, -3), Eigen::Vector3d(9, 18, -3)});
-    return exits_of_upper_side(joined(block, tent), 1).second;
+    return exits_of_upper_side(joined(block(), tent), 1).second;
   };
   const double tolerance = 2 * kThicknessTolerance * 18;
   for (const double tip : {0.0, 0x1p-50, 0.9 * tolerance}) EXPECT_GE(exit_below_tip(tip), 3) << tip;
