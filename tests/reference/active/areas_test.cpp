@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <iostream>
+#include <vector>
 
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
@@ -75,6 +77,36 @@ TEST(OracleAreas, FlushFlanksCountInTheAreaOfE) {
       EXPECT_EQ(answer.volume, 4);
     }
   expect_identities(E, F);
+}
+
+/// A cube of 2 m whose sides across an axis have needles in them, their height far below what enclosures at a distance
+/// of some km tell.
+TriangleMesh cube_with_needles_across(int axis) {
+  TriangleMesh mesh = generate::box({-1, -1, -1}, {1, 1, 1});
+  const std::vector<Triangle> sides = mesh.faces;
+  mesh.faces.clear();
+  for (const Triangle& t : sides) {
+    const Eigen::Vector3d a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+    if (a[axis] != b[axis] || a[axis] != c[axis]) {
+      mesh.faces.push_back(t);
+      continue;
+    }
+    const auto tip = static_cast<Index>(mesh.vertices.size());
+    mesh.vertices.emplace_back(0.5 * (a + b) + 0x1p-45 * (c - a));
+    for (int k = 0; k < 3; ++k) mesh.faces.push_back({t[k], t[(k + 1) % 3], tip});
+  }
+  return mesh;
+}
+
+TEST(OracleAreas, NeedlesThatEnclosuresTakeForNothingCountWhicheverAxisTheyLieAcross) {
+  const TriangleMesh hall = generate::box({0, 0, 0}, {8192, 8192, 8192});
+  for (int axis = 0; axis < 3; ++axis) {
+    Pose pose;
+    pose.A = Eigen::AngleAxisd(0.7, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
+    pose.r = {1234.5, 2345.25, 3456.125};
+    expect_identities(hall, cube_with_needles_across(axis), pose);
+    expect_identities(cube_with_needles_across(axis), hall, {pose.A.transpose(), -(pose.A.transpose() * pose.r)});
+  }
 }
 
 TEST(OracleAreas, IdenticalBodiesHaveTheirOwnSurfaceAndVolume) {

@@ -112,6 +112,17 @@ TEST(DoubleDouble, RootsOfWhatAreNoSquaresLieBetweenNumbersWhoseSquaresDoNot) {
   }
 }
 
+TEST(DoubleDouble, RootOfWhatMayBeZeroLiesBetweenZeroAndTheGreatestRoot) {
+  for (const double middle : {0.0, 0x1p-40, 0.001, 0.25, 1.0}) {
+    const DoubleDouble root = sqrt(DoubleDouble::near(middle, {0, 1}));
+    const double greatest = std::sqrt(middle + 1);
+    EXPECT_TRUE(root.holds(Rational(0x1p-30))) << middle;
+    EXPECT_TRUE(root.holds(Rational((1 - 0x1p-30) * greatest))) << middle;
+    EXPECT_FALSE(root.holds(Rational(-0x1p-30))) << middle;
+    EXPECT_FALSE(root.holds(Rational((1 + 0x1p-30) * greatest))) << middle;
+  }
+}
+
 TEST(DoubleDouble, RationalNumbersAreEnclosedOrExact) {
   const DoubleDouble third(Rational(1) / Rational(3));
   EXPECT_TRUE(third.holds(Rational(1) / Rational(3)));
