@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+#include <vector>
 
 namespace pcm::reference {
 namespace {
@@ -76,6 +80,85 @@ TEST_F(OrientationOf, ShiftedFaceLeavesCoplanarPointsAbove) {
   const ExactPose pose(Problem::rounded, E, F, {});
   const Orientation orientation(pose, ShiftedFace{Side::E, 0});
   for (Index v = 0; v < 3; ++v) EXPECT_EQ(orientation.side({Side::F, v}, Side::E, 0), 1);
+}
+
+/// In eps: coefficients by power.
+using Polynomial = std::map<int, long>;
+
+Polynomial plus(Polynomial a, const Polynomial& b, long times) {
+  for (const auto& [power, coefficient] : b) a[power] += times * coefficient;
+  return a;
+}
+
+Polynomial product(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  for (const auto& [power_a, coefficient_a] : a)
+    for (const auto& [power_b, coefficient_b] : b) result[power_a + power_b] += coefficient_a * coefficient_b;
+  return result;
+}
+
+/// Of the first coefficient that is not 0.
+int sign_of(const Polynomial& polynomial) {
+  for (const auto& [power, coefficient] : polynomial)
+    if (coefficient != 0) return coefficient > 0 ? 1 : -1;
+  return 0;
+}
+
+/// Three vertices of E, then three of F, at small integers, moved as the tie rule has it.
+class MovedPoints {
+ public:
+  explicit MovedPoints(std::mt19937_64& random) {
+    const bool flat = random() % 2 == 0;
+    for (Eigen::Vector3d& x : points_)
+      for (int j = 0; j < 3; ++j) x[j] = flat && j == 2 ? 1 : static_cast<double>(random() % 3);
+  }
+
+  std::vector<Eigen::Vector3d> of(Side side) const {
+    const auto first = points_.begin() + (side == Side::E ? 0 : 3);
+    return {first, first + 3};
+  }
+  Polynomial determinant(const std::array<Vertex, 4>& v) const {
+    const auto row = [&](int i, int j) { return plus(coordinate(v[i], j), coordinate(v[0], j), -1); };
+    Polynomial sum;
+    for (int j = 0; j < 3; ++j) {
+      const int k = (j + 1) % 3, l = (j + 2) % 3;
+      const Polynomial minor = plus(product(row(2, k), row(3, l)), product(row(2, l), row(3, k)), -1);
+      sum = plus(sum, product(row(1, j), minor), 1);
+    }
+    return sum;
+  }
+
+ private:
+  Polynomial coordinate(Vertex v, int j) const {
+    const int i = (v.side == Side::E ? 0 : 3) + v.index;  // from 0, as j
+    return {{0, static_cast<long>(points_[i][j])}, {1 << (3 * (i + 1) - (j + 1)), 1}};
+  }
+
+  std::array<Eigen::Vector3d, 6> points_;
+};
+
+TEST_F(OrientationOf, SignsOfSumsAreThoseOfTheSumsOfAllPowersOfEps) {
+  std::mt19937_64 random(21);
+  int ties = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const MovedPoints points(random);
+    const Surface E = surface(points.of(Side::E)), F = surface(points.of(Side::F));
+    const ExactPose pose(Problem::exact, E, F, {});
+    const Orientation orientation(pose);
+    const Side side = trial % 2 == 0 ? Side::E : Side::F;
+    std::vector<WeightedDeterminant> sum;
+    Polynomial expected;
+    for (Index i = 0; i < 3; ++i) {
+      const std::array<Vertex, 4> v{Vertex{side, 0}, Vertex{side, 1}, Vertex{side, 2}, Vertex{other(side), i}};
+      const long weight = static_cast<long>(random() % 5) - 2;
+      sum.push_back({Exact(static_cast<double>(weight)), v});
+      expected = plus(expected, points.determinant(v), weight);
+      ASSERT_EQ(orientation.orient3d(v[0], v[1], v[2], v[3]), sign_of(points.determinant(v))) << trial;
+    }
+    ties += expected[0] == 0 ? 1 : 0;
+    ASSERT_EQ(orientation.sign_of_sum(sum), sign_of(expected)) << trial;
+  }
+  EXPECT_GE(ties, 1000);
 }
 
 }  // namespace
