@@ -45,6 +45,17 @@ Rational area_of(const std::vector<FaceCell>& cells, const FaceLines& lines, Sid
   return sum;
 }
 
+/// The first corner that surely lies in no plane of a segment; the first of all where there is none.
+int expected_apex(const FaceLines& lines) {
+  for (int corner = 0; corner < 3; ++corner) {
+    bool in_none = true;
+    for (Index segment = 0; segment < lines.segment_count(); ++segment)
+      in_none &= certain_sign(lines.line(lines.line_of(segment))[corner]) != 0;
+    if (in_none) return corner;
+  }
+  return 0;
+}
+
 /// How many cells there were.
 int expect_fit_cells(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Problem problem, const Pose& pose) {
   const Surface E = make_surface(mesh_E), F = make_surface(mesh_F);
@@ -56,6 +67,7 @@ int expect_fit_cells(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Pro
     for (const auto& [face, segments] : segments_on(side, found.crossings)) {
       const CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
       FaceLines lines(exact_pose, side, face, segments);
+      EXPECT_EQ(lines.apex(), expected_apex(lines));
       const std::vector<FaceCell> cells = cut_into_cells(orientation, side, face, lines);
       const std::vector<int>& winding = (side == Side::E ? found.E : found.F).winding;
       const Triangle& t = exact_pose.face(side, face);
