@@ -44,19 +44,9 @@ void add_fluxes(const InsideAreas& areas, Side side, const InsidePart& part, Con
 
 }  // namespace
 
-Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Problem problem,
-                            const Pose& pose_doubles) {
-  const DefaultFloatingPoint environment;
-  require_fit(mesh_E);
-  require_fit(mesh_F);
-  require_fit(pose_doubles, {});
-  const Surface E = make_surface(mesh_E), F = make_surface(mesh_F);
+Identities identities_of(const InsideAreas& areas, const ExactPose& exact_pose) {
   Identities identities;
-  identities.applicable = E.closed && F.closed;
-  if (!identities.applicable) return identities;
-
-  const ExactPose exact_pose(problem, E, F, pose_doubles);
-  const InsideAreas areas = find_combinatorics(exact_pose).inside_areas(exact_pose);
+  identities.applicable = true;
   ConvertedPose<Rational> pose(exact_pose);
   Vec3<Rational> sum{0, 0, 0}, limit_sum{0, 0, 0}, fluxes{0, 0, 0};
   Rational limit_volume = 0;
@@ -72,6 +62,18 @@ Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh
   identities.limit_closes = limit_sum.x == 0 && limit_sum.y == 0 && limit_sum.z == 0 && limit_volume == fluxes.x;
   identities.volume = nearest_double(fluxes.x);
   return identities;
+}
+
+Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Problem problem,
+                            const Pose& pose_doubles) {
+  const DefaultFloatingPoint environment;
+  require_fit(mesh_E);
+  require_fit(mesh_F);
+  require_fit(pose_doubles, {});
+  const Surface E = make_surface(mesh_E), F = make_surface(mesh_F);
+  if (!E.closed || !F.closed) return {};
+  const ExactPose pose(problem, E, F, pose_doubles);
+  return identities_of(find_combinatorics(pose).inside_areas(pose), pose);
 }
 
 }  // namespace pcm::reference

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "reference/active/inside_areas.h"
 #include "reference/oracle.h"
 
 namespace pcm::reference {
@@ -21,5 +22,8 @@ struct Identities {
 
 /// Exact sums grow with the polygon: milliseconds for tens of crossings, seconds for thousands. For tests and proofs.
 Identities prove_identities(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Problem problem, const Pose& pose);
+
+/// The same of areas that were found at a pose of closed surfaces.
+Identities identities_of(const InsideAreas& areas, const ExactPose& pose);
 
 }  // namespace pcm::reference

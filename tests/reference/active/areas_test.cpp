@@ -9,6 +9,7 @@
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"
+#include "reference/combinatorics/combinatorics.h"
 #include "reference/oracle.h"
 #include "reference/proofs/identities.h"
 #include "tests/reference/poses.h"
@@ -29,6 +30,38 @@ void expect_identities(const TriangleMesh& E, const TriangleMesh& F, const Pose&
     EXPECT_TRUE(identities.fluxes_agree);
     EXPECT_TRUE(identities.limit_closes);
     EXPECT_EQ(identities.volume, answer_of(E, F, problem, pose).volume);
+  }
+}
+
+/// Of areas at the identity, once they are changed.
+template <class Change>
+Identities identities_with(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, const Change& change) {
+  const Surface E = make_surface(mesh_E), F = make_surface(mesh_F);
+  const ExactPose pose(Problem::exact, E, F, {});
+  InsideAreas areas = find_combinatorics(pose).inside_areas(pose);
+  change(areas);
+  return identities_of(areas, pose);
+}
+
+TEST(OracleAreas, IdentitiesNoticeAFaceThatIsMissingOrCountedTwice) {
+  const TriangleMesh E = generate::box({0, 0, 0}, {2, 2, 2}), F = generate::box({1, 1, 1}, {3, 3, 3});
+  const Identities lost = identities_with(E, F, [](InsideAreas& areas) { areas.E.pop_back(); });
+  EXPECT_FALSE(lost.vector_areas_cancel || lost.fluxes_agree || lost.limit_closes);
+  const Identities twice = identities_with(E, F, [](InsideAreas& areas) { areas.F[0].cells[0].winding = 2; });
+  EXPECT_FALSE(twice.vector_areas_cancel || twice.fluxes_agree || twice.limit_closes);
+}
+
+TEST(OracleAreas, IdentitiesNoticeALimitOfOneSideAlone) {
+  // E is moved into F, whose bottom lies in E's top: in z = 0, where no part adds to the volume.
+  const TriangleMesh E = generate::box({0, 0, -2}, {2, 2, 0}), F = generate::box({0, 0, 0}, {2, 2, 2});
+  for (const Side side : {Side::E, Side::F}) {
+    const Identities identities = identities_with(E, F, [side](InsideAreas& areas) {
+      ASSERT_FALSE(areas.overlaps.empty());
+      (side == Side::E ? areas.overlaps[0].share_E : areas.overlaps[0].share_F) *= 2;
+    });
+    EXPECT_TRUE(identities.vector_areas_cancel);
+    EXPECT_TRUE(identities.fluxes_agree);
+    EXPECT_FALSE(identities.limit_closes);
   }
 }
 
