@@ -40,6 +40,12 @@ class Mutant:
         """The number, from 1, of the line in which it begins."""
         return text.count("\n", 0, self.offset) + 1
 
+    def shown_in(self, text):
+        """The line that it stands in, the fault between «»."""
+        begin, after = text.rfind("\n", 0, self.offset) + 1, self.offset + len(self.before)
+        end = text.find("\n", after) if "\n" in text[after:] else len(text)
+        return " ".join(f"{text[begin : self.offset]}«{self.before} → {self.after}»{text[after:end]}".split())
+
 
 def by_hand(file, before, after, why, text):
     """A mutant given by the text it replaces, which must occur exactly once."""

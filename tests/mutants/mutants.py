@@ -64,10 +64,10 @@ def still_holds(entry, possible):
 
 
 def possible_mutants(rooms):
-    """The ids of all that the sources as they are allow."""
-    drawn = {mutant.id for room in rooms for mutant in Draw(ROOT, room, seed=0)}
+    """All that the sources as they are allow, by id."""
+    drawn = [mutant for room in rooms for mutant in Draw(ROOT, room, seed=0)]
     picked = [one for one in PICKED if one[0].split("/")[0] in rooms and read(one[0]).count(one[1]) == 1]
-    return drawn | {by_hand(file, *rest, read(file)).id for file, *rest in picked}
+    return {mutant.id: mutant for mutant in drawn + [by_hand(file, *rest, read(file)) for file, *rest in picked]}
 
 
 def print_mutants(options, rooms):
@@ -75,8 +75,8 @@ def print_mutants(options, rooms):
     for room in rooms:
         mutants += first_drawn(ROOT, room, options.seed, options.drawn)
     for mutant in mutants:
-        line = mutant.line_in(read(mutant.file))
-        print(f"{mutant.file}:{line}: {mutant.kind}: {mutant.before!r} -> {mutant.after!r}")
+        text = read(mutant.file)
+        print(f"{mutant.file}:{mutant.line_in(text)}: {mutant.why or mutant.kind}: {mutant.shown_in(text)}")
 
 
 def commit():
@@ -106,7 +106,11 @@ def main():
         campaign.prepare(rooms)
         campaign.run(rooms, options.drawn, options.seed, not options.no_picked)
     possible = possible_mutants(rooms)
-    entries = [entry for entry in Results(options.results).all() if still_holds(entry, possible)]
+    entries = [
+        entry | {"code": possible[entry["id"]].shown_in(read(entry["file"]))}
+        for entry in Results(options.results).all()
+        if still_holds(entry, possible)
+    ]
     report.write(entries, options.folder)
     print(report.summary_table(entries))
     survivors = sum(entry["state"] == "survived" for entry in entries)

@@ -325,7 +325,7 @@ class Findings(unittest.TestCase):
 class Report(unittest.TestCase):
     def entry(self, state, found, **more):
         entry = {"id": "a", "room": "fast", "file": "fast/a.cpp", "line": 3, "kind": "sign", "why": "", "before": "-"}
-        entry |= {"after": "", "state": state, "checks": found}
+        entry |= {"after": "", "code": "a = «- → »b;", "state": state, "checks": found}
         return entry | more
 
     def test_counts_each_mutant_where_it_was_caught_first(self):
@@ -347,6 +347,10 @@ class Report(unittest.TestCase):
 class AMutant(unittest.TestCase):
     def test_knows_its_line(self):
         self.assertEqual(Mutant("fast", "fast/a.cpp", 4, "b", "c", "call").line_in("a\na\nb\n"), 3)
+
+    def test_shows_its_line_with_the_fault_marked(self):
+        mutant = Mutant("fast", "fast/a.cpp", 10, "+", "-", "arithmetic")
+        self.assertEqual(mutant.shown_in("a\n  b = c + d;\n"), "b = c «+ → -» d;")
 
 
 if __name__ == "__main__":

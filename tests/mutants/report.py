@@ -69,15 +69,18 @@ def _what(found):
 
 
 def _code(text):
-    text = " ".join(text.split())
-    return "`" + (text if len(text) <= 60 else text[:57] + "...").replace("|", "\\|") + "`" if text else "nothing"
+    """As Markdown, around the fault where it is too long."""
+    at, most = max(text.find("«") - 40, 0), 120
+    if len(text) > most:
+        text = ("..." if at > 0 else "") + text[at : at + most] + ("..." if at + most < len(text) else "")
+    return "`" + text.replace("|", "\\|") + "`"
 
 
 def mutants_table(entries):
-    """One line a mutant."""
+    """One line a mutant, with the source's own as `code`, the fault between «»."""
     rows = []
     for entry in sorted(entries, key=lambda e: (e["room"], e["kind"] != "by hand", e["file"], e["line"])):
-        fault = entry["why"] or f"{entry['kind']}: {_code(entry['before'])} becomes {_code(entry['after'])}"
+        fault = f"{entry['why'] or entry['kind']}: {_code(entry['code'])}"
         rows.append([f"{entry['file']}:{entry['line']}", fault, *(_what(entry["checks"].get(name)) for name in CHECKS)])
     return _table(["where", "fault", *CHECKS], rows).replace("--:|", "---|")
 
