@@ -70,7 +70,8 @@ void find_parts(PosedPair& posed, const ClippedFace& seen, double most, bool wit
     fill_visible_part(seen, pieces, most, part);
     if (with_motions && part.is_element())
       scratch.motions.push_back(motion_of_part(
-          {{posed, seen.master, *seen.prism, faces, faces[i]}, pieces, part.moments, most}, scratch.moving));
+          {{posed, seen.master, *seen.prism, faces, scratch.overlaps, faces[i]}, pieces, part.moments, most},
+          scratch.moving));
   }
 }
 

@@ -32,21 +32,46 @@ struct Slope {
   double to_the_right(const PrismPoint& way) const { return per_s * way[kT] - per_t * way[kS]; }
 };
 
+std::span<const Overlap> overlaps_of(const SeenFaces& seen, const ProjectedFace& face) {
+  const auto index = static_cast<std::size_t>(&face - seen.faces.data());
+  const auto is_before = [](const Overlap& overlap, std::size_t i) { return overlap.first < i; };
+  const auto begin = std::lower_bound(seen.overlaps.begin(), seen.overlaps.end(), index, is_before);
+  return {begin, std::lower_bound(begin, seen.overlaps.end(), index + 1, is_before)};
+}
+
 /// A way along f that lies where something begins to hide it.
 class Border {
  public:
   Border(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b)
       : seen_(seen), a_(a), b_(b), way_(b - a), wider_(std::abs(way_[kS]) >= std::abs(way_[kT]) ? kS : kT) {}
 
-  /// f's own, which it lies to the left of.
+  /// f's own, which it lies to the left of; in its place what begins there to hide the sheet that goes on.
   std::optional<PartOnLine> on_edge_of_f() const {
     const ProjectedFace& f = seen_.f;
     const Uncertainty uncertainty = seen_.prism.uncertainty(f.corners, seen_.posed.placement.max_coordinate);
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const PrismPoint &from = f.corners[edge], &to = f.corners[(edge + 1) % 3];
       if (!lie_on_line(a_, b_, from, to, uncertainty)) continue;
-      if (const auto part = part_on(f, static_cast<int>(edge), {share_of(from), share_of(to)}, uncertainty))
-        return part;
+      const auto part = part_on(f, static_cast<int>(edge), {share_of(from), share_of(to)}, uncertainty);
+      if (!part) continue;
+      const ProjectedFace* const next = hidden_neighbour(seen_, edge);
+      const auto hiding = next != nullptr ? hiding_neighbour(*next, *part) : std::nullopt;
+      return hiding ? hiding : part;
+    }
+    return {};
+  }
+
+  /// Of f's edge, beyond which `next` is hidden.
+  std::optional<PartOnLine> hiding_neighbour(const ProjectedFace& next, const PartOnLine& edge) const {
+    const SeenFaces beyond{seen_.posed, seen_.master, seen_.prism, seen_.faces, seen_.overlaps, next};
+    const PrismPoint first = at(edge.from), last = at(edge.to);
+    const Border border(beyond, first, last);
+    for (const Overlap& overlap : overlaps_of(seen_, next)) {
+      const ProjectedFace& h = seen_.faces[overlap.second];
+      if (h.number == seen_.f.number) continue;
+      const auto part = border.on_line_of(h);
+      const double length = edge.to - edge.from;
+      if (part) return PartOnLine{part->line, edge.from + part->from * length, edge.from + part->to * length};
     }
     return {};
   }
@@ -151,6 +176,25 @@ class Border {
 };
 
 }  // namespace
+
+Index face_beyond(const SeenFaces& seen, std::size_t edge) {
+  const PreparedSurface& slave = seen.posed.surface(opposite(seen.master));
+  const Triangle& vertices = slave.face(seen.f.face);
+  const auto is_on_edge = [&](Index v) { return v == seen.f.vertices[edge] || v == seen.f.vertices[(edge + 1) % 3]; };
+  std::size_t k = 0;
+  while (is_on_edge(vertices[k])) ++k;
+  return slave.neighbours_of(seen.f.face)[(k + 1) % 3];
+}
+
+const ProjectedFace* hidden_neighbour(const SeenFaces& seen, std::size_t edge) {
+  if (seen.overlaps.empty()) return nullptr;
+  const Index next = face_beyond(seen, edge);
+  for (const ProjectedFace& face : seen.faces) {
+    if (!face.of_master && face.face == next)
+      return face.carries && next != seen.f.face && !overlaps_of(seen, face).empty() ? &face : nullptr;
+  }
+  return nullptr;
+}
 
 std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b) {
   const Border border(seen, a, b);

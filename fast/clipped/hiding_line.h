@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "fast/clipped/visible_parts.h"
 #include "fast/posed/posed_pair.h"
 #include "fast/prism/master_prism.h"
 
@@ -16,6 +19,7 @@ struct SeenFaces {
   Side master;
   const MasterPrism& prism;
   const std::vector<ProjectedFace>& faces;
+  std::span<const Overlap> overlaps;  ///< of all these faces, as find_overlaps leaves them
   const ProjectedFace& f;
 };
 
@@ -25,11 +29,19 @@ struct PartOnLine {
   double from, to;
 };
 
+/// The slave's face beyond an edge of f; f itself where its surface ends there.
+Index face_beyond(const SeenFaces& seen, std::size_t edge);
+
+/// The face of the slave with which f's sheet goes on beyond an edge of f, where others may hide some of that; nullptr
+/// where the sheet ends there, or nothing does. The lookup is linear in the faces.
+const ProjectedFace* hidden_neighbour(const SeenFaces& seen, std::size_t edge);
+
 /// Of a way from a to b along f, which is seen on the left of it alone: the edge at which f itself ends there, or the
-/// line at which a face ends or begins to lie before f, as far as that lies on the way to within roundings. Whether a
-/// face passes through f, or through the master, or lies before f, is decided exactly where depths do not tell; beside
-/// a corner at which it just does, edge and line lie on one another, and either is taken. Nothing where no line does
-/// on a stretch that is longer than roundings. Where there are several, any.
+/// line at which a face ends or begins to lie before f, as far as that lies on the way to within roundings. Where f's
+/// sheet goes on beyond the edge, and a face that hides it there begins just at it, that face's line in place of the
+/// edge. Whether a face passes through f, or through the master, or lies before f, is decided exactly where depths do
+/// not tell; beside a corner at which it just does, edge and line lie on one another, and either is taken. Nothing
+/// where no line does on a stretch that is longer than roundings. Where there are several, any.
 std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b);
 
 }  // namespace pcm::fast

@@ -77,6 +77,7 @@ class PartSlopes {
         may_have_edge_on_border_(may_have_edge_on_border(part.f)) {
     add_inside();
     scratch.cuts.clear();
+    scratch.open.clear();
     for (const ConvexPolygon& piece : part.pieces) {
       for (int i = 0; i < piece.count; ++i) {
         const SideLine line = piece.lines[static_cast<std::size_t>(i)];
@@ -87,7 +88,10 @@ class PartSlopes {
         }
       }
     }
-    add_borders_on_cuts();
+    add_open_borders();
+    if (scratch.cuts.empty()) return;
+    scratch.cuts.find_with_one_piece(uncertainty(), scratch.open);
+    add_open_borders();
   }
 
   const IntegralSlopes& sums() const { return sums_; }
@@ -95,6 +99,10 @@ class PartSlopes {
  private:
   FaceDepth depth_of(const ProjectedFace& h) const {
     return {part_.posed.face_Me(h.of_master ? part_.master : opposite(part_.master), h.face), part_.prism};
+  }
+
+  Uncertainty uncertainty() const {
+    return part_.prism.uncertainty(part_.f.corners, part_.posed.placement.max_coordinate);
   }
 
   /// X - r of the point X at (s, t) and a depth; `one` times that.
@@ -151,7 +159,11 @@ class PartSlopes {
   void add_side(SideLine line, const PrismPoint& a, const PrismPoint& b) {
     const auto [h, kind] = owner_of(line);
     if (kind >= 3 || &h == &part_.f) {
-      add_border(line, a, b);
+      if (kind < 3 && hidden_neighbour(part_, static_cast<std::size_t>(kind)) != nullptr && !lies_on_border(a, b)) {
+        scratch_.open.push_back({line, a, b});
+      } else {
+        add_border(line, a, b);
+      }
       return;
     }
     const SeenEdge edge(h, static_cast<std::size_t>(kind));
@@ -192,12 +204,11 @@ class PartSlopes {
     }
   }
 
-  /// Of cuts beyond which something else hides f. Where it can't be told what, they move as the cuts do.
-  void add_borders_on_cuts() {
-    if (scratch_.cuts.empty()) return;
-    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, part_.posed.placement.max_coordinate);
+  /// Of edges of f, and of cuts, beyond which something else hides f's sheet. Where it can't be told what, they move as
+  /// edges and cuts do.
+  void add_open_borders() {
     std::vector<CutStretch>& open = scratch_.open;
-    scratch_.cuts.find_with_one_piece(uncertainty, open);
+    if (open.empty()) return;
     // Each line of each face takes its part of a stretch once; no more is asked, whatever roundings leave.
     std::size_t questions = open.size() * (1 + kLinesOfAFace * part_.faces.size());
     while (!open.empty()) {
@@ -207,7 +218,7 @@ class PartSlopes {
         add_own_side(a, b);
         continue;
       }
-      const bool ask = questions > 0 && are_apart(a, b, uncertainty);
+      const bool ask = questions > 0 && are_apart(a, b, uncertainty());
       const auto found = ask ? find_hiding_line(part_, a, b) : std::nullopt;
       if (!found) {
         add_border(cut, a, b);
@@ -246,18 +257,6 @@ class PartSlopes {
     }
   }
 
-  /// The slave's face beyond an edge of f; f itself where its sheet ends there.
-  Index beyond(std::size_t edge) const {
-    const PreparedSurface& slave = part_.posed.surface(opposite(part_.master));
-    const Triangle& vertices = slave.face(part_.f.face);
-    const auto is_on_edge = [&](Index v) {
-      return v == part_.f.vertices[edge] || v == part_.f.vertices[(edge + 1) % 3];
-    };
-    std::size_t k = 0;
-    while (is_on_edge(vertices[k])) ++k;
-    return slave.neighbours_of(part_.f.face)[(k + 1) % 3];
-  }
-
   /// Whether the lines leave the slave through that face, too, if they meet it, and it surely has area for them.
   bool goes_on(Index beyond) const {
     if (beyond == part_.f.face) return false;
@@ -286,7 +285,7 @@ class PartSlopes {
 
   /// Whether nothing of a face beyond an edge is in the master's view, though the sheet goes on there.
   bool goes_on_unseen(std::size_t edge) const {
-    const Index face = beyond(edge);
+    const Index face = face_beyond(part_, edge);
     for (const ProjectedFace& seen : part_.faces)
       if (!seen.of_master && seen.face == face && seen.carries) return false;
     return goes_on(face);
@@ -296,10 +295,10 @@ class PartSlopes {
   /// as the edge does: what part of it the master beyond the border sees, which may be less than nothing, is for both.
   void add_own_side(const PrismPoint& a, const PrismPoint& b) {
     if (!lies_on_border(a, b)) return;  // but parts two pieces
-    const Uncertainty uncertainty = part_.prism.uncertainty(part_.f.corners, part_.posed.placement.max_coordinate);
+    const Uncertainty of_f = uncertainty();
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
-      if (!lie_on_line(a, b, from, to, uncertainty) || goes_on(beyond(edge))) continue;
+      if (!lie_on_line(a, b, from, to, of_f) || goes_on(face_beyond(part_, edge))) continue;
       add_border(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
       return;
     }

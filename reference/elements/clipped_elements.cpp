@@ -109,11 +109,15 @@ class Envelope {
   }
 
   /// Whether e sees nothing of f's sheet beyond this edge of it, from within.
-  bool ends_at(Face f, VisibilityLine edge) {
+  bool ends_at(Face f, VisibilityLine edge) { return !beyond(f, edge); }
+
+  /// The face with which f's sheet goes on beyond this edge of it, as e sees it from within.
+  std::optional<Face> beyond(Face f, VisibilityLine edge) {
     const Surface& surface = pose_.surface(f.side);
     const auto faces = surface.edge_faces[static_cast<std::size_t>(find_edge(surface, {edge.a, edge.b}))];
-    const Index beyond = faces[0] == f.index ? faces[1] : faces[0];
-    return beyond == kNone || plane_.see({f.side, beyond}).facing >= 0;
+    const Face other_face{f.side, faces[0] == f.index ? faces[1] : faces[0]};
+    if (other_face.index == kNone || plane_.see(other_face).facing >= 0) return {};
+    return other_face;
   }
 
   std::vector<ConvexPiece> part_that_sees(Face f, const ConvexPiece& whole) {
@@ -127,27 +131,58 @@ class Envelope {
     for (const Side side : {slave_, plane_.master().side})
       for (const Index g : faces_in(column, plane_.frame().N, near_.tree(side))) {
         const Face other_face{side, g};
-        if (other_face != f && other_face != plane_.master()) take_out_what_is_before(f, other_face, border, part);
+        if (other_face == f || other_face == plane_.master()) continue;
+        take_out_what_is_before(f, other_face, border, part);
         if (part.empty()) return part;
+        end_at_what_hides_the_sheet(f, other_face, part);
       }
     return part;
   }
 
-  /// Takes proj(g) n {d_g >= 0} n {d_g <= d_f} out of the part. `border`: of what nothing hides of f.
-  void take_out_what_is_before(Face f, Face g, const std::vector<HalfPlane>& border, std::vector<ConvexPiece>& part) {
-    const SeenFace& seen_g = plane_.see(g);
-    if (seen_g.facing == 0) return;
-    std::vector<HalfPlane> bounds(seen_g.sides.begin(), seen_g.sides.end());
-    if (seen_g.ahead) bounds.insert(bounds.begin(), *seen_g.ahead);
-    if (std::all_of(part.begin(), part.end(),
-                    [&](const ConvexPiece& piece) { return plainly_apart(plane_, piece, bounds); }))
-      return;
-    // First where an edge of g may lie in f: it is g, or the face beyond the edge, that comes out of f there.
+  /// proj(g) n {d_g >= 0}.
+  std::vector<HalfPlane> met(const SeenFace& g) const {
+    std::vector<HalfPlane> bounds(g.sides.begin(), g.sides.end());
+    if (g.ahead) bounds.insert(bounds.begin(), *g.ahead);
+    return bounds;
+  }
+
+  /// Of where g is met, {d_g <= d_f}; nothing where that is nowhere. This bound comes first, as an edge of g may lie in
+  /// f: it is g, or the face beyond the edge, that comes out of f there.
+  std::vector<HalfPlane> met_before(Face f, Face g) {
+    std::vector<HalfPlane> bounds = met(plane_.see(g));
     if (const std::optional<HalfPlane> before = plane_.deeper(f, g))
       bounds.insert(bounds.begin(), *before);
     else if (g.side == plane_.master().side || f < g)
+      return {};
+    return bounds;
+  }
+
+  /// Takes out of the part what g is met before. `border`: of what nothing hides of f.
+  void take_out_what_is_before(Face f, Face g, const std::vector<HalfPlane>& border, std::vector<ConvexPiece>& part) {
+    const SeenFace& seen_g = plane_.see(g);
+    if (seen_g.facing == 0) return;
+    const std::vector<HalfPlane> bounds = met(seen_g);
+    if (std::all_of(part.begin(), part.end(),
+                    [&](const ConvexPiece& piece) { return plainly_apart(plane_, piece, bounds); }))
       return;
-    part = subtract(plane_, part, bounds, border);
+    if (const std::vector<HalfPlane> before = met_before(f, g); !before.empty())
+      part = subtract(plane_, part, before, border);
+  }
+
+  /// Where f's sheet goes on beyond an edge of f, but g hides it from there on, the part ends at g.
+  void end_at_what_hides_the_sheet(Face f, Face g, std::vector<ConvexPiece>& part) {
+    const SeenFace& seen_g = plane_.see(g);
+    if (seen_g.facing == 0) return;
+    const std::vector<HalfPlane> bounds = met(seen_g);
+    for (const HalfPlane edge : std::array(plane_.see(f).sides)) {
+      if (std::none_of(part.begin(), part.end(),
+                       [&](const ConvexPiece& piece) { return may_end_beside(plane_, piece, edge, bounds); }))
+        continue;
+      const std::optional<Face> next = beyond(f, plane_.name(edge));
+      if (!next || *next == g) continue;
+      if (const std::vector<HalfPlane> before = met_before(*next, g); !before.empty())
+        part = end_beside(plane_, part, edge, before);
+    }
   }
 
   const ExactPose& pose_;

@@ -63,16 +63,17 @@ std::optional<std::size_t> side_beyond(MasterPlane& plane, const ConvexPiece& pi
   return {};
 }
 
-/// The piece lies outside the common part, so that no more than a side is beside it.
+/// A side that is beside the common part of all half-planes, on a line that it may lose, is parted.
+template <class MayLose>
 std::vector<ConvexPiece> parted_beside(MasterPlane& plane, const ConvexPiece& piece,
-                                       const std::vector<HalfPlane>& bounds, const std::vector<HalfPlane>& kept) {
+                                       const std::vector<HalfPlane>& bounds, const MayLose& may_lose) {
   std::vector<std::optional<std::size_t>> beside;  // by bound
   for (const HalfPlane h : bounds) beside.push_back(side_beyond(plane, piece, h));
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const HalfPlane h = bounds[i];
     if (!beside[i]) continue;
     const Index line = piece.sides[*beside[i]].line;
-    if (line == h.line || is_among(line, kept)) continue;
+    if (line == h.line || !may_lose(line)) continue;
     std::vector<HalfPlane> others;
     for (std::size_t k = 0; k < bounds.size(); ++k)
       if (beside[k] != beside[i]) others.push_back(bounds[k]);
@@ -137,10 +138,42 @@ std::vector<ConvexPiece> subtract(MasterPlane& plane, const std::vector<ConvexPi
       continue;
     }
     Parting parts = part(plane, piece, bounds);
-    if (parts.within.empty()) parts.beyond = parted_beside(plane, piece, bounds, kept);
+    if (parts.within.empty())
+      parts.beyond = parted_beside(plane, piece, bounds, [&](Index line) { return !is_among(line, kept); });
     std::move(parts.beyond.begin(), parts.beyond.end(), std::back_inserter(remaining));
   }
   return remaining;
+}
+
+bool may_end_beside(const MasterPlane& plane, const ConvexPiece& piece, HalfPlane side,
+                    const std::vector<HalfPlane>& bounds) {
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (piece.sides[i].line != side.line) continue;
+    const std::size_t before = i == 0 ? piece.size() - 1 : i - 1;
+    const auto may_lie_on = [&](HalfPlane h, std::size_t corner) {
+      return plane.quick_side(h, piece.sides[corner], piece.sides[piece.next(corner)], piece.corners[corner])
+                 .value_or(0) == 0;
+    };
+    if (std::any_of(bounds.begin(), bounds.end(),
+                    [&](HalfPlane h) { return h.line != side.line && may_lie_on(h, before) && may_lie_on(h, i); }))
+      return true;
+  }
+  return false;
+}
+
+std::vector<ConvexPiece> end_beside(MasterPlane& plane, const std::vector<ConvexPiece>& pieces, HalfPlane side,
+                                    const std::vector<HalfPlane>& bounds) {
+  std::vector<ConvexPiece> result;
+  for (const ConvexPiece& piece : pieces) {
+    if (may_end_beside(plane, piece, side, bounds)) {
+      std::vector<ConvexPiece> parted =
+          parted_beside(plane, piece, bounds, [side](Index line) { return line == side.line; });
+      std::move(parted.begin(), parted.end(), std::back_inserter(result));
+    } else {
+      result.push_back(piece);
+    }
+  }
+  return result;
 }
 
 }  // namespace pcm::reference

@@ -41,4 +41,14 @@ bool plainly_apart(const MasterPlane& plane, const ConvexPiece& piece, const std
 std::vector<ConvexPiece> subtract(MasterPlane& plane, const std::vector<ConvexPiece>& pieces,
                                   const std::vector<HalfPlane>& bounds, const std::vector<HalfPlane>& kept);
 
+/// Whether a piece may have a side on the line of `side` that lies beside one of the half-planes. Cheap; true where
+/// that is not plain.
+bool may_end_beside(const MasterPlane& plane, const ConvexPiece& piece, HalfPlane side,
+                    const std::vector<HalfPlane>& bounds);
+
+/// The same pieces: where one ends on the line of `side` at the common part of all half-planes, which lies beyond, the
+/// side is parted as by `subtract`.
+std::vector<ConvexPiece> end_beside(MasterPlane& plane, const std::vector<ConvexPiece>& pieces, HalfPlane side,
+                                    const std::vector<HalfPlane>& bounds);
+
 }  // namespace pcm::reference
