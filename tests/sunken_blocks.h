@@ -47,4 +47,23 @@ struct BlockAndSlopingTop {
   }
 };
 
+/// A block whose floor is in cells, and another one through it that begins to hide the floor just along an inner edge
+/// of these: with a level floor of its own, or with one that slopes and comes out of the plate's top there.
+struct BlockThroughCells {
+  TriangleMesh plate = generate::box({-16, -17, -5}, {16, 16, 0}), blocks;
+  Pose pose;
+
+  explicit BlockThroughCells(double slope) {
+    TriangleMesh other = slope == 0 ? degenerate::leaning_block({0, -0.75}, {1, 0.5}, -0.5, 6, 0.5)
+                                    : degenerate::leaning_block({-1, -0.75}, {1, 0.5}, 0, 6, 0.5);
+    for (Eigen::Vector3d& x : other.vertices)
+      if (x.z() == 0) x.z() = slope * x.x();
+    TriangleMesh cells = generate::gridded_box({-6, -6, -1}, {6, 6, 4}, {6, 6, 1});
+    for (Eigen::Vector3d& x : cells.vertices)  // walls that lean outwards
+      if (x.z() == 4) x.head<2>() *= 1.25;
+    blocks = degenerate::joined(cells, other);
+    pose.r = {0.125, 0.25, 0};
+  }
+};
+
 }  // namespace pcm::test

@@ -71,7 +71,7 @@ class Border {
       if (h.number == seen_.f.number) continue;
       const auto part = border.on_line_of(h);
       const double length = edge.to - edge.from;
-      if (part) return PartOnLine{part->line, edge.from + part->from * length, edge.from + part->to * length};
+      if (part) return PartOnLine{part->line, edge.from + part->from * length, edge.from + part->to * length, &next};
     }
     return {};
   }
@@ -130,7 +130,7 @@ class Border {
                                     const Uncertainty& uncertainty) const {
     const double from = std::max(shares.first, 0.0), to = std::min(shares.last, 1.0);
     if (!(from < to) || !are_apart(at(from), at(to), uncertainty)) return {};
-    return PartOnLine{line_of_face(h.number, kind), from, to};
+    return PartOnLine{line_of_face(h.number, kind), from, to, &seen_.f};
   }
 
   /// Of an edge of h that lies on the way.

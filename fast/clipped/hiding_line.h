@@ -23,10 +23,12 @@ struct SeenFaces {
   const ProjectedFace& f;
 };
 
-/// Part of a straight way, as shares of it, and the line on which it lies.
+/// Part of a straight way, as shares of it, and the line on which it lies: at which a face hides, or passes through,
+/// the given one of the slave.
 struct PartOnLine {
   SideLine line;
   double from, to;
+  const ProjectedFace* hidden;
 };
 
 /// The slave's face beyond an edge of f; f itself where its surface ends there.

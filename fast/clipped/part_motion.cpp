@@ -226,19 +226,22 @@ class PartSlopes {
       }
       --questions;
       const PrismPoint way = b - a, first = a + found->from * way, last = a + found->to * way;
-      add_border(found->line, first, last);
+      add_border(found->line, first, last, *found->hidden);
       if (found->from > 0) open.push_back({cut, a, first});
       if (found->to < 1) open.push_back({cut, last, b});
     }
   }
 
-  void add_border(SideLine line, const PrismPoint& a, const PrismPoint& b) {
+  void add_border(SideLine line, const PrismPoint& a, const PrismPoint& b) { add_border(line, a, b, part_.f); }
+
+  /// Where h hides a face of f's sheet, or passes through it.
+  void add_border(SideLine line, const PrismPoint& a, const PrismPoint& b, const ProjectedFace& hidden) {
     const auto [h, kind] = owner_of(line);
     const MasterPrism& prism = part_.prism;
     if (kind == kCrossing && h.of_master) {
-      const FaceDepth depth_h = depth_of(h);
-      const double l = along_level(a, b, depth_h.per_s - depth_f_.per_s, depth_h.per_t - depth_f_.per_t);
-      add_parts(l * depth_f_.by_motion_Me, a, a[kDepth], b, b[kDepth]);
+      const FaceDepth depth_h = depth_of(h), depth_g = &hidden == &part_.f ? depth_f_ : depth_of(hidden);
+      const double l = along_level(a, b, depth_h.per_s - depth_g.per_s, depth_h.per_t - depth_g.per_t);
+      add_parts(l * depth_g.by_motion_Me, a, a[kDepth], b, b[kDepth]);
     } else if (h.of_master) {
       return;
     } else if (kind == kAtDepth0) {

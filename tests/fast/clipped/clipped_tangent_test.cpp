@@ -377,6 +377,22 @@ TEST(ClippedTangent, WhereAnEdgeOfTheMastersOwnLiesInTheSlavesFloorIsThatOfDiffe
   }
 }
 
+/// The part of the sheet that is seen ends at an edge of its own, beyond which it goes on unseen.
+TEST(ClippedTangent, WhereASheetIsHiddenFromAnInnerEdgeOnIsThatOfDifferences) {
+  for (const double slope : {0.0, -0.25, 0.25}) {
+    auto [plate, blocks, pose] = pcm::test::BlockThroughCells(slope);
+    for (int turns = 0; turns < 8; ++turns) {  // the first one with no rounding
+      const Eigen::Matrix3d A = Eigen::AngleAxisd(0.37 * turns, Vector3d::UnitZ()).toRotationMatrix();
+      TriangleMesh turned_plate = plate;
+      for (Vector3d& x : turned_plate.vertices) x = A * x;
+      const Pose turned_pose{A, A * pose.r};
+      const Tangent tangent = *clipped(turned_plate, blocks, turned_pose, stiffness(kStiffness), Mode::E).tangent;
+      const Tangent expected = differences(turned_plate, blocks, turned_pose, stiffness(kStiffness), Mode::E, {});
+      EXPECT_LT((tangent - expected).norm(), 1e-6 * expected.norm()) << slope << ", " << turns;
+    }
+  }
+}
+
 TEST(ClippedTangent, IsThatOfDifferencesWhereFacesHideAndCrossOthers) {
   ContactLaw law;
   law.layers = LayerStiffness{3e4, 1e4};

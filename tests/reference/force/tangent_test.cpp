@@ -275,6 +275,15 @@ TEST(OracleTangent, WhereAnEdgeOfTheMastersOwnLiesInTheSlavesFloorIsThatOfDiffer
   }
 }
 
+/// The part of the sheet that is seen ends at an edge of its own, beyond which it goes on unseen.
+TEST(OracleTangent, WhereASheetIsHiddenFromAnInnerEdgeOnIsThatOfDifferences) {
+  for (const double slope : {0.0, -0.25, 0.25}) {
+    SCOPED_TRACE(slope);
+    const pcm::test::BlockThroughCells bodies(slope);
+    expect_differences(bodies.plate, bodies.blocks, bodies.pose);
+  }
+}
+
 TEST(OracleTangent, AtAKinkIsThatOfOneSide) {
   ContactLaw law;
   law.stiffness = 100;
