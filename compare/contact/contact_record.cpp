@@ -61,6 +61,7 @@ ContactRecord contact_record(const fast::Contact& contact, bool with_areas) {
     record.polygons.push_back({polygon.closed, polygon.patch, {first, first + polygon.count}});
   }
   if (contact.has_volume) record.volume = contact.volume;
+  record.undefined_areas = contact.undefined_areas;
   record.elements = contact.elements;
   record.statistics = contact.statistics;
   return record;
@@ -76,6 +77,7 @@ ContactRecord contact_record(const reference::Answer& answer) {
       copy.points.push_back({x.edge_side, x.edge, x.face, x.position_Me});
   }
   record.volume = answer.volume;
+  record.undefined_areas = answer.undefined_areas;
   fast::StatisticsSum statistics;
   for (const reference::Element& e : answer.elements) statistics.add(record.elements.emplace_back(element_record(e)));
   record.statistics = statistics.result();

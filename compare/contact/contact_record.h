@@ -34,6 +34,7 @@ struct ContactRecord {
   Index patches = 0;
   AreaRecord E, F;
   std::optional<double> volume;  ///< m^3
+  Index undefined_areas = 0;
   std::vector<fast::Element> elements;
   fast::Statistics statistics;
   Index too_deep = 0;

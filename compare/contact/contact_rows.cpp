@@ -54,6 +54,7 @@ CsvRow pose_row(std::int64_t pose, const State& state, const ContactRecord& reco
   add_area(row, "E", record.E);
   add_area(row, "F", record.F);
   row.add("volume", "m^3", record.volume);
+  row.add_count("undefined_areas", record.undefined_areas);
   row.add_count("elements", std::ssize(record.elements));
   row.add("force", "N", record.force_Me);
   row.add("torque", "N m", record.torque_Me);

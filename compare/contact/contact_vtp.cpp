@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +15,8 @@
 
 namespace pcm::compare {
 namespace {
+
+constexpr const char* kContacts = "contacts.pvd";
 
 void append(std::vector<double>& numbers, const Eigen::Vector3d& x) {
   numbers.insert(numbers.end(), x.data(), x.data() + 3);
@@ -135,8 +138,13 @@ VtpPolyData elements_vtp(const ContactRecord& record) {
   return data;
 }
 
+bool is_name_in_vtp_folder(const std::string& file) {
+  static const std::regex part("(E|F|polygons|elements)_[0-9]+\\.vtp");
+  return file == kContacts || std::regex_match(file, part);
+}
+
 ContactVtpFolder::ContactVtpFolder(std::filesystem::path folder)
-    : folder_(std::move(folder)), contacts_(created(folder_) / "contacts.pvd") {}
+    : folder_(std::move(folder)), contacts_(created(folder_) / kContacts) {}
 
 void ContactVtpFolder::write(const ContactRecord& record, const PlacedSurfaces& placed, bool with_polygons) {
   ++contact_;

@@ -26,6 +26,9 @@ VtpPolyData polygons_vtp(const ContactRecord& record);
 /// `force` among it. `master`: 0 E, 1 F.
 VtpPolyData elements_vtp(const ContactRecord& record);
 
+/// Whether a ContactVtpFolder may write a file of that name.
+bool is_name_in_vtp_folder(const std::string& file);
+
 /// A folder of contacts, one by one: E_N.vtp, F_N.vtp, polygons_N.vtp and elements_N.vtp of the N-th, from 1, and
 /// contacts.pvd, which shows them all, the N-th at time N.
 class ContactVtpFolder {

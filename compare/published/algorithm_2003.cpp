@@ -42,7 +42,7 @@ fast::MasterForce Algorithm2003::sum_elements(Side master, const fast::ForceProb
     FirstMet first;
     for (std::size_t k = 0; k < slave_faces.size(); ++k)
       look_for_first<Edges::excluded>(line, slave_faces[k], workspace.slaves[k], first);
-    add_element(master, e, geometry, first, sum);
+    add_element(master, e, geometry, first, problem.law.max_penetration, sum);
   }
   return sum.total();
 }

@@ -64,7 +64,8 @@ fast::MasterForce Algorithm2023::sum_elements(Side master, const fast::ForceProb
             [](const MasterLine& a, const MasterLine& b) { return a.face < b.face; });
   fast::ElementSum sum(problem, workspace.record, workspace.contact.work);
   for (const MasterLine& line : workspace.lines)
-    if (line.first.depth <= greatest_depth_) add_element(master, line.face, line.geometry, line.first, sum);
+    if (line.first.depth <= greatest_depth_)
+      add_element(master, line.face, line.geometry, line.first, problem.law.max_penetration, sum);
   return sum.total();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/published/forces.h"
 
+#include <algorithm>
+
 #include "fast/force/law_parameters.h"
 #include "pcm/bad_input.h"
 
@@ -19,14 +21,14 @@ void begin(const Surface& surface_E, const Surface& surface_F, const Pose& pose,
 }
 
 void add_element(Side master, Index face, const fast::FaceGeometry& geometry, const FirstMet& first,
-                 fast::ElementSum& sum) {
+                 double max_penetration, fast::ElementSum& sum) {
   if (!first.leaves || !(first.depth > 0)) return;
   fast::Element element;
   element.master = master;
   element.master_face = face;
   element.slave_face = first.face;
   element.area = geometry.area;
-  element.penetration = first.depth;
+  element.penetration = std::min(first.depth, max_penetration);
   element.normal_Me = -geometry.n_Me;
   sum.add(first.depth, geometry.barycentre_Me(), element);
 }

@@ -15,9 +15,9 @@ void begin(const Surface& surface_E, const Surface& surface_F, const Pose& pose,
            const Wanted& wanted, Workspace& workspace);
 
 /// Adds the element of a master face (7), (13) to (24) where its line leaves the slave through what it meets first, at
-/// u > 0.
+/// u > 0, clamped to `max_penetration`, m.
 void add_element(Side master, Index face, const fast::FaceGeometry& geometry, const FirstMet& first,
-                 fast::ElementSum& sum);
+                 double max_penetration, fast::ElementSum& sum);
 
 /// Forms the elements of one master.
 using SumElements = std::function<fast::MasterForce(Side master, const fast::ForceProblem& problem)>;

@@ -59,7 +59,8 @@ std::unique_ptr<const TestedEngine> make_tested_engine(Engine engine, TriangleMe
   if (engine == Engine::fast)
     return std::make_unique<FastEngine>(std::move(mesh_E), std::move(mesh_F), law, mode, scheme);
   if (scheme != Scheme::barycentric)
-    throw BadInput("--engine " + std::string(name(engine)) + " knows the barycentric scheme only");
+    throw BadInput("--engine " + std::string(name(engine)) +
+                   " knows the barycentric scheme only; ask it about poses in that scheme");
   require_fit(mesh_E);
   require_fit(mesh_F);
   if (engine == Engine::published_2003)

@@ -72,6 +72,18 @@ std::vector<double> still_instants(const std::string& text, double duration) {
   return instants;
 }
 
+/// As of a scene file: what the options make of it must end some time.
+void require_few_steps(const SimulateOptions& options, const Scene& scene) {
+  const std::string option = options.greatest_step.empty() ? "--duration" : "--greatest-step";
+  if (scene.integrator.greatest_step < scene.duration / kMostSteps)
+    throw BadInput(option + ": the scene would take more than 1e9 steps of no more than " +
+                   fmt::format("{:g} s", scene.integrator.greatest_step));
+  const double interval = std::min(scene.output.interval, scene.output.checkpoint_interval);
+  if (!options.duration.empty() && interval < scene.duration / kMostRecords)
+    throw BadInput(fmt::format(
+        "--duration: the scene's output, every {:g} s, would be recorded more than a million times", interval));
+}
+
 /// What the command line says goes before what the scene says.
 void apply(const SimulateOptions& options, Scene& scene) {
   const auto number = [](const std::string& option, const std::string& text, double& value) {
@@ -88,6 +100,7 @@ void apply(const SimulateOptions& options, Scene& scene) {
   number("--relative-tolerance", options.relative, scene.integrator.relative_tolerance);
   number("--absolute-tolerance", options.absolute, scene.integrator.absolute_tolerance);
   number("--greatest-step", options.greatest_step, scene.integrator.greatest_step);
+  require_few_steps(options, scene);
   if (!options.slip_velocity.empty())
     set_slip_velocity(scene, compare::positive_number("--slip-velocity", options.slip_velocity));
   if (!options.spectrum.empty())

@@ -3,6 +3,7 @@
 #include "simulate/scenes/read_scene.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -290,6 +291,9 @@ void SceneReader::read_pairing(const Json& json, const std::string& at) {
   pairing.F = surface("F");
   const auto body_of = [this](Index s) { return scene_.surfaces[static_cast<std::size_t>(s)].body; };
   if (body_of(pairing.E) == body_of(pairing.F)) json_.refuse(at + "/F", "both surfaces are on the same body");
+  for (const ScenePairing& other : scene_.pairings)
+    if (std::minmax(other.E, other.F) == std::minmax(pairing.E, pairing.F))
+      json_.refuse(at, "these two surfaces have a pairing already; their force would count twice");
   const auto law = laws_.find(json["law"].get<std::string>());
   if (law == laws_.end()) json_.refuse(at + "/law", "there is no law '" + json["law"].get<std::string>() + "'");
   pairing.law = law->second;
@@ -309,7 +313,7 @@ void SceneReader::read_integrator(const Json& json) {
   read(json, "relative_tolerance", settings.relative_tolerance);
   read(json, "absolute_tolerance", settings.absolute_tolerance);
   read(json, "greatest_step", settings.greatest_step);
-  if (settings.greatest_step < 1e-9 * scene_.duration)
+  if (settings.greatest_step < scene_.duration / kMostSteps)
     json_.refuse("/integrator/greatest_step", "the scene would take more than 1e9 steps");
 }
 
@@ -317,7 +321,7 @@ void SceneReader::read_output(const Json& json) {
   read(json, "interval", scene_.output.interval);
   read(json, "checkpoint_interval", scene_.output.checkpoint_interval);
   for (const char* key : {"interval", "checkpoint_interval"})
-    if (json.value(key, scene_.duration) < 1e-6 * scene_.duration)
+    if (json.value(key, scene_.duration) < scene_.duration / kMostRecords)
       json_.refuse(pointer("/output", key), "it is less than a millionth of the duration");
   scene_.output.spectrum_interval = json.value("spectrum_interval", std::int64_t{0});
   if (json.contains("follow")) {

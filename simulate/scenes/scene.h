@@ -97,6 +97,9 @@ enum class JacobianOf : std::uint8_t {
   tangents,     ///< of the pairings, and differences of the equations of motion with them: the engine is asked once
 };
 
+/// No run may have to take more steps, nor to record itself more often.
+inline constexpr double kMostSteps = 1e9, kMostRecords = 1e6;
+
 struct IntegratorSettings {
   Method method = Method::bdf;
   double relative_tolerance = 1e-4;

@@ -65,6 +65,12 @@ void require_files_of_their_own(const ContactOutputOptions& options, const std::
   const std::vector<std::string> taken =
       require_files_of_their_own({{"--csv", options.csv}, {"--elements", options.csv_elements}}, inputs);
   if (options.vtk && options.vtk->empty()) throw BadInput("--vtk: name a folder");
+  if (options.vtk)
+    for (const std::string& other : taken) {
+      const std::filesystem::path name = std::filesystem::path(other).filename();
+      if (is_name_in_vtp_folder(name.string()) && is_same_file(std::filesystem::path(*options.vtk) / name, other))
+        throw BadInput(other + ": is read or written already; name another folder for --vtk");
+    }
   for (const std::string& file : provenance_files(options))
     for (const std::string& other : taken)
       if (is_same_file(file, other))

@@ -214,7 +214,7 @@ void add_explain_command(CLI::App& program, Run& run) {
       "examples.\n"
       "Examples:\n"
       "  pcm explain --pose vertex_on_edge\n"
-      "  pcm explain case_seed_1.json --all\n"
+      "  pcm explain case_cube-cube_degenerate_17_both.json --all\n"
       "  pcm explain E.obj F.obj --poses poses.txt --json\n"
       "  pcm explain --pose edge_through_vertex --map map.svg");
   command
@@ -261,7 +261,8 @@ void add_explain_command(CLI::App& program, Run& run) {
       ->type_name("N")
       ->capture_default_str()
       ->needs("--map");
-  command->add_flag("--all", options->all, "List all coincidences with all their signs, not only the nearest ten");
+  command->add_flag("--all", options->all, "List all coincidences with all their signs, not only the nearest ten")
+      ->excludes("--map");
   command->add_flag("--json", options->json, "One JSON object a line for each pose");
   command->add_flag("--schema", options->schema, "Print the JSON schema of such a line instead");
   command->callback([options, &run] { run = [options] { return explain(*options); }; });

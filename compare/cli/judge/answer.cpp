@@ -46,6 +46,7 @@ Exit answer(const AnswerOptions& options) {
     std::cout << dump_exactly(answer_json(question->id, given, notation)) << '\n';
     if (!options.poses) flush_output();  // whoever asks is waiting
   }
+  if (options.poses) reader.require_all();
   return Exit::success;
 }
 
@@ -60,7 +61,8 @@ void add_answer_command(CLI::App& program, Run& run) {
       "lines of poses.jsonl come by standard input, and each pose is answered before the next one is read.\n"
       "Examples:\n"
       "  pcm answer --poses poses > answers.jsonl\n"
-      "  pcm judge --poses poses --command 'pcm answer --engine published-2003'");
+      "  pcm poses --out barycentric --scheme barycentric\n"
+      "  pcm judge --poses barycentric --command 'pcm answer --engine published-2003'");
   command->add_option("--poses", options->poses, "Folder that 'pcm poses' has written (default: standard input)")
       ->type_name("DIR");
   command

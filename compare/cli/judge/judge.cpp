@@ -347,7 +347,8 @@ void add_judge_command(CLI::App& program, Run& run) {
       ->type_name("'WORD ...'");
   command->add_option("--time-limit", options->time_limit, "With --command: for one answer, start included, s")
       ->type_name("S")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs("--command");
   command
       ->add_option("--tolerance", options->tolerances,
                    "How far off values may be beyond what roundings make, relative: of the sum of |F_k| (force) or of "

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "compare/cli/frame/output_files.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/mesh/mesh_check.h"
 #include "compare/cli/mesh/mesh_make.h"
@@ -25,6 +26,7 @@ Exit convert(const ConvertOptions& options) {
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (extension != ".obj" && extension != ".OBJ")
     throw BadInput(options.output + ": only Wavefront OBJ is written; name the output .obj");
+  require_files_of_their_own({{"OUT", options.output}}, {options.input});
   write_obj(read_mesh(options.input), options.output);
   return Exit::success;
 }

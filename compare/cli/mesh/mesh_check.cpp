@@ -57,8 +57,8 @@ void add_mesh_check_command(CLI::App& mesh, Run& run) {
   CLI::App* command =
       mesh.add_subcommand("check", "Say whether surfaces are fit for contact, and if not, why and where");
   command->footer(
-      "Open surfaces are fit. Unused vertices and faces that intersect are warned of. Elements have the numbers of an\n"
-      "OBJ file, from 1. Exit status: 0 if all are fit, 1 if one is not, 2 if one can't be read.\n"
+      "Open surfaces are fit. Unused vertices and faces that intersect are warned of. Vertices and faces are numbered\n"
+      "from 1, as in an OBJ file. Exit status: 0 if all are fit, 1 if one is not, 2 if one can't be read.\n"
       "Example:\n"
       "  pcm mesh check bolt.obj nut.obj");
   command->add_option("FILE", *files, std::string("Surfaces, ") + kMeshExtensions)->required()->type_name("");

@@ -116,14 +116,29 @@ std::string why_unfinished(const JobPart& part, bool part_is_done) {
   return part == kNoPart ? "parts are missing" : fmt::format("part {} of {}", part.number, part.of);
 }
 
+/// One that was begun in vain, so that the folder is free for another one.
+void remove_campaign(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(folder / (kCampaignFile + std::string(suffix)), ignored);
+  fs::remove(folder, ignored);  // where nothing else is in it
+}
+
 /// One of several processes that were launched together speaks for all: the one that finishes the run, or else the
 /// first. Whoever was started apart speaks for itself.
 Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path& folder,
                  const LaunchedProcess& process, int jobs) {
   const JobPart part = part_of(options);
-  KeptRun kept(folder, run, part);
+  const bool is_new = !fs::exists(folder / kCampaignFile);
+  std::optional<KeptRun> keeping(std::in_place, folder, run, part);
+  KeptRun& kept = *keeping;
   if (!kept.notice().empty()) complain(kept.notice());
-  if (!options.merge.empty()) kept.merge({options.merge.begin(), options.merge.end()});
+  try {
+    if (!options.merge.empty()) kept.merge({options.merge.begin(), options.merge.end()});
+  } catch (const BadInput&) {
+    keeping.reset();
+    if (is_new) remove_campaign(folder);
+    throw;
+  }
   const std::optional<KeptRun::Finished> before = kept.finished();
   if (const double done = kept.done(); process.rank == 0 && done > 0 && !kept.part_done())
     complain(fmt::format("--out {}: continued, {:.0f} % are done", folder.string(), std::floor(100 * done)));

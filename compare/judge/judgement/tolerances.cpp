@@ -38,10 +38,13 @@ double Tolerance::widen(double derived, double scale) const {
 }
 
 void Tolerances::add(const std::string& option, const std::vector<std::string>& words, double Tolerance::*which) {
+  std::set<std::string> named;
   for (const std::string& word : words) {
     const std::size_t sign = word.find('=');
     if (sign == std::string::npos)
       throw BadInput(fmt::format("{}: {} has no '='; write force=1e-6", option, in_quotes(word)));
+    if (!named.insert(word.substr(0, sign)).second)
+      throw BadInput(fmt::format("{}: {} is there twice", option, in_quotes(word.substr(0, sign))));
     const std::optional<double> value = parse_number(word.substr(sign + 1));
     if (!value || *value < 0)
       throw BadInput(fmt::format("{}: {} is no number from 0 on", option, in_quotes(word.substr(sign + 1))));

@@ -137,7 +137,13 @@ PosesReader::PosesReader(const std::filesystem::path& file, const std::filesyste
 std::optional<PosedQuestion> PosesReader::next() {
   const std::optional<Json> json = lines_.next();
   if (!json) return std::nullopt;
+  ++read_;
   return at_line(lines_, [&] { return question_from(*json, surfaces_); });
+}
+
+void PosesReader::require_all() const {
+  if (read_ != promised_)
+    throw BadInput(fmt::format("{}: {} poses, where the first line says {}", lines_.name(), read_, promised_));
 }
 
 PosedQuestions read_poses_folder(const std::filesystem::path& folder) {
@@ -149,9 +155,7 @@ PosedQuestions read_poses_folder(const std::filesystem::path& folder) {
       throw BadInput(reader.lines().place() + ": a pose " + in_quotes(question->id) + " stands there already");
     posed.questions.push_back(std::move(*question));
   }
-  if (posed.questions.size() != reader.promised())
-    throw BadInput(fmt::format("{}: {} poses, where the first line says {}", reader.lines().name(),
-                               posed.questions.size(), reader.promised()));
+  reader.require_all();
   return posed;
 }
 

@@ -31,16 +31,16 @@ class PosesReader {
   PosesReader(const std::filesystem::path& file, const std::filesystem::path& folder);
 
   const std::vector<PosedSurface>& surfaces() const { return surfaces_; }
-  /// How many poses the first line promises.
-  std::size_t promised() const { return promised_; }
   /// The next pose; none at the end. Throws BadInput, with file and line, for what is none.
   std::optional<PosedQuestion> next();
+  /// At the end. Throws BadInput where these were not as many poses as the first line promises.
+  void require_all() const;
   const JsonLines& lines() const { return lines_; }
 
  private:
   JsonLines lines_;
   std::vector<PosedSurface> surfaces_;
-  std::size_t promised_ = 0;
+  std::size_t promised_ = 0, read_ = 0;
 };
 
 /// Reads a whole folder back. Throws BadInput as PosesReader, and where two poses have one id, or some are missing.

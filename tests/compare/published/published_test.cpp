@@ -26,8 +26,9 @@ constexpr std::array kPublished = {Engine::published_2003, Engine::published_202
 class Trio {
  public:
   Trio(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Mode mode)
-      : oracle_(mesh_E, mesh_F, verification_law(0, mesh_E, mesh_F), mode) {
-    const ContactLaw law = verification_law(0, mesh_E, mesh_F);
+      : Trio(mesh_E, mesh_F, mode, verification_law(0, mesh_E, mesh_F)) {}
+  Trio(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Mode mode, const ContactLaw& law)
+      : oracle_(mesh_E, mesh_F, law, mode) {
     for (const Engine engine : kEngines)
       tested_.push_back(make_tested_engine(engine, mesh_E, mesh_F, law, mode, Scheme::barycentric));
   }
@@ -116,6 +117,15 @@ TEST(PublishedAlgorithms, CubeInCubeIsTheEnginesAnswer) {
     Trio trio(generate::gridded_box(1, 4), generate::gridded_box(1, 3), mode);
     expect_agreement(trio, turned_at({0.6, 0.5, 0.9}));
   }
+}
+
+TEST(PublishedAlgorithms, ClampPenetrationsAsTheEngineDoes) {
+  const TriangleMesh cube = generate::gridded_box(1, 4);
+  ContactLaw law = verification_law(0, cube, cube);
+  law.max_penetration = 0.02;
+  Trio trio(cube, cube, Mode::both, law);
+  ASSERT_TRUE(trio.ask(Engine::fast, turned_at({0.6, 0.5, 0.9})).penetration_exceeded);
+  expect_agreement(trio, turned_at({0.6, 0.5, 0.9}));
 }
 
 TEST(PublishedAlgorithms, SphereOnPlateIsTheEnginesAnswer) {

@@ -169,6 +169,18 @@ TEST(SimulateCommand, RefusesStillsBeforeItBegins) {
   EXPECT_EQ(folder.run({"--stills", "0.15", "--duration", "0.1"}).status, 2);
 }
 
+TEST(SimulateCommand, RefusesOptionsThatWouldTakeForEver) {
+  const Folder folder(with_stills("[0.1]"));
+  for (const auto& [option, value] :
+       {std::pair("--duration", "1e300"), std::pair("--duration", "2e5"), std::pair("--greatest-step", "1e-12")}) {
+    SCOPED_TRACE(value);
+    const Outcome outcome = folder.run({option, value});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(std::string(option) + ": the scene"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder.out));
+  }
+}
+
 TEST(SimulateCommand, RefusesAScenesStillsWithFileLineAndKey) {
   const Folder folder(with_stills("[0, 0.3]"));
   const Outcome outcome = folder.run();

@@ -103,6 +103,8 @@ TEST(ReadScene, RefusesWithFileLineAndKey) {
       {R"("law": "soft")", R"("law": "hard")", "block.json:17: pairings[0].law: there is no law 'hard'"},
       {R"("F": "block")", R"("F": "wall")", "block.json:17: pairings[0].F: there is no surface 'wall'"},
       {R"("F": "block")", R"("F": "plate")", "block.json:17: pairings[0].F: both surfaces are on the same body"},
+      {R"("scheme": "clipped"})", R"("scheme": "clipped"}, {"E": "block", "F": "plate", "law": "soft"})",
+       "block.json:17: pairings[1]: these two surfaces have a pairing already"},
       {R"({"stiffness": 1e6})", "{}", "block.json:2: laws.soft: it takes either stiffness or layers"},
       {R"("make": "box")", R"("make": "boks")", "block.json:9: bodies[0].surfaces[0].make: "},
       {R"("make": "box")", R"("file": "there_is_none.obj")", "block.json:9: bodies[0].surfaces[0].file: "},

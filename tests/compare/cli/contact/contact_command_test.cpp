@@ -92,6 +92,24 @@ TEST_F(ContactCommand, AFileIsWrittenThatIsNeitherReadNorWrittenOtherwise) {
   EXPECT_NE(outcome.err.find(nowhere + ": the file can't be created"), std::string::npos) << outcome.err;
 }
 
+TEST_F(ContactCommand, NoFileForParaViewIsOneThatIsReadOrWrittenOtherwise) {
+  const std::string folder = scratch_.path("vtk");
+  std::filesystem::create_directory(folder);
+  const std::string poses = scratch_.write("vtk/polygons_1.vtp", kOverlap);
+  const Outcome outcome = run_pcm({"contact", box_, box_, "--poses", poses, "--vtk", folder});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("name another folder for --vtk"), std::string::npos) << outcome.err;
+  EXPECT_EQ(content_of(poses), kOverlap);
+  for (const char* table : {"E_1.vtp", "contacts.pvd", "elements_12.vtp"})
+    EXPECT_EQ(run_pcm({"contact", box_, box_, "--poses", poses, "--csv", folder + "/" + table, "--vtk", folder + "/."})
+                  .status,
+              2);
+  EXPECT_EQ(
+      run_pcm({"contact", box_, box_, "--poses", poses, "--csv", folder + "/rows.vtp", "--vtk", scratch_.path("other")})
+          .status,
+      0);
+}
+
 TEST_F(ContactCommand, BadInputEmptiesNoFileOfAnEarlierRun) {
   const std::string csv = scratch_.write("rows.csv", "precious\n");
   for (const std::string poses : {"", "1 0 0  0 1 0  0 0 1  0.1 0 zero\n"}) {

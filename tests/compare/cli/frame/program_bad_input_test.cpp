@@ -250,6 +250,9 @@ TEST_F(ProgramBadInput, MakingAndConverting) {
   expect_bad_input({"mesh", "convert", surface_, scratch_.path("out.stl")}, "out.stl");
   expect_bad_input({"mesh", "convert", scratch_.path("missing.obj"), scratch_.path("out.obj")}, "missing.obj");
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("out.obj")));
+  const std::string before = content_of(surface_);
+  expect_bad_input({"mesh", "convert", surface_, surface_}, "name another file for OUT");
+  EXPECT_EQ(content_of(surface_), before);
 }
 
 TEST_F(ProgramBadInput, OutputThatCannotBeWritten) {

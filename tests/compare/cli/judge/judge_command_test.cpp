@@ -206,6 +206,14 @@ TEST_F(JudgeCommand, PosesWithoutAnAnswerAreBadInput) {
   EXPECT_EQ(last_line(outcome.out), "unfinished: 59 answers, 0 wrong, 0 near another answer");
 }
 
+TEST_F(JudgeCommand, OurAnswersToAFileThatWasCutShortEndWithBadInput) {
+  const std::string file = poses_ + "/poses.jsonl", whole = content_of(file);
+  scratch_.write("poses/poses.jsonl", whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1));
+  const Outcome outcome = run_pcm({"answer", "--poses", poses_});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("59 poses, where the first line says 60"), std::string::npos) << outcome.err;
+}
+
 TEST_F(JudgeCommand, AnotherConventionEndsIt) {
   const std::string surface = scratch_.path("tetrahedron.obj");
   ASSERT_EQ(run_pcm({"poses", "--out", poses_, "--poses", "120", "--pair", surface, surface, "--strata",

@@ -167,6 +167,10 @@ TEST_F(SharedRun, PartsOfSeveralMachinesArePutTogether) {
       EXPECT_EQ(line.find("| 0 / 0 |"), std::string::npos) << "of no pose: " << line;
     folders.push_back(scratch_.path("part " + k));
   }
+  // Refused, this leaves nothing that would keep others out of the folder.
+  const Outcome other = run_pcm({"verify", "--poses", "6", "--out", scratch_.path("whole"), folders[0], folders[1]});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path("whole")));
   const Outcome two = run_pcm(verify("whole", {folders[0], folders[1], folders[3]}));
   EXPECT_EQ(two.status, 1);
   EXPECT_TRUE(lines_of(two.out).back().starts_with("unfinished: ")) << two.out;
