@@ -397,7 +397,7 @@ PICKED = [
     ),
     (
         "fast/clipped/part_motion.cpp",
-        "      add_parts(l * depth_f_.by_motion_Me, a, a[kDepth], b, b[kDepth]);",
+        "      add_parts(l * depth_g.by_motion_Me, a, a[kDepth], b, b[kDepth]);",
         "",
         "where the master's own faces come through the slave's nothing moves",
     ),
@@ -412,6 +412,12 @@ PICKED = [
         "    if (standing == SeenEdge::Standing::level) {",
         "    if (false) {",
         "an edge that lies in what it hides is the border",
+    ),
+    (
+        "fast/clipped/hiding_line.cpp",
+        "      return hiding ? hiding : part;\n",
+        "      return part;\n",
+        "an edge of f stays a border where its sheet goes on, hidden",
     ),
     (
         "fast/clipped/hiding_line.cpp",
@@ -778,6 +784,12 @@ PICKED = [
         "if (order < 0 || (order == 0 && hit.face < first.face)) first = hit;",
         "if (order < 0) first = hit;",
         "of two faces that coincide the one found first",
+    ),
+    (
+        "reference/elements/clipped_elements.cpp",
+        "        end_at_what_hides_the_sheet(f, other_face, part);\n",
+        "",
+        "an edge of f stays a border where its sheet goes on, hidden",
     ),
     (
         "reference/elements/clipped_elements.cpp",

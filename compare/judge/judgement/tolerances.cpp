@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 #include "meshes/files/parse_number.h"
 #include "meshes/files/text_file.h"
