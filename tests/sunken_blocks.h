@@ -38,8 +38,9 @@ struct BlockAndSlopingTop {
   TriangleMesh plate, floor = degenerate::leaning_block({-6, -6}, {6, 6}, -1, 4, 1.25);
   Pose pose;
 
-  explicit BlockAndSlopingTop(double slope) {
-    TriangleMesh own = degenerate::leaning_block({-4, -4}, {-3, -3}, -1, -8, 0.8);
+  /// Of a wider top no edge lies on the line in which it comes out of the floor.
+  explicit BlockAndSlopingTop(double slope, double width = 1) {
+    TriangleMesh own = degenerate::leaning_block({-4, -4}, {-4 + width, -3}, -1, -8, 0.8);
     for (Eigen::Vector3d& x : own.vertices)
       if (x.z() == -1) x.z() += slope * (x.y() - x.x());
     plate = degenerate::joined(generate::box({-16, -17, -5}, {16, 16, 0}), own);

@@ -42,8 +42,14 @@ std::span<const Overlap> overlaps_of(const SeenFaces& seen, const ProjectedFace&
 /// A way along f that lies where something begins to hide it.
 class Border {
  public:
-  Border(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b)
-      : seen_(seen), a_(a), b_(b), way_(b - a), wider_(std::abs(way_[kS]) >= std::abs(way_[kT]) ? kS : kT) {}
+  /// `near_side`: where the way is an edge of f, the face before it, with which f's sheet begins.
+  Border(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b, const ProjectedFace* near_side = nullptr)
+      : seen_(seen),
+        a_(a),
+        b_(b),
+        way_(b - a),
+        wider_(std::abs(way_[kS]) >= std::abs(way_[kT]) ? kS : kT),
+        near_side_(near_side) {}
 
   /// f's own, which it lies to the left of; in its place what begins there to hide the sheet that goes on.
   std::optional<PartOnLine> on_edge_of_f() const {
@@ -65,7 +71,7 @@ class Border {
   std::optional<PartOnLine> hiding_neighbour(const ProjectedFace& next, const PartOnLine& edge) const {
     const SeenFaces beyond{seen_.posed, seen_.master, seen_.prism, seen_.faces, seen_.overlaps, next};
     const PrismPoint first = at(edge.from), last = at(edge.to);
-    const Border border(beyond, first, last);
+    const Border border(beyond, first, last, &seen_.f);
     for (const Overlap& overlap : overlaps_of(seen_, next)) {
       const ProjectedFace& h = seen_.faces[overlap.second];
       if (h.number == seen_.f.number) continue;
@@ -80,12 +86,10 @@ class Border {
   std::optional<PartOnLine> on_line_of(const ProjectedFace& h) const {
     const Uncertainty uncertainty = seen_.prism.uncertainty(h.corners, seen_.posed.placement.max_coordinate);
     if (is_seen_edgewise(h, uncertainty)) return {};
-    const Slope depth(h), f(seen_.f);
+    const Slope depth(h);
     const double depth_at_a = h.corners[0][kDepth] + depth.along(a_ - h.corners[0]);
-    // Before f it lies where this is positive.
-    const Slope lead(f.per_s - depth.per_s, f.per_t - depth.per_t);
-    const auto crossing = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead, uncertainty);
-    if (crossing && passes_through_f(h)) return crossing;
+    const auto crossing = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead_of(h), uncertainty);
+    if (crossing && passes_through_sheet(h)) return crossing;
     if (passes_through_master(h))
       if (const auto part = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty)) return part;
     for (std::size_t edge = 0; edge < 3; ++edge)
@@ -96,19 +100,29 @@ class Border {
  private:
   /// All of it, though it may reach beyond the master: to within roundings it has no area.
   static bool is_seen_edgewise(const ProjectedFace& h, const Uncertainty& uncertainty) {
-    const auto& [a, b, c] = h.corners;
-    const auto width = [&](int weight) {
-      return std::max({a[weight], b[weight], c[weight]}) - std::min({a[weight], b[weight], c[weight]});
+    const std::array<PrismPoint, 3>& x = h.corners;
+    const auto width = [&x](int weight) {
+      return std::max({x[0][weight], x[1][weight], x[2][weight]}) -
+             std::min({x[0][weight], x[1][weight], x[2][weight]});
     };
-    return !certain(0.5 * cross_st(a, b, c), width(kS), width(kT), uncertainty);
+    return !certain(0.5 * cross_st(x[0], x[1], x[2]), width(kS), width(kT), uncertainty);
+  }
+  /// Before f it lies where this is positive.
+  Slope lead_of(const ProjectedFace& h) const {
+    const Slope depth(h), f(seen_.f);
+    return {f.per_s - depth.per_s, f.per_t - depth.per_t};
   }
   PlacedFace placed(const ProjectedFace& face) const {
     return placed_face(seen_.posed, seen_.master, seen_.prism, face);
   }
-  bool passes_through_f(const ProjectedFace& h) const {
-    const PlacedFace placed_f = placed(seen_.f), placed_h = placed(h);
+  bool pass_through_each_other(const ProjectedFace& f, const ProjectedFace& h) const {
+    const PlacedFace placed_f = placed(f), placed_h = placed(h);
     return meet_in_line(heights_over(placed_f, placed_h, seen_.posed.work)) &&
            meet_in_line(heights_over(placed_h, placed_f, seen_.posed.work));
+  }
+  /// Through f; or through the face on the near side of its edge, by what roundings may leave between that line and it.
+  bool passes_through_sheet(const ProjectedFace& h) const {
+    return pass_through_each_other(seen_.f, h) || (near_side_ != nullptr && pass_through_each_other(*near_side_, h));
   }
   static bool passes_through_master(const ProjectedFace& h) {
     return meet_in_line({h.corners[0][kDepth], h.corners[1][kDepth], h.corners[2][kDepth]});
@@ -136,7 +150,11 @@ class Border {
   /// Of an edge of h that lies on the way.
   Places places_before_f(const ProjectedFace& h, const SeenEdge& edge) const {
     if (edge.standing(a_, edge.place(a_), b_, edge.place(b_)) != SeenEdge::Standing::level) return edge.before(a_, b_);
-    if (passes_through_f(h)) return edge.before(a_, b_);
+    if (passes_through_sheet(h)) {
+      // One that comes to the edge from behind f hides nothing beyond it.
+      const bool may_hide = near_side_ == nullptr || lead_of(h).to_the_right(way_) > 0;
+      return may_hide ? edge.before(a_, b_) : Places{0, 0};
+    }
     std::array<double, 3> f_over_h{};
     const Order order = order_of(placed(h), placed(seen_.f), f_over_h, seen_.posed.work);
     return order == Order::before ? edge.beneath_master() : Places{0, 0};
@@ -173,6 +191,7 @@ class Border {
   const PrismPoint &a_, &b_;
   PrismPoint way_;
   int wider_;
+  const ProjectedFace* near_side_;
 };
 
 }  // namespace
@@ -189,11 +208,12 @@ Index face_beyond(const SeenFaces& seen, std::size_t edge) {
 const ProjectedFace* hidden_neighbour(const SeenFaces& seen, std::size_t edge) {
   if (seen.overlaps.empty()) return nullptr;
   const Index next = face_beyond(seen, edge);
-  for (const ProjectedFace& face : seen.faces) {
-    if (!face.of_master && face.face == next)
-      return face.carries && next != seen.f.face && !overlaps_of(seen, face).empty() ? &face : nullptr;
-  }
-  return nullptr;
+  if (next == seen.f.face) return nullptr;
+  const auto found =
+      std::lower_bound(seen.faces.begin(), seen.faces.end(), next,
+                       [](const ProjectedFace& face, Index number) { return !face.of_master && face.face < number; });
+  const bool is_seen = found != seen.faces.end() && !found->of_master && found->face == next;
+  return is_seen && found->carries && !overlaps_of(seen, *found).empty() ? &*found : nullptr;
 }
 
 std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b) {

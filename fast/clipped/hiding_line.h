@@ -18,8 +18,8 @@ struct SeenFaces {
   PosedPair& posed;  ///< asked for the faces' vertices
   Side master;
   const MasterPrism& prism;
-  const std::vector<ProjectedFace>& faces;
-  std::span<const Overlap> overlaps;  ///< of all these faces, as find_overlaps leaves them
+  const std::vector<ProjectedFace>& faces;  ///< the slave's first, ascending
+  std::span<const Overlap> overlaps;        ///< of all these faces, as find_overlaps leaves them
   const ProjectedFace& f;
 };
 
@@ -35,7 +35,7 @@ struct PartOnLine {
 Index face_beyond(const SeenFaces& seen, std::size_t edge);
 
 /// The face of the slave with which f's sheet goes on beyond an edge of f, where others may hide some of that; nullptr
-/// where the sheet ends there, or nothing does. The lookup is linear in the faces.
+/// where the sheet ends there, or nothing does.
 const ProjectedFace* hidden_neighbour(const SeenFaces& seen, std::size_t edge);
 
 /// Of a way from a to b along f, which is seen on the left of it alone: the edge at which f itself ends there, or the

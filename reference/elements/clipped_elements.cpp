@@ -128,14 +128,16 @@ class Envelope {
     const Column column = column_below(plane_, below, f, master_box_);
     const std::vector<HalfPlane> border = below.sides;
     std::vector<ConvexPiece> part{std::move(below)};
+    std::vector<Face> others;
     for (const Side side : {slave_, plane_.master().side})
       for (const Index g : faces_in(column, plane_.frame().N, near_.tree(side))) {
         const Face other_face{side, g};
-        if (other_face == f || other_face == plane_.master()) continue;
+        if (other_face == f || other_face == plane_.master() || plane_.see(other_face).facing == 0) continue;
         take_out_what_is_before(f, other_face, border, part);
         if (part.empty()) return part;
-        end_at_what_hides_the_sheet(f, other_face, part);
+        others.push_back(other_face);
       }
+    for (const Face g : others) end_at_what_hides_the_sheet(f, g, part);
     return part;
   }
 
@@ -159,9 +161,7 @@ class Envelope {
 
   /// Takes out of the part what g is met before. `border`: of what nothing hides of f.
   void take_out_what_is_before(Face f, Face g, const std::vector<HalfPlane>& border, std::vector<ConvexPiece>& part) {
-    const SeenFace& seen_g = plane_.see(g);
-    if (seen_g.facing == 0) return;
-    const std::vector<HalfPlane> bounds = met(seen_g);
+    const std::vector<HalfPlane> bounds = met(plane_.see(g));
     if (std::all_of(part.begin(), part.end(),
                     [&](const ConvexPiece& piece) { return plainly_apart(plane_, piece, bounds); }))
       return;
@@ -171,12 +171,10 @@ class Envelope {
 
   /// Where f's sheet goes on beyond an edge of f, but g hides it from there on, the part ends at g.
   void end_at_what_hides_the_sheet(Face f, Face g, std::vector<ConvexPiece>& part) {
-    const SeenFace& seen_g = plane_.see(g);
-    if (seen_g.facing == 0) return;
-    const std::vector<HalfPlane> bounds = met(seen_g);
+    const std::vector<HalfPlane> bounds = met(plane_.see(g));
     for (const HalfPlane edge : std::array(plane_.see(f).sides)) {
       if (std::none_of(part.begin(), part.end(),
-                       [&](const ConvexPiece& piece) { return may_end_beside(plane_, piece, edge, bounds); }))
+                       [&](const ConvexPiece& piece) { return may_reach_side(plane_, piece, edge, bounds); }))
         continue;
       const std::optional<Face> next = beyond(f, plane_.name(edge));
       if (!next || *next == g) continue;

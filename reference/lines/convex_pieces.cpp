@@ -145,17 +145,16 @@ std::vector<ConvexPiece> subtract(MasterPlane& plane, const std::vector<ConvexPi
   return remaining;
 }
 
-bool may_end_beside(const MasterPlane& plane, const ConvexPiece& piece, HalfPlane side,
+bool may_reach_side(const MasterPlane& plane, const ConvexPiece& piece, HalfPlane side,
                     const std::vector<HalfPlane>& bounds) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     if (piece.sides[i].line != side.line) continue;
     const std::size_t before = i == 0 ? piece.size() - 1 : i - 1;
-    const auto may_lie_on = [&](HalfPlane h, std::size_t corner) {
-      return plane.quick_side(h, piece.sides[corner], piece.sides[piece.next(corner)], piece.corners[corner])
-                 .value_or(0) == 0;
+    const auto is_without = [&](HalfPlane h, std::size_t corner) {
+      return plane.quick_side(h, piece.sides[corner], piece.sides[piece.next(corner)], piece.corners[corner]) == -1;
     };
-    if (std::any_of(bounds.begin(), bounds.end(),
-                    [&](HalfPlane h) { return h.line != side.line && may_lie_on(h, before) && may_lie_on(h, i); }))
+    if (std::none_of(bounds.begin(), bounds.end(),
+                     [&](HalfPlane h) { return is_without(h, before) && is_without(h, i); }))
       return true;
   }
   return false;
@@ -165,7 +164,7 @@ std::vector<ConvexPiece> end_beside(MasterPlane& plane, const std::vector<Convex
                                     const std::vector<HalfPlane>& bounds) {
   std::vector<ConvexPiece> result;
   for (const ConvexPiece& piece : pieces) {
-    if (may_end_beside(plane, piece, side, bounds)) {
+    if (may_reach_side(plane, piece, side, bounds)) {
       std::vector<ConvexPiece> parted =
           parted_beside(plane, piece, bounds, [side](Index line) { return line == side.line; });
       std::move(parted.begin(), parted.end(), std::back_inserter(result));

@@ -41,9 +41,9 @@ bool plainly_apart(const MasterPlane& plane, const ConvexPiece& piece, const std
 std::vector<ConvexPiece> subtract(MasterPlane& plane, const std::vector<ConvexPiece>& pieces,
                                   const std::vector<HalfPlane>& bounds, const std::vector<HalfPlane>& kept);
 
-/// Whether a piece may have a side on the line of `side` that lies beside one of the half-planes. Cheap; true where
-/// that is not plain.
-bool may_end_beside(const MasterPlane& plane, const ConvexPiece& piece, HalfPlane side,
+/// Whether the common part of all half-planes may have points on a side that the piece has on the line of `side`.
+/// Cheap; true where that is not plain.
+bool may_reach_side(const MasterPlane& plane, const ConvexPiece& piece, HalfPlane side,
                     const std::vector<HalfPlane>& bounds);
 
 /// The same pieces: where one ends on the line of `side` at the common part of all half-planes, which lies beyond, the

@@ -369,12 +369,15 @@ TEST(ClippedTangent, WhereTheLineOfAnEdgeGoesOnAlongOtherEdgesIsThatOfDifference
 }
 
 TEST(ClippedTangent, WhereAnEdgeOfTheMastersOwnLiesInTheSlavesFloorIsThatOfDifferences) {
-  for (const double slope : {-0.125, 0.125}) {
-    const auto [plate, floor, pose] = pcm::test::BlockAndSlopingTop(slope);
-    const Tangent tangent = *clipped(plate, floor, pose, stiffness(kStiffness), Mode::E).tangent;
-    const Tangent expected = differences(plate, floor, pose, stiffness(kStiffness), Mode::E, {});
-    EXPECT_LT((tangent - expected).norm(), 1e-5 * expected.norm()) << slope;
-  }
+  for (const double slope : {-0.125, 0.125})
+    for (const double width : {1.0, 1.75})
+      for (const double move : {0.0, 0x1p-50, -0x1p-50}) {
+        auto [plate, floor, pose] = pcm::test::BlockAndSlopingTop(slope, width);
+        pose.r.x() += move;
+        const Tangent tangent = *clipped(plate, floor, pose, stiffness(kStiffness), Mode::E).tangent;
+        const Tangent expected = differences(plate, floor, pose, stiffness(kStiffness), Mode::E, {});
+        EXPECT_LT((tangent - expected).norm(), 1e-5 * expected.norm()) << slope << ", " << width << ", " << move;
+      }
 }
 
 /// The part of the sheet that is seen ends at an edge of its own, beyond which it goes on unseen.

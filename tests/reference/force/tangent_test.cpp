@@ -268,11 +268,12 @@ TEST(OracleTangent, WhereTheLineOfAnEdgeGoesOnAlongWallsThatEndInTheFloorIsThatO
 }
 
 TEST(OracleTangent, WhereAnEdgeOfTheMastersOwnLiesInTheSlavesFloorIsThatOfDifferences) {
-  for (const double slope : {-0.125, 0.125}) {
-    SCOPED_TRACE(slope);
-    const auto [plate, floor, pose] = pcm::test::BlockAndSlopingTop(slope);
-    expect_differences(plate, floor, pose);
-  }
+  for (const double slope : {-0.125, 0.125})
+    for (const double width : {1.0, 1.75}) {
+      SCOPED_TRACE(testing::Message() << slope << ", " << width);
+      const auto [plate, floor, pose] = pcm::test::BlockAndSlopingTop(slope, width);
+      expect_differences(plate, floor, pose);
+    }
 }
 
 /// The part of the sheet that is seen ends at an edge of its own, beyond which it goes on unseen.
