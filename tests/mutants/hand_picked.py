@@ -787,7 +787,7 @@ PICKED = [
     ),
     (
         "reference/elements/clipped_elements.cpp",
-        "        end_at_what_hides_the_sheet(f, other_face, part);\n",
+        "    for (const Face g : others) end_at_what_hides_the_sheet(f, g, part);\n",
         "",
         "an edge of f stays a border where its sheet goes on, hidden",
     ),

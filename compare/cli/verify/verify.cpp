@@ -117,10 +117,10 @@ std::string why_unfinished(const JobPart& part, bool part_is_done) {
 }
 
 /// One that was begun in vain, so that the folder is free for another one.
-void remove_campaign(const fs::path& folder, bool folder_as_well) {
+void remove_campaign(const fs::path& folder) {
   std::error_code ignored;
   for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(folder / (kCampaignFile + std::string(suffix)), ignored);
-  if (folder_as_well) fs::remove(folder, ignored);  // where nothing else is in it
+  fs::remove(folder, ignored);  // where nothing else is in it
 }
 
 /// One of several processes that were launched together speaks for all: the one that finishes the run, or else the
@@ -128,7 +128,7 @@ void remove_campaign(const fs::path& folder, bool folder_as_well) {
 Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path& folder,
                  const LaunchedProcess& process, int jobs) {
   const JobPart part = part_of(options);
-  const bool is_new = !fs::exists(folder / kCampaignFile), folder_is_new = !fs::exists(folder);
+  const bool is_new = !fs::exists(folder / kCampaignFile);
   std::optional<KeptRun> keeping(std::in_place, folder, run, part);
   KeptRun& kept = *keeping;
   if (!kept.notice().empty()) complain(kept.notice());
@@ -136,7 +136,7 @@ Exit verify_kept(Verification& run, const VerifyOptions& options, const fs::path
     if (!options.merge.empty()) kept.merge({options.merge.begin(), options.merge.end()});
   } catch (...) {
     keeping.reset();
-    if (is_new) remove_campaign(folder, folder_is_new);
+    if (is_new) remove_campaign(folder);
     throw;
   }
   const std::optional<KeptRun::Finished> before = kept.finished();
