@@ -15,7 +15,7 @@ namespace pcm::fast {
 
 namespace {
 
-/// A linear function of (s, t): its value at a point and its slopes.
+/// The slopes of a linear function of (s, t).
 struct Slope {
   double per_s, per_t;
 
@@ -42,7 +42,8 @@ std::span<const Overlap> overlaps_of(const SeenFaces& seen, const ProjectedFace&
 /// A way along f that lies where something begins to hide it.
 class Border {
  public:
-  /// `near_side`: where the way is an edge of f, the face before it, with which f's sheet begins.
+  /// `near_side`: where the way is an edge of f from which on f is hidden, the face of its sheet that is seen before
+  /// it.
   Border(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b, const ProjectedFace* near_side = nullptr)
       : seen_(seen),
         a_(a),
@@ -88,7 +89,7 @@ class Border {
     if (is_seen_edgewise(h, uncertainty)) return {};
     const Slope depth(h);
     const double depth_at_a = h.corners[0][kDepth] + depth.along(a_ - h.corners[0]);
-    const auto crossing = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead_of(h), uncertainty);
+    const auto crossing = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead(depth), uncertainty);
     if (crossing && passes_through_sheet(h)) return crossing;
     if (passes_through_master(h))
       if (const auto part = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty)) return part;
@@ -107,9 +108,9 @@ class Border {
     };
     return !certain(0.5 * cross_st(x[0], x[1], x[2]), width(kS), width(kT), uncertainty);
   }
-  /// Before f it lies where this is positive.
-  Slope lead_of(const ProjectedFace& h) const {
-    const Slope depth(h), f(seen_.f);
+  /// Of a face with these slopes of its depth: before f it lies where this is positive.
+  Slope lead(const Slope& depth) const {
+    const Slope f(seen_.f);
     return {f.per_s - depth.per_s, f.per_t - depth.per_t};
   }
   PlacedFace placed(const ProjectedFace& face) const {
@@ -152,7 +153,7 @@ class Border {
     if (edge.standing(a_, edge.place(a_), b_, edge.place(b_)) != SeenEdge::Standing::level) return edge.before(a_, b_);
     if (passes_through_sheet(h)) {
       // One that comes to the edge from behind f hides nothing beyond it.
-      const bool may_hide = near_side_ == nullptr || lead_of(h).to_the_right(way_) > 0;
+      const bool may_hide = near_side_ == nullptr || lead(Slope(h)).to_the_right(way_) > 0;
       return may_hide ? edge.before(a_, b_) : Places{0, 0};
     }
     std::array<double, 3> f_over_h{};
@@ -205,15 +206,19 @@ Index face_beyond(const SeenFaces& seen, std::size_t edge) {
   return slave.neighbours_of(seen.f.face)[(k + 1) % 3];
 }
 
+const ProjectedFace* carrying_face(const SeenFaces& seen, Index face) {
+  const auto found =
+      std::lower_bound(seen.faces.begin(), seen.faces.end(), face,
+                       [](const ProjectedFace& one, Index number) { return !one.of_master && one.face < number; });
+  if (found == seen.faces.end() || found->of_master || found->face != face || !found->carries) return nullptr;
+  return &*found;
+}
+
 const ProjectedFace* hidden_neighbour(const SeenFaces& seen, std::size_t edge) {
   if (seen.overlaps.empty()) return nullptr;
   const Index next = face_beyond(seen, edge);
-  if (next == seen.f.face) return nullptr;
-  const auto found =
-      std::lower_bound(seen.faces.begin(), seen.faces.end(), next,
-                       [](const ProjectedFace& face, Index number) { return !face.of_master && face.face < number; });
-  const bool is_seen = found != seen.faces.end() && !found->of_master && found->face == next;
-  return is_seen && found->carries && !overlaps_of(seen, *found).empty() ? &*found : nullptr;
+  const ProjectedFace* const face = next == seen.f.face ? nullptr : carrying_face(seen, next);
+  return face != nullptr && !overlaps_of(seen, *face).empty() ? face : nullptr;
 }
 
 std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b) {

@@ -34,6 +34,9 @@ struct PartOnLine {
 /// The slave's face beyond an edge of f; f itself where its surface ends there.
 Index face_beyond(const SeenFaces& seen, std::size_t edge);
 
+/// That face of the slave, where the master sees it and it may carry an element; otherwise nullptr.
+const ProjectedFace* carrying_face(const SeenFaces& seen, Index face);
+
 /// The face of the slave with which f's sheet goes on beyond an edge of f, where others may hide some of that; nullptr
 /// where the sheet ends there, or nothing does.
 const ProjectedFace* hidden_neighbour(const SeenFaces& seen, std::size_t edge);

@@ -209,6 +209,7 @@ class PartSlopes {
   void add_open_borders() {
     std::vector<CutStretch>& open = scratch_.open;
     if (open.empty()) return;
+    const Uncertainty of_f = uncertainty();
     // Each line of each face takes its part of a stretch once; no more is asked, whatever roundings leave.
     std::size_t questions = open.size() * (1 + kLinesOfAFace * part_.faces.size());
     while (!open.empty()) {
@@ -218,7 +219,7 @@ class PartSlopes {
         add_own_side(a, b);
         continue;
       }
-      const bool ask = questions > 0 && are_apart(a, b, uncertainty());
+      const bool ask = questions > 0 && are_apart(a, b, of_f);
       const auto found = ask ? find_hiding_line(part_, a, b) : std::nullopt;
       if (!found) {
         add_border(cut, a, b);
@@ -289,9 +290,7 @@ class PartSlopes {
   /// Whether nothing of a face beyond an edge is in the master's view, though the sheet goes on there.
   bool goes_on_unseen(std::size_t edge) const {
     const Index face = face_beyond(part_, edge);
-    for (const ProjectedFace& seen : part_.faces)
-      if (!seen.of_master && seen.face == face && seen.carries) return false;
-    return goes_on(face);
+    return carrying_face(part_, face) == nullptr && goes_on(face);
   }
 
   /// A side on the border of the master. Where the sheet that f is of ends there as well, to within roundings, it moves

@@ -46,8 +46,7 @@ struct PartMotionScratch {
 /// continuous: where it begins to be clamped nothing is added. All is of degree three at most along a side and of
 /// degree two over a piece, so that the integrals are exact but for roundings.
 ///
-/// A slope that is too large for doubles, or whose moments about Mf are,
-/// counts as 0.
+/// A slope that is too large for doubles, or whose moments about Mf are, counts as 0.
 ElementMotion motion_of_part(const SeenPart& part, PartMotionScratch& scratch);
 
 }  // namespace pcm::fast

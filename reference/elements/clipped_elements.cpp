@@ -104,14 +104,11 @@ class Envelope {
       return plane_.side(h, piece.sides[corner], piece.sides[piece.next(corner)], piece.corners[corner]) == 0;
     };
     for (const HalfPlane h : plane_.see(f).sides)
-      if (corner_is_on(h, before) && corner_is_on(h, i) && ends_at(f, plane_.name(h))) return h;
+      if (corner_is_on(h, before) && corner_is_on(h, i) && !beyond(f, plane_.name(h))) return h;
     return piece.sides[i];
   }
 
-  /// Whether e sees nothing of f's sheet beyond this edge of it, from within.
-  bool ends_at(Face f, VisibilityLine edge) { return !beyond(f, edge); }
-
-  /// The face with which f's sheet goes on beyond this edge of it, as e sees it from within.
+  /// The face with which f's sheet goes on beyond this edge of it; none where e sees nothing of it there from within.
   std::optional<Face> beyond(Face f, VisibilityLine edge) {
     const Surface& surface = pose_.surface(f.side);
     const auto faces = surface.edge_faces[static_cast<std::size_t>(find_edge(surface, {edge.a, edge.b}))];
@@ -172,7 +169,7 @@ class Envelope {
   /// Where f's sheet goes on beyond an edge of f, but g hides it from there on, the part ends at g.
   void end_at_what_hides_the_sheet(Face f, Face g, std::vector<ConvexPiece>& part) {
     const std::vector<HalfPlane> bounds = met(plane_.see(g));
-    for (const HalfPlane edge : std::array(plane_.see(f).sides)) {
+    for (const HalfPlane edge : plane_.see(f).sides) {
       if (std::none_of(part.begin(), part.end(),
                        [&](const ConvexPiece& piece) { return may_reach_side(plane_, piece, edge, bounds); }))
         continue;
