@@ -28,15 +28,26 @@ T length_of(const Vec3<T>& v) {
   return sqrt(dot(v, v));
 }
 
-/// All loads enclosed in one kind of numbers, each when first asked for.
+/// Whether every number that totals are made of is bounded.
+template <class T>
+bool bounded(const ElementLoad<T>& load) {
+  const auto number = [](const T& x) { return std::isfinite(x.nearby().error); };
+  const auto vector = [&](const Vec3<T>& v) { return number(v[0]) && number(v[1]) && number(v[2]); };
+  return number(load.greatest_penetration) && number(load.speed_squared) && vector(load.arm) && vector(load.force) &&
+         vector(load.drag);
+}
+
+/// All loads enclosed in one kind of numbers, each when first asked for. Where exact numbers are given, they tell what
+/// an enclosure leaves unbounded: of quotients whose divisor may be zero, and of friction where all may be at rest.
 template <class T>
 class EnclosedLoads {
  public:
-  EnclosedLoads(const ForceQuestion& question, const Field<T>& field)
+  EnclosedLoads(const ForceQuestion& question, const Field<T>& field, ExactSums* exact = nullptr)
       : question_(question),
         field_(field),
         pose_(question.pose, field_),
-        state_(state_of(question.pose.pose(), question.velocity, field_)) {}
+        state_(state_of(question.pose.pose(), question.velocity, field_)),
+        exact_(exact) {}
 
   const Field<T>& field() const { return field_; }
   std::size_t size() const { return question_.elements.size(); }
@@ -50,7 +61,8 @@ class EnclosedLoads {
  private:
   EnclosedLoad<T> enclose(std::size_t i) {
     const ElementGeometry<T> g = question_.elements.geometry(i, pose_);
-    const ElementLoad<T> load = load_of(g, question_.elements.pair(i).master, question_.law, state_, field_);
+    ElementLoad<T> load = load_of(g, question_.elements.pair(i).master, question_.law, state_, field_);
+    if (exact_ != nullptr && !bounded(load)) load = enclosed(exact_->load(i), field_);
     const T v_t = sqrt(load.speed_squared);
     return {load, dot(g.N, g.slave_N) / sqrt(dot(g.N, g.N) * dot(g.slave_N, g.slave_N)), v_t,
             v_t * load.friction.constant + load.speed_squared * load.friction.linear, load.force + v_t * load.drag};
@@ -60,6 +72,7 @@ class EnclosedLoads {
   Field<T> field_;
   ConvertedPose<T> pose_;
   State<T> state_;
+  ExactSums* exact_;
   std::vector<std::optional<EnclosedLoad<T>>> known_;
 };
 
@@ -162,13 +175,13 @@ struct MasterLoads::Data {
   explicit Data(const ForceQuestion& asked)
       : question(asked),
         shortly(asked, Field<DoubleDouble>{}),
-        finely(asked, Field<Ball>{kRoundingPrecision}),
-        exact(asked) {}
+        exact(asked),
+        finely(asked, Field<Ball>{kRoundingPrecision}, &exact) {}
 
   ForceQuestion question;
   EnclosedLoads<DoubleDouble> shortly;
-  EnclosedLoads<Ball> finely;
   ExactSums exact;
+  EnclosedLoads<Ball> finely;
   std::optional<std::vector<Element>> elements;
 };
 

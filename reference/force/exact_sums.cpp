@@ -14,23 +14,29 @@ double rounded(const Quadratic& x) {
   return sum.rounded();
 }
 
-Ball force_size(const ElementLoad<Quadratic>& load, mpfr_prec_t precision) {
-  const Ball v_t = sqrt(enclosed(load.speed_squared, precision));
-  Ball squares(0.0, precision);
+Ball force_size(const ElementLoad<Quadratic>& load, const Field<Ball>& field) {
+  const Ball v_t = sqrt(enclosed(load.speed_squared, field));
+  Ball squares = field(0.0);
   for (int i = 0; i < 3; ++i) {
-    const Ball component = enclosed(load.force[i], precision) + v_t * enclosed(load.drag[i], precision);
+    const Ball component = enclosed(load.force[i], field) + v_t * enclosed(load.drag[i], field);
     squares = squares + component * component;
   }
   return sqrt(squares);
 }
 
-Ball arm_length(const ElementLoad<Quadratic>& load, mpfr_prec_t precision) {
-  Ball squares(0.0, precision);
+Ball arm_length(const ElementLoad<Quadratic>& load, const Field<Ball>& field) {
+  Ball squares = field(0.0);
   for (int axis = 0; axis < 3; ++axis) {
-    const Ball component = enclosed(load.arm[axis], precision);
+    const Ball component = enclosed(load.arm[axis], field);
     squares = squares + component * component;
   }
   return sqrt(squares);
+}
+
+/// One component of arm x force.
+Quadratic moment(const Vec3<Quadratic>& arm, const Vec3<Quadratic>& force, int axis) {
+  const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+  return arm[next] * force[last] - arm[last] * force[next];
 }
 
 /// Products of enclosures as narrow as the precision is high, without a quotient: they close in.
@@ -132,8 +138,8 @@ double ExactTotals::torque(int axis) {
   for (ExactSums* master : masters_)
     for (std::size_t i = 0; i < master->size(); ++i) {
       const ElementLoad<Quadratic>& load = master->load(i);
-      sum.add(share * cross(load.arm, load.force)[axis]);  // (22), (24)
-      sum.add(share * cross(load.arm, load.drag)[axis], load.speed_squared);
+      sum.add(share * moment(load.arm, load.force, axis));  // (22), (24)
+      sum.add(share * moment(load.arm, load.drag, axis), load.speed_squared);
     }
   return sum.rounded();
 }
@@ -164,22 +170,24 @@ bool ExactTotals::greatest_exceeds(double bound) {
 
 double ExactTotals::force_scale() {
   return scale([this](mpfr_prec_t precision) {
-    Ball sum(0.0, precision);
+    const Field<Ball> field{precision};
+    Ball sum = field(0.0);
     for (ExactSums* master : masters_)
-      for (std::size_t i = 0; i < master->size(); ++i) sum = sum + force_size(master->load(i), precision);
-    return Ball(share_, precision) * sum;
+      for (std::size_t i = 0; i < master->size(); ++i) sum = sum + force_size(master->load(i), field);
+    return field(share_) * sum;
   });
 }
 
 double ExactTotals::torque_scale() {
   return scale([this](mpfr_prec_t precision) {
-    Ball sum(0.0, precision);
+    const Field<Ball> field{precision};
+    Ball sum = field(0.0);
     for (ExactSums* master : masters_)
       for (std::size_t i = 0; i < master->size(); ++i) {
         const ElementLoad<Quadratic>& load = master->load(i);
-        sum = sum + arm_length(load, precision) * force_size(load, precision);
+        sum = sum + arm_length(load, field) * force_size(load, field);
       }
-    return Ball(share_, precision) * sum;
+    return field(share_) * sum;
   });
 }
 

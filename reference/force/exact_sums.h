@@ -12,6 +12,25 @@
 
 namespace pcm::reference {
 
+/// An exact load enclosed.
+template <class T>
+ElementLoad<T> enclosed(const ElementLoad<Quadratic>& load, const Field<T>& field) {
+  const auto number = [&](const Quadratic& x) { return enclosed(x, field); };
+  const auto vector = [&](const Vec3<Quadratic>& v) { return Vec3<T>{number(v[0]), number(v[1]), number(v[2])}; };
+  return {number(load.area),
+          number(load.penetration),
+          number(load.greatest_penetration),
+          vector(load.normal),
+          vector(load.position),
+          vector(load.arm),
+          number(load.normal_velocity),
+          number(load.speed_squared),
+          number(load.normal_force),
+          {number(load.friction.constant), number(load.friction.linear)},
+          vector(load.force),
+          vector(load.drag)};
+}
+
 /// Loads of one master's elements with every decision of the law exact. An element is computed when something of it is
 /// asked for; its values are correctly rounded (radical_sum.h).
 class ExactSums {

@@ -45,6 +45,13 @@ class Quadratic {
   Rational d_ = 0;
 };
 
+/// Encloses a + b sqrt(d).
+template <class T>
+T enclosed(const Quadratic& x, const Field<T>& field) {
+  const T a = field(x.a());
+  return x.rational() ? a : a + field(x.b()) * sqrt(field(x.d()));
+}
+
 template <>
 struct Field<Quadratic> {
   Quadratic operator()(double x) const { return Quadratic(Rational(x)); }

@@ -87,11 +87,6 @@ void RadicalSum::add(const Quadratic& c, const Quadratic& t) {
   add(c.b(), c.d() * t.a());
 }
 
-Ball enclosed(const Quadratic& x, mpfr_prec_t precision) {
-  const Ball a(x.a(), precision);
-  return x.rational() ? a : a + Ball(x.b(), precision) * sqrt(Ball(x.d(), precision));
-}
-
 double RadicalSum::rounded() const {
   std::vector<Rational> rationals;
   std::unordered_map<std::uint64_t, std::vector<SquareClass>> classes;
@@ -112,9 +107,10 @@ double RadicalSum::rounded() const {
 
   const auto enclose = [&](mpfr_prec_t precision) {
     Ball sum(rational_part, precision);
-    for (const Root& root : roots) sum = sum + Ball(root.coefficient, precision) * sqrt(Ball(root.radicand, precision));
+    const Field<Ball> field{precision};
+    for (const Root& root : roots) sum = sum + field(root.coefficient) * sqrt(field(root.radicand));
     for (const NestedRoot& root : nested_)
-      sum = sum + enclosed(root.coefficient, precision) * sqrt(enclosed(root.radicand, precision));
+      sum = sum + enclosed(root.coefficient, field) * sqrt(enclosed(root.radicand, field));
     return sum;
   };
   return rounded_number(kFirstPrecision, nested_.empty() ? MPFR_PREC_MAX : kTiePrecision, enclose);

@@ -44,7 +44,4 @@ class RadicalSum {
   std::vector<NestedRoot> nested_;
 };
 
-/// Encloses a + b sqrt(d).
-Ball enclosed(const Quadratic& x, mpfr_prec_t precision);
-
 }  // namespace pcm::reference

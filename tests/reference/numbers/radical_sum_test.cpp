@@ -28,7 +28,7 @@ TEST(Quadratic, FieldOperationsUndoEachOther) {
     if (y.sign() != 0) {
       EXPECT_EQ((x / y * y - x).sign(), 0);
     }
-    const std::optional<int> enclosed_sign = enclosed(x, 200).sign();
+    const std::optional<int> enclosed_sign = enclosed(x, Field<Ball>{200}).sign();
     EXPECT_TRUE(!enclosed_sign || *enclosed_sign == x.sign());
   }
 }
