@@ -8,9 +8,9 @@ namespace pcm::compare {
 namespace {
 
 template <class ActiveArea>
-AreaRecord area_record(const ActiveArea& active, bool with_areas) {
+AreaRecord area_record(const ActiveArea& active, const Knowledge& known) {
   AreaRecord record{active.intersected, active.inner, {}, {}};
-  if (with_areas) {
+  if (known.areas) {
     record.area = active.area;
     record.vector_area_Me = active.vector_area_Me;
   }
@@ -19,14 +19,15 @@ AreaRecord area_record(const ActiveArea& active, bool with_areas) {
 
 /// What both result types name alike.
 template <class Result>
-ContactRecord common_record(const Result& result, bool with_areas) {
+ContactRecord common_record(const Result& result, const Knowledge& known) {
   ContactRecord record;
+  record.known = known;
   record.touching = result.touching;
   record.nested = result.nested;
   record.ambiguous = result.ambiguous;
   record.patches = result.patches;
-  record.E = area_record(result.E, with_areas);
-  record.F = area_record(result.F, with_areas);
+  record.E = area_record(result.E, known);
+  record.F = area_record(result.F, known);
   record.too_deep = result.too_deep;
   record.max_penetration = result.max_penetration;
   record.penetration_exceeded = result.penetration_exceeded;
@@ -54,8 +55,8 @@ fast::Element element_record(const reference::Element& e) {
 
 }  // namespace
 
-ContactRecord contact_record(const fast::Contact& contact, bool with_areas) {
-  ContactRecord record = common_record(contact, with_areas);
+ContactRecord contact_record(const fast::Contact& contact, const Knowledge& known) {
+  ContactRecord record = common_record(contact, known);
   for (const fast::Polygon& polygon : contact.polygons) {
     const auto first = contact.crossings.begin() + polygon.first;
     record.polygons.push_back({polygon.closed, polygon.patch, {first, first + polygon.count}});
@@ -68,7 +69,7 @@ ContactRecord contact_record(const fast::Contact& contact, bool with_areas) {
 }
 
 ContactRecord contact_record(const reference::Answer& answer) {
-  ContactRecord record = common_record(answer, true);
+  ContactRecord record = common_record(answer, {});
   for (const reference::Polygon& polygon : answer.polygons) {
     PolygonRecord& copy = record.polygons.emplace_back();
     copy.closed = polygon.closed;

@@ -11,6 +11,12 @@
 
 namespace pcm::compare {
 
+/// What an engine can tell of a contact besides elements and force.
+struct Knowledge {
+  bool areas = true;  ///< clipped areas and the volume; what is nested, ambiguous or too deep
+  bool faces = true;  ///< active faces and polygons
+};
+
 struct PolygonRecord {
   bool closed = true;
   Index patch = 0;
@@ -20,13 +26,14 @@ struct PolygonRecord {
 /// The active area on one surface.
 struct AreaRecord {
   std::vector<Index> intersected, inner;  ///< faces, ascending
-  std::optional<double> area;             ///< clipped, m^2; none where the engine knows no areas
+  std::optional<double> area;             ///< clipped, m^2; none where areas are not known
   std::optional<Eigen::Vector3d> vector_area_Me;
 };
 
 /// A contact with all that is told of it, in one form whoever answered, for files and tables. Vectors in Me, SI units;
 /// the fields mean what those of fast::Contact do.
 struct ContactRecord {
+  Knowledge known;  ///< what is not known has its default value
   bool touching = false;
   bool nested = false;
   bool ambiguous = false;
@@ -44,8 +51,7 @@ struct ContactRecord {
   Eigen::Vector3d torque_Me = Eigen::Vector3d::Zero();  ///< on E about Mf, N m
 };
 
-/// `with_areas`: whether whoever answered knows areas, which published algorithms don't.
-ContactRecord contact_record(const fast::Contact& contact, bool with_areas);
+ContactRecord contact_record(const fast::Contact& contact, const Knowledge& known);
 /// Statistics are summed over the oracle's elements, in doubles.
 ContactRecord contact_record(const reference::Answer& answer);
 

@@ -20,9 +20,13 @@ void add_state(CsvRow& row, const State& state) {
   row.add("w", "rad/s", state.velocity.w);
 }
 
-void add_area(CsvRow& row, const std::string& side, const AreaRecord& active) {
-  row.add_count(side + "_intersected", std::ssize(active.intersected));
-  row.add_count(side + "_inner", std::ssize(active.inner));
+std::optional<std::int64_t> count_if(bool known, std::int64_t count) {
+  return known ? std::optional(count) : std::nullopt;
+}
+
+void add_area(CsvRow& row, const std::string& side, const AreaRecord& active, const Knowledge& known) {
+  row.add_count(side + "_intersected", count_if(known.faces, std::ssize(active.intersected)));
+  row.add_count(side + "_inner", count_if(known.faces, std::ssize(active.inner)));
   row.add(side + "_area", "m^2", active.area);
   row.add(side + "_vector_area", "m^2", active.vector_area_Me);
 }
@@ -40,27 +44,27 @@ void add_statistics(CsvRow& row, const fast::Statistics& statistics) {
 }  // namespace
 
 CsvRow pose_row(std::int64_t pose, const State& state, const ContactRecord& record, bool with_polygons) {
-  const auto if_wanted = [with_polygons](std::int64_t count) {
-    return with_polygons ? std::optional(count) : std::nullopt;
-  };
+  const Knowledge& known = record.known;
+  const bool polygons_known = with_polygons && known.faces;
+  const auto flag_if = [](bool is_known, bool flag) { return is_known ? std::optional(flag) : std::nullopt; };
   CsvRow row;
   row.add_count("pose", pose);
   add_state(row, state);
   row.add_flag("touching", record.touching);
-  row.add_flag("nested", record.nested);
-  row.add_flag("ambiguous", record.ambiguous);
-  row.add_count("polygons", if_wanted(std::ssize(record.polygons)));
-  row.add_count("patches", if_wanted(record.patches));
-  add_area(row, "E", record.E);
-  add_area(row, "F", record.F);
+  row.add_flag("nested", flag_if(known.areas, record.nested));
+  row.add_flag("ambiguous", flag_if(known.areas, record.ambiguous));
+  row.add_count("polygons", count_if(polygons_known, std::ssize(record.polygons)));
+  row.add_count("patches", count_if(polygons_known, record.patches));
+  add_area(row, "E", record.E, known);
+  add_area(row, "F", record.F, known);
   row.add("volume", "m^3", record.volume);
-  row.add_count("undefined_areas", record.undefined_areas);
+  row.add_count("undefined_areas", count_if(known.areas, record.undefined_areas));
   row.add_count("elements", std::ssize(record.elements));
   row.add("force", "N", record.force_Me);
   row.add("torque", "N m", record.torque_Me);
   row.add("max_penetration", "m", record.max_penetration);
   row.add_flag("penetration_exceeded", record.penetration_exceeded);
-  row.add_count("too_deep", record.too_deep);
+  row.add_count("too_deep", count_if(known.areas, record.too_deep));
   add_statistics(row, record.statistics);
   return row;
 }

@@ -21,8 +21,8 @@ void CsvRow::add_count(std::string_view name, std::optional<std::int64_t> count)
   add_field(name, "", count ? fmt::format("{}", *count) : "");
 }
 
-void CsvRow::add_flag(std::string_view name, bool flag) {
-  add_field(name, "", flag ? "1" : "0");
+void CsvRow::add_flag(std::string_view name, std::optional<bool> flag) {
+  add_field(name, "", !flag ? "" : *flag ? "1" : "0");
 }
 
 void CsvRow::add_word(std::string_view name, std::string_view word) {

@@ -19,7 +19,7 @@ class CsvRow {
   /// Three columns, name_x and so on.
   void add(const std::string& name, std::string_view unit, const std::optional<Eigen::Vector3d>& vector);
   void add_count(std::string_view name, std::optional<std::int64_t> count);
-  void add_flag(std::string_view name, bool flag);  ///< 1 or 0
+  void add_flag(std::string_view name, std::optional<bool> flag);  ///< 1 or 0
   void add_word(std::string_view name, std::string_view word);
 
   const std::string& names() const { return names_; }

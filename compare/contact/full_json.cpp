@@ -14,9 +14,9 @@
 namespace pcm::compare {
 namespace {
 
-void add_faces(Json& side, const AreaRecord& active) {
-  side["intersected_faces"] = active.intersected;
-  side["inner_faces"] = active.inner;
+void add_faces(Json& side, const AreaRecord& active, const Knowledge& known) {
+  side["intersected_faces"] = known.faces ? Json(active.intersected) : Json();
+  side["inner_faces"] = known.faces ? Json(active.inner) : Json();
 }
 
 Json crossing_json(const fast::Crossing& x) {
@@ -77,8 +77,8 @@ FullJson::FullJson(const TriangleMesh& mesh_E, const TriangleMesh& mesh_F, Json 
     : E_(mesh_E), F_(mesh_F), provenance_(std::move(provenance)) {}
 
 void FullJson::add_to(Json& json, const ContactRecord& record, const State& state) const {
-  add_faces(json["E"], record.E);
-  add_faces(json["F"], record.F);
+  add_faces(json["E"], record.E, record.known);
+  add_faces(json["F"], record.F, record.known);
   if (json["polygons"].is_array()) {
     add_polygons(json, record.polygons, record.patches);
     json["crossing_pairs"] = crossing_pairs(E_, F_, all_crossings(record.polygons));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/contact/contact_answers.h"
 
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -13,9 +14,23 @@
 namespace pcm::compare {
 namespace {
 
-/// Polygons that were not wanted are not none.
-void leave_out_polygons(const Wanted& wanted, Json& json) {
-  if (!wanted.polygons) json["polygons"] = json["patches"] = nullptr;
+/// What the algorithms that engines stand for have (published/algorithm_2003.h, algorithm_2023.h).
+Knowledge knowledge_of(Engine engine) {
+  return {engine == Engine::fast, engine != Engine::published_2023};
+}
+
+/// What is not known, or was not wanted, is not none.
+void leave_out(const Knowledge& known, const Wanted& wanted, Json& json) {
+  const auto leave_out_of_sides = [&](std::initializer_list<const char*> keys) {
+    for (const char* side : {"E", "F"})
+      for (const char* key : keys) json[side][key] = nullptr;
+  };
+  if (!known.areas) {
+    for (const char* key : {"nested", "ambiguous", "volume", "too_deep", "undefined_areas"}) json[key] = nullptr;
+    leave_out_of_sides({"area", "vector_area"});
+  }
+  if (!known.faces) leave_out_of_sides({"intersected", "inner"});
+  if (!known.faces || !wanted.polygons) json["polygons"] = json["patches"] = nullptr;
 }
 
 AnswerContact answers_of_engine(const ContactQuestion& question, TriangleMesh mesh_E, TriangleMesh mesh_F,
@@ -24,14 +39,11 @@ AnswerContact answers_of_engine(const ContactQuestion& question, TriangleMesh me
   const std::shared_ptr<const TestedEngine> tested =
       make_tested_engine(engine, std::move(mesh_E), std::move(mesh_F), question.law, question.mode, question.scheme);
   auto workspace = std::make_shared<TestedEngineWorkspace>();
-  return [=, wanted = question.wanted](const State& state) {
+  return [=, wanted = question.wanted, known = knowledge_of(engine)](const State& state) {
     const fast::Contact& contact = tested->evaluate(state.pose, state.velocity, wanted, *workspace);
-    const bool knows_areas = engine == Engine::fast;
     ContactAnswer answer{contact_json(contact), {}};
-    if (!knows_areas)
-      for (const char* side : {"E", "F"}) answer.json[side]["area"] = answer.json[side]["vector_area"] = nullptr;
-    leave_out_polygons(wanted, answer.json);
-    if (with_record) answer.record = contact_record(contact, knows_areas);
+    leave_out(known, wanted, answer.json);
+    if (with_record) answer.record = contact_record(contact, known);
     return answer;
   };
 }
@@ -43,7 +55,7 @@ AnswerContact answers_of_oracle(const ContactQuestion& question, TriangleMesh me
   return [=, problem = question.problem, wanted = question.wanted](const State& state) {
     const reference::Answer truth = oracle->answer(problem, state.pose, state.velocity, wanted);
     ContactAnswer answer{contact_json(truth), {}};
-    leave_out_polygons(wanted, answer.json);
+    leave_out({}, wanted, answer.json);
     if (with_record) answer.record = contact_record(truth);
     return answer;
   };

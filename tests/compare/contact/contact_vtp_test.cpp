@@ -57,7 +57,7 @@ class ContactVtp : public testing::Test {
   ContactRecord contact(const Eigen::Vector3d& r) {
     fast::Workspace workspace;
     const fast::Pairing pairing{fast::Surface(E_), fast::Surface(F_), {}, Mode::both, Scheme::barycentric};
-    return contact_record(fast::evaluate(pairing, {pose_.A, r}, {}, {}, workspace), true);
+    return contact_record(fast::evaluate(pairing, {pose_.A, r}, {}, {}, workspace), {});
   }
 };
 

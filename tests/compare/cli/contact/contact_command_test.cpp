@@ -228,14 +228,28 @@ TEST_F(ContactCommand, ProvenanceNamesProgramQuestionAndSurfaces) {
       << commit;
 }
 
-TEST_F(ContactCommand, PublishedAlgorithmsAnswerInFullAsWell) {
+TEST_F(ContactCommand, PublishedAlgorithmsAnswerInFullAsWellAndSayNothingOfWhatTheyDoNotKnow) {
   for (const std::string engine : {"published-2003", "published-2023"}) {
-    const Json full = contact(kTilted, {"--engine", engine, "--full"}).front();
-    EXPECT_EQ(full["element_list"].size(), full["elements"]);
-    EXPECT_TRUE(full["E"]["area"].is_null());
     const std::string csv = scratch_.path(engine + ".csv");
-    contact(kTilted, {"--engine", engine, "--csv", csv});
-    EXPECT_EQ(Csv(csv).at(0, "E_area [m^2]"), "");
+    const Json full = contact(kTilted, {"--engine", engine, "--full", "--csv", csv}).front();
+    const Csv table(csv);
+    EXPECT_EQ(full["touching"], true);
+    EXPECT_EQ(full["element_list"].size(), full["elements"]);
+    const bool knows_faces = engine == "published-2003";
+    for (const char* key : {"nested", "ambiguous", "too_deep", "undefined_areas", "volume"}) {
+      EXPECT_TRUE(full[key].is_null()) << engine << ' ' << key;
+      EXPECT_EQ(table.at(0, std::string(key) + (std::string(key) == "volume" ? " [m^3]" : "")), "") << engine;
+    }
+    for (const char* key : {"polygons", "patches", "patch_list", "crossing_pairs"})
+      EXPECT_EQ(full[key].is_null(), !knows_faces) << engine << ' ' << key;
+    for (const char* column : {"polygons", "patches", "E_intersected", "F_inner"})
+      EXPECT_EQ(table.at(0, column).empty(), !knows_faces) << engine << ' ' << column;
+    for (const char* side : {"E", "F"}) {
+      for (const char* key : {"area", "vector_area"}) EXPECT_TRUE(full[side][key].is_null()) << engine << ' ' << key;
+      for (const char* key : {"intersected", "inner", "intersected_faces", "inner_faces"})
+        EXPECT_EQ(full[side][key].is_null(), !knows_faces) << engine << ' ' << key;
+    }
+    EXPECT_EQ(table.at(0, "E_area [m^2]"), "");
   }
 }
 
