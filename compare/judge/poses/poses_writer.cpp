@@ -9,11 +9,21 @@
 
 #include "compare/io/sha256.h"
 #include "compare/judge/poses/poses_folder.h"
+#include "meshes/files/extension.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/write_obj.h"
 
 namespace pcm::compare {
+namespace {
+
+/// Of surfaces that were read, the file's name without folder and extension.
+std::string short_name(const std::string& name) {
+  const std::string extension = extension_of(name);
+  return extension == ".obj" || extension == ".off" ? std::filesystem::path(name).stem().string() : name;
+}
+
+}  // namespace
 
 std::size_t PosedSurfaces::number_of(const TriangleMesh& mesh) {
   const auto [known, is_new] = by_hash_.try_emplace(sha256(mesh), surfaces_.size());
@@ -27,7 +37,7 @@ std::size_t PosedSurfaces::number_of(const TriangleMesh& mesh) {
 /// The mesh's name as one that any file system takes and no other surface here has.
 std::string PosedSurfaces::free_name(const std::string& name) {
   std::string word;
-  for (const char c : name.substr(0, 100)) {
+  for (const char c : short_name(name).substr(0, 100)) {
     const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
     word += is_plain || c == '-' || (c == '.' && !word.empty()) ? c : '-';
   }

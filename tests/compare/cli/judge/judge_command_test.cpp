@@ -92,6 +92,13 @@ TEST_F(JudgeCommand, OurOwnEngineAsAForeignOneIsRight) {
   EXPECT_EQ(last_line(spoken.out), "right: 60 answers, 0 wrong, 0 near another answer");
 }
 
+TEST_F(JudgeCommand, SurfacesAreCalledAsTheirFilesWhateverTheFolder) {
+  const nlohmann::json header = nlohmann::json::parse(lines_of(content_of(poses_ + "/poses.jsonl")).front());
+  ASSERT_EQ(header["surfaces"].size(), 1U);
+  EXPECT_EQ(header["surfaces"][0]["name"], "tetrahedron");
+  EXPECT_EQ(header["surfaces"][0]["file"], "surfaces/tetrahedron.obj");
+}
+
 TEST_F(JudgeCommand, AnswersThatSayNothingAreNeitherRightNorWrong) {
   std::vector<std::string> lines = answers_;
   for (std::string& line : lines) {
