@@ -94,9 +94,9 @@ TEST_F(JudgeCommand, OurOwnEngineAsAForeignOneIsRight) {
 
 TEST_F(JudgeCommand, SurfacesAreCalledAsTheirFilesWhateverTheFolder) {
   const nlohmann::json header = nlohmann::json::parse(lines_of(content_of(poses_ + "/poses.jsonl")).front());
-  ASSERT_EQ(header["surfaces"].size(), 1U);
   EXPECT_EQ(header["surfaces"][0]["name"], "tetrahedron");
   EXPECT_EQ(header["surfaces"][0]["file"], "surfaces/tetrahedron.obj");
+  EXPECT_EQ(header["surfaces"].at(1)["name"], "tetrahedron-2") << "scaled, for nested poses";
 }
 
 TEST_F(JudgeCommand, AnswersThatSayNothingAreNeitherRightNorWrong) {
