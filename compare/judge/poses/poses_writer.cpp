@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -17,10 +18,13 @@
 namespace pcm::compare {
 namespace {
 
-/// Of surfaces that were read, the file's name without folder and extension.
+/// Of a surface that was read, its file's name without folder and extension, and what was done with it.
 std::string short_name(const std::string& name) {
-  const std::string extension = extension_of(name);
-  return extension == ".obj" || extension == ".off" ? std::filesystem::path(name).stem().string() : name;
+  const std::string word = name.substr(name.rfind('/') + 1);
+  const std::size_t end = std::min(word.find(' '), word.size());
+  const std::filesystem::path file = word.substr(0, end);
+  const std::string extension = extension_of(file);
+  return extension == ".obj" || extension == ".off" ? file.stem().string() + word.substr(end) : word;
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST_F(JudgeCommand, SurfacesAreCalledAsTheirFilesWhateverTheFolder) {
   const nlohmann::json header = nlohmann::json::parse(lines_of(content_of(poses_ + "/poses.jsonl")).front());
   EXPECT_EQ(header["surfaces"][0]["name"], "tetrahedron");
   EXPECT_EQ(header["surfaces"][0]["file"], "surfaces/tetrahedron.obj");
-  EXPECT_EQ(header["surfaces"].at(1)["name"], "tetrahedron-2") << "scaled, for nested poses";
+  EXPECT_EQ(header["surfaces"].at(1)["name"], "tetrahedron-scaled-by-2--3");
 }
 
 TEST_F(JudgeCommand, AnswersThatSayNothingAreNeitherRightNorWrong) {
