@@ -68,29 +68,41 @@ class Border {
     return {};
   }
 
-  /// Of f's edge, beyond which `next` is hidden.
+  /// Of f's edge, beyond which `next` is hidden: where f passes through what hides it there, if that is no more than
+  /// roundings before the edge; else what hides `next`.
   std::optional<PartOnLine> hiding_neighbour(const ProjectedFace& next, const PartOnLine& edge) const {
     const SeenFaces beyond{seen_.posed, seen_.master, seen_.prism, seen_.faces, seen_.overlaps, next};
     const PrismPoint first = at(edge.from), last = at(edge.to);
-    const Border border(beyond, first, last, &seen_.f);
+    const Border of_f(seen_, first, last), of_next(beyond, first, last, &seen_.f);
     for (const Overlap& overlap : overlaps_of(seen_, next)) {
       const ProjectedFace& h = seen_.faces[overlap.second];
       if (h.number == seen_.f.number) continue;
-      const auto part = border.on_line_of(h);
+      auto part = of_f.on_crossing_of(h);
+      if (!part) part = of_next.on_line_of(h);
       const double length = edge.to - edge.from;
-      if (part) return PartOnLine{part->line, edge.from + part->from * length, edge.from + part->to * length, &next};
+      if (part)
+        return PartOnLine{part->line, edge.from + part->from * length, edge.from + part->to * length, part->hidden};
     }
     return {};
+  }
+
+  /// Where it passes through f.
+  std::optional<PartOnLine> on_crossing_of(const ProjectedFace& h) const {
+    const Uncertainty uncertainty = seen_.prism.uncertainty(h.corners, seen_.posed.placement.max_coordinate);
+    if (is_seen_edgewise(h, uncertainty)) return {};
+    const Slope depth(h);
+    const double depth_at_a = h.corners[0][kDepth] + depth.along(a_ - h.corners[0]);
+    const auto part = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead(depth), uncertainty);
+    return part && pass_through_each_other(seen_.f, h) ? part : std::nullopt;
   }
 
   /// First where it passes through f, and where through the master: an edge may lie just there.
   std::optional<PartOnLine> on_line_of(const ProjectedFace& h) const {
     const Uncertainty uncertainty = seen_.prism.uncertainty(h.corners, seen_.posed.placement.max_coordinate);
     if (is_seen_edgewise(h, uncertainty)) return {};
+    if (const auto crossing = on_crossing_of(h)) return crossing;
     const Slope depth(h);
     const double depth_at_a = h.corners[0][kDepth] + depth.along(a_ - h.corners[0]);
-    const auto crossing = on_level(h, kCrossing, a_[kDepth] - depth_at_a, lead(depth), uncertainty);
-    if (crossing && passes_through_sheet(h)) return crossing;
     if (passes_through_master(h))
       if (const auto part = on_level(h, kAtDepth0, depth_at_a, depth, uncertainty)) return part;
     for (std::size_t edge = 0; edge < 3; ++edge)
