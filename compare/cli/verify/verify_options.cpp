@@ -77,7 +77,7 @@ void add_plan_options(CLI::App& command, VerifyOptions& options) {
 void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command =
-      program.add_subcommand("verify", "Hold the engine against the oracle over randomized or recorded poses");
+      program.add_subcommand("verify", "Compare the engine with the oracle over randomized or recorded poses");
   command->footer(fmt::format(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, but for what made them\n"
       "and times, whatever the number of jobs. A summary is printed; the tables by pair and stratum are written to\n"
@@ -119,8 +119,8 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
   command
       ->add_option(
           "--engine", options->engines,
-          "Of fast (default), published-2003, published-2023: with one of the published algorithms, instead of "
-          "the full verdict how many answers of each named one are wrong, by stratum and by what")
+          "Of fast (default), published-2003, published-2023. Where a published algorithm is named, there is no full "
+          "verdict: a table counts the wrong answers of each engine named, by stratum and by what is wrong")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->check(CLI::IsMember({"fast", "published-2003", "published-2023"}));
@@ -128,9 +128,9 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
   command
       ->add_option(
           "--out", options->out,
-          "Folder for tables and case files; a run with the same arguments is continued, one of another build or "
-          "surfaces removed with its case files, and so is what a run without campaign.sqlite has left; a folder of "
-          "another run, or of an earlier version, is refused")
+          "Folder for tables and case files. A run with the same arguments is continued; if the build or the surfaces "
+          "have changed since, it is removed with its case files and begun anew, and so is what a run without "
+          "campaign.sqlite has left. A folder of another run, or of an earlier version, is refused")
       ->type_name("DIR");
   command
       ->add_option("--part", options->part,
