@@ -78,7 +78,7 @@ class Border {
       const ProjectedFace& h = seen_.faces[overlap.second];
       if (h.number == seen_.f.number) continue;
       auto part = of_f.on_crossing_of(h);
-      if (!part) part = of_next.on_line_of(h);
+      if (!part || !goes_through(h)) part = of_next.on_line_of(h);
       const double length = edge.to - edge.from;
       if (part)
         return PartOnLine{part->line, edge.from + part->from * length, edge.from + part->to * length, part->hidden};
@@ -132,6 +132,12 @@ class Border {
     const PlacedFace placed_f = placed(f), placed_h = placed(h);
     return meet_in_line(heights_over(placed_f, placed_h, seen_.posed.work)) &&
            meet_in_line(heights_over(placed_h, placed_f, seen_.posed.work));
+  }
+  /// Whether f lies on both sides of the plane of h, rather than touch it with an edge.
+  bool goes_through(const ProjectedFace& h) const {
+    const std::array<double, 3> heights = heights_over(placed(h), placed(seen_.f), seen_.posed.work);
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    return *low < 0 && *high > 0;
   }
   /// Through f; or through the face on the near side of its edge, by what roundings may leave between that line and it.
   bool passes_through_sheet(const ProjectedFace& h) const {

@@ -298,10 +298,11 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereAFloorIsOffFlushByUlps) {
 }
 
 /// A face of the slave comes out of one of the master's own within ulps of its edge, beyond which the sheet goes on
-/// hidden by the same face: its part moves as the two faces meet, not as the face beyond the edge does with that one
-/// (`pcm verify`, seed 2026, near-degenerate poses 10672, 11344, 12012, 9888 and 14596).
+/// hidden by the same face: its part moves as the two faces meet, not as the face beyond the edge does with that one.
+/// Where it touches that face with its edge alone, it is the other way round (`pcm verify`, seed 2026, near-degenerate
+/// poses 10672, 11344, 12012, 9888 and 14596; 13488 and 13683).
 TEST(ClippedTangentVerdict, PassesTheEnginesWhereAFaceIsHiddenFromWithinUlpsOfItsEdgeOn) {
-  const std::array<SunkenPose, 5> poses{{
+  const std::array<SunkenPose, 7> poses{{
       {8,
        false,
        {Eigen::Matrix3d{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
@@ -315,6 +316,8 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereAFaceIsHiddenFromWithinUlpsOfIt
       {2,
        false,
        {Eigen::Matrix3d{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}}, {-0x1.51fffffffffe8p+2, 0x1.c00000000008p+0, 0x1.2p+1}}},
+      {0, false, {Eigen::Matrix3d{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, {0x1.fp+2, -0x1.b4ffffffffffp+2, -0x1.e8p+2}}},
+      {1, true, {Eigen::Matrix3d{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, {0x1.ecp+2, 0x1.47p+2, 0x1.8800000000001p+1}}},
   }};
   for (const SunkenPose& sunken : poses) EXPECT_FALSE(pair_of(sunken).is_flagged()) << sunken.pose.r.transpose();
 }
