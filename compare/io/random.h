@@ -116,10 +116,13 @@ inline Eigen::Vector3d ordered_cross(const Eigen::Vector3d& a, const Eigen::Vect
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
 }
 
-/// The vector scaled to length 1; it must not be null.
+/// The vector scaled to length 1, however long or short it is; it must not be null, nor infinite.
 inline Eigen::Vector3d ordered_normalized(const Eigen::Vector3d& a) {
-  const double length = std::sqrt(ordered_dot(a, a));
-  return {a.x() / length, a.y() / length, a.z() / length};
+  const int exponent = std::ilogb(a.cwiseAbs().maxCoeff());
+  const Eigen::Vector3d scaled(std::scalbn(a.x(), -exponent), std::scalbn(a.y(), -exponent),
+                               std::scalbn(a.z(), -exponent));
+  const double length = std::sqrt(ordered_dot(scaled, scaled));
+  return {scaled.x() / length, scaled.y() / length, scaled.z() / length};
 }
 
 }  // namespace pcm::compare

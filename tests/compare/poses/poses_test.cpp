@@ -56,6 +56,48 @@ std::uint64_t hash_of(const DrawnPose& drawn, std::uint64_t hash) {
   return hash;
 }
 
+TEST(OrderedNormalized, HasLengthOneHoweverLongOrShortTheVectorIs) {
+  for (const double size : {0x1p-1060, 0x1p-600, 1.0, 0x1p600, 0x1p1020}) {
+    const Eigen::Vector3d direction = ordered_normalized(size * Eigen::Vector3d(2, -3, 6));
+    EXPECT_NEAR((direction - Eigen::Vector3d(2, -3, 6) / 7).norm(), 0, 1e-15) << size;
+  }
+}
+
+/// A tetrahedron one face of which is so narrow that its vector area rounds to 0.
+TriangleMesh needle_tetrahedron() {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0},
+                   {0.5458915783827468, 0.5045419583098644, 0.6864336754504866},
+                   {0.36751277671176624, 0.33967480614995127, 0.4621304963902424},
+                   {0.3, -0.5, 0.1}};
+  mesh.faces = {{1, 0, 2}, {3, 0, 1}, {3, 1, 2}, {2, 0, 3}};
+  return mesh;
+}
+
+TEST(SurfaceFeatures, FaceWhoseAreaRoundsToZeroHasANormalAcrossItsPlane) {
+  const TriangleMesh mesh = needle_tetrahedron();
+  const SurfaceFeatures features(mesh);
+  const Eigen::Vector3d normal = ordered_normalized(features.face_normal(0));
+  for (const Eigen::Vector3d& x : {mesh.vertices[1], mesh.vertices[2]}) EXPECT_NEAR(normal.dot(x), 0, 1e-15);
+  EXPECT_LT(features.face_normal(0).norm(), 1e-200);
+}
+
+TEST(Strata, NeedlesHugeAndTinySurfacesHaveFinitePoses) {
+  TriangleMesh huge = cube(), tiny = cube();
+  for (Eigen::Vector3d& x : huge.vertices) x *= 0x1p260;
+  for (Eigen::Vector3d& x : tiny.vertices) x *= 0x1p-280;
+  for (const TriangleMesh& mesh : {needle_tetrahedron(), huge, tiny}) {
+    const FeaturePair pair(mesh, mesh);
+    for (const Stratum stratum : {Stratum::generic, Stratum::grazing, Stratum::separated, Stratum::degenerate,
+                                  Stratum::near_degenerate, Stratum::adversarial})
+      for (std::uint64_t i = 0; i < 60; ++i) {
+        const DrawnPose drawn = draw_pose(stratum, pair, random_for(stratum, i));
+        ASSERT_TRUE(drawn.pose.A.allFinite() && drawn.pose.r.allFinite()) << i << ", " << name(stratum);
+        ASSERT_TRUE(drawn.velocity.v.allFinite() && drawn.velocity.w.allFinite()) << i << ", " << name(stratum);
+      }
+  }
+}
+
 TEST(PoseRandom, UniformNumbersFillTheirRangeEvenly) {
   PoseRandom random(1, 2, 3, 4);
   std::array<int, 8> eighths{};
