@@ -194,6 +194,30 @@ TEST_F(JudgeCommand, AWrongAnswerIsShownAndKeptAsACase) {
   EXPECT_FALSE(std::filesystem::exists(kept)) << "of an earlier run";
 }
 
+TEST_F(JudgeCommand, CaseFilesOfOthersInItsFolderAreLeftAlone) {
+  std::vector<std::string> lines = answers_;
+  for (std::string& line : lines)
+    if (line.find("/generic/0/") != std::string::npos) line = replaced(line, "\"touching\":true", "\"touching\":false");
+  const std::string out = scratch_.path("judged");
+  ASSERT_EQ(judge(lines, {"--out", out}).status, 1);
+  const auto cases = nlohmann::json::parse(content_of(out + "/judgement.json")).at("cases");
+  ASSERT_EQ(cases.size(), 1U);
+  const std::string own = out + "/" + cases[0].at("file").get<std::string>();
+  ASSERT_EQ(cases[0].at("sha256"), sha256(content_of(own)));
+
+  // As a `pcm verify --out` of the same folder has them.
+  const std::string of_verify = scratch_.write("judged/case_a.json", R"({"format":"pcm case 1","origin":"a"})");
+  EXPECT_EQ(judge(answers_, {"--out", out}).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(own));
+  EXPECT_TRUE(std::filesystem::exists(of_verify));
+
+  ASSERT_EQ(judge(lines, {"--out", out}).status, 1);
+  ASSERT_TRUE(std::filesystem::exists(own));
+  std::filesystem::copy_file(of_verify, own, std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(judge(answers_, {"--out", out}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(own)) << "another command has replaced it";
+}
+
 TEST_F(JudgeCommand, WhatWasJudgedBeforeBadInputIsKept) {
   std::vector<std::string> lines(answers_.begin(), answers_.begin() + 31);
   lines.push_back("{\"id\":");
