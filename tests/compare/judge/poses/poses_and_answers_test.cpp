@@ -3,9 +3,13 @@
 // Poses and answers as files: what is written reads back bit for bit, and what is no pose or answer is refused.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
+#include "compare/io/sha256.h"
 #include "compare/judge/lines/answer_lines.h"
 #include "compare/judge/lines/answers_file.h"
 #include "compare/judge/lines/json_lines.h"
@@ -72,6 +76,48 @@ TEST(PosesFolder, AsksTheSamePosesUnderOtherLaws) {
         EXPECT_EQ(law_json(question.law), law_json(elastic ? ContactLaw{} : small_pair().law));
       }
   }
+}
+
+/// All files under a folder, by their paths.
+std::map<std::string, std::string> contents_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) contents[entry.path().string()] = content_of(entry.path().string());
+  return contents;
+}
+
+TEST(PosesFolder, InterruptedRunLeavesPosesOfAnEarlierOneWhole) {
+  const PosedFolder folder(12);
+  // Surfaces of the same names and other bytes.
+  const std::string surface = folder.path() + "/" + folder.posed.surfaces[0].file;
+  std::string poses = content_of(folder.path() + "/poses.jsonl");
+  std::ofstream(surface, std::ios::app) << "# other bytes\n";
+  const std::string hash = folder.posed.surfaces[0].sha256;
+  poses.replace(poses.find(hash), hash.size(), sha256(content_of(surface)));
+  std::ofstream(folder.path() + "/poses.jsonl", std::ios::binary) << poses;
+  const std::map<std::string, std::string> before = contents_of(folder.path());
+  int asked = 0;
+  const auto stop = [&asked] { return ++asked > 3; };
+  EXPECT_FALSE(write_poses(folder.path(), planned(24, {Scheme::barycentric}), PosedLaw::drawn, Notation::decimal, 1,
+                           stop, [](std::int64_t) {}));
+  EXPECT_EQ(contents_of(folder.path()), before);
+  EXPECT_EQ(read_poses_folder(folder.path()).questions.size(), 12U);
+  EXPECT_TRUE(write_poses(
+      folder.path(), planned(24, {Scheme::barycentric}), PosedLaw::drawn, Notation::decimal, 1, [] { return false; },
+      [](std::int64_t) {}));
+  EXPECT_EQ(read_poses_folder(folder.path()).questions.size(), 24U);
+}
+
+TEST(PosesFolder, NoPosesAreThereWhileTheirSurfacesChange) {
+  const PosedFolder folder(12);
+  std::filesystem::remove_all(folder.path() + "/surfaces");
+  std::ofstream(folder.path() + "/surfaces") << "no folder, so that surfaces can't be written\n";
+  EXPECT_THROW(write_poses(
+                   folder.path(), planned(12, {Scheme::barycentric}), PosedLaw::drawn, Notation::decimal, 1,
+                   [] { return false; }, [](std::int64_t) {}),
+               BadInput);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/poses.jsonl"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/poses.jsonl.part"));
 }
 
 class Folder : public testing::Test {
