@@ -17,6 +17,7 @@
 #include "pcm/bad_input.h"
 #include "tests/compare/judge/poses/posed_folder.h"
 #include "tests/meshes/content_of.h"
+#include "tests/meshes/expect_bad_input.h"
 
 namespace pcm::compare {
 namespace {
@@ -185,6 +186,27 @@ TEST_F(Folder, WhatIsNoAnswerIsRefusedWithFileAndLine) {
   expect_refused(with("\"elements\":[{\"master_face\":0,\"slave_face\":0}]"), "\"master\" is missing");
   expect_refused(with("\"elements\":[{\"master\":\"E\",\"master_face\":0}]"),
                  "\"slave_face\" of an element is missing");
+}
+
+TEST_F(Folder, AnswersNestedTooDeepAreRefusedWithFileAndLine) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  const std::string too_deep = "answers.jsonl:2: lists and objects lie in one another more than 64 levels deep";
+  // The line itself is a level.
+  expect_refused(with("\"touching\":" + nested(63)), "is neither true nor false");
+  expect_refused(with("\"touching\":" + nested(64)), too_deep);
+  expect_refused(with("\"touching\":" + nested(200000)), too_deep);
+  expect_refused(with("\"comment\":" + std::string(200000, '[')), too_deep);
+  std::string objects;
+  for (int k = 0; k < 100000; ++k) objects += "{\"E\":";
+  expect_refused(with("\"E\":" + objects + "1" + std::string(100000, '}')), too_deep);
+}
+
+TEST_F(Folder, PosesNestedTooDeepAreRefusedWithFileAndLine) {
+  const std::string poses = folder_.path() + "/poses.jsonl";
+  std::string whole = content_of(poses);
+  whole.replace(whole.find("\"A\":[") + 4, 1, std::string(100000, '['));
+  std::ofstream(poses, std::ios::binary) << whole;
+  expect_bad_input([&] { read_poses_folder(folder_.path()); }, "poses.jsonl:2: lists and objects lie in one another");
 }
 
 TEST_F(Folder, AnswersOfOtherFormatsAndSurfacesAreRefused) {
