@@ -347,10 +347,12 @@ void add_judge_command(CLI::App& program, Run& run) {
                    "How far off values may be beyond what roundings make, relative: of the sum of |F_k| (force) or of "
                    "|C_k - r| |F_k| (torque), of the value itself (area, volume, element_area, element_penetration)")
       ->type_name("FACT=X,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--absolute", options->absolutes, "The same in N, N m, m^2, m^3, m^2, m")
       ->type_name("FACT=X,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command
       ->add_option("--ulps", options->ulps,
                    "How far away another answer may be for a wrong one to count as near, in ulps of the greatest "

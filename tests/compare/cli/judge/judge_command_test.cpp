@@ -287,6 +287,22 @@ TEST_F(JudgeCommand, BreakdownsOfAnEngineAreCounted) {
   EXPECT_NE(outcome.out.find("garbage: this is no JSON object"), std::string::npos) << outcome.out;
 }
 
+TEST_F(JudgeCommand, AnswersMayFollowTolerances) {
+  std::string text;
+  for (const std::string& line : answers_) text += line + "\n";
+  const std::string answers = scratch_.write("answers.jsonl", text);
+  for (const Words& tolerances :
+       {Words{"--tolerance", "force=1e-6"}, Words{"--absolute", "force=1e-6,torque=1e-6"},
+        Words{"--tolerance", "force=1e-6", "--absolute", "area=1e-9", "--tolerance", "torque=1e-6"}}) {
+    Words words{"judge", "--poses", poses_};
+    words.insert(words.end(), tolerances.begin(), tolerances.end());
+    words.push_back(answers);
+    const Outcome outcome = run_pcm(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+    EXPECT_EQ(last_line(outcome.out), "right: 60 answers, 0 wrong, 0 near another answer");
+  }
+}
+
 TEST_F(JudgeCommand, RefusesWhatItCannotDo) {
   const auto expect = [&](const Words& words, const std::string& named) {
     const Outcome outcome = run_pcm(words);
