@@ -15,7 +15,7 @@ struct TableCell {
   TableCell(std::string words, nlohmann::ordered_json exact) : text(std::move(words)), value(std::move(exact)) {}
 
   std::string text;
-  nlohmann::ordered_json value;  ///< null where there is none
+  nlohmann::ordered_json value;  ///< a scalar; null where there is none
 };
 
 struct Column {
@@ -39,7 +39,7 @@ TableCell empty_cell();
 /// Columns padded with blanks, numbers to the right.
 std::string on_screen(const Table& table);
 std::string markdown(const Table& table);
-/// With a line of keys at the top.
+/// With a line of keys at the top. What has no value and what is not finite are empty fields.
 std::string csv(const Table& table);
 /// An array with one object a row.
 nlohmann::ordered_json json(const Table& table);
