@@ -22,6 +22,8 @@ std::string csv_field(const nlohmann::ordered_json& value) {
 }  // namespace
 
 TableCell number_cell(double x, int digits) {
+  if (std::isnan(x)) return empty_cell();
+  if (std::isinf(x)) return {fmt::format("{}", x), x};
   const int leading = x == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::fabs(x))));
   return {fmt::format("{:.{}f}", x, std::clamp(digits - 1 - leading, 0, 12)), x};
 }

@@ -30,7 +30,8 @@ struct Table {
   std::vector<std::vector<TableCell>> rows;
 };
 
-/// A number with so many significant digits, never in powers of ten; its full value for programs.
+/// A number with so many significant digits, never in powers of ten; its full value for programs. Of infinity the word,
+/// of NaN the empty cell.
 TableCell number_cell(double x, int digits);
 TableCell count_cell(std::int64_t n);
 /// What has no value: "-".

@@ -21,6 +21,15 @@ TEST(Table, CsvLeavesFieldsEmptyThatHaveNoFiniteValue) {
   EXPECT_EQ(csv(table), "a,b,c,d,e\n\"x, \"\"y\"\"\",,,,\n\"z\",3,2.5,0.0,-1\n");
 }
 
+TEST(Table, NumbersThatAreNotFiniteHaveAShortWord) {
+  EXPECT_EQ(number_cell(kInfinity, 3).text, "inf");
+  EXPECT_EQ(number_cell(-kInfinity, 3).text, "-inf");
+  EXPECT_EQ(number_cell(kNaN, 3).text, empty_cell().text);
+  EXPECT_TRUE(number_cell(kNaN, 3).value.is_null());
+  EXPECT_EQ(number_cell(-0.0123456, 3).text, "-0.0123");
+  EXPECT_EQ(number_cell(0, 3).text, "0.00");
+}
+
 TEST(Table, CsvRefusesListsInACell) {
   const Table table{{{"a", "a"}}, {{TableCell("1 to 2", nlohmann::ordered_json{1, 2})}}};
   EXPECT_DEBUG_DEATH(csv(table), "is_primitive");
