@@ -246,7 +246,18 @@ TEST_F(Folder, PosesThatWereTamperedWithAreRefused) {
   };
   expect(replaced("pcm poses 1", "pcm poses 2"), "poses.jsonl:1: these are poses of another format");
   expect(replaced("\"A\":[[", "\"A\":[[7.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,1.0]],\"former\":[["),
-         "poses.jsonl:2: A is not a rotation");
+         "poses.jsonl:2: the key 'former' is none of id, pair");
+  Json skew = Json::parse(whole.substr(second, third - second));
+  skew["A"] = Json{{7.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  expect(whole.substr(0, second) + skew.dump() + "\n" + whole.substr(third), "poses.jsonl:2: A is not a rotation");
+  expect(replaced("\"r\":[", "\"r\":[0.0,"), "is no list of three numbers");
+  expect(replaced("\"A\":[", "\"A\":[[0.0,0.0,0.0],"), "poses.jsonl:2: \"A\" is no list of three rows");
+  expect(replaced("\"damping\":", "\"damping_of_old\":0.0,\"damping\":"),
+         "poses.jsonl:2: the key 'damping_of_old' is none of stiffness");
+  expect(replaced("\"poses\":12", "\"poses\":-12"), "poses.jsonl:1: \"poses\": '-12' is no number of poses");
+  expect(replaced("\"poses\":12", "\"poses\":12.0"), "poses.jsonl:1: \"poses\": '12.0' is no number of poses");
+  expect(replaced("\"poses\":12", "\"poses\":12,\"pose\":1"), "poses.jsonl:1: the key 'pose' is none of format");
+  expect(replaced("\"file\":", "\"files\":1,\"file\":"), "poses.jsonl:1: the key 'files' is none of name");
   expect(replaced(",\"mode\":\"both\"", ""), "poses.jsonl:2: key 'mode' not found");
 
   std::ofstream(poses, std::ios::binary) << whole;
