@@ -36,6 +36,12 @@ Value named(const Json& json, const std::array<Value, N>& values) {
   throw BadInput(in_quotes(word) + " is none of " + known);
 }
 
+void require_list(const Json& json, std::size_t size) {
+  if (!json.is_array())
+    throw BadInput(fmt::format("a list of {} numbers is wanted; this is of type {}", size, json.type_name()));
+  if (json.size() != size) throw BadInput(fmt::format("a list of {} numbers is wanted, not of {}", size, json.size()));
+}
+
 double number_at(const Json& json, const char* key, double (*number)(const Json&)) {
   const Json& value = json.at(key);
   try {
@@ -52,6 +58,9 @@ std::string hexadecimal(double x) {
 }
 
 double number_from(const Json& json) {
+  // A list or an object may be nested deeper than can be printed.
+  if (json.is_structured())
+    throw BadInput(std::string("a number in quotes is wanted; this is of type ") + json.type_name());
   if (!json.is_string()) throw BadInput(json.dump() + " is no number in quotes, such as \"0x1.8p-3\"");
   const auto word = json.get<std::string>();
   if (word == "inf") return std::numeric_limits<double>::infinity();
@@ -61,6 +70,7 @@ double number_from(const Json& json) {
 }
 
 Eigen::Vector3d vector_from(const Json& json) {
+  require_list(json, 3);
   return {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
 }
 
@@ -71,6 +81,7 @@ Json matrix_json(const Eigen::Matrix3d& A) {
 }
 
 Eigen::Matrix3d matrix_from(const Json& json) {
+  require_list(json, 9);
   Eigen::Matrix3d A;
   for (int k = 0; k < 9; ++k) A(k / 3, k % 3) = number_from(json.at(static_cast<std::size_t>(k)));
   return A;

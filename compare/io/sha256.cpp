@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -20,26 +21,47 @@ void append_little_endian(std::string& bytes, std::uint64_t value, int count) {
   for (int k = 0; k < count; ++k) bytes.push_back(static_cast<char>(value >> (8 * k) & 0xff));
 }
 
+/// Of bytes that come block by block.
+class Digest {
+ public:
+  Digest() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    require(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
+  }
+  void add(std::string_view bytes) { require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1); }
+  /// Once, at the end.
+  std::string in_hexadecimal() {
+    std::array<unsigned char, 32> digest{};
+    require(EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr) == 1);
+    return fmt::format("{:02x}", fmt::join(digest, ""));
+  }
+
+ private:
+  static void require(bool done) {
+    if (!done) throw std::runtime_error("OpenSSL knows no SHA-256");
+  }
+
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
 }  // namespace
 
 std::string sha256(std::string_view bytes) {
-  std::array<unsigned char, 32> digest{};
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("OpenSSL knows no SHA-256");
-  return fmt::format("{:02x}", fmt::join(digest, ""));
+  Digest digest;
+  digest.add(bytes);
+  return digest.in_hexadecimal();
 }
 
 std::optional<std::string> sha256_of_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
-  std::string bytes;
-  std::vector<char> piece(1 << 16);
+  Digest digest;
+  std::vector<char> block(1 << 16);
   do {
-    stream.read(piece.data(), std::ssize(piece));
-    bytes.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    stream.read(block.data(), std::ssize(block));
+    digest.add({block.data(), static_cast<std::size_t>(stream.gcount())});
   } while (stream);
   if (stream.bad()) return std::nullopt;  // a folder, say
-  return sha256(bytes);
+  return digest.in_hexadecimal();
 }
 
 std::string sha256(const TriangleMesh& mesh) {

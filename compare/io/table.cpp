@@ -5,12 +5,25 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace pcm::compare {
+namespace {
+
+/// Empty where there is no value, or one that JSON has no word for.
+std::string csv_field(const nlohmann::ordered_json& value) {
+  assert(value.is_primitive());
+  if (value.is_null() || (value.is_number_float() && !std::isfinite(value.get<double>()))) return "";
+  return value.is_string() ? quoted(value.get<std::string>()) : value.dump();
+}
+
+}  // namespace
 
 TableCell number_cell(double x, int digits) {
+  if (std::isnan(x)) return empty_cell();
+  if (std::isinf(x)) return {fmt::format("{}", x), x};
   const int leading = x == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::fabs(x))));
   return {fmt::format("{:.{}f}", x, std::clamp(digits - 1 - leading, 0, 12)), x};
 }
@@ -63,16 +76,13 @@ std::string markdown(const Table& table) {
 }
 
 std::string csv(const Table& table) {
-  const auto field = [](const nlohmann::ordered_json& value) -> std::string {
-    if (value.is_null()) return "";
-    return value.is_string() ? quoted(value.get<std::string>()) : value.dump();
-  };
   std::string text;
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     text += fmt::format("{}{}", c == 0 ? "" : ",", table.columns[c].key);
   text += '\n';
   for (const std::vector<TableCell>& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) text += fmt::format("{}{}", c == 0 ? "" : ",", field(row[c].value));
+    for (std::size_t c = 0; c < row.size(); ++c)
+      text += fmt::format("{}{}", c == 0 ? "" : ",", csv_field(row[c].value));
     text += '\n';
   }
   return text;

@@ -15,7 +15,7 @@ struct TableCell {
   TableCell(std::string words, nlohmann::ordered_json exact) : text(std::move(words)), value(std::move(exact)) {}
 
   std::string text;
-  nlohmann::ordered_json value;  ///< null where there is none
+  nlohmann::ordered_json value;  ///< a scalar; null where there is none
 };
 
 struct Column {
@@ -30,7 +30,8 @@ struct Table {
   std::vector<std::vector<TableCell>> rows;
 };
 
-/// A number with so many significant digits, never in powers of ten; its full value for programs.
+/// A number with so many significant digits, never in powers of ten; its full value for programs. Of infinity the word,
+/// of NaN the empty cell.
 TableCell number_cell(double x, int digits);
 TableCell count_cell(std::int64_t n);
 /// What has no value: "-".
@@ -39,7 +40,7 @@ TableCell empty_cell();
 /// Columns padded with blanks, numbers to the right.
 std::string on_screen(const Table& table);
 std::string markdown(const Table& table);
-/// With a line of keys at the top.
+/// With a line of keys at the top. What has no value and what is not finite are empty fields.
 std::string csv(const Table& table);
 /// An array with one object a row.
 nlohmann::ordered_json json(const Table& table);

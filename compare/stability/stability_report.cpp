@@ -34,12 +34,6 @@ TableCell ratio_cell(double x) {
   return std::isnan(x) ? empty_cell() : TableCell(fmt::format("{:.2g}", x), x);
 }
 
-/// From least to greatest.
-std::string range(double least, double greatest, const char* format) {
-  const std::string from = fmt::format(fmt::runtime(format), least), to = fmt::format(fmt::runtime(format), greatest);
-  return from == to ? from : from + " to " + to;
-}
-
 const PointFigures& other_scheme(const StabilityReport& report, const PointFigures& figures) {
   return *std::find_if(report.points.begin(), report.points.end(), [&](const PointFigures& other) {
     return other.point.sweep == figures.point.sweep && other.point.step == figures.point.step &&
@@ -215,21 +209,23 @@ Table flatness_table(const StabilityReport& report) {
   Table table{{{"sweep", "sweep", false},
                {"scheme", "scheme", false},
                {"quantity", "quantity", false},
-               {"condition", "condition", false},
-               {"error/condition", "error_over_condition", false},
+               {"condition", "condition_least_median"},
+               {"to", "condition_greatest_median"},
+               {"error/cond.", "error_over_condition_least_median"},
+               {"to", "error_over_condition_greatest_median"},
                {"apart", "greatest_over_least"},
                {"of any pose", "greatest_error_over_condition"},
-               {"bound/condition", "bound_over_condition", false}},
+               {"bound/cond.", "bound_over_condition_least_median"},
+               {"to", "bound_over_condition_greatest_median"}},
               {}};
   for (const Flatness& flat : flatness(report)) {
-    const auto both = [](double least, double greatest, const char* format) {
-      return TableCell(range(least, greatest, format), nlohmann::ordered_json{least, greatest});
-    };
-    table.rows.push_back(
-        {std::string(name(flat.sweep)), std::string(compare::name(flat.scheme)), std::string(name(flat.quantity)),
-         both(flat.least_condition, flat.greatest_condition, "{:.0e}"), both(flat.least, flat.greatest, "{:.2g}"),
-         ratio_cell(flat.greatest / flat.least), ratio_cell(flat.greatest_of_all),
-         flat.quantity == Quantity::area ? empty_cell() : both(flat.least_bound, flat.greatest_bound, "{:.2g}")});
+    const bool bounded = flat.quantity != Quantity::area;
+    table.rows.push_back({std::string(name(flat.sweep)), std::string(compare::name(flat.scheme)),
+                          std::string(name(flat.quantity)), short_cell(flat.least_condition),
+                          short_cell(flat.greatest_condition), ratio_cell(flat.least), ratio_cell(flat.greatest),
+                          ratio_cell(flat.greatest / flat.least), ratio_cell(flat.greatest_of_all),
+                          bounded ? ratio_cell(flat.least_bound) : empty_cell(),
+                          bounded ? ratio_cell(flat.greatest_bound) : empty_cell()});
   }
   return table;
 }

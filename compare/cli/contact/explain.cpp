@@ -250,8 +250,9 @@ void add_explain_command(CLI::App& program, Run& run) {
       ->add_option(
           "--map", options->map,
           "Instead: a picture (SVG) of what oracle, engine and the published algorithm of 2003 answer at poses "
-          "an ulp apart about this one")
-      ->type_name("FILE");
+          "an ulp apart about this one. They are of crossings, which are alike in all modes and schemes")
+      ->type_name("FILE")
+      ->excludes("--mode", "--scheme", "--ulps");
   command->add_option("--map-axes", options->map_axes, "Along which axes r is moved there: to the right and upwards")
       ->type_name("AXES")
       ->check(CLI::IsMember({"xy", "yz", "zx", "yx", "zy", "xz"}))

@@ -125,7 +125,7 @@ Exit inspect(const InspectOptions& options) {
   require_files_of_their_own({{"--out", options.out}, {"--svg", options.svg}},
                              {options.file_E, options.file_F, options.path});
   for (const auto& file : {options.out, options.svg})
-    if (file) write_text_file(*file, "");  // better refused now than after the work
+    if (file) require_writable(*file);  // better refused now than after the work
 
   const fast::Pairing pairing(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law,
                               mode_named(options.mode), scheme_named(options.scheme));

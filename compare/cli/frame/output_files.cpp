@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/frame/output_files.h"
 
+#include <unistd.h>
+
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
@@ -27,6 +29,18 @@ std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile
     taken.push_back(*file);
   }
   return taken;
+}
+
+void require_writable(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw BadInput(file.string() + ": this is a folder or a device; name a file");
+  // A file is written beside the one that it replaces: it is the folder that must allow it.
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, error) || access(folder.c_str(), W_OK | X_OK) != 0)
+    throw BadInput(file.string() +
+                   ": the file can't be created; check that its folder exists and that you may write to it");
 }
 
 }  // namespace pcm::compare

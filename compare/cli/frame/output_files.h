@@ -21,4 +21,8 @@ using OutputFile = std::pair<std::string, std::optional<std::string>>;
 std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile>& outputs,
                                                     const std::vector<std::string>& inputs);
 
+/// Throws BadInput where write_text_file could not write the file, as far as can be told without writing: what is there
+/// stays as it is.
+void require_writable(const std::filesystem::path& file);
+
 }  // namespace pcm::compare

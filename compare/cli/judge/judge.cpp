@@ -26,13 +26,12 @@
 #include "compare/io/report_folder.h"
 #include "compare/io/sha256.h"
 #include "compare/judge/engines/asked_engine.h"
+#include "compare/judge/judgement/judged_cases.h"
 #include "compare/judge/judgement/judging_report.h"
 #include "compare/judge/judgement/kept_judgement.h"
 #include "compare/judge/lines/answers_file.h"
 #include "compare/judge/lines/schemas.h"
 #include "compare/judge/poses/poses_folder.h"
-#include "compare/verify/verdict/case_file.h"
-#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
@@ -156,14 +155,6 @@ bool judge_shared(const Judging& run, KeptJudgement& kept, const ReplyTo& reply_
   return work.interrupted();
 }
 
-/// In place of those of an earlier run.
-void write_cases(const fs::path& folder, const Judging& run) {
-  remove_case_files(folder);
-  for (const WrongAnswer& wrong : run.wrong_answers())
-    write_text_file(folder / case_file_name(run.judge().posed().questions[wrong.reply.question].id),
-                    run.case_text(wrong));
-}
-
 /// Some of each stratum, and how many there are.
 void print_wrong_answers(const Judging& run, const std::optional<fs::path>& folder) {
   constexpr int kShown = 4;
@@ -216,14 +207,16 @@ void report(const Judging& run, const JudgingSetup& setup, const std::optional<f
   print_wrong_answers(run, folder);
   std::cout << verdict << '\n';
   if (folder) {
-    write_cases(*folder, run);
+    remove_judged_cases(*folder);
+    Json whole = judging_json(run, setup, ended);
+    whole["cases"] = write_judged_cases(*folder, run);
     ReportFolder tables(*folder, "judgement", question_of(run.judge().posed(), setup, ended.empty()));
     tables.markdown("judgement", "# Answers before the oracle\n\n" + judging_legend(setup) + "\n" + markdown(strata) +
                                      "\n" + markdown(facts) + "\n" + markdown(pairs) + "\n" + verdict + "\n");
     tables.csv("strata", csv(strata), {});
     tables.csv("facts", csv(facts), {});
     tables.csv("pairs", csv(pairs), {});
-    tables.json("judgement", judging_json(run, setup, ended));
+    tables.json("judgement", whole);
     tables.finish();
   }
 }
@@ -354,10 +347,12 @@ void add_judge_command(CLI::App& program, Run& run) {
                    "How far off values may be beyond what roundings make, relative: of the sum of |F_k| (force) or of "
                    "|C_k - r| |F_k| (torque), of the value itself (area, volume, element_area, element_penetration)")
       ->type_name("FACT=X,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--absolute", options->absolutes, "The same in N, N m, m^2, m^3, m^2, m")
       ->type_name("FACT=X,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command
       ->add_option("--ulps", options->ulps,
                    "How far away another answer may be for a wrong one to count as near, in ulps of the greatest "
@@ -367,7 +362,7 @@ void add_judge_command(CLI::App& program, Run& run) {
   command->add_option("--jobs", options->frame.jobs, "Threads (default: as many as cores)")->type_name("N");
   command
       ->add_option("--out", options->frame.out,
-                   "Folder for tables and case files; case_*.json of an earlier run are removed")
+                   "Folder for tables and case files; those of an earlier judgement are replaced")
       ->type_name("DIR");
   command->add_flag("--shared", options->shared,
                     "With --out: continue the judgement kept there, which any number of processes may share in, by "

@@ -58,7 +58,10 @@ Exit poses(const PosesOptions& options) {
       });
   work.reset();
   if (!whole) {
-    std::cout << "interrupted: no poses are left behind\n";
+    const std::filesystem::path file = folder / kPosesFile;
+    std::cout << (std::filesystem::exists(file)
+                      ? fmt::format("interrupted: {} and its surfaces are those of an earlier run\n", file.string())
+                      : "interrupted: no poses are left behind\n");
     return Exit::negative;
   }
   return say_what_is_there(written, folder);

@@ -5,8 +5,40 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace pcm::compare {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+/// Whether XML 1.0 takes the character.
+bool is_xml_character(std::uint32_t code) {
+  if (code < 0x20) return code == '\t' || code == '\n' || code == '\r';
+  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return !is_surrogate && code != 0xFFFE && code != 0xFFFF && code <= 0x10FFFF;
+}
+
+/// How many bytes the character has that the text, which is not empty, begins with; 0 where these bytes are no UTF-8 or
+/// no character that XML takes.
+std::size_t size_of_xml_character(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return std::uint32_t{static_cast<unsigned char>(text[k])}; };
+  const std::uint32_t first = byte(0);
+  if (first < 0x80) return is_xml_character(first) ? 1 : 0;
+  if (first < 0xC0 || first >= 0xF8) return 0;
+  const std::size_t size = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  if (text.size() < size) return 0;
+  std::uint32_t code = first & (0x7FU >> size);
+  for (std::size_t k = 1; k < size; ++k) {
+    if ((byte(k) & 0xC0) != 0x80) return 0;
+    code = code << 6 | (byte(k) & 0x3F);
+  }
+  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};  // a smaller one takes fewer bytes
+  return code >= kLeast[size] && is_xml_character(code) ? size : 0;
+}
+
+}  // namespace
 
 std::string svg_document(double width, double height, std::string_view title, std::string_view description,
                          std::string_view drawn) {
@@ -28,17 +60,22 @@ std::size_t characters_in(double width) {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
-    if (c == '&')
+  while (!text.empty()) {
+    const std::size_t size = size_of_xml_character(text);
+    const std::string_view character = text.substr(0, size);
+    if (size == 0)
+      out += kReplacement;
+    else if (character == "&")
       out += "&amp;";
-    else if (c == '<')
+    else if (character == "<")
       out += "&lt;";
-    else if (c == '>')
+    else if (character == ">")
       out += "&gt;";
-    else if (c == '"')
+    else if (character == "\"")
       out += "&quot;";
     else
-      out += c;
+      out += character;
+    text.remove_prefix(std::max<std::size_t>(size, 1));
   }
   return out;
 }

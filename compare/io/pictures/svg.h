@@ -26,7 +26,7 @@ std::size_t characters_in(double width);
 /// Words broken at blanks into lines of at most so many characters (a longer word stands alone); UTF-8.
 std::vector<std::string> wrapped(std::string_view words, std::size_t most);
 
-/// Text as XML takes it.
+/// Text as XML takes it: bytes that are no UTF-8 and control characters are replaced, each by U+FFFD.
 std::string escaped(std::string_view text);
 
 }  // namespace pcm::compare

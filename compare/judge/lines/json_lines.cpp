@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "compare/io/question_json.h"
@@ -23,10 +24,17 @@ bool names_no_number(std::string_view message) {
   return message.ends_with("N'") || message.ends_with("I'") || message.ends_with("na'");
 }
 
-/// Tells while a text is parsed which key an object has twice: the parser itself takes the last one.
-class OneOfEachKey {
+/// The deepest line that is any use has 4 levels. What walks through a parsed line calls itself once a level.
+constexpr int kMostLevels = 64;
+
+/// Refuses while a text is parsed what the parser itself lets pass: a key that an object has twice, of which it takes
+/// the last one, and nesting too deep for what reads it.
+class Strictness {
  public:
-  bool operator()(int, Json::parse_event_t event, Json& parsed) {
+  bool operator()(int levels_around, Json::parse_event_t event, Json& parsed) {
+    const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (opens && levels_around >= kMostLevels)
+      throw BadInput("lists and objects lie in one another more than " + std::to_string(kMostLevels) + " levels deep");
     if (event == Json::parse_event_t::object_start) keys_.emplace_back();
     if (event == Json::parse_event_t::object_end) keys_.pop_back();
     if (event == Json::parse_event_t::key && !keys_.back().insert(parsed.get<std::string>()).second)
@@ -42,8 +50,8 @@ class OneOfEachKey {
 
 Json object_from_line(std::string_view line) {
   try {
-    OneOfEachKey keys;
-    Json json = Json::parse(line, std::ref(keys));
+    Strictness strictness;
+    Json json = Json::parse(line, std::ref(strictness));
     if (!json.is_object()) throw BadInput("this is JSON, but no object: " + in_quotes(line));
     return json;
   } catch (const nlohmann::json::exception& error) {

@@ -36,9 +36,9 @@ std::int64_t write_catalogue_poses(const std::filesystem::path& folder, Notation
   for (const degenerate::Case& named : degenerate::catalogue())
     for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped})
       questions.push_back(question_of(named, scheme, known));
-  const std::vector<PosedSurface>& surfaces = known.write(folder);
-  PosesWriter writer(folder, surfaces, std::ssize(questions), "pcm poses --catalogue");
-  for (const PosedQuestion& question : questions) writer.add(dump_exactly(pose_json(question, surfaces, notation)));
+  PosesWriter writer(folder, known, std::ssize(questions), "pcm poses --catalogue");
+  for (const PosedQuestion& question : questions)
+    writer.add(dump_exactly(pose_json(question, known.surfaces(), notation)));
   writer.finish();
   return std::ssize(questions);
 }

@@ -35,9 +35,15 @@ Eigen::Matrix3d rows_from(const Json& json) {
   return A;
 }
 
+std::size_t count_of_poses(const Json& json) {
+  if (!json.is_number_unsigned()) throw BadInput("\"poses\": " + in_quotes(json.dump()) + " is no number of poses");
+  return json.get<std::size_t>();
+}
+
 std::vector<PosedSurface> surfaces_from(const Json& header, const std::filesystem::path& folder) {
   std::vector<PosedSurface> surfaces;
   for (const Json& json : header.at("surfaces")) {
+    refuse_other_keys(json, {"name", "file", "sha256", "vertices", "faces"});
     PosedSurface surface{text_at(json, "name"), text_at(json, "file"), text_at(json, "sha256"), {}};
     const std::filesystem::path file = folder / surface.file;
     if (const std::string hash = sha256(read_text_file(file)); hash != surface.sha256)
@@ -57,7 +63,16 @@ std::size_t surface_named(const Json& json, const char* key, const std::vector<P
   return static_cast<std::size_t>(found - surfaces.begin());
 }
 
+ContactLaw posed_law_from(const Json& json) {
+  if (!json.is_object()) throw BadInput("\"law\": " + in_quotes(json.dump()) + " is no object");
+  refuse_other_keys(json, {"stiffness", "stiffness_E", "stiffness_F", "damping", "transition_depth", "friction",
+                           "slip_velocity", "max_penetration", "damping_mode"});
+  return law_from(json, number_in_either_notation);
+}
+
 PosedQuestion question_from(const Json& json, const std::vector<PosedSurface>& surfaces) {
+  refuse_other_keys(json, {"id", "pair", "stratum", "E", "F", "A", "r", "v", "w", "law", "mode", "scheme", "comment",
+                           "known_volume"});
   PosedQuestion question;
   question.id = text_at(json, "id");
   question.pair = text_at(json, "pair");
@@ -69,7 +84,7 @@ PosedQuestion question_from(const Json& json, const std::vector<PosedSurface>& s
   if (!is_rotation(question.pose.A)) throw BadInput("A is not a rotation to 1e-9");
   if (!question.pose.r.allFinite() || !question.velocity.v.allFinite() || !question.velocity.w.allFinite())
     throw BadInput("r, v or w is not finite");
-  question.law = law_from(json.at("law"), number_in_either_notation);
+  question.law = posed_law_from(json.at("law"));
   question.mode = mode_from(json.at("mode"));
   question.scheme = scheme_from(json.at("scheme"));
   if (json.contains("comment")) question.comment = text_at(json, "comment");
@@ -129,8 +144,9 @@ PosesReader::PosesReader(const std::filesystem::path& file, const std::filesyste
     if (const std::string format = text_at(*header, "format"); format != kPosesFormat)
       throw BadInput(fmt::format("these are poses of another format, {}; this program reads \"{}\"", in_quotes(format),
                                  kPosesFormat));
+    refuse_other_keys(*header, {"format", "origin", "poses", "surfaces"});
+    promised_ = count_of_poses(header->at("poses"));
     surfaces_ = surfaces_from(*header, folder);
-    promised_ = header->at("poses").get<std::size_t>();
   });
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "compare/io/sha256.h"
 #include "compare/judge/poses/poses_folder.h"
@@ -33,7 +34,7 @@ std::size_t PosedSurfaces::number_of(const TriangleMesh& mesh) {
   const auto [known, is_new] = by_hash_.try_emplace(sha256(mesh), surfaces_.size());
   if (is_new) {
     const std::string word = free_name(mesh.name);
-    surfaces_.push_back({word, "surfaces/" + word + ".obj", "", mesh});
+    surfaces_.push_back({word, "surfaces/" + word + ".obj", sha256(format_obj(mesh)), mesh});
   }
   return known->second;
 }
@@ -51,23 +52,19 @@ std::string PosedSurfaces::free_name(const std::string& name) {
   return free;
 }
 
-const std::vector<PosedSurface>& PosedSurfaces::write(const std::filesystem::path& folder) {
+void PosedSurfaces::write(const std::filesystem::path& folder) const {
   std::error_code error;
   std::filesystem::create_directories(folder / "surfaces", error);
-  for (PosedSurface& surface : surfaces_) {
-    const std::string text = format_obj(surface.mesh);
-    write_text_file(folder / surface.file, text);
-    surface.sha256 = sha256(text);
-  }
-  return surfaces_;
+  for (const PosedSurface& surface : surfaces_) write_text_file(folder / surface.file, format_obj(surface.mesh));
 }
 
-PosesWriter::PosesWriter(const std::filesystem::path& folder, const std::vector<PosedSurface>& surfaces,
-                         std::int64_t poses, const std::string& origin)
-    : file_(folder / kPosesFile),
-      partial_(folder / (std::string(kPosesFile) + ".part")),
-      out_(partial_, std::ios::binary) {
-  add(dump_exactly(poses_header(surfaces, poses, origin)));
+PosesWriter::PosesWriter(std::filesystem::path folder, const PosedSurfaces& surfaces, std::int64_t poses,
+                         const std::string& origin)
+    : folder_(std::move(folder)), partial_(folder_ / (std::string(kPosesFile) + ".part")), surfaces_(surfaces) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  out_.open(partial_, std::ios::binary);
+  add(dump_exactly(poses_header(surfaces.surfaces(), poses, origin)));
 }
 
 PosesWriter::~PosesWriter() {
@@ -79,7 +76,10 @@ PosesWriter::~PosesWriter() {
 void PosesWriter::finish() {
   out_.close();
   if (!out_) throw BadInput(partial_.string() + " can't be written");
-  std::filesystem::rename(partial_, file_);
+  // Between the two no poses stand there, rather than some beside surfaces that are not theirs.
+  std::filesystem::remove(folder_ / kPosesFile);
+  surfaces_.write(folder_);
+  std::filesystem::rename(partial_, folder_ / kPosesFile);
 }
 
 }  // namespace pcm::compare

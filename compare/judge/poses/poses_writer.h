@@ -20,7 +20,7 @@ class PosedSurfaces {
   /// The surface's number; another one of the same vertices and faces has it too.
   std::size_t number_of(const TriangleMesh& mesh);
   /// Writes the files, whose bytes the hashes are of.
-  const std::vector<PosedSurface>& write(const std::filesystem::path& folder);
+  void write(const std::filesystem::path& folder) const;
   const std::vector<PosedSurface>& surfaces() const { return surfaces_; }
 
  private:
@@ -31,11 +31,12 @@ class PosedSurfaces {
   std::set<std::string> names_;
 };
 
-/// A poses.jsonl being written: under a name of its own, so that one of that name is always whole.
+/// A folder of poses being written: poses.jsonl under a name of its own until all is there, so that one of that name is
+/// always whole and beside its own surfaces. What an earlier run left in the folder is whole until finish().
 class PosesWriter {
  public:
-  /// Writes the first line; the surfaces are in their files already.
-  PosesWriter(const std::filesystem::path& folder, const std::vector<PosedSurface>& surfaces, std::int64_t poses,
+  /// Writes the first line. `surfaces`, all of them, must outlive this.
+  PosesWriter(std::filesystem::path folder, const PosedSurfaces& surfaces, std::int64_t poses,
               const std::string& origin);
   PosesWriter(const PosesWriter&) = delete;
   PosesWriter& operator=(const PosesWriter&) = delete;
@@ -43,11 +44,12 @@ class PosesWriter {
   ~PosesWriter();
 
   void add(const std::string& line) { out_ << line << '\n'; }
-  /// Throws BadInput where it could not be written.
+  /// Writes the surfaces too. Throws BadInput where one of them could not be written; poses.jsonl is missing then.
   void finish();
 
  private:
-  std::filesystem::path file_, partial_;
+  std::filesystem::path folder_, partial_;
+  const PosedSurfaces& surfaces_;
   std::ofstream out_;
 };
 

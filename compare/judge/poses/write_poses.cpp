@@ -87,12 +87,11 @@ bool write_poses(const fs::path& folder, const PlannedPoses& poses, PosedLaw law
       if (const HeldPairing& held = poses.held_pairing(cell, cell.first + k); !numbers.contains(&held))
         numbers[&held] = {known.number_of(held.features().E.mesh), known.number_of(held.features().F.mesh)};
   }
-  const std::vector<PosedSurface>& surfaces = known.write(folder);
   const std::string origin = poses.plan().recorded.empty()
                                  ? fmt::format("pcm poses --seed {}{}", poses.plan().seed,
                                                law == PosedLaw::drawn ? "" : fmt::format(" --law {}", name(law)))
                                  : "recorded by pcm simulate";
-  PosesWriter writer(folder, surfaces, all, origin);
+  PosesWriter writer(folder, known, all, origin);
   oneapi::tbb::task_arena arena(jobs);
   std::int64_t written = 0;
   for (const PlannedCell& cell : poses.cells()) {
@@ -102,7 +101,7 @@ bool write_poses(const fs::path& folder, const PlannedPoses& poses, PosedLaw law
         oneapi::tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t k) {
           if (stop()) return;
           const std::int64_t pose = cell.first + begin + static_cast<std::int64_t>(k);
-          lines[k] = dump_exactly(pose_json(question_of(poses, cell, pose, law, numbers), surfaces, notation));
+          lines[k] = dump_exactly(pose_json(question_of(poses, cell, pose, law, numbers), known.surfaces(), notation));
         });
       });
       if (stop()) return false;

@@ -30,8 +30,8 @@ PosedLaw posed_law_named(const std::string& word);
 
 /// Writes what a plan asks: every pose in every mode as a line of poses.jsonl, the surfaces beside it as OBJ files,
 /// those of variants and of the stratum nested included. The same bytes whatever the number of threads. Memory does not
-/// grow with the number of poses. Once `stop` says yes nothing is left behind but surfaces; `progress` gets the number
-/// of lines written. Returns whether all were.
+/// grow with the number of poses. Once `stop` says yes nothing is left behind, and what an earlier run wrote stays as
+/// it is; `progress` gets the number of lines written. Returns whether all were.
 bool write_poses(const std::filesystem::path& folder, const PlannedPoses& poses, PosedLaw law, Notation notation,
                  int jobs, const std::function<bool()>& stop, const std::function<void(std::int64_t)>& progress);
 

@@ -114,7 +114,7 @@ Reply flat_contact(int cells) {
   question.pose.A = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   question.pose.r = {0.1, 0, 0.7};
   question.mode = Mode::E;
-  PosesWriter writer(scratch.path("."), surfaces.write(scratch.path(".")), 1, "a test");
+  PosesWriter writer(scratch.path("."), surfaces, 1, "a test");
   writer.add(dump_exactly(pose_json(question, surfaces.surfaces(), Notation::decimal)));
   writer.finish();
   const PosedQuestions posed = read_poses_folder(scratch.path("."));

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "compare/io/split_at_commas.h"
 #include "meshes/files/text_file.h"
 #include "tests/compare/io/well_formed_xml.h"
 #include "tests/compare/run_pcm.h"
@@ -39,7 +40,12 @@ TEST(StabilityProgram, PrintsTablesForAScreenAndWritesThemWithPlots) {
     EXPECT_LT(flat["greatest_error_over_condition"], most) << flat.dump();
   }
   EXPECT_TRUE(read_text_file(out / "stability.csv").starts_with("sweep,value,parameter,scheme,group,quantity,poses,"));
-  EXPECT_TRUE(std::filesystem::exists(out / "flatness.csv"));
+  for (const char* table : {"stability.csv", "flatness.csv"}) {
+    const std::vector<std::string> rows = lines_of(read_text_file(out / table));
+    EXPECT_GT(rows.size(), 1U);
+    for (const std::string& row : rows)
+      EXPECT_EQ(split_at_commas(row).size(), split_at_commas(rows.front()).size()) << table << ": " << row;
+  }
   EXPECT_TRUE(std::filesystem::exists(out / "stability.provenance.json"));
   EXPECT_NE(read_text_file(out / "stability.md").find("## aspect ratio of both bodies"), std::string::npos);
   for (const Sweep sweep : kSweeps) {

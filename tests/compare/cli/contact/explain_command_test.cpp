@@ -63,6 +63,19 @@ TEST(ExplainCommand, DrawsAMapOfOnePoseAndRefusesOneOfMany) {
   EXPECT_EQ(run_pcm({"explain", "--pose", "vertex_on_face", "--map-steps", "2"}).status, 2);
 }
 
+TEST(ExplainCommand, MapRefusesOptionsThatSayNothingOfCrossings) {
+  const TemporaryFolder scratch;
+  const std::string picture = scratch.path("map.svg");
+  for (const Words& option : {Words{"--mode", "F"}, Words{"--scheme", "clipped"}, Words{"--ulps", "4"}}) {
+    Words words{"explain", "--pose", "vertex_on_face", "--map", picture, "--map-steps", "1"};
+    words.insert(words.end(), option.begin(), option.end());
+    const Outcome outcome = run_pcm(words);
+    EXPECT_EQ(outcome.status, 2) << option[0];
+    EXPECT_NE(outcome.err.find(option[0]), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(picture));
+  }
+}
+
 TEST(ExplainCommand, ExplainsPosesOfTwoSurfacesAsJson) {
   const TemporaryFolder scratch;
   const std::string surface = scratch.write("t.obj", kTetrahedron);

@@ -156,6 +156,15 @@ TEST_F(Inspect, PictureIsDrawnOfAPlaceOnThePath) {
     EXPECT_NE(picture.find(words), std::string::npos) << words;
 }
 
+TEST_F(Inspect, ErrorAfterTheOutputsWereCheckedLeavesEarlierResultsAlone) {
+  const std::string jumps = scratch_.write("jumps.jsonl", "earlier"), picture = scratch_.write("a.svg", "earlier");
+  const std::string far = scratch_.write("far.txt", "1 0 0 0 1 0 0 0 1 0 0 0\n1 0 0 0 1 0 0 0 1 1e200 0 0\n");
+  EXPECT_EQ(inspect({"--path", far, "--out", jumps, "--svg", picture, "--at", "1"}).status, 2);
+  EXPECT_EQ(read_text_file(jumps), "earlier");
+  EXPECT_EQ(read_text_file(picture), "earlier");
+  expect_refused({"--path", slide_, "--out", "/dev/null"}, "/dev/null: this is a folder or a device");
+}
+
 TEST_F(Inspect, BadInputIsRefusedByName) {
   const std::string one = scratch_.write("one.txt", "1 0 0 0 1 0 0 0 1 0 0 0\n");
   expect_refused({}, "--path");

@@ -194,6 +194,30 @@ TEST_F(JudgeCommand, AWrongAnswerIsShownAndKeptAsACase) {
   EXPECT_FALSE(std::filesystem::exists(kept)) << "of an earlier run";
 }
 
+TEST_F(JudgeCommand, CaseFilesOfOthersInItsFolderAreLeftAlone) {
+  std::vector<std::string> lines = answers_;
+  for (std::string& line : lines)
+    if (line.find("/generic/0/") != std::string::npos) line = replaced(line, "\"touching\":true", "\"touching\":false");
+  const std::string out = scratch_.path("judged");
+  ASSERT_EQ(judge(lines, {"--out", out}).status, 1);
+  const auto cases = nlohmann::json::parse(content_of(out + "/judgement.json")).at("cases");
+  ASSERT_EQ(cases.size(), 1U);
+  const std::string own = out + "/" + cases[0].at("file").get<std::string>();
+  ASSERT_EQ(cases[0].at("sha256"), sha256(content_of(own)));
+
+  // As a `pcm verify --out` of the same folder has them.
+  const std::string of_verify = scratch_.write("judged/case_a.json", R"({"format":"pcm case 1","origin":"a"})");
+  EXPECT_EQ(judge(answers_, {"--out", out}).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(own));
+  EXPECT_TRUE(std::filesystem::exists(of_verify));
+
+  ASSERT_EQ(judge(lines, {"--out", out}).status, 1);
+  ASSERT_TRUE(std::filesystem::exists(own));
+  std::filesystem::copy_file(of_verify, own, std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(judge(answers_, {"--out", out}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(own)) << "another command has replaced it";
+}
+
 TEST_F(JudgeCommand, WhatWasJudgedBeforeBadInputIsKept) {
   std::vector<std::string> lines(answers_.begin(), answers_.begin() + 31);
   lines.push_back("{\"id\":");
@@ -261,6 +285,22 @@ TEST_F(JudgeCommand, BreakdownsOfAnEngineAreCounted) {
   EXPECT_NE(outcome.out.find(" (clear): crash: it ended with status 1"), std::string::npos) << outcome.out;
   EXPECT_TRUE(std::regex_search(outcome.out, std::regex("/degenerate/0/\\w+ \\(tie\\): crash: "))) << outcome.out;
   EXPECT_NE(outcome.out.find("garbage: this is no JSON object"), std::string::npos) << outcome.out;
+}
+
+TEST_F(JudgeCommand, AnswersMayFollowTolerances) {
+  std::string text;
+  for (const std::string& line : answers_) text += line + "\n";
+  const std::string answers = scratch_.write("answers.jsonl", text);
+  for (const Words& tolerances :
+       {Words{"--tolerance", "force=1e-6"}, Words{"--absolute", "force=1e-6,torque=1e-6"},
+        Words{"--tolerance", "force=1e-6", "--absolute", "area=1e-9", "--tolerance", "torque=1e-6"}}) {
+    Words words{"judge", "--poses", poses_};
+    words.insert(words.end(), tolerances.begin(), tolerances.end());
+    words.push_back(answers);
+    const Outcome outcome = run_pcm(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+    EXPECT_EQ(last_line(outcome.out), "right: 60 answers, 0 wrong, 0 near another answer");
+  }
 }
 
 TEST_F(JudgeCommand, RefusesWhatItCannotDo) {

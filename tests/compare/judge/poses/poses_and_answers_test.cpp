@@ -3,9 +3,13 @@
 // Poses and answers as files: what is written reads back bit for bit, and what is no pose or answer is refused.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
+#include "compare/io/sha256.h"
 #include "compare/judge/lines/answer_lines.h"
 #include "compare/judge/lines/answers_file.h"
 #include "compare/judge/lines/json_lines.h"
@@ -13,6 +17,7 @@
 #include "pcm/bad_input.h"
 #include "tests/compare/judge/poses/posed_folder.h"
 #include "tests/meshes/content_of.h"
+#include "tests/meshes/expect_bad_input.h"
 
 namespace pcm::compare {
 namespace {
@@ -72,6 +77,48 @@ TEST(PosesFolder, AsksTheSamePosesUnderOtherLaws) {
         EXPECT_EQ(law_json(question.law), law_json(elastic ? ContactLaw{} : small_pair().law));
       }
   }
+}
+
+/// All files under a folder, by their paths.
+std::map<std::string, std::string> contents_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) contents[entry.path().string()] = content_of(entry.path().string());
+  return contents;
+}
+
+TEST(PosesFolder, InterruptedRunLeavesPosesOfAnEarlierOneWhole) {
+  const PosedFolder folder(12);
+  // Surfaces of the same names and other bytes.
+  const std::string surface = folder.path() + "/" + folder.posed.surfaces[0].file;
+  std::string poses = content_of(folder.path() + "/poses.jsonl");
+  std::ofstream(surface, std::ios::app) << "# other bytes\n";
+  const std::string hash = folder.posed.surfaces[0].sha256;
+  poses.replace(poses.find(hash), hash.size(), sha256(content_of(surface)));
+  std::ofstream(folder.path() + "/poses.jsonl", std::ios::binary) << poses;
+  const std::map<std::string, std::string> before = contents_of(folder.path());
+  int asked = 0;
+  const auto stop = [&asked] { return ++asked > 3; };
+  EXPECT_FALSE(write_poses(folder.path(), planned(24, {Scheme::barycentric}), PosedLaw::drawn, Notation::decimal, 1,
+                           stop, [](std::int64_t) {}));
+  EXPECT_EQ(contents_of(folder.path()), before);
+  EXPECT_EQ(read_poses_folder(folder.path()).questions.size(), 12U);
+  EXPECT_TRUE(write_poses(
+      folder.path(), planned(24, {Scheme::barycentric}), PosedLaw::drawn, Notation::decimal, 1, [] { return false; },
+      [](std::int64_t) {}));
+  EXPECT_EQ(read_poses_folder(folder.path()).questions.size(), 24U);
+}
+
+TEST(PosesFolder, NoPosesAreThereWhileTheirSurfacesChange) {
+  const PosedFolder folder(12);
+  std::filesystem::remove_all(folder.path() + "/surfaces");
+  std::ofstream(folder.path() + "/surfaces") << "no folder, so that surfaces can't be written\n";
+  EXPECT_THROW(write_poses(
+                   folder.path(), planned(12, {Scheme::barycentric}), PosedLaw::drawn, Notation::decimal, 1,
+                   [] { return false; }, [](std::int64_t) {}),
+               BadInput);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/poses.jsonl"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/poses.jsonl.part"));
 }
 
 class Folder : public testing::Test {
@@ -141,6 +188,27 @@ TEST_F(Folder, WhatIsNoAnswerIsRefusedWithFileAndLine) {
                  "\"slave_face\" of an element is missing");
 }
 
+TEST_F(Folder, AnswersNestedTooDeepAreRefusedWithFileAndLine) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  const std::string too_deep = "answers.jsonl:2: lists and objects lie in one another more than 64 levels deep";
+  // The line itself is a level.
+  expect_refused(with("\"touching\":" + nested(63)), "is neither true nor false");
+  expect_refused(with("\"touching\":" + nested(64)), too_deep);
+  expect_refused(with("\"touching\":" + nested(200000)), too_deep);
+  expect_refused(with("\"comment\":" + std::string(200000, '[')), too_deep);
+  std::string objects;
+  for (int k = 0; k < 100000; ++k) objects += "{\"E\":";
+  expect_refused(with("\"E\":" + objects + "1" + std::string(100000, '}')), too_deep);
+}
+
+TEST_F(Folder, PosesNestedTooDeepAreRefusedWithFileAndLine) {
+  const std::string poses = folder_.path() + "/poses.jsonl";
+  std::string whole = content_of(poses);
+  whole.replace(whole.find("\"A\":[") + 4, 1, std::string(100000, '['));
+  std::ofstream(poses, std::ios::binary) << whole;
+  expect_bad_input([&] { read_poses_folder(folder_.path()); }, "poses.jsonl:2: lists and objects lie in one another");
+}
+
 TEST_F(Folder, AnswersOfOtherFormatsAndSurfacesAreRefused) {
   expect_refused("{\"format\":\"pcm answers 9\"}\n", "answers.jsonl:1: these are answers of another format");
   const PosedSurface& surface = folder_.posed.surfaces[0];
@@ -178,7 +246,18 @@ TEST_F(Folder, PosesThatWereTamperedWithAreRefused) {
   };
   expect(replaced("pcm poses 1", "pcm poses 2"), "poses.jsonl:1: these are poses of another format");
   expect(replaced("\"A\":[[", "\"A\":[[7.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,1.0]],\"former\":[["),
-         "poses.jsonl:2: A is not a rotation");
+         "poses.jsonl:2: the key 'former' is none of id, pair");
+  Json skew = Json::parse(whole.substr(second, third - second));
+  skew["A"] = Json{{7.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  expect(whole.substr(0, second) + skew.dump() + "\n" + whole.substr(third), "poses.jsonl:2: A is not a rotation");
+  expect(replaced("\"r\":[", "\"r\":[0.0,"), "is no list of three numbers");
+  expect(replaced("\"A\":[", "\"A\":[[0.0,0.0,0.0],"), "poses.jsonl:2: \"A\" is no list of three rows");
+  expect(replaced("\"damping\":", "\"damping_of_old\":0.0,\"damping\":"),
+         "poses.jsonl:2: the key 'damping_of_old' is none of stiffness");
+  expect(replaced("\"poses\":12", "\"poses\":-12"), "poses.jsonl:1: \"poses\": '-12' is no number of poses");
+  expect(replaced("\"poses\":12", "\"poses\":12.0"), "poses.jsonl:1: \"poses\": '12.0' is no number of poses");
+  expect(replaced("\"poses\":12", "\"poses\":12,\"pose\":1"), "poses.jsonl:1: the key 'pose' is none of format");
+  expect(replaced("\"file\":", "\"files\":1,\"file\":"), "poses.jsonl:1: the key 'files' is none of name");
   expect(replaced(",\"mode\":\"both\"", ""), "poses.jsonl:2: key 'mode' not found");
 
   std::ofstream(poses, std::ios::binary) << whole;

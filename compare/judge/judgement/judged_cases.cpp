@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/judge/judgement/judged_cases.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+
+#include "compare/io/sha256.h"
+#include "compare/verify/verdict/case_file.h"
+#include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
+
+namespace pcm::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The text under a key; empty where there is none.
+std::string text_or_nothing(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+/// A name without a folder, so that nothing elsewhere is touched, whatever stands in the file.
+bool is_name_of_case(const std::string& name) {
+  return name.starts_with("case_") && name.ends_with(".json") && fs::path(name).filename() == name;
+}
+
+void remove_unchanged(const fs::path& file, const std::string& hash) {
+  if (sha256_of_file(file) != hash) return;
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw BadInput(file.string() + ": of another judgement, and it can't be removed");
+}
+
+}  // namespace
+
+void remove_judged_cases(const fs::path& folder) {
+  std::ifstream in(folder / "judgement.json");
+  const Json earlier = Json::parse(in, nullptr, false);
+  if (!earlier.is_object() || !earlier.contains("cases")) return;
+  for (const Json& one : earlier["cases"]) {
+    if (!one.is_object()) continue;
+    if (const std::string name = text_or_nothing(one, "file"); is_name_of_case(name))
+      remove_unchanged(folder / name, text_or_nothing(one, "sha256"));
+  }
+}
+
+Json write_judged_cases(const fs::path& folder, const Judging& run) {
+  Json written = Json::array();
+  for (const WrongAnswer& wrong : run.wrong_answers()) {
+    const std::string name = case_file_name(run.judge().posed().questions[wrong.reply.question].id);
+    const std::string text = run.case_text(wrong);
+    write_text_file(folder / name, text);
+    written.push_back({{"file", name}, {"sha256", sha256(text)}});
+  }
+  return written;
+}
+
+}  // namespace pcm::compare
