@@ -135,6 +135,12 @@ std::string surface_file(std::size_t surface) {
   return fmt::format("surface_{}.obj", surface);
 }
 
+void create_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
+}
+
 [[noreturn]] void refuse_damaged(const std::filesystem::path& file) {
   throw BadInput(file.string() + ": is damaged; remove the folder to begin anew");
 }
@@ -147,9 +153,9 @@ RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const
       scene_(scene),
       scene_hash_(scene_hash(scene_text_, scene)),
       poses_(scene.pairings.size()) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_ / "trajectory", error);
-  if (error) throw BadInput(folder_.string() + ": can't be created: " + error.message());
+  create_folder(folder_);
+  lock_.emplace(folder_);
+  create_folder(folder_ / "trajectory");
   for (const std::filesystem::path& file : whole_files()) remove_unfinished(folder_ / file);
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "simulate/record/folder_lock.h"
 #include "simulate/run/simulation.h"
 #include "simulate/scenes/scene.h"
 
@@ -44,6 +45,7 @@ struct KeptRun {
 ///   spectrum.csv            a line a spectrum that was asked for
 ///   trajectory/             surfaces and poses of the pairings, for `pcm verify --trajectory`
 ///   checkpoint.json         where the run goes on from
+///   .pcm-simulate.lock      keeps other runs out (FolderLock)
 ///
 /// and, of the caller, tables.md, tables.tex and run.provenance.json (compare::ReportFolder) and page.html.
 ///
@@ -54,7 +56,8 @@ struct KeptRun {
 class RunFolder {
  public:
   /// Creates the folder where it is missing. `scene_text`, the scene's surfaces, what the command line changed and the
-  /// program are what a kept run is known by. Throws BadInput where the folder can't be written to.
+  /// program are what a kept run is known by. Throws BadInput where the folder can't be written to, or another run is
+  /// at it.
   RunFolder(std::filesystem::path folder, std::string scene_text, const Scene& scene);
 
   /// The run that is kept there, ready to go on; none where there is none, or that of another build of the program
@@ -84,6 +87,7 @@ class RunFolder {
   void write_trajectory_index() const;
 
   std::filesystem::path folder_;
+  std::optional<FolderLock> lock_;
   std::string scene_text_;
   const Scene& scene_;
   std::string scene_hash_;

@@ -13,6 +13,7 @@
 #include "compare/io/sha256.h"
 #include "meshes/files/text_file.h"
 #include "pcm/read_mesh.h"
+#include "simulate/record/folder_lock.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
@@ -284,6 +285,20 @@ TEST(SimulateCommand, RefusesWhatAComparisonOfIntegratorsHasInSeveralWaysOrNotAt
     EXPECT_NE(outcome.err.find(options[0]), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(folder.path("out")));
   }
+}
+
+TEST(SimulateCommand, RefusesAFolderThatAnotherRunIsWritingIn) {
+  const Folder folder(block_over_floor("0.1"));
+  fs::create_directories(folder.out);
+  {
+    const FolderLock other(folder.out);
+    const Outcome outcome = folder.run();
+    EXPECT_EQ(outcome.status, 2);
+    expect_one_line(outcome.err);
+    EXPECT_NE(outcome.err.find("out: another pcm simulate is writing there"), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.out), {}), 1) << "the lock alone";
+  }
+  EXPECT_EQ(folder.run().status, 0);
 }
 
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {

@@ -224,6 +224,22 @@ TEST(RecordedRun, RefusesTheFolderOfOtherSurfacesOrSettings) {
     expect_bad_input([&] { RecordedRun(*scene, "bubbles", folder, notice); }, "or of other surfaces or options");
 }
 
+TEST(RecordedRun, KeepsItsFolderFromOthersUntilItsEnd) {
+  const fs::path alone = empty_folder("alone"), folder = empty_folder("beset");
+  ASSERT_TRUE(run_in(alone));
+  {
+    std::string notice;
+    const Scene scene = short_bubbles();
+    RecordedRun run(scene, "bubbles", folder, notice);
+    EXPECT_FALSE(run.run([] { return true; }, {}));
+    for (const char* text : {"bubbles", "other"})
+      expect_bad_input([&] { RecordedRun(scene, text, folder, notice); }, "another pcm simulate is writing there");
+    EXPECT_TRUE(run.run({}, {}));
+  }
+  expect_same_tables(alone, folder);
+  EXPECT_TRUE(run_in(folder));
+}
+
 TEST(RecordedRun, CountsItsWorkOnceHoweverOftenItIsStopped) {
   const Scene scene = short_bubbles();
   std::string notice;
