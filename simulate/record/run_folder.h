@@ -47,7 +47,8 @@ struct KeptRun {
 ///   checkpoint.json         where the run goes on from
 ///   .pcm-simulate.lock      keeps other runs out (FolderLock)
 ///
-/// and, of the caller, tables.md, tables.tex and run.provenance.json (compare::ReportFolder) and page.html.
+/// and, of the caller, tables.md, tables.tex and run.provenance.json (compare::ReportFolder), page.html, stills and
+/// paraview/.
 ///
 /// Tables grow line by line. A checkpoint holds their lengths: what was written after it is cut off when a run goes on,
 /// so that a run that was killed ends with the same bytes as one that was not; files it was killed at writing are
@@ -76,6 +77,8 @@ class RunFolder {
   void keep(const KeptRun& run);
 
  private:
+  /// Throws BadInput naming one, where no run was begun here yet.
+  void refuse_others_files() const;
   void open_tables(bool append);
   /// What was said of the tables, which are about to change.
   void remove_report() const;

@@ -301,6 +301,17 @@ TEST(SimulateCommand, RefusesAFolderThatAnotherRunIsWritingIn) {
   EXPECT_EQ(folder.run().status, 0);
 }
 
+TEST(SimulateCommand, RefusesToReplaceASceneOfTheUsers) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("scene.json", block_over_floor("0.1"));
+  const Outcome outcome = compare::run_pcm({"simulate", "creep", "--out", folder.path("")});
+  EXPECT_EQ(outcome.status, 2);
+  expect_one_line(outcome.err);
+  EXPECT_NE(outcome.err.find("scene.json: is there, and no run's"), std::string::npos) << outcome.err;
+  EXPECT_EQ(read_text_file(scene), block_over_floor("0.1"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path("")), {}), 1) << "the scene alone";
+}
+
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
   const TemporaryFolder folder;
   const Outcome outcome = compare::run_pcm({"simulate", folder.path("")});
@@ -313,10 +324,12 @@ TEST(SimulateCommand, TellsThatTheDiskIsFull) {
     SCOPED_TRACE(file);
     const Folder folder(block_over_floor("0.1"));
     fs::create_directories(folder.out);
+    FolderLock{folder.out};  // of an earlier run, so that the file counts as that run's
     fs::create_symlink("/dev/full", fs::path(folder.out) / file);
     const Outcome outcome = folder.run({"--stills", "0"});
     EXPECT_EQ(outcome.status, 2);
     expect_one_line(outcome.err);
+    EXPECT_EQ(outcome.err.find("is there"), std::string::npos) << outcome.err;
   }
 }
 

@@ -240,6 +240,53 @@ TEST(RecordedRun, KeepsItsFolderFromOthersUntilItsEnd) {
   EXPECT_TRUE(run_in(folder));
 }
 
+TEST(RecordedRun, RefusesAFolderWithOthersFilesOfItsNamesAndLeavesThemAsTheyAre) {
+  Scene scene = short_bubbles();
+  scene.output.stills = {0.45};
+  std::string notice;
+  for (const char* name : {"scene.json", "steps.csv", "states.csv", "trajectory/0.poses", "trajectory/surface_0.obj",
+                           "trajectory/trajectory.json", "tables.md", "tables.tex", "run.provenance.json", "page.html",
+                           "still_0.45.png", "paraview/frames.pvd"}) {
+    SCOPED_TRACE(name);
+    const fs::path folder = empty_folder("of_the_user");
+    fs::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << "mine";
+    expect_bad_input([&] { RecordedRun(scene, "bubbles", folder, notice); }, (folder / name).string() + ": is there");
+    EXPECT_EQ(bytes(folder / name), "mine");
+    EXPECT_EQ(tables(folder).size(), 1U) << "nothing else is begun";
+  }
+}
+
+TEST(RecordedRun, RefusesALinkToNowhereOfOneOfItsNames) {
+  const fs::path folder = empty_folder("linked");
+  fs::create_directories(folder);
+  fs::create_symlink("nowhere", folder / "page.html");
+  std::string notice;
+  expect_bad_input([&] { RecordedRun(short_bubbles(), "bubbles", folder, notice); }, "page.html: is there");
+}
+
+TEST(RecordedRun, BeginsBesideFilesThatItDoesNotWrite) {
+  const fs::path folder = empty_folder("beside");
+  fs::create_directories(folder);
+  for (const char* name : {"notes.txt", "mine.json", "still_9.png"}) std::ofstream(folder / name) << "mine";
+  EXPECT_FALSE(run_in(folder, [] { return true; }));
+  for (const char* name : {"notes.txt", "mine.json", "still_9.png"}) EXPECT_EQ(bytes(folder / name), "mine") << name;
+}
+
+TEST(RecordedRun, KilledBeforeItsFirstCheckpointBeginsAnew) {
+  const fs::path whole = empty_folder("whole"), killed = empty_folder("killed");
+  const Scene scene = short_bubbles();
+  ASSERT_TRUE(run_in(whole));
+  {
+    RunFolder folder(killed, "bubbles", scene);
+    folder.begin(Simulation(scene).model().size());
+  }
+  ASSERT_TRUE(fs::exists(killed / "scene.json"));
+  ASSERT_FALSE(fs::exists(killed / "checkpoint.json"));
+  ASSERT_TRUE(run_in(killed));
+  expect_same_tables(whole, killed);
+}
+
 TEST(RecordedRun, CountsItsWorkOnceHoweverOftenItIsStopped) {
   const Scene scene = short_bubbles();
   std::string notice;
