@@ -256,6 +256,18 @@ TEST(SimulateCommand, ComparesIntegratorsOfScenesWithFriction) {
   EXPECT_NE(zero.err.find("--slip-velocity: 0 is not positive"), std::string::npos) << zero.err;
 }
 
+TEST(SimulateCommand, TellsWhenTheReferenceOfAComparisonOfIntegratorsFails) {
+  std::string text = block_over_floor("1e-6");
+  text.insert(text.find("\"max_penetration\""), R"("friction": 0.3, "slip_velocity": 1e-2, )");
+  const Folder folder(text);
+  const Outcome outcome = folder.run({"--compare-integrators"});
+  EXPECT_EQ(outcome.status, 1);
+  expect_one_line(outcome.err);
+  for (const char* words : {"scene.json: the reference run failed: CVODE, BDF gave up at t = 0.14", "--duration"})
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
 TEST(SimulateCommand, RefusesAJacobianForAnIntegratorThatTakesNone) {
   const Folder folder(block_over_floor("0.1"));
   const Outcome outcome = folder.run({"--integrator", "adams", "--jacobian", "tangents"});
