@@ -226,7 +226,11 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
                      ": holds the run of another scene, or of other surfaces or options; choose another folder, or "
                      "remove it");
     if (json.at("program") != build_hash()) {
-      notice = folder_.string() + ": holds a run of another build of this program; it is begun anew";
+      if (json.at("finished").get<bool>())
+        throw BadInput(folder_.string() +
+                       ": holds a finished run of another build of this program, which is kept; choose another folder, "
+                       "or remove it");
+      notice = folder_.string() + ": holds an unfinished run of another build of this program; it is begun anew";
       return std::nullopt;
     }
     if (json.at("checksum") != checksum(json)) refuse_damaged(file);

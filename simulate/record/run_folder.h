@@ -61,8 +61,9 @@ class RunFolder {
   /// at it.
   RunFolder(std::filesystem::path folder, std::string scene_text, const Scene& scene);
 
-  /// The run that is kept there, ready to go on; none where there is none, or that of another build of the program
-  /// (`notice` then says so). Throws BadInput where it is of another scene, or damaged: that may be worth keeping.
+  /// The run that is kept there, ready to go on; none where there is none, or an unfinished one of another build of the
+  /// program (`notice` then says so). Throws BadInput where it is of another scene, of another build and finished, or
+  /// damaged: that may be worth keeping.
   std::optional<KeptRun> open(std::string& notice);
   /// Begins anew, with states of this size; whatever run was there is gone.
   void begin(Eigen::Index size);

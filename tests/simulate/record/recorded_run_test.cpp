@@ -211,6 +211,37 @@ TEST(RecordedRun, RefusesACheckpointThatIsNotAsItWasWritten) {
   RecordedRun(scene, "bubbles", folder, notice);
 }
 
+/// As if another build of the program had made it.
+void change_build(const fs::path& folder) {
+  std::string checkpoint = bytes(folder / "checkpoint.json");
+  const std::string key = "\"program\": \"";
+  char& digit = checkpoint.at(checkpoint.find(key) + key.size());
+  digit = digit == '0' ? '1' : '0';
+  std::ofstream(folder / "checkpoint.json") << checkpoint;
+}
+
+TEST(RecordedRun, KeepsAFinishedRunOfAnotherBuild) {
+  const fs::path folder = empty_folder("finished_elsewhere"), copy = empty_folder("copy");
+  ASSERT_TRUE(run_in(folder));
+  change_build(folder);
+  fs::copy(folder, copy, fs::copy_options::recursive);
+  expect_bad_input([&] { run_in(folder); }, "holds a finished run of another build of this program, which is kept");
+  expect_same_tables(copy, folder);
+  EXPECT_EQ(bytes(folder / "checkpoint.json"), bytes(copy / "checkpoint.json"));
+}
+
+TEST(RecordedRun, BeginsAnUnfinishedRunOfAnotherBuildAnewAndSaysSo) {
+  const fs::path whole = empty_folder("whole"), folder = stopped_run("begun_elsewhere");
+  ASSERT_TRUE(run_in(whole));
+  change_build(folder);
+  std::string notice;
+  EXPECT_TRUE(RecordedRun(short_bubbles(), "bubbles", folder, notice).run({}, {}));
+  EXPECT_NE(notice.find("holds an unfinished run of another build of this program; it is begun anew"),
+            std::string::npos)
+      << notice;
+  expect_same_tables(whole, folder);
+}
+
 TEST(RecordedRun, RefusesTheFolderOfOtherSurfacesOrSettings) {
   const fs::path folder = stopped_run("other");
   std::string notice;
