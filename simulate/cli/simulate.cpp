@@ -133,6 +133,22 @@ class ProgressLine {
   int shown_ = -1;
 };
 
+/// Nothing where there is no reference to measure errors against.
+std::optional<IntegratorComparison> comparison_of(const std::string& scene_name, const Scene& scene) {
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  try {
+    return compare_integrators(scene, known_methods(), [&](const std::string& what) {
+      if (terminal) fmt::print(stderr, "{}\n", what);
+    });
+  } catch (const IntegrationFailure& error) {
+    compare::complain(fmt::format(
+        "{}: the reference run failed: {} (its tolerance is always {:g}); let the scene end before that with "
+        "--duration, or change the scene",
+        scene_name, error.what(), kReferenceTolerance));
+    return std::nullopt;
+  }
+}
+
 /// To a folder: a table and a picture.
 Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::string& text) {
   const std::filesystem::path folder =
@@ -140,16 +156,14 @@ Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
-  const bool terminal = isatty(STDERR_FILENO) == 1;
-  const IntegratorComparison comparison = compare_integrators(scene, known_methods(), [&](const std::string& what) {
-    if (terminal) fmt::print(stderr, "{}\n", what);
-  });
+  const std::optional<IntegratorComparison> comparison = comparison_of(options.scene, scene);
+  if (!comparison) return Exit::negative;
   const std::string title = scene.title.empty() ? options.scene : scene.title;
-  const std::string table = comparison_table(comparison);
+  const std::string table = comparison_table(*comparison);
   std::cout << table << std::flush;
-  compare::ReportFolder report(folder, "integrators", question_of_comparison(options.scene, text, scene, comparison));
+  compare::ReportFolder report(folder, "integrators", question_of_comparison(options.scene, text, scene, *comparison));
   report.markdown("integrators", "# " + title + "\n\n" + table);
-  write_text_file(folder / "integrators.svg", comparison_picture(title + ": integrators compared", comparison));
+  write_text_file(folder / "integrators.svg", comparison_picture(title + ": integrators compared", *comparison));
   report.finish();
   std::cout << "\npicture: " << (folder / "integrators.svg").string() << '\n';
   return Exit::success;

@@ -22,6 +22,7 @@
 #include "pcm/write_obj.h"
 #include "simulate/integrators/make_integrator.h"
 #include "simulate/record/run_provenance.h"
+#include "simulate/scenes/still_instants.h"
 
 namespace pcm::simulate {
 namespace {
@@ -135,6 +136,18 @@ std::string surface_file(std::size_t surface) {
   return fmt::format("surface_{}.obj", surface);
 }
 
+void create_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
+}
+
+/// Be it a link to nowhere.
+bool is_there(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::exists(std::filesystem::symlink_status(file, error));
+}
+
 [[noreturn]] void refuse_damaged(const std::filesystem::path& file) {
   throw BadInput(file.string() + ": is damaged; remove the folder to begin anew");
 }
@@ -147,10 +160,24 @@ RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const
       scene_(scene),
       scene_hash_(scene_hash(scene_text_, scene)),
       poses_(scene.pairings.size()) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_ / "trajectory", error);
-  if (error) throw BadInput(folder_.string() + ": can't be created: " + error.message());
+  create_folder(folder_);
+  refuse_others_files();
+  lock_.emplace(folder_);
+  create_folder(folder_ / "trajectory");
   for (const std::filesystem::path& file : whole_files()) remove_unfinished(folder_ / file);
+}
+
+void RunFolder::refuse_others_files() const {
+  if (is_there(folder_ / "checkpoint.json")) return;
+  std::vector<std::filesystem::path> files = whole_files();
+  for (const std::filesystem::path& table : tables()) files.push_back(table);
+  for (const double t : scene_.output.stills) files.emplace_back(still_name(t));
+  files.emplace_back("paraview/frames.pvd");
+  // The lock is looked for last: a run that is beginning at this moment makes it before its other files.
+  for (const std::filesystem::path& file : files)
+    if (is_there(folder_ / file) && !is_there(folder_ / kFolderLock))
+      throw BadInput((folder_ / file).string() +
+                     ": is there, and no run's, and a run would replace it; move it away, or choose another folder");
 }
 
 std::vector<std::filesystem::path> RunFolder::whole_files() const {
@@ -199,7 +226,11 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
                      ": holds the run of another scene, or of other surfaces or options; choose another folder, or "
                      "remove it");
     if (json.at("program") != build_hash()) {
-      notice = folder_.string() + ": holds a run of another build of this program; it is begun anew";
+      if (json.at("finished").get<bool>())
+        throw BadInput(folder_.string() +
+                       ": holds a finished run of another build of this program, which is kept; choose another folder, "
+                       "or remove it");
+      notice = folder_.string() + ": holds an unfinished run of another build of this program; it is begun anew";
       return std::nullopt;
     }
     if (json.at("checksum") != checksum(json)) refuse_damaged(file);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "simulate/record/folder_lock.h"
 #include "simulate/run/simulation.h"
 #include "simulate/scenes/scene.h"
 
@@ -44,8 +45,10 @@ struct KeptRun {
 ///   spectrum.csv            a line a spectrum that was asked for
 ///   trajectory/             surfaces and poses of the pairings, for `pcm verify --trajectory`
 ///   checkpoint.json         where the run goes on from
+///   .pcm-simulate.lock      keeps other runs out (FolderLock)
 ///
-/// and, of the caller, tables.md, tables.tex and run.provenance.json (compare::ReportFolder) and page.html.
+/// and, of the caller, tables.md, tables.tex and run.provenance.json (compare::ReportFolder), page.html, stills and
+/// paraview/.
 ///
 /// Tables grow line by line. A checkpoint holds their lengths: what was written after it is cut off when a run goes on,
 /// so that a run that was killed ends with the same bytes as one that was not; files it was killed at writing are
@@ -54,11 +57,13 @@ struct KeptRun {
 class RunFolder {
  public:
   /// Creates the folder where it is missing. `scene_text`, the scene's surfaces, what the command line changed and the
-  /// program are what a kept run is known by. Throws BadInput where the folder can't be written to.
+  /// program are what a kept run is known by. Throws BadInput where the folder can't be written to, or another run is
+  /// at it.
   RunFolder(std::filesystem::path folder, std::string scene_text, const Scene& scene);
 
-  /// The run that is kept there, ready to go on; none where there is none, or that of another build of the program
-  /// (`notice` then says so). Throws BadInput where it is of another scene, or damaged: that may be worth keeping.
+  /// The run that is kept there, ready to go on; none where there is none, or an unfinished one of another build of the
+  /// program (`notice` then says so). Throws BadInput where it is of another scene, of another build and finished, or
+  /// damaged: that may be worth keeping.
   std::optional<KeptRun> open(std::string& notice);
   /// Begins anew, with states of this size; whatever run was there is gone.
   void begin(Eigen::Index size);
@@ -73,6 +78,8 @@ class RunFolder {
   void keep(const KeptRun& run);
 
  private:
+  /// Throws BadInput naming one, where no run was begun here yet.
+  void refuse_others_files() const;
   void open_tables(bool append);
   /// What was said of the tables, which are about to change.
   void remove_report() const;
@@ -84,6 +91,7 @@ class RunFolder {
   void write_trajectory_index() const;
 
   std::filesystem::path folder_;
+  std::optional<FolderLock> lock_;
   std::string scene_text_;
   const Scene& scene_;
   std::string scene_hash_;

@@ -12,7 +12,6 @@ namespace pcm::simulate {
 namespace {
 
 constexpr std::array kTolerances = {1e-3, 1e-4, 1e-5, 1e-6};
-constexpr double kReferenceTolerance = 1e-8;
 constexpr std::array kSlipVelocityFactors = {100.0, 10.0, 1.0, 0.1};
 
 /// Those made of differences where nothing else is said.

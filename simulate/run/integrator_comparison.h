@@ -36,6 +36,9 @@ struct IntegratorComparison {
   std::vector<IntegratorTrial> by_slip_velocity;  ///< at a tolerance of a tenth of it, without errors
 };
 
+/// Relative and absolute, of the run that the others' errors are measured against.
+inline constexpr double kReferenceTolerance = 1e-8;
+
 /// Gives every law with friction this slip velocity, m/s.
 void set_slip_velocity(Scene& scene, double slip_velocity);
 

@@ -14,4 +14,8 @@ std::string flaw_of_instant(double t, const std::vector<double>& others, double 
   return "";
 }
 
+std::string still_name(double t) {
+  return fmt::format("still_{}.png", t + 0.0);  // 0 for -0
+}
+
 }  // namespace pcm::simulate

@@ -12,4 +12,8 @@ namespace pcm::simulate {
 /// caller knows.
 std::string flaw_of_instant(double t, const std::vector<double>& others, double duration);
 
+/// The name of the still of an instant, s: still_0.4.png. The number is the shortest that reads back to the same bits,
+/// so that two instants never share a name.
+std::string still_name(double t);
+
 }  // namespace pcm::simulate

@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/stills/stills.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "meshes/files/text_file.h"
 #include "simulate/page/check_recording.h"
+#include "simulate/scenes/still_instants.h"
 #include "simulate/stills/picture.h"
 #include "simulate/stills/png.h"
 
 namespace pcm::simulate {
-
-std::string still_name(double t) {
-  return fmt::format("still_{}.png", t + 0.0);  // 0 for -0
-}
 
 const Frame& frame_next_to(double t, const std::vector<Frame>& frames) {
   const auto after = std::find_if(frames.begin() + 1, frames.end(), [t](const Frame& frame) { return frame.t >= t; });

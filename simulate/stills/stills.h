@@ -3,16 +3,11 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "simulate/record/recording.h"
 
 namespace pcm::simulate {
-
-/// The name of the still of an instant, s: still_0.4.png. The number is the shortest that reads back to the same bits,
-/// so that two instants never share a name.
-std::string still_name(double t);
 
 /// The frame next to an instant, as the page has it; of two that are equally near the earlier one. There must be one.
 const Frame& frame_next_to(double t, const std::vector<Frame>& frames);

@@ -13,6 +13,7 @@
 #include "compare/io/sha256.h"
 #include "meshes/files/text_file.h"
 #include "pcm/read_mesh.h"
+#include "simulate/record/folder_lock.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 
@@ -255,6 +256,18 @@ TEST(SimulateCommand, ComparesIntegratorsOfScenesWithFriction) {
   EXPECT_NE(zero.err.find("--slip-velocity: 0 is not positive"), std::string::npos) << zero.err;
 }
 
+TEST(SimulateCommand, TellsWhenTheReferenceOfAComparisonOfIntegratorsFails) {
+  std::string text = block_over_floor("1e-6");
+  text.insert(text.find("\"max_penetration\""), R"("friction": 0.3, "slip_velocity": 1e-2, )");
+  const Folder folder(text);
+  const Outcome outcome = folder.run({"--compare-integrators"});
+  EXPECT_EQ(outcome.status, 1);
+  expect_one_line(outcome.err);
+  for (const char* words : {"scene.json: the reference run failed: CVODE, BDF gave up at t = 0.14", "--duration"})
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
 TEST(SimulateCommand, RefusesAJacobianForAnIntegratorThatTakesNone) {
   const Folder folder(block_over_floor("0.1"));
   const Outcome outcome = folder.run({"--integrator", "adams", "--jacobian", "tangents"});
@@ -286,6 +299,31 @@ TEST(SimulateCommand, RefusesWhatAComparisonOfIntegratorsHasInSeveralWaysOrNotAt
   }
 }
 
+TEST(SimulateCommand, RefusesAFolderThatAnotherRunIsWritingIn) {
+  const Folder folder(block_over_floor("0.1"));
+  fs::create_directories(folder.out);
+  {
+    const FolderLock other(folder.out);
+    const Outcome outcome = folder.run();
+    EXPECT_EQ(outcome.status, 2);
+    expect_one_line(outcome.err);
+    EXPECT_NE(outcome.err.find("out: another pcm simulate is writing there"), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.out), {}), 1) << "the lock alone";
+  }
+  EXPECT_EQ(folder.run().status, 0);
+}
+
+TEST(SimulateCommand, RefusesToReplaceASceneOfTheUsers) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("scene.json", block_over_floor("0.1"));
+  const Outcome outcome = compare::run_pcm({"simulate", "creep", "--out", folder.path("")});
+  EXPECT_EQ(outcome.status, 2);
+  expect_one_line(outcome.err);
+  EXPECT_NE(outcome.err.find("scene.json: is there, and no run's"), std::string::npos) << outcome.err;
+  EXPECT_EQ(read_text_file(scene), block_over_floor("0.1"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path("")), {}), 1) << "the scene alone";
+}
+
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
   const TemporaryFolder folder;
   const Outcome outcome = compare::run_pcm({"simulate", folder.path("")});
@@ -298,10 +336,12 @@ TEST(SimulateCommand, TellsThatTheDiskIsFull) {
     SCOPED_TRACE(file);
     const Folder folder(block_over_floor("0.1"));
     fs::create_directories(folder.out);
+    FolderLock{folder.out};  // of an earlier run, so that the file counts as that run's
     fs::create_symlink("/dev/full", fs::path(folder.out) / file);
     const Outcome outcome = folder.run({"--stills", "0"});
     EXPECT_EQ(outcome.status, 2);
     expect_one_line(outcome.err);
+    EXPECT_EQ(outcome.err.find("is there"), std::string::npos) << outcome.err;
   }
 }
 

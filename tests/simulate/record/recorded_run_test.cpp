@@ -211,6 +211,37 @@ TEST(RecordedRun, RefusesACheckpointThatIsNotAsItWasWritten) {
   RecordedRun(scene, "bubbles", folder, notice);
 }
 
+/// As if another build of the program had made it.
+void change_build(const fs::path& folder) {
+  std::string checkpoint = bytes(folder / "checkpoint.json");
+  const std::string key = "\"program\": \"";
+  char& digit = checkpoint.at(checkpoint.find(key) + key.size());
+  digit = digit == '0' ? '1' : '0';
+  std::ofstream(folder / "checkpoint.json") << checkpoint;
+}
+
+TEST(RecordedRun, KeepsAFinishedRunOfAnotherBuild) {
+  const fs::path folder = empty_folder("finished_elsewhere"), copy = empty_folder("copy");
+  ASSERT_TRUE(run_in(folder));
+  change_build(folder);
+  fs::copy(folder, copy, fs::copy_options::recursive);
+  expect_bad_input([&] { run_in(folder); }, "holds a finished run of another build of this program, which is kept");
+  expect_same_tables(copy, folder);
+  EXPECT_EQ(bytes(folder / "checkpoint.json"), bytes(copy / "checkpoint.json"));
+}
+
+TEST(RecordedRun, BeginsAnUnfinishedRunOfAnotherBuildAnewAndSaysSo) {
+  const fs::path whole = empty_folder("whole"), folder = stopped_run("begun_elsewhere");
+  ASSERT_TRUE(run_in(whole));
+  change_build(folder);
+  std::string notice;
+  EXPECT_TRUE(RecordedRun(short_bubbles(), "bubbles", folder, notice).run({}, {}));
+  EXPECT_NE(notice.find("holds an unfinished run of another build of this program; it is begun anew"),
+            std::string::npos)
+      << notice;
+  expect_same_tables(whole, folder);
+}
+
 TEST(RecordedRun, RefusesTheFolderOfOtherSurfacesOrSettings) {
   const fs::path folder = stopped_run("other");
   std::string notice;
@@ -222,6 +253,69 @@ TEST(RecordedRun, RefusesTheFolderOfOtherSurfacesOrSettings) {
   larger.surfaces[1].surface = fast::Surface(moved);
   for (const Scene* scene : {&longer, &larger, &by_tangents})
     expect_bad_input([&] { RecordedRun(*scene, "bubbles", folder, notice); }, "or of other surfaces or options");
+}
+
+TEST(RecordedRun, KeepsItsFolderFromOthersUntilItsEnd) {
+  const fs::path alone = empty_folder("alone"), folder = empty_folder("beset");
+  ASSERT_TRUE(run_in(alone));
+  {
+    std::string notice;
+    const Scene scene = short_bubbles();
+    RecordedRun run(scene, "bubbles", folder, notice);
+    EXPECT_FALSE(run.run([] { return true; }, {}));
+    for (const char* text : {"bubbles", "other"})
+      expect_bad_input([&] { RecordedRun(scene, text, folder, notice); }, "another pcm simulate is writing there");
+    EXPECT_TRUE(run.run({}, {}));
+  }
+  expect_same_tables(alone, folder);
+  EXPECT_TRUE(run_in(folder));
+}
+
+TEST(RecordedRun, RefusesAFolderWithOthersFilesOfItsNamesAndLeavesThemAsTheyAre) {
+  Scene scene = short_bubbles();
+  scene.output.stills = {0.45};
+  std::string notice;
+  for (const char* name : {"scene.json", "steps.csv", "states.csv", "trajectory/0.poses", "trajectory/surface_0.obj",
+                           "trajectory/trajectory.json", "tables.md", "tables.tex", "run.provenance.json", "page.html",
+                           "still_0.45.png", "paraview/frames.pvd"}) {
+    SCOPED_TRACE(name);
+    const fs::path folder = empty_folder("of_the_user");
+    fs::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << "mine";
+    expect_bad_input([&] { RecordedRun(scene, "bubbles", folder, notice); }, (folder / name).string() + ": is there");
+    EXPECT_EQ(bytes(folder / name), "mine");
+    EXPECT_EQ(tables(folder).size(), 1U) << "nothing else is begun";
+  }
+}
+
+TEST(RecordedRun, RefusesALinkToNowhereOfOneOfItsNames) {
+  const fs::path folder = empty_folder("linked");
+  fs::create_directories(folder);
+  fs::create_symlink("nowhere", folder / "page.html");
+  std::string notice;
+  expect_bad_input([&] { RecordedRun(short_bubbles(), "bubbles", folder, notice); }, "page.html: is there");
+}
+
+TEST(RecordedRun, BeginsBesideFilesThatItDoesNotWrite) {
+  const fs::path folder = empty_folder("beside");
+  fs::create_directories(folder);
+  for (const char* name : {"notes.txt", "mine.json", "still_9.png"}) std::ofstream(folder / name) << "mine";
+  EXPECT_FALSE(run_in(folder, [] { return true; }));
+  for (const char* name : {"notes.txt", "mine.json", "still_9.png"}) EXPECT_EQ(bytes(folder / name), "mine") << name;
+}
+
+TEST(RecordedRun, KilledBeforeItsFirstCheckpointBeginsAnew) {
+  const fs::path whole = empty_folder("whole"), killed = empty_folder("killed");
+  const Scene scene = short_bubbles();
+  ASSERT_TRUE(run_in(whole));
+  {
+    RunFolder folder(killed, "bubbles", scene);
+    folder.begin(Simulation(scene).model().size());
+  }
+  ASSERT_TRUE(fs::exists(killed / "scene.json"));
+  ASSERT_FALSE(fs::exists(killed / "checkpoint.json"));
+  ASSERT_TRUE(run_in(killed));
+  expect_same_tables(whole, killed);
 }
 
 TEST(RecordedRun, CountsItsWorkOnceHoweverOftenItIsStopped) {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -25,13 +24,6 @@ namespace fs = std::filesystem;
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-TEST(Stills, TwoInstantsNeverShareAName) {
-  EXPECT_EQ(still_name(0.4), "still_0.4.png");
-  EXPECT_EQ(still_name(3), "still_3.png");
-  EXPECT_EQ(still_name(-0.0), "still_0.png");
-  EXPECT_NE(still_name(0.4), still_name(std::nextafter(0.4, 1)));
 }
 
 TEST(Stills, ShowTheRecordedFrameNextToTheirInstant) {
