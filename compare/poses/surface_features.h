@@ -33,7 +33,8 @@ struct SurfaceFeatures {
   /// Sum of the vector areas of the faces at a vertex; its direction is an outward normal there (null at a pinnacle
   /// that folds back on itself).
   Eigen::Vector3d vertex_normal(Index vertex) const { return vertex_normals[static_cast<std::size_t>(vertex)]; }
-  /// Twice the vector area of a face; where that rounds to 0, as a needle's may, a vector along it of less than 2^-900 m^2.
+  /// Twice the vector area of a face; where that rounds to 0, as a needle's may, a vector along it of less than 2^-900
+  /// m^2.
   Eigen::Vector3d face_normal(Index face) const;
   /// The faces at an edge of the surface, its smaller vertex first. O(log n).
   const std::vector<Index>& faces_at(const std::array<Index, 2>& ends) const;

@@ -9,7 +9,8 @@
 namespace pcm::compare {
 
 /// What `pcm --help` says of the subcommands that other programs have.
-inline constexpr const char* kAnswerDescription = "Answer poses with this project's engines, as 'pcm judge' reads answers";
+inline constexpr const char* kAnswerDescription =
+    "Answer poses with this project's engines, as 'pcm judge' reads answers";
 inline constexpr const char* kBenchDescription =
     "How fast the engine is, beside others, over sizes, and by what it skips";
 inline constexpr const char* kContactDescription =
