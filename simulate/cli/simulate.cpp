@@ -192,6 +192,7 @@ Exit simulate(const SimulateOptions& options) {
   if (options.compares) return compare_all(options, scene, text);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;
+  require_three_js();
   std::string notice;
   RecordedRun run(scene, text, folder, notice);
   if (!notice.empty()) compare::complain(notice);

@@ -411,6 +411,16 @@ TEST(SimulateCommand, EndsAtASecondSignal) {
   }
 }
 
+TEST(SimulateCommand, BuiltWithoutThreeJsRefusesBeforeItBegins) {
+  const Folder folder(block_over_floor("0.1"));
+  const Started started(PCM_PROGRAM_WITHOUT_THREE, {"simulate", folder.scene, "--out", folder.out});
+  const int status = started.end();
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 2) << status;
+  expect_one_line(started.err());
+  EXPECT_NE(started.err().find("libjs-three"), std::string::npos) << started.err();
+  EXPECT_FALSE(fs::exists(folder.out));
+}
+
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
   const TemporaryFolder folder;
   const Outcome outcome = compare::run_pcm({"simulate", folder.path("")});
