@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -15,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/cli/frame/noted_interrupt.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/io/report_folder.h"
 #include "meshes/files/text_file.h"
@@ -112,8 +112,6 @@ void apply(const SimulateOptions& options, Scene& scene) {
   if (options.stills) scene.output.stills = still_instants(*options.stills, scene.duration);
 }
 
-volatile std::sig_atomic_t interrupted = 0;
-
 class ProgressLine {
  public:
   void show(const Progress& progress) {
@@ -194,15 +192,17 @@ Exit simulate(const SimulateOptions& options) {
   if (options.compares) return compare_all(options, scene, text);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;
+  require_three_js();
   std::string notice;
   RecordedRun run(scene, text, folder, notice);
   if (!notice.empty()) compare::complain(notice);
-  std::signal(SIGINT, [](int) { interrupted = 1; });
+  const compare::NotedInterrupt interrupt;
   bool finished = false;
   std::string failure;
   try {
     ProgressLine line;
-    finished = run.run([] { return interrupted != 0; }, [&line](const Progress& progress) { line.show(progress); });
+    finished = run.run([&interrupt] { return interrupt.interrupted(); },
+                       [&line](const Progress& progress) { line.show(progress); });
   } catch (const IntegrationFailure& error) {
     failure = error.what();  // what there is up to then is shown all the same
   }

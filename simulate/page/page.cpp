@@ -46,14 +46,22 @@ std::string part(std::string_view name, const Recording& recording, const PageFi
   return std::string{files.scripts};
 }
 
-}  // namespace
-
-std::string page(const Recording& recording, const PageFiles& files) {
+void require_three_js(const PageFiles& files) {
   if (files.three.empty()) {
     throw BadInput(
         "this program was built without three.js, which pages with 3D scenes need: install libjs-three (Debian), "
         "configure and build again");
   }
+}
+
+}  // namespace
+
+void require_three_js() {
+  require_three_js(page_files());
+}
+
+std::string page(const Recording& recording, const PageFiles& files) {
+  require_three_js(files);
   check_recording(recording);
   // In one pass, so that braces in what is put in mean nothing.
   std::string out;

@@ -24,6 +24,9 @@ namespace pcm::simulate {
 /// (check_recording.h), and where the program was built without three.js.
 std::string page(const Recording& recording);
 
+/// Throws BadInput where the program was built without three.js: for who wants to know before there is a recording.
+void require_three_js();
+
 /// Writes that page; throws BadInput also where the file can't be written.
 void write_page(const std::filesystem::path& file, const Recording& recording);
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <iostream>
 #include <iterator>
 #include <limits>
@@ -32,14 +31,6 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMostPoses = 10'000'000'000;
 
 constexpr std::uint64_t kMostParts = 1'000'000;
-
-/// Set by the first interrupt; a signal can't reach anything else. The second one ends the program as usual.
-volatile std::sig_atomic_t interrupted = 0;
-
-void note_interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 std::int64_t number_of_poses(const std::string& text) {
   return static_cast<std::int64_t>(whole_number("--poses", text, 1, kMostPoses));
@@ -139,19 +130,14 @@ std::vector<SurfacePair> pairs_of(const VerifyOptions& options, const std::vecto
 
 }  // namespace
 
-Interruptible::Interruptible(std::int64_t poses) : poses_(poses), terminal_(isatty(STDERR_FILENO) != 0) {
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
-}
+Interruptible::Interruptible(std::int64_t poses) : poses_(poses), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Interruptible::~Interruptible() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
   if (terminal_) std::cerr << '\n';
 }
 
 bool Interruptible::interrupted() const {
-  return pcm::compare::interrupted != 0;
+  return interrupt_.interrupted();
 }
 
 void Interruptible::show(std::int64_t done) const {

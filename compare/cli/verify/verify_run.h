@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/cli/frame/noted_interrupt.h"
 #include "compare/cli/verify/verify_options.h"
 #include "compare/verify/run/kept_run.h"
 #include "compare/verify/run/verify.h"
@@ -27,6 +28,7 @@ class Interruptible {
   void show(std::int64_t done) const;
 
  private:
+  NotedInterrupt interrupt_;
   std::int64_t poses_;
   bool terminal_;
 };

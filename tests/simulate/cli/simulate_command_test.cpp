@@ -1,13 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "compare/io/sha256.h"
@@ -322,6 +329,96 @@ TEST(SimulateCommand, RefusesToReplaceASceneOfTheUsers) {
   EXPECT_NE(outcome.err.find("scene.json: is there, and no run's"), std::string::npos) << outcome.err;
   EXPECT_EQ(read_text_file(scene), block_over_floor("0.1"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path("")), {}), 1) << "the scene alone";
+}
+
+/// A program on its way.
+class Started {
+ public:
+  Started(const std::string& program, const std::vector<std::string>& arguments) : process_(fork()) {
+    if (process_ != 0) return;
+    std::vector<char*> words{const_cast<char*>(program.c_str())};                                // NOLINT: execv's
+    for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));  // NOLINT: the same
+    words.push_back(nullptr);
+    if (freopen("/dev/null", "w", stdout) == nullptr || freopen(err_.c_str(), "w", stderr) == nullptr) _exit(126);
+    execv(program.c_str(), words.data());
+    _exit(127);
+  }
+  void signal(int number) const { kill(process_, number); }
+  /// Of waitpid. What goes on for a minute is killed.
+  int end() const {
+    int status = 0;
+    for (int k = 0; k < 6000; ++k) {
+      if (waitpid(process_, &status, WNOHANG) == process_) return status;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    kill(process_, SIGKILL);
+    waitpid(process_, &status, 0);
+    return status;
+  }
+  std::string err() const { return read_text_file(err_); }
+
+ private:
+  TemporaryFolder folder_;
+  std::string err_ = folder_.path("err");
+  pid_t process_;
+};
+
+/// Minutes of work, with checkpoints so far apart, s.
+std::string long_run(const std::string& between_checkpoints) {
+  std::string text = block_over_floor("0.1");
+  text.replace(text.rfind("0.2"), 3, "10000");
+  return text.insert(text.rfind('}'),
+                     R"(, "integrator": {"greatest_step": 1e-3}, "output": {"interval": 100, "checkpoint_interval": )" +
+                         between_checkpoints + "}");
+}
+
+/// Until the run in the folder has taken steps, in a table that had so many bytes. A minute at most.
+void wait_for_steps(const Folder& folder, std::size_t before = 200) {
+  for (int k = 0; k < 6000 && folder.bytes("steps.csv").size() <= before; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
+TEST(SimulateCommand, InterruptedStopsAtACheckpointFromWhichItGoesOn) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    SCOPED_TRACE(signal);
+    const Folder folder(long_run("0.05"));
+    for (const char* run : {"begun", "gone on"}) {
+      SCOPED_TRACE(run);
+      const std::size_t steps = std::max<std::size_t>(200, folder.bytes("steps.csv").size());
+      const Started started(PCM_PROGRAM, {"simulate", folder.scene, "--out", folder.out});
+      wait_for_steps(folder, steps);
+      started.signal(signal);
+      const int status = started.end();
+      EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status;
+      EXPECT_NE(started.err().find("the same command goes on from there"), std::string::npos) << started.err();
+      EXPECT_GT(folder.bytes("steps.csv").size(), steps);
+      EXPECT_GT(folder.bytes("page.html").size(), 100000U);
+    }
+  }
+}
+
+TEST(SimulateCommand, EndsAtASecondSignal) {
+  for (const auto& [first, second] : {std::pair(SIGINT, SIGINT), std::pair(SIGINT, SIGTERM)}) {
+    SCOPED_TRACE(second);
+    const Folder folder(long_run("5000"));
+    const Started started(PCM_PROGRAM, {"simulate", folder.scene, "--out", folder.out});
+    wait_for_steps(folder);
+    started.signal(first);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // or the two would be one
+    started.signal(second);
+    const int status = started.end();
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == second) << status;
+  }
+}
+
+TEST(SimulateCommand, BuiltWithoutThreeJsRefusesBeforeItBegins) {
+  const Folder folder(block_over_floor("0.1"));
+  const Started started(PCM_PROGRAM_WITHOUT_THREE, {"simulate", folder.scene, "--out", folder.out});
+  const int status = started.end();
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 2) << status;
+  expect_one_line(started.err());
+  EXPECT_NE(started.err().find("libjs-three"), std::string::npos) << started.err();
+  EXPECT_FALSE(fs::exists(folder.out));
 }
 
 TEST(SimulateCommand, RefusesAFolderInPlaceOfAScene) {
