@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <regex>
-#include <system_error>
 #include <utility>
 
+#include "compare/io/create_folder.h"
 #include "meshes/files/text_file.h"
-#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
@@ -43,9 +42,7 @@ VtpArray numbers_of(const std::vector<fast::Element>& elements, const std::strin
 }
 
 const std::filesystem::path& created(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
+  create_folder(folder);
   return folder;
 }
 

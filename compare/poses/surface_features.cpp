@@ -3,14 +3,13 @@
 #include "compare/poses/surface_features.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "compare/io/random.h"
-#include "meshes/exact/dyadic.h"
+#include "fast/base/number_vector.h"
 
 namespace pcm::compare {
 namespace {
@@ -22,16 +21,13 @@ const Eigen::Vector3d& corner(const TriangleMesh& mesh, Index face, std::size_t 
 /// Along a face's vector area, which must not be 0, to some units in the last place; its greatest component is between
 /// 2^-64 and 1.
 Eigen::Vector3d exact_direction(const TriangleMesh& mesh, Index face) {
-  std::array<std::array<Dyadic, 3>, 2> sides;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (int i = 0; i < 3; ++i)
-      sides[k][static_cast<std::size_t>(i)] = Dyadic(corner(mesh, face, k + 1)[i]) - Dyadic(corner(mesh, face, 0)[i]);
-  const auto& [a, b] = sides;
-  const std::array<Dyadic, 3> normal{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const double* const p = corner(mesh, face, 0).data();
+  const auto [x, y, z] = cross(fast::difference<Dyadic>(corner(mesh, face, 1).data(), p),
+                               fast::difference<Dyadic>(corner(mesh, face, 2).data(), p));
   int top = std::numeric_limits<int>::min();
-  for (const Dyadic& x : normal)
-    if (x.sign() != 0) top = std::max(top, x.top());
-  return {normal[0].approximate(-top), normal[1].approximate(-top), normal[2].approximate(-top)};
+  for (const Dyadic* const component : {&x, &y, &z})
+    if (component->sign() != 0) top = std::max(top, component->top());
+  return {x.approximate(-top), y.approximate(-top), z.approximate(-top)};
 }
 
 /// Squared distance from x to the triangle, by the Voronoi regions of its corners and edges (Ericson 2005, 5.1.5).

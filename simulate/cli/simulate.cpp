@@ -16,6 +16,7 @@
 
 #include "compare/cli/frame/noted_interrupt.h"
 #include "compare/cli/frame/programs.h"
+#include "compare/io/create_folder.h"
 #include "compare/io/report_folder.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -151,9 +152,7 @@ std::optional<IntegratorComparison> comparison_of(const std::string& scene_name,
 Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::string& text) {
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-integrators" : options.out;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
+  compare::create_folder(folder);
   const std::optional<IntegratorComparison> comparison = comparison_of(options.scene, scene);
   if (!comparison) return Exit::negative;
   const std::string title = scene.title.empty() ? options.scene : scene.title;

@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <system_error>
 #include <vector>
 
+#include "compare/io/create_folder.h"
 #include "compare/io/vtp.h"
 #include "meshes/files/text_file.h"
-#include "pcm/bad_input.h"
 
 namespace pcm::simulate {
 namespace {
@@ -74,9 +73,7 @@ std::string text_of(const Recording& recording, const Frame& frame, const Triang
 }  // namespace
 
 void write_vtp_series(const std::filesystem::path& folder, const Recording& recording) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
+  compare::create_folder(folder);
   const Triangles triangles(recording);
   std::vector<compare::PvdEntry> files;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {

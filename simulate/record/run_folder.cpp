@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "compare/io/create_folder.h"
 #include "compare/io/names.h"
 #include "compare/io/program_hash.h"
 #include "compare/io/question_json.h"
@@ -136,12 +137,6 @@ std::string surface_file(std::size_t surface) {
   return fmt::format("surface_{}.obj", surface);
 }
 
-void create_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput(folder.string() + ": can't be created: " + error.message());
-}
-
 /// Be it a link to nowhere.
 bool is_there(const std::filesystem::path& file) {
   std::error_code error;
@@ -160,10 +155,10 @@ RunFolder::RunFolder(std::filesystem::path folder, std::string scene_text, const
       scene_(scene),
       scene_hash_(scene_hash(scene_text_, scene)),
       poses_(scene.pairings.size()) {
-  create_folder(folder_);
+  compare::create_folder(folder_);
   refuse_others_files();
   lock_.emplace(folder_);
-  create_folder(folder_ / "trajectory");
+  compare::create_folder(folder_ / "trajectory");
   for (const std::filesystem::path& file : whole_files()) remove_unfinished(folder_ / file);
 }
 
