@@ -47,6 +47,10 @@ class Finding:
     kinds: dict = field(default_factory=dict)  # by what they disagree about
 
 
+class MachineFailed(Exception):
+    """The machine, not the mutant, ended a program, so that nothing is known of the mutant."""
+
+
 @dataclass
 class Ended:
     """A program that has ended."""
@@ -69,7 +73,8 @@ def _limits(seconds):
 
 
 def run(command, allowed=None, env=None, cwd=None):
-    """Runs a program, for at most `allowed` seconds of processor time, its own children's apart."""
+    """Runs a program, for at most `allowed` seconds of processor time, its own children's apart. One that is killed
+    from outside, as where the machine has no memory left, raises MachineFailed."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     process = subprocess.Popen(
         [str(word) for word in command],
@@ -94,7 +99,9 @@ def run(command, allowed=None, env=None, cwd=None):
         raise
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    out_of_time = stuck or process.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+    out_of_time = stuck or process.returncode == -signal.SIGXCPU
+    if process.returncode == -signal.SIGKILL and not stuck:
+        raise MachineFailed(f"{command[0]} was killed from outside after {seconds:.0f} s of processor time")
     return Ended(process.returncode, output, seconds, out_of_time)
 
 

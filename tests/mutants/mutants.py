@@ -9,6 +9,7 @@ those drawn.
 
 import argparse
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -17,7 +18,7 @@ sys.dont_write_bytecode = True  # nothing of ours among the sources
 
 import report
 from campaign import Campaign, Refused, Results, is_of_text, picked_mutants
-from checks import CHECKS, LADDER
+from checks import CHECKS, LADDER, MachineFailed
 from draw import ROOMS, Draw, first_drawn
 from hand_picked import PICKED
 from mutant import BadMutant, by_hand
@@ -28,22 +29,39 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("drawn", nargs="?", type=int, default=200, help="how many to draw in each room (default 200)")
+    parser.add_argument("drawn", nargs="?", type=count_or_none, default=200, help="how many to draw in each room (default 200)")
     parser.add_argument("--rooms", default=",".join(ROOMS), help="fast, reference or both (default)")
     parser.add_argument("--seed", type=int, default=1, help="of the draw (default 1)")
     parser.add_argument("--checks", default=",".join(CHECKS), help="some of tests, verify, suite (default all)")
     parser.add_argument("--all-checks", action="store_true", help="also ask the others when one check has caught it")
     ladder = ",".join(map(str, LADDER))
-    parser.add_argument("--poses", default=ladder, help="of the runs of verify, one after the other (default %(default)s)")
+    of_verify = "of the runs of verify, one after the other (default %(default)s)"
+    parser.add_argument("--poses", type=counts, default=ladder, help=of_verify)
     parser.add_argument("--again", action="store_true", help="ask survivors once more, where sources or checks changed")
     parser.add_argument("--no-picked", action="store_true", help="leave out those chosen by hand")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="of the build")
+    parser.add_argument("--jobs", type=count, default=os.cpu_count() or 1, help="of the build")
     parser.add_argument("--folder", type=Path, default=ROOT / "build" / "mutants", help="default: build/mutants")
     results = ROOT / "tests" / "mutants" / "results.jsonl"
     parser.add_argument("--results", type=Path, default=results, help="default: tests/mutants/results.jsonl")
     parser.add_argument("--list", action="store_true", help="only print the mutants")
     parser.add_argument("--report", action="store_true", help="only write the tables of what is known so far")
     return parser.parse_args()
+
+
+def count(text, least=1):
+    """A whole number, not below the least one."""
+    if not text.isascii() or not text.isdigit() or int(text) < least:
+        raise argparse.ArgumentTypeError(f"{text!r} is no whole number from {least} on")
+    return int(text)
+
+
+def count_or_none(text):
+    return count(text, least=0)
+
+
+def counts(text):
+    """Whole numbers with commas between them, in their order."""
+    return tuple(sorted(count(one) for one in text.split(",")))
 
 
 def one_of_each(text, allowed, what):
@@ -100,8 +118,7 @@ def main():
         print_mutants(options, rooms)
         return 0
     if not options.report:
-        ladder = tuple(sorted(int(poses) for poses in options.poses.split(",")))
-        of_checks = (names, options.all_checks, ladder, options.again)
+        of_checks = (names, options.all_checks, options.poses, options.again)
         campaign = Campaign(ROOT, options.folder, options.results, commit(), *of_checks, options.jobs, say)
         campaign.prepare(rooms)
         campaign.run(rooms, options.drawn, options.seed, not options.no_picked)
@@ -121,7 +138,9 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except (Refused, BadMutant, CannotBuild) as error:
-        sys.exit(f"mutants: {error}")
+    except (Refused, BadMutant, CannotBuild, MachineFailed) as error:
+        print(f"mutants: {error}", file=sys.stderr)
+        sys.exit(2)
     except KeyboardInterrupt:
-        sys.exit("mutants: interrupted; the same command goes on from here")
+        print("mutants: interrupted; the same command goes on from here", file=sys.stderr)
+        sys.exit(128 + signal.SIGINT)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests of how mutants are drawn, told apart, kept and reported. Nothing is built."""
 
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -17,6 +18,7 @@ from campaign import NO_PROGRAM, Campaign, Refused, Results, picked_mutants, pla
 from draw import first_drawn
 from hand_picked import PICKED
 from mutant import BadMutant, Mutant, by_hand
+from scratch import is_of_sources
 from tokens import tokens_of
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -320,6 +322,33 @@ class Findings(unittest.TestCase):
     def test_end_programs_that_never_do(self):
         ended = checks.run([sys.executable, "-c", "while True: pass"], allowed=1)
         self.assertTrue(ended.ran_out_of_time)
+
+
+    def test_are_none_where_the_machine_killed_the_program(self):
+        kill_itself = "import os, signal; os.kill(os.getpid(), signal.SIGKILL)"
+        with self.assertRaisesRegex(checks.MachineFailed, "killed from outside"):
+            checks.run([sys.executable, "-c", kill_itself], allowed=100)
+
+    def test_of_builds_tell_sources_from_the_machine(self):
+        self.assertTrue(is_of_sources("fast/a.cpp:3:9: error: 'b' was not declared in this scope\n"))
+        self.assertTrue(is_of_sources("/usr/bin/ld: a.o: in function `f':\na.cpp:(.text+0x5): undefined reference to `g'\n"))
+        self.assertFalse(is_of_sources("fatal error: error writing to /tmp/a.s: No space left on device\n"))
+        self.assertFalse(is_of_sources("fast/a.cpp:3:9: error: x\nc++: fatal error: Killed signal terminated program\n"))
+        self.assertFalse(is_of_sources("ninja: fatal: posix_spawn: Resource temporarily unavailable\n"))
+
+
+class Options(unittest.TestCase):
+    def refused(self, *options):
+        command = [sys.executable, ROOT / "tests" / "mutants" / "mutants.py", *options]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(ended.returncode, 2)
+        return ended.stderr
+
+    def test_that_say_nothing_are_refused(self):
+        self.assertIn("'-1' is no whole number from 0 on", self.refused("--list", "--", "-1"))
+        self.assertIn("'x' is no whole number from 1 on", self.refused("--poses", "500,x"))
+        self.assertIn("'0' is no whole number from 1 on", self.refused("--jobs", "0"))
+        self.assertIn("room compare is none of fast, reference", self.refused("--list", "--rooms", "compare"))
 
 
 class Report(unittest.TestCase):

@@ -4,8 +4,11 @@
 
 import hashlib
 import os
+import re
 import subprocess
 from pathlib import Path
+
+from checks import MachineFailed
 
 #: What answers: a result holds for these sources only. What checks: a survivor is tried again when they have changed.
 ANSWERING = ("meshes", "fast", "reference")
@@ -14,6 +17,17 @@ CHECKING = ("compare", "tests", "simulate", "simbody", "bindings")
 
 class CannotBuild(Exception):
     """The sources do not compile."""
+
+
+#: What compilers and linkers write where the sources are at fault,
+_OF_SOURCES = re.compile(r"^\S+:\d+:(\d+:)? (fatal )?error: |undefined reference to |multiple definition of ", re.MULTILINE)
+#: and what is written where the machine is.
+_OF_MACHINE = re.compile(r"No space left on device|Killed signal|Cannot allocate memory|out of memory|virtual memory exhausted")
+
+
+def is_of_sources(output):
+    """Whether a build that failed with this output did so for its sources, as it would on every machine."""
+    return bool(_OF_SOURCES.search(output)) and not _OF_MACHINE.search(output)
 
 
 class Scratch:
@@ -81,4 +95,5 @@ class Scratch:
         ended = subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace")
         if ended.returncode != 0:
             # Results are kept beside the sources: wherever the copy is, they name its files alike.
-            raise CannotBuild((ended.stdout[-4000:] + ended.stderr[-2000:]).replace(f"{self.source}/", ""))
+            said = (ended.stdout[-4000:] + ended.stderr[-2000:]).replace(f"{self.source}/", "")
+            raise (CannotBuild if is_of_sources(ended.stdout + ended.stderr) else MachineFailed)(said)
