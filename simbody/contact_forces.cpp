@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <mutex>
+#include <string>
 #include <utility>
 
 #include "fast/base/same_bits.h"
+#include "pcm/bad_input.h"
 #include "pcm/scene.h"
 #include "pcm/simbody.h"
 #include "simbody/load_of_contact.h"
@@ -41,7 +43,7 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
   const fast::Scene& scene() const { return scene_; }
 
   const Answers& answers(const SimTK::State& state) const;
-  Pose surface_pose(const SimTK::State& state, Index surface) const { return surfaces_.pose(state, surface); }
+  Pose surface_pose(const SimTK::State& state, Index surface) const;
   Pose relative_pose(const SimTK::State& state, Index pairing) const;
   Velocity relative_velocity(const SimTK::State& state, Index pairing) const;
   fast::Contact contact(const SimTK::State& state, Index pairing, const Wanted& wanted) const;
@@ -87,6 +89,9 @@ class ContactForces::Implementation : public SimTK::Force::Custom::Implementatio
 
 Index ContactForces::Implementation::add_surface(const SimTK::MobilizedBody& body, const SimTK::Transform& X_BS,
                                                  const fast::Surface& surface) {
+  if (!surfaces_.matter().isSameSubsystem(body.getMatterSubsystem()))
+    throw BadInput("contact forces: the body is of another matter subsystem than the one they were made with");
+  forces_.invalidateSubsystemTopologyCache();
   const Index index = scene_.add_body(surface);
   elements_scene_.add_body(surface);
   surfaces_.add(body, X_BS);
@@ -96,6 +101,7 @@ Index ContactForces::Implementation::add_surface(const SimTK::MobilizedBody& bod
 Index ContactForces::Implementation::add_pairing(Index surface_E, Index surface_F, const ContactLaw& law, Mode mode,
                                                  Scheme scheme) {
   const Index index = scene_.add_pairing(surface_E, surface_F, law, mode, scheme, kLoadAlone);
+  forces_.invalidateSubsystemTopologyCache();
   elements_scene_.add_pairing(surface_E, surface_F, law, mode, scheme, kElements);
   ends_.push_back({surface_E, surface_F});
   return index;
@@ -212,6 +218,13 @@ void ContactForces::Implementation::add_loads(const SimTK::State& state, const A
   }
 }
 
+Pose ContactForces::Implementation::surface_pose(const SimTK::State& state, Index surface) const {
+  if (surface < 0 || surface >= scene_.bodies())
+    throw BadInput("contact forces: there is no surface " + std::to_string(surface) + ", they have " +
+                   std::to_string(scene_.bodies()));
+  return surfaces_.pose(state, surface);
+}
+
 Pose ContactForces::Implementation::relative_pose(const SimTK::State& state, Index pairing) const {
   const std::lock_guard<std::mutex> lock(asking_);
   move_scene(scene_, state, false);
@@ -290,6 +303,9 @@ ContactTangents ContactForces::Implementation::tangents(const SimTK::State& stat
 }
 
 void ContactForces::Implementation::linearise(SimTK::State& state, KeptTangents tangents) const {
+  if (tangents && tangents->pairings.size() != static_cast<std::size_t>(scene_.pairings()))
+    throw BadInput("contact forces: tangents of " + std::to_string(tangents->pairings.size()) + " pairings for " +
+                   std::to_string(scene_.pairings()));
   SimTK::Value<KeptTangents>::updDowncast(forces_.updDiscreteVariable(state, tangents_)).upd() = std::move(tangents);
 }
 

@@ -27,6 +27,7 @@ class PlacedSurfaces {
 
   void add(const SimTK::MobilizedBody& body, const SimTK::Transform& X_BS);
 
+  const SimTK::SimbodyMatterSubsystem& matter() const { return matter_; }
   SimTK::MobilizedBodyIndex body_index(Index surface) const { return at(surface).body; }
   const SimTK::MobilizedBody& body(Index surface) const { return matter_.getMobilizedBody(at(surface).body); }
   /// X_GS; Stage::Position is enough, as for the next one.

@@ -240,6 +240,39 @@ TEST(ContactForces, RefuseWhatIsNotThere) {
   law.stiffness = -1;
   EXPECT_THROW(contact.add_pairing(plate, other, law), BadInput);
   EXPECT_THROW(contact.pairing(0), BadInput);
+  SimTK::MultibodySystem foreign_system;
+  SimTK::SimbodyMatterSubsystem foreign(foreign_system);
+  EXPECT_THROW(contact.add_surface(foreign.Ground(), Transform(), fast::Surface(generate::plate(1, 1, 0.1))), BadInput);
+  EXPECT_EQ(contact.surfaces(), 2);
+}
+
+TEST(ContactForces, RefuseSurfacesPairingsAndTangentsThatAreNone) {
+  const TwoBubblesOnPlate model;
+  for (const Index none : {-1, 3}) {
+    EXPECT_THROW(model.contact.surface_pose(model.state, none), BadInput) << none;
+    EXPECT_THROW(model.contact.relative_pose(model.state, none), BadInput) << none;
+    EXPECT_THROW(model.contact.relative_velocity(model.state, none), BadInput) << none;
+    EXPECT_THROW(model.contact.contact(model.state, none), BadInput) << none;
+  }
+  SimTK::State state = model.state;
+  EXPECT_THROW(model.contact.linearise(state, std::make_shared<ContactTangents>()), BadInput);
+}
+
+// A State knows nothing of what is added after it was made: Simbody refuses it, and the next one has all forces.
+TEST(ContactForces, OfWhatIsAddedLaterWantANewState) {
+  TwoBubblesOnPlate model;
+  model.body_forces(model.state);
+  const Index added = model.contact.add_pairing(1, 2, rough(), Mode::E);
+  EXPECT_FALSE(model.system.systemTopologyHasBeenRealized());
+  const SimTK::Vector q = model.state.getQ(), u = model.state.getU();
+  model.state = model.system.realizeTopology();
+  model.state.updQ() = q;
+  model.state.updU() = u;
+  model.system.realize(model.state, SimTK::Stage::Velocity);
+  EXPECT_EQ(model.contact.answers(model.state).size(), 4U);
+  EXPECT_TRUE(model.contact.answers(model.state)[static_cast<std::size_t>(added)].touching);
+  model.contact.add_surface(model.lower, Transform(), fast::Surface(generate::plate(1, 1, 0.1)));
+  EXPECT_FALSE(model.system.systemTopologyHasBeenRealized());
 }
 
 }  // namespace

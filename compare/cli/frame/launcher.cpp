@@ -3,12 +3,16 @@
 #include "compare/cli/frame/launcher.h"
 
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -32,11 +36,33 @@ struct Variables {
   const char *rank, *processes, *on_this_machine, *launch;
 };
 
+// MPICH 4.0 gives its processes no name in common; PMIx does.
 constexpr std::array kLaunchers = {
     Variables{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_LOCAL_SIZE", "OMPI_MCA_ess_base_jobid"},
-    Variables{"PMI_RANK", "PMI_SIZE", "MPI_LOCALNRANKS", "PMI_ID"},
+    Variables{"PMI_RANK", "PMI_SIZE", "MPI_LOCALNRANKS", "PMIX_NAMESPACE"},
     Variables{"SLURM_PROCID", "SLURM_STEP_NUM_TASKS", "SLURM_STEP_TASKS_PER_NODE", "SLURM_JOB_ID"},
 };
+
+/// The process that started this one, told from all others that had its number on this machine or another one.
+std::string parent_process() {
+  const std::string number = std::to_string(getppid());
+  std::ifstream file("/proc/" + number + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  // Its start is the 20th word behind its name in brackets, which may have blanks and brackets in it (proc(5)).
+  std::istringstream words(text.substr(text.rfind(')') + 1));
+  std::string started;
+  for (int word = 0; word < 20; ++word) words >> started;
+  std::array<char, 256> host{};
+  gethostname(host.data(), host.size() - 1);
+  return std::string(host.data()) + ' ' + number + ' ' + started;
+}
+
+/// What the launcher calls its launch; without a name who started this process, which is one for all on one machine.
+std::string name_of_launch(const Variables& launcher) {
+  const std::string name = value_of(launcher.launch);
+  if (name.empty()) return parent_process();
+  return std::string(launcher.launch) + '=' + name + '.' + value_of("SLURM_STEP_ID");
+}
 
 }  // namespace
 
@@ -45,7 +71,7 @@ LaunchedProcess launched_process() {
     const std::optional<int> rank = number_in(launcher.rank), processes = number_in(launcher.processes);
     if (!rank || !processes || *rank < 0 || *rank >= *processes) continue;
     return {*rank, *processes, std::max(1, number_in(launcher.on_this_machine).value_or(*processes)),
-            std::string(launcher.launch) + '=' + value_of(launcher.launch) + '.' + value_of("SLURM_STEP_ID")};
+            name_of_launch(launcher)};
   }
   return {};
 }

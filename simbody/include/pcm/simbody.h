@@ -85,13 +85,17 @@ class ContactForces : public SimTK::Force::Custom {
   ContactForces(SimTK::GeneralForceSubsystem& forces, const SimTK::SimbodyMatterSubsystem& matter);
 
   /// A surface fixed on a body; both are numbered from 0 in the order they are added. A surface may be on many bodies.
+  /// As of every change of a Simbody model, States made before it are of no use: realizeTopology gives a new one.
+  /// Throws BadInput where the body is of another matter subsystem.
   Index add_surface(const SimTK::MobilizedBody& body, const SimTK::Transform& X_BS, const fast::Surface& surface);
   /// Throws BadInput where there is no such surface, both are the same, or a parameter of the law is out of its range.
+  /// States are of no use then, as above.
   Index add_pairing(Index surface_E, Index surface_F, const ContactLaw& law = {}, Mode mode = Mode::E,
                     Scheme scheme = Scheme::barycentric);
 
   Index surfaces() const;
   Index pairings() const;
+  // Here and below a pairing or surface that there is not throws BadInput.
   const fast::Pairing& pairing(Index pairing) const;
 
   /// Of every pairing, in their order, by the engine. `state` must be realized to Stage::Velocity, as everywhere below.
@@ -128,7 +132,8 @@ class ContactForces : public SimTK::Force::Custom {
   ContactTangents tangents(const SimTK::State& state) const;
   /// From here on the forces at this State, and at copies of it, are by these tangents: the engine is not asked for
   /// them. Each load is that to first order in the pose and velocity of the pairing there, turned with the frame of its
-  /// E. All else (answers, energies) is the engine's as before. Invalidates Stage::Dynamics.
+  /// E. All else (answers, energies) is the engine's as before. Invalidates Stage::Dynamics. Throws BadInput where they
+  /// are tangents of more or fewer pairings than there are.
   void linearise(SimTK::State& state, std::shared_ptr<const ContactTangents> tangents) const;
 
   ContactCounters counters() const;

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -14,7 +18,8 @@ namespace pcm::compare::launcher_test {
 namespace {
 
 LaunchedProcess launched_with(const std::map<std::string, std::string>& environment) {
-  for (const char* variable : {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMI_SIZE", "SLURM_PROCID"})
+  for (const char* variable : {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMI_SIZE", "PMIX_NAMESPACE",
+                               "SLURM_PROCID", "SLURM_STEP_ID"})
     unsetenv(variable);
   for (const auto& [variable, value] : environment) setenv(variable.c_str(), value.c_str(), 1);
   LaunchedProcess process = launched_process();
@@ -47,6 +52,31 @@ TEST(LaunchedProcess, KnowsItsRankFromOpenMpiAndSlurm) {
   EXPECT_EQ(srun.processes, 6);
   EXPECT_EQ(srun.on_this_machine, 3);
   EXPECT_NE(srun.launch.find("12.3"), std::string::npos) << srun.launch;
+}
+
+/// Of a process that this one has started, by a launcher that gives no name.
+std::string launch_of_child() {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return "no pipe";
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::string launch = launched_with({{"PMI_RANK", "0"}, {"PMI_SIZE", "2"}}).launch;
+    _exit(write(ends[1], launch.data(), launch.size()) == static_cast<ssize_t>(launch.size()) ? 0 : 1);
+  }
+  close(ends[1]);
+  std::array<char, 512> text{};
+  const ssize_t size = read(ends[0], text.data(), text.size());
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return {text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
+}
+
+TEST(LaunchedProcess, OfALauncherThatGivesNoNameIsOfTheLaunchOfWhoStartedIt) {
+  const std::string one = launch_of_child(), other = launch_of_child();
+  EXPECT_EQ(one, other);
+  EXPECT_NE(one.find(' ' + std::to_string(getpid()) + ' '), std::string::npos) << one;
+  EXPECT_NE(one.back(), ' ') << "when it was started";
+  EXPECT_NE(one, launched_with({{"PMI_RANK", "0"}, {"PMI_SIZE", "2"}}).launch);
 }
 
 TEST(LaunchedProcess, IsNoneWhereTheEnvironmentMakesNoSense) {
