@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/error_budget/error_budget.h"
+#include "compare/io/names.h"
 
 namespace pcm::compare {
 namespace {
@@ -133,7 +134,7 @@ std::string error_budget_summary(const std::vector<KnownAnswerResult>& budget) {
     for (std::size_t s = 0; s < result.series.size(); ++s)
       for (const std::string& miss : result.series[s].misses)
         screen += fmt::format("missed: {}, {} ({}): {}\n", result.problem.title, result.problem.series[s].quantity,
-                              result.problem.series[s].scheme == Scheme::barycentric ? "barycentric" : "clipped", miss);
+                              name(result.problem.series[s].scheme), miss);
   return screen;
 }
 

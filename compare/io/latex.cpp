@@ -103,11 +103,18 @@ std::string row_of(const Row& cells, const std::vector<std::size_t>& columns) {
   return row + " \\\\\n";
 }
 
+/// Of UTF-8: bytes that go on with a character are none.
+std::size_t characters_in(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U; }));
+}
+
 /// Of the longest cell of each column, with three blanks behind, in characters.
 std::vector<std::size_t> widths_of(const std::vector<Row>& rows, std::size_t columns) {
   std::vector<std::size_t> widths(columns, 3);
   for (const Row& row : rows)
-    for (std::size_t k = 0; k < std::min(columns, row.size()); ++k) widths[k] = std::max(widths[k], row[k].size() + 3);
+    for (std::size_t k = 0; k < std::min(columns, row.size()); ++k)
+      widths[k] = std::max(widths[k], characters_in(row[k]) + 3);
   return widths;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "compare/bodies/known_answer_bodies.h"
+#include "compare/io/names.h"
 #include "compare/known_answers/identity_constructions.h"
 #include "compare/known_answers/identity_loads.h"
 #include "compare/known_answers/identity_support.h"
@@ -19,11 +20,7 @@ namespace pcm::compare {
 namespace {
 
 std::string in_words(Mode mode, Scheme scheme) {
-  return fmt::format("mode {}, {}",
-                     mode == Mode::E   ? "E"
-                     : mode == Mode::F ? "F"
-                                       : "both",
-                     scheme == Scheme::barycentric ? "barycentric" : "clipped");
+  return fmt::format("mode {}, {}", name(mode), name(scheme));
 }
 
 /// A difference, with where it was found.

@@ -10,18 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "compare/io/names.h"
 #include "compare/io/table.h"
 #include "compare/known_answers/problems.h"
 
 namespace pcm::compare {
 namespace {
 
-std::string_view name(Mode mode) {
-  return mode == Mode::E ? "E" : mode == Mode::F ? "F" : "both";
-}
-std::string_view name(Scheme scheme) {
-  return scheme == Scheme::barycentric ? "barycentric" : "clipped";
-}
 std::string_view name(Sharpness sharpness) {
   return sharpness == Sharpness::bits ? "bit for bit" : sharpness == Sharpness::rounding ? "to rounding" : "exact";
 }

@@ -45,6 +45,22 @@ TEST(Latex, CutsATableThatIsWiderThanAPageIntoSeveralWithTheNamesInEach) {
   EXPECT_EQ(count(latex, "column"), 30U);
 }
 
+// Of two bytes each: 22 characters in each of four cells fit where 44 do not.
+TEST(Latex, CutsTablesByTheirCharactersNotBytes) {
+  const auto parts_of = [](const std::string& character) {
+    std::string row = "| name |";
+    for (int cell = 0; cell < 4; ++cell) {
+      row += ' ';
+      for (int k = 0; k < 22; ++k) row += character;
+      row += " |";
+    }
+    const std::string latex = latex_tables("| a | b | c | d | e |\n|---|--:|--:|--:|--:|\n" + row + "\n");
+    return count(latex, "begin{longtable}");
+  };
+  EXPECT_EQ(parts_of("\xc3\xa9"), 1U);
+  EXPECT_EQ(parts_of("ee"), 2U);
+}
+
 TEST(Latex, FitsOnPages) {
   if (std::system("pdflatex --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "pdflatex (Debian: texlive-latex-recommended) is not installed";
