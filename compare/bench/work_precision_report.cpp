@@ -149,9 +149,9 @@ Table work_precision_table(const std::vector<WorkPrecisionResult>& results) {
   for (const WorkPrecisionResult& result : results)
     for (const WorkPrecisionCurve& curve : result.curves)
       for (const WorkPrecisionPoint& point : curve.points)
-        table.rows.push_back({result.title, std::string(name(curve.method.engine)), name(curve.method.scheme),
-                              std::string(meshes_of(curve.method.equal_volume)), count_cell(point.faces),
-                              number_cell(point.edge, 2), number_cell(point.median_us, 3),
+        table.rows.push_back({result.title, std::string(name(curve.method.engine)),
+                              std::string(name(curve.method.scheme)), std::string(meshes_of(curve.method.equal_volume)),
+                              count_cell(point.faces), number_cell(point.edge, 2), number_cell(point.median_us, 3),
                               scientific(point.smooth_error), scientific(point.integral_error)});
   return table;
 }

@@ -17,7 +17,7 @@
 namespace pcm::compare {
 namespace {
 
-std::string_view name(Sharpness sharpness) {
+std::string_view in_words(Sharpness sharpness) {
   return sharpness == Sharpness::bits ? "bit for bit" : sharpness == Sharpness::rounding ? "to rounding" : "exact";
 }
 
@@ -177,7 +177,7 @@ std::string identities_markdown(const std::vector<IdentityResult>& identities) {
       "# Identities that need no reference\n\n`worst`: greatest difference in units of what rounding allows.\n\n"
       "| identity | statement | sharpness | checks | violations | worst | held |\n|---|---|---|--:|--:|--:|---|\n";
   for (const IdentityResult& i : identities)
-    page += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", i.name, i.statement, name(i.sharpness), i.checks,
+    page += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", i.name, i.statement, in_words(i.sharpness), i.checks,
                         i.violations, i.sharpness == Sharpness::rounding ? fmt::format("{:.2g}", i.worst) : "-",
                         i.passed() ? "yes" : "**no**");
   for (const IdentityResult& i : identities)
@@ -225,7 +225,7 @@ ColumnUnits rows_units() {
 std::string identities_csv(const std::vector<IdentityResult>& identities) {
   std::string table = "identity,statement,sharpness,checks,violations,worst,held\n";
   for (const IdentityResult& i : identities)
-    table += fmt::format("{},{},{},{},{},{},{}\n", quoted(i.name), quoted(i.statement), name(i.sharpness), i.checks,
+    table += fmt::format("{},{},{},{},{},{},{}\n", quoted(i.name), quoted(i.statement), in_words(i.sharpness), i.checks,
                          i.violations, i.worst, i.passed() ? "yes" : "no");
   return table;
 }
@@ -258,7 +258,7 @@ nlohmann::ordered_json known_answers_json(const KnownAnswersReport& report) {
   for (const IdentityResult& i : report.identities)
     whole["identities"].push_back({{"name", i.name},
                                    {"statement", i.statement},
-                                   {"sharpness", name(i.sharpness)},
+                                   {"sharpness", in_words(i.sharpness)},
                                    {"checks", i.checks},
                                    {"violations", i.violations},
                                    {"worst", i.worst},
@@ -332,7 +332,7 @@ std::string known_answers_summary(const KnownAnswersReport& report) {
       "Greatest deviations on the finest meshes, and observed orders.\n" + on_screen(cases_table(report));
   screen += fmt::format("\n{:<50}{:>12}{:>9}{:>12}{:>8}\n", "identity", "sharpness", "checks", "violations", "worst");
   for (const IdentityResult& i : report.identities)
-    screen += fmt::format("{:<50}{:>12}{:>9}{:>12}{:>8}\n", i.name, name(i.sharpness), i.checks, i.violations,
+    screen += fmt::format("{:<50}{:>12}{:>9}{:>12}{:>8}\n", i.name, in_words(i.sharpness), i.checks, i.violations,
                           i.sharpness == Sharpness::rounding ? fmt::format("{:.2g}", i.worst) : "-");
   for (const KnownAnswerResult& result : report.problems)
     for (std::size_t s = 0; s < result.series.size(); ++s)

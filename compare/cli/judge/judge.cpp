@@ -68,13 +68,18 @@ Source source_of_file(const std::string& path, const PosedQuestions& posed) {
           [file] { return file->missing(); }};
 }
 
-Source source_of_command(const JudgeOptions& options, const PosedQuestions& posed) {
+std::shared_ptr<AskedEngine> engine_of_command(const JudgeOptions& options, const PosedQuestions& posed,
+                                               std::function<bool()> stop) {
   const Conversation::Seconds limit(positive_number("--time-limit", options.time_limit));
-  const auto engine = std::make_shared<AskedEngine>(*options.command, posed, *options.poses, limit);
+  return std::make_shared<AskedEngine>(*options.command, posed, *options.poses, limit, std::move(stop));
+}
+
+Source source_of_command(const JudgeOptions& options, const PosedQuestions& posed, std::function<bool()> stop) {
+  const auto engine = engine_of_command(options, posed, std::move(stop));
   const auto k = std::make_shared<std::size_t>(0);
   return {[engine, k, &posed]() -> std::optional<Reply> {
             if (*k == posed.questions.size()) return std::nullopt;
-            return engine->ask((*k)++);
+            return engine->ask((*k)++);  // none where it was interrupted, too
           },
           [](std::int64_t) { return std::string("--command"); }, [] { return std::string(); }};
 }
@@ -124,9 +129,8 @@ ReplyTo replies_of_file(const std::string& path, const PosedQuestions& posed, st
   return [replies](std::size_t question) { return (*replies)[question]; };
 }
 
-ReplyTo replies_of_command(const JudgeOptions& options, const PosedQuestions& posed) {
-  const Conversation::Seconds limit(positive_number("--time-limit", options.time_limit));
-  const auto engine = std::make_shared<AskedEngine>(*options.command, posed, *options.poses, limit);
+ReplyTo replies_of_command(const JudgeOptions& options, const PosedQuestions& posed, std::function<bool()> stop) {
+  const auto engine = engine_of_command(options, posed, std::move(stop));
   const auto asking = std::make_shared<std::mutex>();
   return [engine, asking](std::size_t question) -> std::optional<Reply> {
     const std::lock_guard lock(*asking);
@@ -134,25 +138,24 @@ ReplyTo replies_of_command(const JudgeOptions& options, const PosedQuestions& po
   };
 }
 
-/// Judges what nobody else is at until all is judged, by whomever, or this process is interrupted. Returns whether it
-/// was.
-bool judge_shared(const Judging& run, KeptJudgement& kept, const ReplyTo& reply_to, int jobs) {
+/// Judges what nobody else is at until all is judged, by whomever, or this process is interrupted.
+void judge_shared(const Judging& run, KeptJudgement& kept, const ReplyTo& reply_to, int jobs,
+                  const Interruptible& work) {
   const std::size_t all = run.judge().posed().questions.size();
-  const Interruptible work(static_cast<std::int64_t>(all));
   std::atomic<std::int64_t> done = 0;
   const auto judge_chunk = [&](std::int64_t chunk) -> std::optional<Judged> {
     Judged judged;
     const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
     for (std::size_t k = first; k < std::min(all, first + kChunk); ++k) {
+      std::optional<Reply> reply = work.interrupted() ? std::nullopt : reply_to(k);
       if (work.interrupted()) return std::nullopt;
-      if (std::optional<Reply> reply = reply_to(k)) judged.merge(run.judge_one(std::move(*reply)));
+      if (reply) judged.merge(run.judge_one(std::move(*reply)));
       work.show(++done);
     }
     return judged;
   };
   const auto stop = [&] { return work.interrupted(); };
   kept.share_in([&] { run_chunks<Judged>(kept, jobs, stop, [&]() -> DoChunk<Judged> { return judge_chunk; }); }, stop);
-  return work.interrupted();
 }
 
 /// Some of each stratum, and how many there are.
@@ -242,11 +245,16 @@ Exit judge_with_others(Judging& run, const JudgeOptions& options, const JudgingS
   const PosedQuestions& posed = run.judge().posed();
   const LaunchedProcess process = launched_process();
   std::string complaint;
+  std::optional<Interruptible> work;
+  const auto stop = [&work] { return work && work->interrupted(); };
   const ReplyTo reply_to =
-      options.answers ? replies_of_file(*options.answers, posed, complaint) : replies_of_command(options, posed);
+      options.answers ? replies_of_file(*options.answers, posed, complaint) : replies_of_command(options, posed, stop);
   const auto chunks = static_cast<std::int64_t>((posed.questions.size() + kChunk - 1) / kChunk);
   KeptJudgement kept(folder, identity_of(options, setup), chunks, posed);
-  const bool interrupted = judge_shared(run, kept, reply_to, jobs);
+  work.emplace(std::ssize(posed.questions));
+  judge_shared(run, kept, reply_to, jobs, *work);
+  const bool interrupted = work->interrupted();
+  work.reset();
   const Publishing alone = kept.publish();
   const bool done = kept.all_done();
   run.add(kept.judged());
@@ -264,8 +272,11 @@ Exit judge_with_others(Judging& run, const JudgeOptions& options, const JudgingS
 Exit judge_alone(Judging& run, const JudgeOptions& options, const JudgingSetup& setup,
                  const std::optional<fs::path>& folder, int jobs) {
   const PosedQuestions& posed = run.judge().posed();
-  const Source source = options.answers ? source_of_file(*options.answers, posed) : source_of_command(options, posed);
-  std::optional<Interruptible> work(std::in_place, std::ssize(posed.questions));
+  std::optional<Interruptible> work;
+  const auto stop = [&work] { return work && work->interrupted(); };
+  const Source source =
+      options.answers ? source_of_file(*options.answers, posed) : source_of_command(options, posed, stop);
+  work.emplace(std::ssize(posed.questions));
   const std::string complaint = judge_all(run, source, jobs, *work);
   const bool interrupted = work->interrupted();
   work.reset();

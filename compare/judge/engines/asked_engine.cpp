@@ -3,6 +3,7 @@
 #include "compare/judge/engines/asked_engine.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "compare/judge/lines/answer_lines.h"
 #include "compare/judge/lines/json_lines.h"
@@ -22,20 +23,21 @@ std::string greeting(const PosedQuestions& posed, const std::filesystem::path& f
 }  // namespace
 
 AskedEngine::AskedEngine(const std::string& command, const PosedQuestions& posed, const std::filesystem::path& folder,
-                         Conversation::Seconds limit)
-    : posed_(posed), conversation_(words_of_command(command), greeting(posed, folder), limit) {}
+                         Conversation::Seconds limit, std::function<bool()> stop)
+    : posed_(posed), conversation_(words_of_command(command), greeting(posed, folder), limit, std::move(stop)) {}
 
-Reply AskedEngine::ask(std::size_t k) {
+std::optional<Reply> AskedEngine::ask(std::size_t k) {
   const PosedQuestion& question = posed_.questions[k];
-  const Conversation::Said said =
+  const std::optional<Conversation::Said> said =
       conversation_.ask(dump_exactly(pose_json(question, posed_.surfaces, Notation::decimal)));
+  if (!said) return std::nullopt;
   Reply reply;
   reply.question = k;
-  reply.breakdown = said.breakdown;
-  reply.failure = said.failure;
-  if (said.breakdown) return reply;
+  reply.breakdown = said->breakdown;
+  reply.failure = said->failure;
+  if (said->breakdown) return reply;
   try {
-    const Json json = object_from_line(said.line);
+    const Json json = object_from_line(said->line);
     if (const std::string id = text_at(json, "id"); id != question.id)
       throw BadInput("this answers " + in_quotes(id) + ", which was not asked");
     reply.answer = answer_from(json, posed_, question);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "compare/judge/engines/conversation.h"
@@ -14,11 +16,12 @@ namespace pcm::compare {
 class AskedEngine {
  public:
   /// `folder`: where the surfaces lie; the engine is told their absolute paths. The questions must outlive this.
+  /// `stop`: see Conversation.
   AskedEngine(const std::string& command, const PosedQuestions& posed, const std::filesystem::path& folder,
-              Conversation::Seconds limit);
+              Conversation::Seconds limit, std::function<bool()> stop = {});
 
-  /// Asks question number k. A line that is no answer to it (answer_lines.h) is garbage.
-  Reply ask(std::size_t k);
+  /// Asks question number k. A line that is no answer to it (answer_lines.h) is garbage. None where it was stopped.
+  std::optional<Reply> ask(std::size_t k);
 
  private:
   const PosedQuestions& posed_;

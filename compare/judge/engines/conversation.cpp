@@ -27,6 +27,8 @@ namespace {
 constexpr std::size_t kLongestLine = std::size_t{1} << 26;
 
 constexpr Conversation::Seconds kPatience{1};
+/// Between two looks at whether to stop: signals may come to other threads.
+constexpr double kLook = 0.1;
 
 /// Both ends of a pipe, which no other process inherits.
 std::array<int, 2> make_pipe() {
@@ -73,8 +75,9 @@ std::vector<std::string> words_of_command(const std::string& command) {
   return words;
 }
 
-Conversation::Conversation(std::vector<std::string> command, std::string greeting, Seconds limit)
-    : command_(std::move(command)), greeting_(std::move(greeting)), limit_(limit) {
+Conversation::Conversation(std::vector<std::string> command, std::string greeting, Seconds limit,
+                           std::function<bool()> stop)
+    : command_(std::move(command)), greeting_(std::move(greeting)), limit_(limit), stop_(std::move(stop)) {
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &ignore, &former_);
@@ -121,7 +124,7 @@ void Conversation::start() {
   throw BadInput(fmt::format("--command: {} can't be started: {}", in_quotes(command_[0]), std::strerror(failed)));
 }
 
-Conversation::Said Conversation::ask(const std::string& line) {
+std::optional<Conversation::Said> Conversation::ask(const std::string& line) {
   std::string tell = line + '\n';
   if (process_ == 0) {
     start();
@@ -135,17 +138,21 @@ Conversation::Said Conversation::ask(const std::string& line) {
       heard_.erase(0, at + 1);
       return said;
     }
+    if (stop_ && stop_()) {
+      give_up();
+      return std::nullopt;
+    }
     if (heard_.size() > kLongestLine) {
       give_up();
-      return {"", Breakdown::garbage, "it says more than 64 MiB without ending the line"};
+      return Said{"", Breakdown::garbage, "it says more than 64 MiB without ending the line"};
     }
     const double left = Seconds(end - Clock::now()).count();
     if (left <= 0) {
       give_up();
-      return {"", Breakdown::hang, fmt::format("no answer within {:g} s", limit_.count())};
+      return Said{"", Breakdown::hang, fmt::format("no answer within {:g} s", limit_.count())};
     }
     std::array<pollfd, 2> ends{{{from_, POLLIN, 0}, {told < tell.size() ? to_ : -1, POLLOUT, 0}}};
-    poll(ends.data(), ends.size(), static_cast<int>(std::ceil(1e3 * std::min(left, 1e3))));
+    poll(ends.data(), ends.size(), static_cast<int>(std::ceil(1e3 * std::min(left, kLook))));
     if (ends[1].revents != 0) {
       const ssize_t n = write(to_, tell.data() + told, tell.size() - told);
       // Whoever no longer listens may have answered all the same.

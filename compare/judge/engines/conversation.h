@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ class Conversation {
   using Seconds = std::chrono::duration<double>;
 
   /// `greeting`: the line it is told when it starts, which it does not answer. `limit`: for one answer, start included.
-  Conversation(std::vector<std::string> command, std::string greeting, Seconds limit);
+  /// `stop`: whether nobody waits for answers any more; asked several times a second while one is waited for.
+  Conversation(std::vector<std::string> command, std::string greeting, Seconds limit, std::function<bool()> stop = {});
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
   /// Ends it: by the end of its input, and by force if it is still there a second later.
@@ -38,8 +40,8 @@ class Conversation {
     std::optional<Breakdown> breakdown;
     std::string failure;
   };
-  /// Throws BadInput where the command can't be started.
-  Said ask(const std::string& line);
+  /// None where it was stopped; the engine has been ended then. Throws BadInput where the command can't be started.
+  std::optional<Said> ask(const std::string& line);
 
   /// Its last line was no answer: it is ended, with whatever else it may have said, and started anew for the next one.
   void give_up();
@@ -56,6 +58,7 @@ class Conversation {
   std::vector<std::string> command_;
   std::string greeting_;
   Seconds limit_;
+  std::function<bool()> stop_;
   struct sigaction former_ {};
   pid_t process_ = 0;  ///< 0 while none runs
   int ended_ = 0;      ///< as waitpid has it

@@ -72,7 +72,7 @@ TEST_P(Contestants, AreRightAwayFromCoincidences) {
   AskedEngine asked("'" + program(engine) + "'", posed, scratch.path("poses"), Conversation::Seconds(60));
   for (std::size_t k = 0; k < posed.questions.size(); ++k) {
     const PosedQuestion& question = posed.questions[k];
-    const Reply reply = asked.ask(k);
+    const Reply reply = asked.ask(k).value();
     ASSERT_FALSE(reply.breakdown) << question.id << ": " << reply.failure;
     std::vector<Fact> judged;
     for (const FactVerdict& fact : judge.judge(question, reply.answer).facts) {
@@ -118,7 +118,9 @@ Reply flat_contact(int cells) {
   writer.add(dump_exactly(pose_json(question, surfaces.surfaces(), Notation::decimal)));
   writer.finish();
   const PosedQuestions posed = read_poses_folder(scratch.path("."));
-  return AskedEngine("'" + program("simbody") + "'", posed, scratch.path("."), Conversation::Seconds(60)).ask(0);
+  return AskedEngine("'" + program("simbody") + "'", posed, scratch.path("."), Conversation::Seconds(60))
+      .ask(0)
+      .value();
 }
 
 /// On faces that are as large as the sides of the cube no spring at a side is inside F, and Simbody's law is ours.
@@ -145,7 +147,7 @@ TEST(SimbodyContestant, AddsAFifthWhereSidesAreDivided) {
 TEST(Contestant, WhatIsNoPoseEndsIt) {
   if (!is_built("cgal")) GTEST_SKIP() << "no contestant was built";
   Conversation conversation({program("cgal")}, "{\"format\":\"pcm poses 0\"}", Conversation::Seconds(60));
-  const Conversation::Said said = conversation.ask("{}");
+  const Conversation::Said said = conversation.ask("{}").value();
   EXPECT_EQ(said.breakdown, Breakdown::crash);
   EXPECT_NE(said.failure.find("status 2"), std::string::npos) << said.failure;
 }

@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
+#include <string>
 
 #include "compare/judge/engines/asked_engine.h"
+#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "tests/compare/judge/poses/posed_folder.h"
 
@@ -27,14 +30,14 @@ TEST(WordsOfCommand, AreSplitWithoutAShell) {
 
 Conversation::Said ask_once(const std::string& script, const std::string& line = "what?", double limit = 20) {
   Conversation conversation({"/bin/sh", "-c", script}, "hello", Conversation::Seconds(limit));
-  return conversation.ask(line);
+  return conversation.ask(line).value();
 }
 
 TEST(Conversation, TellsTheGreetingOnceAndALineEachTime) {
   Conversation conversation({"/bin/sh", "-c", "read -r g; while read -r l; do echo \"$g $l\"; done"}, "hello",
                             Conversation::Seconds(20));
   for (const char* line : {"one", "two", "three"}) {
-    const Conversation::Said said = conversation.ask(line);
+    const Conversation::Said said = conversation.ask(line).value();
     EXPECT_FALSE(said.breakdown) << said.failure;
     EXPECT_EQ(said.line, std::string("hello ") + line);
   }
@@ -45,8 +48,8 @@ TEST(Conversation, ALineLongerThanAPipeHoldsGetsThrough) {
   EXPECT_EQ(said.line, "hello");
   Conversation echo({"/bin/sh", "-c", "read -r g; exec cat"}, "hello", Conversation::Seconds(20));
   const std::string longer(1 << 20, 'y');
-  EXPECT_EQ(echo.ask(longer).line, longer);
-  EXPECT_EQ(echo.ask("short").line, "short");
+  EXPECT_EQ(echo.ask(longer)->line, longer);
+  EXPECT_EQ(echo.ask("short")->line, "short");
 }
 
 TEST(Conversation, BreakdownsAreToldApart) {
@@ -71,8 +74,8 @@ TEST(Conversation, GoesOnAfterABreakdown) {
       {"/bin/sh", "-c",
        "read -r g; read -r l; [ -e " + file + " ] || { : > " + file + "; exit 1; }; echo \"$l\"; read -r l"},
       "hello", Conversation::Seconds(20));
-  EXPECT_EQ(conversation.ask("one").breakdown, Breakdown::crash);
-  EXPECT_EQ(conversation.ask("two").line, "two");
+  EXPECT_EQ(conversation.ask("one")->breakdown, Breakdown::crash);
+  EXPECT_EQ(conversation.ask("two")->line, "two");
 }
 
 TEST(Conversation, WhatItStartedEndsWithIt) {
@@ -81,6 +84,18 @@ TEST(Conversation, WhatItStartedEndsWithIt) {
   EXPECT_EQ(ask_once("(sleep 1; : > " + file + ") & wait", "what?", 0.3).breakdown, Breakdown::hang);
   EXPECT_EQ(system("sleep 1.2"), 0);
   EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+// As where the user has interrupted the judgement: neither the user nor the engine waits for the time limit.
+TEST(Conversation, OfOneThatHangsIsEndedWhereNobodyWaits) {
+  const TemporaryFolder scratch;
+  const std::string file = scratch.path("process");
+  int looks = 0;
+  Conversation conversation(
+      {"/bin/sh", "-c", "echo $$ > " + file + ".new; mv " + file + ".new " + file + "; exec sleep 1000"}, "hello",
+      Conversation::Seconds(1000), [&] { return ++looks > 3 && std::filesystem::exists(file); });
+  EXPECT_FALSE(conversation.ask("what?"));
+  EXPECT_EQ(kill(std::stoi(read_text_file(file)), 0), -1) << "it still runs";
 }
 
 TEST(Conversation, WhatCannotBeStartedIsBadInput) {
@@ -111,7 +126,7 @@ TEST(AskedEngine, IsAskedEveryPoseWhateverItDoes) {
   AskedEngine asked("/bin/sh " + engine, folder.posed, folder.path(), Conversation::Seconds(2));
   for (std::size_t k = 0; k < folder.posed.questions.size(); ++k) {
     const std::string& id = folder.posed.questions[k].id;
-    const Reply reply = asked.ask(k);
+    const Reply reply = asked.ask(k).value();
     EXPECT_EQ(reply.question, k);
     const auto is_pose = [&](const char* word) { return id.find(word) != std::string::npos; };
     const std::optional<Breakdown> expected =

@@ -74,7 +74,7 @@ Tallies through_judge(Engine engine, std::int64_t poses) {
   Tallies tallies;
   for (std::size_t k = 0; k < posed.questions.size(); ++k) {
     const PosedQuestion& question = posed.questions[k];
-    const Reply reply = asked.ask(k);
+    const Reply reply = asked.ask(k).value();
     EXPECT_FALSE(reply.breakdown) << question.id << ": " << reply.failure;
     const ComparisonTally::OfEngine one =
         counted(judge.judge(question, reply.answer), reply.answer, judge.truth(question));
