@@ -156,10 +156,10 @@ Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::
   const std::optional<IntegratorComparison> comparison = comparison_of(options.scene, scene);
   if (!comparison) return Exit::negative;
   const std::string title = scene.title.empty() ? options.scene : scene.title;
-  const std::string table = comparison_table(*comparison);
-  std::cout << table << std::flush;
+  const NotedTable table = comparison_table(*comparison);
+  std::cout << on_screen(table) << std::flush;
   compare::ReportFolder report(folder, "integrators", question_of_comparison(options.scene, text, scene, *comparison));
-  report.markdown("integrators", "# " + title + "\n\n" + table);
+  report.markdown("integrators", "# " + title + "\n\n" + markdown(table));
   write_text_file(folder / "integrators.svg", comparison_picture(title + ": integrators compared", *comparison));
   report.finish();
   std::cout << "\npicture: " << (folder / "integrators.svg").string() << '\n';
@@ -205,10 +205,10 @@ Exit simulate(const SimulateOptions& options) {
   } catch (const IntegrationFailure& error) {
     failure = error.what();  // what there is up to then is shown all the same
   }
-  const std::string tables =
-      cost_table(options.scene, scene, run.kept()) + "\n" + energy_table(run.kept(), run.observe().energies);
-  std::cout << tables << std::flush;
-  write_tables(folder, tables, options, text, scene, finished);
+  const NotedTable cost = cost_table(options.scene, scene, run.kept()),
+                   energies = energy_table(run.kept(), run.observe().energies);
+  std::cout << on_screen(cost) << '\n' << on_screen(energies) << std::flush;
+  write_tables(folder, markdown(cost) + "\n" + markdown(energies), options, text, scene, finished);
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
   // There is nothing to be seen of what the run has not reached, or does not as --duration and --at have it.

@@ -39,25 +39,42 @@ std::vector<compare::PlotCurve> curves(const std::vector<IntegratorTrial>& trial
   return all;
 }
 
-std::string line(const IntegratorTrial& trial, const std::string& error) {
+std::vector<compare::TableCell> row(const IntegratorTrial& trial, const compare::TableCell& error) {
+  using compare::count_cell;
   const Failures& failures = trial.work.failures;
-  return fmt::format("| {} | {:g} | {:g} | {} | {} | {} | {} | {} | {} |\n", trial.name(), trial.slip_velocity,
-                     trial.tolerance, trial.evaluations(), trial.work.derivatives_for_jacobians, trial.work.steps,
-                     failures.error_test, failures.nonlinear, trial.gave_up ? "gave up" : error);
+  return {trial.name(),
+          {fmt::format("{:g}", trial.slip_velocity), trial.slip_velocity},
+          {fmt::format("{:g}", trial.tolerance), trial.tolerance},
+          count_cell(trial.evaluations()),
+          count_cell(trial.work.derivatives_for_jacobians),
+          count_cell(trial.work.steps),
+          count_cell(failures.error_test),
+          count_cell(failures.nonlinear),
+          trial.gave_up ? compare::TableCell("gave up") : error};
 }
 
 }  // namespace
 
-std::string comparison_table(const IntegratorComparison& comparison) {
-  std::string text =
-      "| integrator | v_eps, m/s | tolerance | evaluations | of them for Jacobians | steps | too large an error | "
-      "nonlinear iteration failed | error at the end |\n|---|---|---|---|---|---|---|---|---|\n";
-  for (const IntegratorTrial& trial : comparison.by_tolerance) text += line(trial, fmt::format("{:.1e}", trial.error));
-  for (const IntegratorTrial& trial : comparison.by_slip_velocity) text += line(trial, "");
-  return text + fmt::format(
-                    "\nError: the greatest difference of a component of the state at the end, in m, rad, m/s or rad/s, "
-                    "from BDF at a tolerance of {:g}, from which ESDIRK at the same tolerance differs by {:.1e}.\n",
-                    comparison.reference_tolerance, comparison.reference_error);
+NotedTable comparison_table(const IntegratorComparison& comparison) {
+  NotedTable trials;
+  trials.table.columns = {{"integrator", "integrator", false},
+                          {"v_eps, m/s", "slip_velocity"},
+                          {"tolerance", "tolerance"},
+                          {"evaluations", "evaluations"},
+                          {"of them for Jacobians", "for_jacobians"},
+                          {"steps", "steps"},
+                          {"too large an error", "error_test_failed"},
+                          {"nonlinear iteration failed", "nonlinear_failed"},
+                          {"error at the end", "error"}};
+  for (const IntegratorTrial& trial : comparison.by_tolerance)
+    trials.table.rows.push_back(row(trial, {fmt::format("{:.1e}", trial.error), trial.error}));
+  for (const IntegratorTrial& trial : comparison.by_slip_velocity)
+    trials.table.rows.push_back(row(trial, compare::empty_cell()));
+  trials.notes = fmt::format(
+      "Error: the greatest difference of a component of the state at the end, in m, rad, m/s or rad/s,\nfrom BDF at a "
+      "tolerance of {:g}, from which ESDIRK at the same tolerance differs by {:.1e}.\n",
+      comparison.reference_tolerance, comparison.reference_error);
+  return trials;
 }
 
 std::string comparison_picture(const std::string& title, const IntegratorComparison& comparison) {

@@ -4,12 +4,13 @@
 
 #include <string>
 
+#include "simulate/record/noted_table.h"
 #include "simulate/run/integrator_comparison.h"
 
 namespace pcm::simulate {
 
-/// All trials as a Markdown table.
-std::string comparison_table(const IntegratorComparison& comparison);
+/// All trials.
+NotedTable comparison_table(const IntegratorComparison& comparison);
 
 /// Two plots as an SVG picture: the error at the end over the evaluations, a marker a tolerance, and evaluations over
 /// the slip velocity.

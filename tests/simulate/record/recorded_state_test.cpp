@@ -96,13 +96,13 @@ TEST_F(RecordedState, CostIsThatOfTheTimeSimulatedFromIt) {
   kept.checkpoint.t = 0.5;
   kept.cost.work.steps = 100;
   kept.cost.integration_seconds = 2;
-  const std::string table = cost_table("bubbles", scene, kept);
-  EXPECT_NE(table.find("| 1 ms |"), std::string::npos) << table;
-  EXPECT_NE(table.find("| 2 s | 20 |"), std::string::npos) << table;
+  const std::string table = markdown(cost_table("bubbles", scene, kept));
+  EXPECT_NE(table.find("| 1 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| 2 | 20 |"), std::string::npos) << table;
   EXPECT_EQ(table.find("LSODE"), std::string::npos) << "published rows are of the whole scene";
   EXPECT_EQ(table.find("tangents"), std::string::npos);
   kept.cost.work.linear_derivatives = 26;
-  EXPECT_NE(cost_table("bubbles", scene, kept).find("their 26 columns asked no engine"), std::string::npos);
+  EXPECT_NE(cost_table("bubbles", scene, kept).notes.find("their 26 columns asked no engine"), std::string::npos);
 }
 
 TEST_F(RecordedState, IsRefusedWhereThereIsNone) {
