@@ -9,9 +9,7 @@
 #include <atomic>
 #include <functional>
 #include <iostream>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -21,15 +19,14 @@
 #include "compare/campaign/run_chunks.h"
 #include "compare/cli/frame/launcher.h"
 #include "compare/cli/frame/programs.h"
+#include "compare/cli/judge/publish_judgement.h"
 #include "compare/cli/verify/verify_run.h"
 #include "compare/io/program_hash.h"
-#include "compare/io/report_folder.h"
 #include "compare/io/sha256.h"
-#include "compare/judge/engines/asked_engine.h"
+#include "compare/judge/engines/replies.h"
 #include "compare/judge/judgement/judged_cases.h"
 #include "compare/judge/judgement/judging_report.h"
 #include "compare/judge/judgement/kept_judgement.h"
-#include "compare/judge/lines/answers_file.h"
 #include "compare/judge/lines/schemas.h"
 #include "compare/judge/poses/poses_folder.h"
 #include "pcm/bad_input.h"
@@ -55,38 +52,15 @@ constexpr std::uint64_t kMostUlps = std::uint64_t{8} << 29;
 constexpr std::size_t kFirstBatch = 64;
 constexpr std::size_t kBatch = 1024;
 
-/// Where answers come from: the next one, none at the end; and what stands before a convention's name in a message.
-struct Source {
-  std::function<std::optional<Reply>()> next;
-  std::function<std::string(std::int64_t line)> place;
-  std::function<std::string()> missing;
-};
-
-Source source_of_file(const std::string& path, const PosedQuestions& posed) {
-  const auto file = std::make_shared<AnswersFile>(path, posed);
-  return {[file] { return file->next(); }, [file](std::int64_t line) { return file->place(line); },
-          [file] { return file->missing(); }};
-}
-
 std::shared_ptr<AskedEngine> engine_of_command(const JudgeOptions& options, const PosedQuestions& posed,
                                                std::function<bool()> stop) {
   const Conversation::Seconds limit(positive_number("--time-limit", options.time_limit));
   return std::make_shared<AskedEngine>(*options.command, posed, *options.poses, limit, std::move(stop));
 }
 
-Source source_of_command(const JudgeOptions& options, const PosedQuestions& posed, std::function<bool()> stop) {
-  const auto engine = engine_of_command(options, posed, std::move(stop));
-  const auto k = std::make_shared<std::size_t>(0);
-  return {[engine, k, &posed]() -> std::optional<Reply> {
-            if (*k == posed.questions.size()) return std::nullopt;
-            return engine->ask((*k)++);  // none where it was interrupted, too
-          },
-          [](std::int64_t) { return std::string("--command"); }, [] { return std::string(); }};
-}
-
 /// Judges all that comes. What is wrong with the input ends it; what came before is judged. Returns that complaint;
 /// empty where all was well.
-std::string judge_all(Judging& run, const Source& source, int jobs, const Interruptible& work) {
+std::string judge_all(Judging& run, const ReplySource& source, int jobs, const Interruptible& work) {
   std::string complaint;
   bool more = true;
   for (std::size_t batch = kFirstBatch; more && !work.interrupted(); batch = kBatch) {
@@ -112,32 +86,6 @@ std::string judge_all(Judging& run, const Source& source, int jobs, const Interr
 /// Poses a chunk of a judgement that is shared.
 constexpr std::size_t kChunk = 8;
 
-/// What came back for each pose, if anything did. A file is read whole; an engine is asked when a pose's turn comes, by
-/// one thread at a time.
-using ReplyTo = std::function<std::optional<Reply>(std::size_t question)>;
-
-/// `complaint`: what is wrong with the file, or with it as a whole; what came before it counts.
-ReplyTo replies_of_file(const std::string& path, const PosedQuestions& posed, std::string& complaint) {
-  const auto replies = std::make_shared<std::vector<std::optional<Reply>>>(posed.questions.size());
-  AnswersFile file(path, posed);
-  try {
-    while (std::optional<Reply> reply = file.next()) (*replies)[reply->question] = std::move(reply);
-    complaint = file.missing();
-  } catch (const BadInput& error) {
-    complaint = error.what();
-  }
-  return [replies](std::size_t question) { return (*replies)[question]; };
-}
-
-ReplyTo replies_of_command(const JudgeOptions& options, const PosedQuestions& posed, std::function<bool()> stop) {
-  const auto engine = engine_of_command(options, posed, std::move(stop));
-  const auto asking = std::make_shared<std::mutex>();
-  return [engine, asking](std::size_t question) -> std::optional<Reply> {
-    const std::lock_guard lock(*asking);
-    return engine->ask(question);
-  };
-}
-
 /// Judges what nobody else is at until all is judged, by whomever, or this process is interrupted.
 void judge_shared(const Judging& run, KeptJudgement& kept, const ReplyTo& reply_to, int jobs,
                   const Interruptible& work) {
@@ -158,70 +106,10 @@ void judge_shared(const Judging& run, KeptJudgement& kept, const ReplyTo& reply_
   kept.share_in([&] { run_chunks<Judged>(kept, jobs, stop, [&]() -> DoChunk<Judged> { return judge_chunk; }); }, stop);
 }
 
-/// Some of each stratum, and how many there are.
-void print_wrong_answers(const Judging& run, const std::optional<fs::path>& folder) {
-  constexpr int kShown = 4;
-  std::map<std::string, int> shown;
-  std::int64_t all_shown = 0;
-  for (const WrongAnswer& wrong : run.wrong_answers()) {
-    const PosedQuestion& question = run.judge().posed().questions[wrong.reply.question];
-    if (++shown[question.stratum] > kShown) continue;
-    ++all_shown;
-    const char* word = wrong.tie ? "tie" : "clear";
-    for (const FactVerdict& fact : wrong.facts)
-      if (fact.verdict == Verdict::wrong)
-        std::cout << fmt::format("{} ({}): {}: {}\n", question.id, word, name(fact.fact), fact.text);
-    if (wrong.reply.breakdown)
-      std::cout << fmt::format("{} ({}): {}: {}\n", question.id, word,
-                               kBreakdownNames[static_cast<std::size_t>(*wrong.reply.breakdown)], wrong.reply.failure);
-  }
-  if (const std::int64_t more = run.total().wrong - all_shown; more > 0)
-    std::cout << fmt::format("... and {} more wrong answers{}\n", more,
-                             folder
-                                 ? "; " + (*folder / "judgement.json").string() + " has them, the first of each stratum"
-                                 : "; --out DIR keeps the first of each stratum");
-}
-
-/// What was judged: the answers, and the surfaces of their poses.
-Json question_of(const PosedQuestions& posed, const JudgingSetup& setup, bool complete) {
-  Json question{{"answers", {{"from", setup.who}}},
-                {"poses", {{"folder", setup.poses}, {"sha256", setup.poses_sha256}}},
-                {"laws", std::string("of each pose its own, with scheme and mode, in ") + kPosesFile},
-                {"complete", complete},
-                {"surfaces", Json::array()}};
-  if (!setup.answers_sha256.empty()) question["answers"]["sha256"] = setup.answers_sha256;
-  for (const PosedSurface& surface : posed.surfaces)
-    question["surfaces"].push_back({{"name", surface.name}, {"sha256", surface.sha256}});
-  return question;
-}
-
 /// Success is an answer at least that could be judged, and none wrong.
 Exit exit_status(const Judging& run, bool finished) {
   const JudgedTally total = run.total();
   return finished && total.wrong == 0 && total.judged() > 0 ? Exit::success : Exit::negative;
-}
-
-void report(const Judging& run, const JudgingSetup& setup, const std::optional<fs::path>& folder,
-            const std::string& ended) {
-  const Table strata = strata_table(run), facts = facts_table(run), pairs = pairs_table(run);
-  const std::string verdict = judging_verdict(run, ended.empty());
-  std::cout << judging_legend(setup) << '\n' << on_screen(strata) << '\n' << on_screen(facts) << '\n';
-  if (!pairs.rows.empty()) std::cout << on_screen(pairs) << '\n';
-  print_wrong_answers(run, folder);
-  std::cout << verdict << '\n';
-  if (folder) {
-    remove_judged_cases(*folder);
-    Json whole = judging_json(run, setup, ended);
-    whole["cases"] = write_judged_cases(*folder, run);
-    ReportFolder tables(*folder, "judgement", question_of(run.judge().posed(), setup, ended.empty()));
-    tables.markdown("judgement", "# Answers before the oracle\n\n" + judging_legend(setup) + "\n" + markdown(strata) +
-                                     "\n" + markdown(facts) + "\n" + markdown(pairs) + "\n" + verdict + "\n");
-    tables.csv("strata", csv(strata), {});
-    tables.csv("facts", csv(facts), {});
-    tables.csv("pairs", csv(pairs), {});
-    tables.json("judgement", whole);
-    tables.finish();
-  }
 }
 
 /// What a judgement that others share in is of.
@@ -247,8 +135,8 @@ Exit judge_with_others(Judging& run, const JudgeOptions& options, const JudgingS
   std::string complaint;
   std::optional<Interruptible> work;
   const auto stop = [&work] { return work && work->interrupted(); };
-  const ReplyTo reply_to =
-      options.answers ? replies_of_file(*options.answers, posed, complaint) : replies_of_command(options, posed, stop);
+  const ReplyTo reply_to = options.answers ? replies_of_file(*options.answers, posed, complaint)
+                                           : replies_of_engine(engine_of_command(options, posed, stop));
   const auto chunks = static_cast<std::int64_t>((posed.questions.size() + kChunk - 1) / kChunk);
   KeptJudgement kept(folder, identity_of(options, setup), chunks, posed);
   work.emplace(std::ssize(posed.questions));
@@ -263,7 +151,7 @@ Exit judge_with_others(Judging& run, const JudgeOptions& options, const JudgingS
         (options.answers ? fmt::format("{}:{}", *options.answers, other.line) : "--command") + ": " + other.text;
   const std::optional<std::string> finished_by = kept.finished_by();
   if (is_silent(process, done, finished_by)) return Exit::success;
-  report(run, setup, folder, ended_by(complaint, interrupted && !done));
+  publish_judgement(run, setup, folder, ended_by(complaint, interrupted && !done));
   if (done && !finished_by) kept.finish(process.launch);
   if (!complaint.empty()) throw BadInput(complaint);
   return exit_status(run, done);
@@ -274,13 +162,13 @@ Exit judge_alone(Judging& run, const JudgeOptions& options, const JudgingSetup& 
   const PosedQuestions& posed = run.judge().posed();
   std::optional<Interruptible> work;
   const auto stop = [&work] { return work && work->interrupted(); };
-  const Source source =
-      options.answers ? source_of_file(*options.answers, posed) : source_of_command(options, posed, stop);
+  const ReplySource source = options.answers ? source_of_file(*options.answers, posed)
+                                             : source_of_engine(engine_of_command(options, posed, stop), posed);
   work.emplace(std::ssize(posed.questions));
   const std::string complaint = judge_all(run, source, jobs, *work);
   const bool interrupted = work->interrupted();
   work.reset();
-  report(run, setup, folder, ended_by(complaint, interrupted));
+  publish_judgement(run, setup, folder, ended_by(complaint, interrupted));
   if (!complaint.empty()) throw BadInput(complaint);
   return exit_status(run, !interrupted);
 }
