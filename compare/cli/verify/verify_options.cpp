@@ -74,11 +74,10 @@ void add_plan_options(CLI::App& command, VerifyOptions& options) {
       ->check(CLI::IsMember({"barycentric", "clipped", "both"}));
 }
 
-void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act) {
-  auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command =
-      program.add_subcommand("verify", "Compare the engine with the oracle over randomized or recorded poses");
-  command->footer(fmt::format(
+namespace {
+
+std::string footer() {
+  return fmt::format(
       "Poses are spread evenly over strata and pairs; the same arguments give the same tables, but for what made them\n"
       "and times, whatever the number of jobs. A summary is printed; the tables by pair and stratum are written to\n"
       "--out. The last line printed is the verdict; the exit status is 1 with a disagreement, with rounding errors of\n"
@@ -114,7 +113,91 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       "  pcm verify --stability --out stability\n"
       "  pcm verify --trajectory bubbles/trajectory/trajectory.json --out results\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17_both.json",
-      kMostFindings));
+      kMostFindings);
+}
+
+/// Of a run that is kept, and shared.
+void add_campaign_options(CLI::App& command, VerifyOptions& options) {
+  command.add_option("--jobs", options.jobs, "Threads (default: as many as cores)")->type_name("N");
+  command
+      .add_option(
+          "--out", options.out,
+          "Folder for tables and case files. A run with the same arguments is continued; if the build or the surfaces "
+          "have changed since, it is removed with its case files and begun anew, and so is what a run without "
+          "campaign.sqlite has left. A folder of another run, or of an earlier version, is refused")
+      ->type_name("DIR");
+  command
+      .add_option("--part", options.part,
+                  "Only part K of N of the run, e.g. 2/5, for machines that share no folder; --merge puts the parts "
+                  "together")
+      ->type_name("K/N");
+  command
+      .add_option("--merge", options.merge,
+                  "With the arguments of the run and --out: put together what these folders hold of it")
+      ->type_name("DIR")
+      ->allow_extra_args()
+      ->excludes("--part");
+}
+
+/// What is asked in place of random poses.
+void add_other_problems(CLI::App& command, VerifyOptions& options) {
+  CLI::Option* known = command
+                           .add_flag("--known-answers", options.known_answers,
+                                     "Instead: forces known in closed form over resolutions, and identities (minutes)")
+                           ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  CLI::Option* budget =
+      command
+          .add_flag("--error-budget", options.error_budget,
+                    "Instead: rounding, discretisation and geometry error of smooth bodies over resolutions (minutes)")
+          ->excludes(known)
+          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  CLI::Option* audits =
+      command
+          .add_flag(
+              "--audits", options.audits,
+              "Instead: work left over, tangential force and jumps of the elastic force over closed loops of poses")
+          ->excludes(known, budget)
+          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  CLI::Option* stability =
+      command
+          .add_flag("--stability", options.stability,
+                    "Instead: rounding error beside the condition of the problem, over offset, scale, aspect ratio, "
+                    "depth and mesh size, in both schemes and of the published algorithms (minutes)")
+          ->excludes(known, budget, audits)
+          ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  command
+      .add_option("--trajectory", options.trajectory,
+                  "Hold the poses of this recorded trajectory (trajectory/trajectory.json of a folder of `pcm "
+                  "simulate`) instead of random ones")
+      ->type_name("FILE")
+      ->excludes(known, budget, audits, stability)
+      ->excludes("--seed", "--strata", "--pair", "--engine", "--case");
+  command.add_flag("--quick", options.quick,
+                   "Known answers or error budget on coarser meshes only, audits in coarser steps, stability at fewer "
+                   "points and poses");
+}
+
+/// Throws BadInput where options do not go together.
+void require_consistent(const VerifyOptions& options) {
+  const bool problems_of_its_own = asks_for_problems_of_its_own(options);
+  if (options.law.any() && (problems_of_its_own || options.case_file || options.trajectory))
+    throw BadInput("the options of the force law go with random poses; all else has laws of its own");
+  if (options.quick && !problems_of_its_own)
+    throw BadInput("--quick goes with --known-answers, --error-budget, --audits or --stability");
+  if (options.part || !options.merge.empty()) {
+    if (asks_for_other_tables(options) || options.case_file)
+      throw BadInput("--part and --merge go with the poses of a run alone");
+    if (!options.out) throw BadInput("--part and --merge want --out DIR");
+  }
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(const VerifyOptions&)>& act) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command =
+      program.add_subcommand("verify", "Compare the engine with the oracle over randomized or recorded poses");
+  command->footer(footer());
   add_plan_options(*command, *options);
   command
       ->add_option(
@@ -124,75 +207,15 @@ void add_verify_command(CLI::App& program, Run& run, const std::function<Exit(co
       ->type_name("NAME,...")
       ->delimiter(',')
       ->check(CLI::IsMember({"fast", "published-2003", "published-2023"}));
-  command->add_option("--jobs", options->jobs, "Threads (default: as many as cores)")->type_name("N");
-  command
-      ->add_option(
-          "--out", options->out,
-          "Folder for tables and case files. A run with the same arguments is continued; if the build or the surfaces "
-          "have changed since, it is removed with its case files and begun anew, and so is what a run without "
-          "campaign.sqlite has left. A folder of another run, or of an earlier version, is refused")
-      ->type_name("DIR");
-  command
-      ->add_option("--part", options->part,
-                   "Only part K of N of the run, e.g. 2/5, for machines that share no folder; --merge puts the parts "
-                   "together")
-      ->type_name("K/N");
-  command
-      ->add_option("--merge", options->merge,
-                   "With the arguments of the run and --out: put together what these folders hold of it")
-      ->type_name("DIR")
-      ->allow_extra_args()
-      ->excludes("--part");
+  add_campaign_options(*command, *options);
   command->add_option("--case", options->case_file, "Replay a case file instead")
       ->type_name("FILE")
       ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--out");
-  CLI::Option* known = command
-                           ->add_flag("--known-answers", options->known_answers,
-                                      "Instead: forces known in closed form over resolutions, and identities (minutes)")
-                           ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
-  CLI::Option* budget =
-      command
-          ->add_flag("--error-budget", options->error_budget,
-                     "Instead: rounding, discretisation and geometry error of smooth bodies over resolutions (minutes)")
-          ->excludes(known)
-          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
-  CLI::Option* audits =
-      command
-          ->add_flag(
-              "--audits", options->audits,
-              "Instead: work left over, tangential force and jumps of the elastic force over closed loops of poses")
-          ->excludes(known, budget)
-          ->excludes("--poses", "--seed", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
-  CLI::Option* stability =
-      command
-          ->add_flag("--stability", options->stability,
-                     "Instead: rounding error beside the condition of the problem, over offset, scale, aspect ratio, "
-                     "depth and mesh size, in both schemes and of the published algorithms (minutes)")
-          ->excludes(known, budget, audits)
-          ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
-  command
-      ->add_option("--trajectory", options->trajectory,
-                   "Hold the poses of this recorded trajectory (trajectory/trajectory.json of a folder of `pcm "
-                   "simulate`) instead of random ones")
-      ->type_name("FILE")
-      ->excludes(known, budget, audits, stability)
-      ->excludes("--seed", "--strata", "--pair", "--engine", "--case");
-  command->add_flag("--quick", options->quick,
-                    "Known answers or error budget on coarser meshes only, audits in coarser steps, stability at fewer "
-                    "points and poses");
+  add_other_problems(*command, *options);
   add_law_options(*command, options->law);
   command->callback([options, &run, act] {
     run = [options, act] {
-      const bool problems_of_its_own = asks_for_problems_of_its_own(*options);
-      if (options->law.any() && (problems_of_its_own || options->case_file || options->trajectory))
-        throw BadInput("the options of the force law go with random poses; all else has laws of its own");
-      if (options->quick && !problems_of_its_own)
-        throw BadInput("--quick goes with --known-answers, --error-budget, --audits or --stability");
-      if (options->part || !options->merge.empty()) {
-        if (asks_for_other_tables(*options) || options->case_file)
-          throw BadInput("--part and --merge go with the poses of a run alone");
-        if (!options->out) throw BadInput("--part and --merge want --out DIR");
-      }
+      require_consistent(*options);
       return act(*options);
     };
   });
