@@ -169,6 +169,7 @@ class LawTwin : public testing::TestWithParam<std::tuple<Kind, int, Scheme>> {};
 
 TEST_P(LawTwin, AgreesWithTheOracle) {
   std::mt19937_64 random(41);
+  SCOPED_TRACE("seed 41");
   const auto [kind, trials, scheme] = GetParam();
   int elements = 0, clamped = 0;
   for (int number = 0; number < affordable(trials) && !HasFailure(); ++number) {

@@ -79,6 +79,8 @@ TEST(ContactForces, AnswersAreTheEnginesContacts) {
     ASSERT_TRUE(contact.touching) << p;
     EXPECT_TRUE(answer.touching);
     EXPECT_EQ(answer.nested, contact.nested);
+    EXPECT_EQ(answer.ambiguous, contact.ambiguous);
+    EXPECT_EQ(answer.penetration_exceeded, contact.penetration_exceeded);
     EXPECT_EQ(answer.elements, static_cast<Index>(contact.elements.size()));
     EXPECT_EQ(answer.too_deep, contact.too_deep);
     EXPECT_EQ(answer.max_penetration, contact.max_penetration);
@@ -225,6 +227,48 @@ TEST(ContactForces, RememberTheLastStateOnly) {
   model.system.realize(back, SimTK::Stage::Velocity);
   EXPECT_TRUE(same_bits(model.body_forces(back), forgetful.body_forces(forgetful.state)));
   EXPECT_EQ(model.contact.counters().recalled, before);
+}
+
+/// Two surfaces that stay where they are, F shifted.
+struct TwoOnGround {
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::GeneralForceSubsystem forces{system};
+  ContactForces contact{forces, matter};
+  SimTK::State state;
+
+  TwoOnGround(const TriangleMesh& E, const TriangleMesh& F, const Vec3& p_GF, const ContactLaw& law = {}) {
+    contact.add_surface(matter.Ground(), Transform(), fast::Surface(E));
+    contact.add_surface(matter.Ground(), Transform(p_GF), fast::Surface(F));
+    contact.add_pairing(0, 1, law);
+    state = system.realizeTopology();
+    system.realize(state, SimTK::Stage::Velocity);
+  }
+  const PairingAnswer& answer() const { return contact.answers(state).front(); }
+};
+
+TEST(ContactForces, SayWhereAnOpenSurfaceLeavesFacesAmbiguous) {
+  // The rectangle's border ends within a wall of the box.
+  const TwoOnGround model(generate::rectangle(1, 1), generate::box({-4, -4, -4}, {0, 4, 4}),
+                          Vec3(0.125, 0.0625, 0.03125));
+  EXPECT_TRUE(model.answer().touching);
+  EXPECT_TRUE(model.answer().ambiguous);
+}
+
+TEST(ContactForces, HaveNoTangentsForNestedBodiesOrBeyondTheGreatestPenetration) {
+  const TriangleMesh box = generate::box({1, 1, 1});
+  const TwoOnGround nested(generate::box({4, 4, 4}), box, Vec3(1, 1, 1));
+  EXPECT_TRUE(nested.answer().nested);
+  EXPECT_FALSE(nested.contact.tangents(nested.state).complete);
+  ContactLaw law;
+  law.max_penetration = 0.125;
+  const TwoOnGround clamped(box, box, Vec3(0.125, 0.0625, 0.75), law);
+  EXPECT_TRUE(clamped.answer().penetration_exceeded);
+  EXPECT_FALSE(clamped.contact.tangents(clamped.state).complete);
+  law.max_penetration = 0.5;
+  const TwoOnGround within(box, box, Vec3(0.125, 0.0625, 0.75), law);
+  EXPECT_FALSE(within.answer().penetration_exceeded);
+  EXPECT_TRUE(within.contact.tangents(within.state).complete);
 }
 
 TEST(ContactForces, RefuseWhatIsNotThere) {

@@ -14,6 +14,7 @@
 #include "compare/cli/frame/launcher.h"
 #include "compare/cli/verify/verify_run.h"
 #include "compare/io/report_folder.h"
+#include "compare/verify/run/held_again.h"
 #include "compare/verify/run/kept_run.h"
 #include "compare/verify/run/run_chunks.h"
 #include "compare/verify/run/run_identity.h"
@@ -191,10 +192,7 @@ Exit verify_poses(const VerifyOptions& options) {
 
 Exit replay(const std::string& file) {
   const Case posed = read_case(file);
-  const HeldPairing held(posed.E, posed.F, posed.law, posed.mode, posed.scheme);
-  fast::Workspace workspace;
-  const PoseOutcome outcome =
-      held.hold({posed.pose, posed.velocity, posed.law, posed.scheme, posed.before}, workspace).front();
+  const PoseOutcome outcome = held_again(posed);
   std::cout << posed.origin << '\n';
   for (const Disagreement& d : outcome.disagreements) std::cout << name(d.kind) << ": " << d.text << '\n';
   const bool agrees = outcome.disagreements.empty();

@@ -143,6 +143,7 @@ Pose motion_towards(const Eigen::Vector3d& way, double far, std::mt19937_64& ran
 // Whatever the slave's face does meanwhile: it is F's here, and the master E's.
 TEST(LineMargin, WithinItTheLinePassesThroughTheFaceOnTheSameSideExactly) {
   std::mt19937_64 random{1128};
+  SCOPED_TRACE("seed 1128");
   std::uniform_real_distribution<double> number{-1, 1};
   const auto draw = [&] { return Eigen::Vector3d(number(random), number(random), number(random)); };
   int settled = 0, held = 0, ends = 0;

@@ -84,6 +84,7 @@ class ForceErrorOf : public testing::TestWithParam<Example> {};
 TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {
   const Example& example = GetParam();
   std::mt19937_64 random(91);
+  SCOPED_TRACE("seed 91");
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] {
     const double x = unit(random), y = unit(random), z = unit(random);

@@ -45,6 +45,7 @@ class PassingErrorOf : public testing::TestWithParam<Example> {};
 TEST_P(PassingErrorOf, HoldsForWhatElementsPassToEachOther) {
   const Example& example = GetParam();
   std::mt19937_64 random(92);
+  SCOPED_TRACE("seed 92");
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] {
     const double x = unit(random), y = unit(random), z = unit(random);

@@ -179,6 +179,7 @@ TEST(VisibleDepthSearch, WhatManyHidersLeaveUndecidedCountsAsSeen) {
 TEST(VisibleDepthSearch, SlitBesideTheLineOfASideThatEndsFarAwayIsNotLost) {
   constexpr double kFar = 0x1p30, kRounding = kFar * kUnitRoundoff;
   std::mt19937_64 random(1);
+  SCOPED_TRACE("seed 1");
   const auto between = [&random](double low, double high) {
     return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
   };

@@ -143,6 +143,7 @@ bool overlap(const ProjectedFace& f, const ProjectedFace& g) {
 
 TEST(FindOverlaps, FindsWhatASearchOfAllPairsFindsInOrder) {
   std::mt19937_64 random(29);
+  SCOPED_TRACE("seed 29");
   const auto coordinate = [&] { return static_cast<double>(random() % 17) / 8 - 0.5; };  // many are equal
   const MasterPrism prism(FaceGeometry({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)}));
   std::vector<FaceExtent> by_low_s;

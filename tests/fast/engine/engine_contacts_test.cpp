@@ -167,6 +167,7 @@ TEST(Engine, BoxInCavityIsOutsideTheBody) {
 }
 
 TEST(Engine, BubbleInOpenContainerIsPushedUp) {
+  double of_bubble = 0;
   for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
     const Contact contact =
         answer(generate::pyramid(), generate::bubble(), turned(0.3, {0.013, 0.02, 0.195}), stiffness(1.2e6), mode);
@@ -178,8 +179,15 @@ TEST(Engine, BubbleInOpenContainerIsPushedUp) {
     EXPECT_GT(contact.F.inner.size(), 0u);
     EXPECT_GT(contact.F.area, 0);
     EXPECT_NEAR((contact.E.vector_area_Me + contact.F.vector_area_Me).norm() / contact.F.area, 0, 0.6);
-    if (mode == Mode::F) {
-      EXPECT_LT(contact.force_Me.z(), 0);
+    // The barycentres of the container's four faces lie far off, and mode both has the mean.
+    if (mode == Mode::E) {
+      EXPECT_EQ(contact.element_count, 0);
+      EXPECT_EQ(contact.force_Me, Vector3d(0, 0, 0));
+    } else if (mode == Mode::F) {
+      of_bubble = contact.force_Me.z();
+      EXPECT_LT(of_bubble, -200);
+    } else {
+      EXPECT_EQ(contact.force_Me.z(), of_bubble / 2);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/fast/engine_support.h"
+#include "tests/fast/same_answer.h"
 
 namespace pcm::fast {
 namespace {
@@ -282,8 +283,20 @@ TEST_P(EngineInvariance, WhatIsNotWantedChangesNoBitOfTheRest) {
     const Contact& part = evaluate(pairing, scene.pose, scene.velocity, wanted, workspace);
     EXPECT_TRUE(part.touching);
     EXPECT_EQ(part.polygons.size(), wanted.polygons ? all.polygons.size() : 0u);
+    if (wanted.polygons) {
+      EXPECT_TRUE(test::same(part.crossings, all.crossings));
+      EXPECT_TRUE(test::same(part.polygons, all.polygons));
+      EXPECT_EQ(part.patches, all.patches);
+    }
     EXPECT_EQ(part.volume, wanted.areas ? all.volume : 0);
+    if (wanted.areas) {
+      EXPECT_TRUE(test::same(part.E, all.E));
+      EXPECT_TRUE(test::same(part.F, all.F));
+    }
     EXPECT_EQ(part.elements.size(), wanted.elements ? all.elements.size() : 0u);
+    if (wanted.elements) {
+      EXPECT_TRUE(test::same(part.elements, all.elements)) << bits;
+    }
     if (wanted.force) {
       EXPECT_EQ(part.force_Me, all.force_Me);
       EXPECT_EQ(part.torque_Me, all.torque_Me);
@@ -302,7 +315,8 @@ TEST_P(EngineInvariance, AWorkspaceUsedForOtherPairingsGivesTheSameBits) {
 }
 
 TEST_P(EngineInvariance, VerticesOfFAreTransformedOnlyWhereTouched) {
-  const Pairing pairing(Surface(generate::icosphere(1, 4)), Surface(generate::icosphere(1, 4)));
+  const Pairing pairing(Surface(generate::icosphere(1, 4)), Surface(generate::icosphere(1, 4)), {}, Mode::E,
+                        GetParam());
   Workspace workspace;
   const Contact& contact = evaluate(pairing, turned(0.3, {1.2, 1.1, 1.105}), {}, {}, workspace);
   EXPECT_TRUE(contact.touching);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cfenv>
 #include <functional>
 #include <string>
@@ -28,8 +29,9 @@ using namespace test;
 struct Environment {
   const char* name;
   int rounding;
-  unsigned set;     ///< bits of MXCSR
-  unsigned masked;  ///< bits of MXCSR that are cleared: exceptions that trap then
+  unsigned set;         ///< bits of MXCSR
+  unsigned masked;      ///< bits of MXCSR that are cleared: exceptions that trap then
+  unsigned raised = 0;  ///< bits of MXCSR: sticky flags that the host has raised before
 };
 
 void PrintTo(const Environment& environment, std::ostream* out) {
@@ -41,9 +43,16 @@ void PrintTo(const Environment& environment, std::ostream* out) {
 unsigned registers() {
   return _mm_getcsr();
 }
+/// But for sticky flags.
+bool is_default() {
+  return (_mm_getcsr() & ~0x3fU) == 0x1f80;
+}
 #else
 int registers() {
   return std::fegetround();
+}
+bool is_default() {
+  return std::fegetround() == FE_TONEAREST;
 }
 #endif
 
@@ -54,7 +63,7 @@ class Host {
     std::fegetenv(&before_);
     std::fesetround(environment.rounding);
 #if defined(__SSE2__)
-    _mm_setcsr((_mm_getcsr() | environment.set) & ~(environment.masked | 0x3fU));
+    _mm_setcsr(((_mm_getcsr() | environment.set) & ~(environment.masked | 0x3fU)) | environment.raised);
 #endif
     entered_ = registers();
   }
@@ -179,6 +188,7 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
     Pose pose;
     Velocity velocity;
     Contact contact;
+    int visits = 0, visits_elsewhere = 0;
   };
   // Surfaces of its own, so that what faces have near them is computed in the host's environment too.
   const auto run = [&](bool all_faces_first) {
@@ -193,8 +203,13 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
       for (Index F = 0; F < E; ++F)
         scene.add_pairing(E, F, law_of_everything(), Mode::E, E % 2 == 0 ? Scheme::clipped : Scheme::barycentric);
     scene.move(states);
-    scene.evaluate_all(3);
-    scene.evaluate_all(2);
+    std::atomic<int> visits = 0, visits_elsewhere = 0;
+    const auto visit = [&](Index, const Contact&) {
+      ++visits;
+      if (!is_default()) ++visits_elsewhere;
+    };
+    scene.evaluate_all(3, visit);
+    scene.evaluate_all(2, visit);
     Loads all;
     for (Index p = 0; p < scene.pairings(); ++p) all.loads.push_back(scene.load(p));
     all.body_loads = scene.body_loads();
@@ -202,6 +217,8 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
     all.velocity = scene.relative_velocity(2);
     Workspace workspace;
     all.contact = scene.evaluate(0, workspace);
+    all.visits = visits;
+    all.visits_elsewhere = visits_elsewhere;
     return all;
   };
   const Loads expected = run(false);
@@ -214,6 +231,8 @@ TEST_P(EnvironmentOfAHost, ChangesNoBitOfASceneOnSeveralThreads) {
       as_before = host.as_before();
     }
     EXPECT_TRUE(as_before);
+    EXPECT_GT(found.visits, 4);
+    EXPECT_EQ(found.visits_elsewhere, 0) << "in an environment that is not the default one";
     ASSERT_EQ(found.loads.size(), expected.loads.size());
     for (std::size_t p = 0; p < found.loads.size(); ++p) {
       EXPECT_TRUE(same(found.loads[p].force_Me, expected.loads[p].force_Me));
@@ -291,7 +310,8 @@ INSTANTIATE_TEST_SUITE_P(
         Environment{"AllButTraps", FE_UPWARD, 0x8040, 0}, Environment{"TrapOnInvalid", FE_TONEAREST, 0, 0x0080},
         Environment{"TrapOnDenormal", FE_TONEAREST, 0, 0x0100}, Environment{"TrapOnDivision", FE_TONEAREST, 0, 0x0200},
         Environment{"TrapOnOverflow", FE_TONEAREST, 0, 0x0400}, Environment{"TrapOnUnderflow", FE_TONEAREST, 0, 0x0800},
-        Environment{"TrapOnInexact", FE_TONEAREST, 0, 0x1000}),
+        Environment{"TrapOnInexact", FE_TONEAREST, 0, 0x1000}, Environment{"Raised", FE_TONEAREST, 0, 0, 0x15},
+        Environment{"UpwardRaised", FE_UPWARD, 0, 0, 0x2a}),
     [](const testing::TestParamInfo<Environment>& test) { return std::string(test.param.name); });
 #else
 INSTANTIATE_TEST_SUITE_P(Modes, EnvironmentOfAHost,

@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/hard_bodies.h"
@@ -314,7 +317,14 @@ TEST(Scene, RefusesWhatItCanNotPlaceAndStaysAsItWas) {
   expect_bad_input([&] { scene.move({E}); }, "1 states for 2 bodies");
   BodyState skew = F;
   skew.pose.A(0, 1) = 5e-10;
-  expect_bad_input([&] { scene.move({E, skew}); }, "body 1: pose: A is no rotation to 1e-10");
+  BodyState elsewhere = E;
+  elsewhere.pose.r = {7, 0, 0};
+  expect_bad_input([&] { scene.move({elsewhere, skew}); }, "body 1: pose: A is no rotation to 1e-10");
+  for (Eigen::Vector3d Velocity::*velocity : {&Velocity::v, &Velocity::w}) {
+    BodyState fast = F;
+    (fast.velocity.*velocity).z() = 0x1p301;
+    expect_bad_input([&] { scene.move({elsewhere, fast}); }, "body 1: velocity: a component exceeds 2^300");
+  }
   BodyState nowhere = F;
   nowhere.pose.r.z() = std::numeric_limits<double>::infinity();
   expect_bad_input([&] { scene.move({nowhere, F}); }, "body 0: ");
@@ -340,6 +350,27 @@ TEST(Scene, WhatFailsInAThreadIsThrownToTheCallerAndTheSceneStaysUsable) {
   expect_bad_input([&] { scene.evaluate_all(2); }, "exceeds the range of doubles");
   EXPECT_FALSE(scene.load(0).touching);
   EXPECT_TRUE(scene.load(1).touching);
+}
+
+TEST(Scene, OfSeveralThatFailTheFirstOnesFailureIsThrown) {
+  Scene scene;
+  for (int b = 0; b < 12; ++b) scene.add_body(Surface(generate::box({1, 1, 1})));
+  for (Index b = 0; b + 1 < scene.bodies(); ++b) scene.add_pairing(b, b + 1);
+  std::vector<BodyState> states(12);
+  for (std::size_t b = 0; b < states.size(); ++b) states[b].pose.r = {0.75 * static_cast<double>(b), 0.25, 0.125};
+  scene.move(states);
+  for (const int threads : {1, 2, 3})
+    for (const Index first : {0, 4, 9}) {
+      const auto fail = [&](Index pairing, const Contact&) {
+        if (pairing >= first) throw std::runtime_error("pairing " + std::to_string(pairing));
+      };
+      try {
+        scene.evaluate_all(threads, fail);
+        ADD_FAILURE() << threads << " threads, first " << first;
+      } catch (const std::runtime_error& error) {
+        EXPECT_EQ(error.what(), "pairing " + std::to_string(first)) << threads << " threads";
+      }
+    }
 }
 
 }  // namespace

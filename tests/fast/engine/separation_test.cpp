@@ -45,6 +45,7 @@ TEST(DistanceLowerBound, IsZeroWhereSurfacesTouchOrCross) {
 TEST(DistanceLowerBound, OfBallsNeverExceedsTheirDistanceAndIsAFairPartOfItBeyondTheSizeOfFaces) {
   const Surface ball(generate::icosphere(1, 4));
   std::mt19937_64 random(17);
+  SCOPED_TRACE("seed 17");
   std::uniform_real_distribution<double> unit(-1, 1);
   int far = 0, fair = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -89,6 +90,7 @@ TEST(SeparationCertificate, ThatHoldsIsNeverContradictedByTheEngine) {
   const BoundingBall ball(socket.data());
   Workspace workspace;
   std::mt19937_64 random(5);
+  SCOPED_TRACE("seed 5");
   std::uniform_real_distribution<double> unit(-1, 1);
   int held = 0, touched = 0;
   for (int walk = 0; walk < 300; ++walk) {

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -182,6 +185,15 @@ TEST_P(SceneThreads, OfSomeLargePairingsGiveTheBitsOfOne) {
   }
 }
 
+std::ptrdiff_t threads_of_process() {
+#ifdef __linux__
+  const std::filesystem::directory_iterator tasks("/proc/self/task");
+  return std::distance(begin(tasks), end(tasks));
+#else
+  return 0;
+#endif
+}
+
 /// From the second step on the scene knows which pairing is large: then it is the first that is seen, by the caller,
 /// whose threads are all at work within it.
 TEST_P(SceneThreads, OneLargePairingComesFirstWithAllThreads) {
@@ -189,6 +201,8 @@ TEST_P(SceneThreads, OneLargePairingComesFirstWithAllThreads) {
   const std::vector<Surface> bodies{small, small, large, large, small};
   Scene one = row_of(bodies, GetParam()), three = row_of(bodies, GetParam());
   constexpr Index kLarge = 7;
+  const std::ptrdiff_t threads_before = threads_of_process();
+  std::ptrdiff_t threads_within = 0;
   for (int step = 0; step < 6; ++step) {
     one.move(states_of_row(5, step));
     one.evaluate_all();
@@ -198,6 +212,7 @@ TEST_P(SceneThreads, OneLargePairingComesFirstWithAllThreads) {
     const auto see = [&](Index pairing, const Contact&) {
       const std::lock_guard lock(seeing);
       seen.emplace_back(pairing, std::this_thread::get_id());
+      if (pairing == kLarge) threads_within = threads_of_process();
       if (step == 3 && pairing == kLarge) throw std::runtime_error("seen enough");
     };
     if (step == 3) {
@@ -209,6 +224,10 @@ TEST_P(SceneThreads, OneLargePairingComesFirstWithAllThreads) {
     ASSERT_GE(seen.size(), 2U);
     if (step > 0) {
       EXPECT_EQ(seen.front(), std::pair(kLarge, std::this_thread::get_id()));
+#ifdef __linux__
+      // The scene's own, which wait, and those of the workspace that the large pairing is answered in.
+      EXPECT_EQ(threads_within, threads_before + 2 + (step == 4 ? 1 : 2)) << step;
+#endif
     }
   }
 }

@@ -16,6 +16,7 @@
 #include "fast/base/geometry.h"
 #include "fast/force/force_problem.h"
 #include "fast/predicates/penetration_predicates.h"
+#include "fast/simd/overlap_sets.h"
 
 /// Elements computed four at a time against the same computed one by one: bit for bit, on every set of instructions.
 namespace pcm::fast {
@@ -279,6 +280,7 @@ TEST_P(WideElementsAt, DepthIsThatOfEachPair) {
 
 TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
   for_each_set([&](const WideElements& set) {
+    int compared = 0;
     for (int round = 0; round < 400; ++round) {
       ElementLanes lanes;
       draw(lanes);
@@ -294,6 +296,7 @@ TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
       const LaneBits known = with_geometry & set.force(lanes, force_limits(problem, master));
       for (std::size_t lane = 0; lane < kElementLanes; ++lane) {
         if (!has_lane(known, lane)) continue;
+        ++compared;
         Element element;
         element.master = master;
         element.area = lanes.area.value[lane];
@@ -309,6 +312,8 @@ TEST_P(WideElementsAt, ForceIsThatOfEachElement) {
         expect_same(lanes.torque_Me[lane], (element.position_Me - pose.r).cross(element.force_Me));
       }
     }
+    // Near the ends of the range of doubles the kernels know no geometry, and say so.
+    EXPECT_EQ(compared > 500, GetParam() > 0x1p-200 && GetParam() < 0x1p200) << compared;
   });
 }
 
@@ -363,8 +368,25 @@ std::string name_of(const testing::TestParamInfo<double>& info) {
 }
 INSTANTIATE_TEST_SUITE_P(Units, WideElementsAt, testing::Values(1.0, 0x1p260, 0x1p-280), name_of);
 
+// Elsewhere comparisons with the wide kernels have nothing to compare.
+TEST(WideElements, AreThereWhereBuildAndProcessorHaveThem) {
+  const auto [portable, wide] = all_wide_elements();
+  ASSERT_NE(portable, nullptr);
+#if defined(PCM_BUILT_WIDE)
+  if (__builtin_cpu_supports("avx2")) {
+    EXPECT_NE(wide, nullptr);
+    EXPECT_NE(all_wide_tests()[1], nullptr);
+    EXPECT_EQ(&fastest_wide_elements(), wide);
+    return;
+  }
+#endif
+  EXPECT_EQ(wide, nullptr);
+  GTEST_SKIP() << "this processor or build has no wide instructions";
+}
+
 TEST(SortAscending, DenseAndSparseIndicesComeInOrder) {
   std::mt19937 random{20048};
+  SCOPED_TRACE("seed 20048");
   std::vector<std::uint64_t> marks;
   for (const Index spread : {1, 3, 100, 5000}) {
     for (const Index count : {0, 1, 2, 64, 65, 700}) {

@@ -105,6 +105,7 @@ TEST(PrepareAllFaces, LeavesNothingToCompute) {
     surface.known_thickness.get(face, [] { return ADD_FAILURE(), 0.0; });
     surface.known_thickness_everywhere.get(face, [] { return ADD_FAILURE(), ThicknessEverywhere(); });
     surface.known_clearance.get(face, [] { return ADD_FAILURE(), Clearance(); });
+    surface.known_exit_depth.get(face, [] { return ADD_FAILURE(), 0.0; });
   }
 }
 

@@ -7,11 +7,16 @@
 #include <cfenv>
 #include <sstream>
 #include <string>
+#include <utility>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
 #include "meshes/files/parse_number.h"
 #include "meshes/files/read_obj.h"
 #include "meshes/files/read_off.h"
 #include "meshes/generate/make.h"
+#include "pcm/check.h"
 
 /// Surfaces are read, made and checked alike whatever environment a host has set up, and leave it as it was.
 namespace pcm {
@@ -73,6 +78,39 @@ TEST_P(HostRounds, SurfacesAreMadeAlike) {
   for (const char* const shape : {"torus", "icosphere", "bubble"})
     expect_equal(rounded_by_host(GetParam(), [&] { return make(shape); }), make(shape));
 }
+
+void expect_equal(const MeshReport& a, const MeshReport& b) {
+  EXPECT_EQ(a.summary(), b.summary());
+  EXPECT_EQ(a.zero_area_faces, b.zero_area_faces);
+  EXPECT_EQ(a.duplicate_vertices, b.duplicate_vertices);
+  ASSERT_EQ(a.inside_out.size(), b.inside_out.size());
+}
+
+TEST_P(HostRounds, SurfacesAreCheckedAlike) {
+  for (TriangleMesh mesh : {make("torus"), make("bubble")}) {
+    expect_equal(rounded_by_host(GetParam(), [&] { return check(mesh); }), check(mesh));
+    for (Triangle& face : mesh.faces) std::swap(face[1], face[2]);
+    expect_equal(rounded_by_host(GetParam(), [&] { return check(mesh); }), check(mesh));
+  }
+}
+
+#if defined(__SSE2__)
+// All coordinates are denormals: taken for zero, all vertices would lie at one place.
+TEST(HostFlushesDenormals, SurfacesAreCheckedAlike) {
+  TriangleMesh tiny = make("icosphere");
+  for (Eigen::Vector3d& x : tiny.vertices) x *= 0x1p-1040;
+  const MeshReport expected = check(tiny);
+  EXPECT_TRUE(expected.fit()) << expected.summary();
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | 0x8040U);
+  const unsigned entered = _mm_getcsr();
+  const MeshReport found = check(tiny);
+  const unsigned left = _mm_getcsr();
+  _mm_setcsr(before);
+  EXPECT_EQ(left, entered);
+  expect_equal(found, expected);
+}
+#endif
 
 }  // namespace
 }  // namespace pcm

@@ -262,6 +262,7 @@ TEST(ClippedElements, SubmergedPlateDoesNotFeelThePin) {
 TEST(ClippedElements, SplittingFacesInTheirPlanesChangesNothing) {
   // Master E's vertices are on a grid, so its split is in its faces' planes in both problems; slave F's in the exact.
   std::mt19937_64 random(5);
+  SCOPED_TRACE("seed 5");
   const TriangleMesh meshes[] = {on_grid(generate::icosphere(1, 1)), on_grid(generate::torus(1, 0.375, 6, 5)),
                                  on_grid(generate::box(Eigen::Vector3d(1, 1.5, 0.5)))};
   int pushing = 0, clamped = 0;
@@ -285,6 +286,7 @@ TEST(ClippedElements, SplittingFacesInTheirPlanesChangesNothing) {
 
 TEST(ClippedElements, SplittingTheMasterChangesNothingInTheRoundedProblem) {
   std::mt19937_64 random(6);
+  SCOPED_TRACE("seed 6");
   const TriangleMesh E = on_grid(generate::icosphere(1, 1)), F = generate::bubble(1.5);
   for (int i = 0; i < 3; ++i) {
     const Pose pose = random_pose(random, 0.75);

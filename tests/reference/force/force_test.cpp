@@ -177,6 +177,7 @@ TEST(OracleForce, ThinMasterDeepInTheSlaveIsTooDeep) {
 
 TEST(OracleForce, RotatedPoseDifferenceOfTheProblemsIsRounding) {
   std::mt19937_64 random(11);
+  SCOPED_TRACE("seed 11");
   const TriangleMesh sphere = generate::icosphere(1, 2);
   const Oracle oracle(sphere, sphere, stiffness(1e5));
   int elements = 0, certified = 0;

@@ -139,6 +139,7 @@ class MovedPoints {
 
 TEST_F(OrientationOf, SignsOfSumsAreThoseOfTheSumsOfAllPowersOfEps) {
   std::mt19937_64 random(21);
+  SCOPED_TRACE("seed 21");
   int ties = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     const MovedPoints points(random);

@@ -119,6 +119,7 @@ TEST(OwnFaces, PenetrationIsToldWhereTheClampedMeanUnderflows) {
 /// in the torque's bound where the body lies far from the markers.
 TEST(OwnFaces, TorqueBoundHoldsForBodiesFarFromTheirMarkers) {
   std::mt19937_64 random(3);
+  SCOPED_TRACE("seed 3");
   const auto jitter = [&random] { return std::ldexp(static_cast<double>(random() % 64), -12); };
   const auto jittered = [&jitter](TriangleMesh mesh) {
     for (Eigen::Vector3d& x : mesh.vertices)

@@ -33,6 +33,7 @@ bool straddles(const Eigen::Vector3d& v, const Eigen::Vector3d& w, double corner
 /// products make.
 TEST(RoundedFaces, AFaceStraddlesAPlaneThatItsCornersLieOnBothSidesOfByAnUlp) {
   std::mt19937_64 random(1);
+  SCOPED_TRACE("seed 1");
   const auto vector = [&] {
     const auto coordinate = [&] {
       return static_cast<double>(static_cast<std::int64_t>(random() >> 13) - (1LL << 50));

@@ -26,15 +26,13 @@ Held hold_altered(const AlteringSeam& seam, Stratum stratum, Scheme scheme, int 
                    PoseRandom(kSeed, 0, 0, number, Purpose::velocity));
     seam.take_altered();
     const std::vector<PoseOutcome> outcomes = pairing.hold(state, workspace, seam);
-    if (!seam.take_altered()) continue;
-    ++held.altered;
-    bool flagged = false;
+    std::set<Kind> kinds;
     for (const PoseOutcome& outcome : outcomes)
-      for (const Disagreement& d : outcome.disagreements) {
-        flagged = true;
-        held.kinds.insert(d.kind);
-      }
-    held.flagged += flagged;
+      for (const Disagreement& d : outcome.disagreements) kinds.insert(d.kind);
+    const bool altered = seam.take_altered();
+    ++(altered ? held.altered : held.unaltered);
+    (altered ? held.flagged : held.unaltered_flagged) += !kinds.empty();
+    if (altered) held.kinds.merge(kinds);
   }
   return held;
 }

@@ -17,11 +17,13 @@ namespace pcm::compare {
 /// Of the poses at which answers are altered.
 inline constexpr std::uint64_t kSeed = 41;
 
-/// What came of altered answers.
+/// What came of altered answers, and of those at which there was nothing to alter.
 struct Held {
   int altered = 0;
   int flagged = 0;
   std::set<Kind> kinds;
+  int unaltered = 0;
+  int unaltered_flagged = 0;
 };
 
 /// Holds altered answers at drawn poses of the stratum until `enough` have been altered.

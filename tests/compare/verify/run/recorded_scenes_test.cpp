@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compare/verify/run/held_again.h"
 #include "compare/verify/run/run_chunks.h"
 #include "compare/verify/run/run_verdict.h"
 #include "compare/verify/run/verify.h"
@@ -202,6 +203,7 @@ TEST(RecordedScenes, ACaseOfThemReplaysWithTheWayThere) {
   const HeldPairing::State state = poses.asked(cell, cell.first);
   write_text_file(folder.path("case.json"), format_case(poses.as_case(cell, cell.first), {}, {}));
   const Case posed = read_case(folder.path("case.json"));
+  ASSERT_GT(state.before.size(), 0U);
   ASSERT_EQ(posed.before.size(), state.before.size());
   for (std::size_t i = 0; i < state.before.size(); ++i) {
     EXPECT_EQ(posed.before[i].pose.A, state.before[i].pose.A);
@@ -209,6 +211,8 @@ TEST(RecordedScenes, ACaseOfThemReplaysWithTheWayThere) {
     EXPECT_EQ(posed.before[i].velocity.v, state.before[i].velocity.v);
     EXPECT_EQ(posed.before[i].velocity.w, state.before[i].velocity.w);
   }
+  EXPECT_TRUE(held_again(posed).disagreements.empty());
+  EXPECT_FALSE(held_again(posed, StaleVelocity()).disagreements.empty()) << "without the way nothing is stale";
 }
 
 }  // namespace

@@ -89,7 +89,9 @@ TEST_F(SharedRun, OfFourProcessesOneOfWhichIsKilledHasTheTablesOfOne) {
   const std::string file = scratch_.path("shared/campaign.sqlite");
   wait_for_workers(2, file);
   kill(processes[1], SIGKILL);
-  waitpid(processes[1], nullptr, 0);
+  int killed = 0;
+  waitpid(processes[1], &killed, 0);
+  EXPECT_TRUE(WIFSIGNALED(killed)) << "it had ended by itself";
   for (const std::size_t k : {0, 2, 3}) {
     int status = 0;
     waitpid(processes[k], &status, 0);
@@ -104,7 +106,9 @@ TEST_F(SharedRun, KilledAltogetherGoesOnAndEndsWithTheTablesOfAnUninterruptedOne
   const pid_t process = start(verify("killed"));
   wait_for_workers(1, file);
   kill(process, SIGKILL);
-  waitpid(process, nullptr, 0);
+  int killed = 0;
+  waitpid(process, &killed, 0);
+  EXPECT_TRUE(WIFSIGNALED(killed)) << "it had ended by itself";
   const Outcome last = run_pcm(verify("killed"));
   EXPECT_EQ(last.status, 0) << last.err;
   EXPECT_NE(last.err.find("continued, "), std::string::npos) << last.err;

@@ -322,6 +322,14 @@ TEST(Verdict, SlaveNearlyParallelToTheLineOfAClampedElementAtRestHasABound) {
   const PoseOutcome outcome =
       run.poses().held_pairing(run.cells().front(), 3090).hold(drawn.pose, drawn.velocity, workspace).front();
   EXPECT_TRUE(outcome.disagreements.empty()) << outcome.disagreements.front().text;
+  // It still is that pose.
+  const HeldPairing& held = run.poses().held_pairing(run.cells().front(), 3090);
+  Wanted wanted;
+  wanted.bound = true;
+  const fast::Contact& contact = fast::evaluate(held.engine(), drawn.pose, drawn.velocity, wanted, workspace);
+  EXPECT_TRUE(drawn.velocity.w.isZero(0));
+  EXPECT_TRUE(contact.penetration_exceeded);
+  EXPECT_TRUE(contact.bound.value().force_Me.allFinite());
 }
 
 TEST(Verdict, TipThatCutsOfANeedleMasterLeaveBeyondItsCornerMayBeDeeperThanTheExactProblemIs) {
