@@ -11,12 +11,18 @@
 
 #include "compare/verify/bounds/bound_arithmetic.h"
 #include "compare/verify/bounds/master_view.h"
+#include "fast/clipped/seen_edge.h"
 
 /// The lines at which what a master face sees of a slave face may end, and how they move.
 namespace pcm::compare {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Two faces whose depths differ by no more than this part of them are level: a right engine need not know the line in
+/// which they meet. Twice the engine's, which pays for all roundings.
+constexpr double kLevel = 0x1p-29;
+static_assert(2 * fast::kLevel <= kLevel);
 
 /// By a right angle.
 Eigen::Vector2d turned_left(const Eigen::Vector2d& x) {
@@ -271,6 +277,43 @@ double MasterView::area_about_depth(Index slave_face, double depth, double error
   return no_more(area_near_zero(part, error), greatest_area());
 }
 
+// Both faces at such an edge touch the hider with it, exactly: from it on the slave's sheet is hidden. Moved one way
+// the hider covers some of the slave face, as fast as the two meet; moved the other way the face beyond comes to light,
+// as fast as it and the hider meet: more than 1 / kLevel times as fast as they move. The oracle's derivative is of the
+// latter; one that leaves out what begins to be seen, and moves the edge with its face, is as right.
+bool MasterView::hides_level_face_beyond(Index slave_face, const NearFace& hider, double strip) const {
+  const Side slave = opposite(master_);
+  const DepthField of_hider = depth_field(hider.side, hider.face, strip);
+  if (!std::isfinite(of_hider.error)) return false;
+  const SeenFace seen_slave = seen(slave, slave_face), seen_hider = seen(hider.side, hider.face);
+  const Triangle& corners = faces_.surface(slave).mesh.faces[static_cast<std::size_t>(slave_face)];
+  const auto above_hider = [&](const SeenPoint& x) { return std::abs(x.z() - of_hider.at(x)); };
+  const auto touches_with_an_edge = [&](Index face) {
+    return faces_.corners_by_plane(hider.side, hider.face, slave, face).on == 2;
+  };
+  if (!touches_with_an_edge(slave_face)) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SeenPoint &from = seen_slave[k], &to = seen_slave[(k + 1) % 3], &apex = seen_slave[(k + 2) % 3];
+    const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+    for (const Index beyond : faces_.surface(slave).faces_at({low, high})) {
+      if (beyond == slave_face || (hider.side == slave && hider.face == beyond) || !touches_with_an_edge(beyond))
+        continue;
+      const DepthField of_beyond = depth_field(slave, beyond, strip);
+      if (!std::isfinite(of_beyond.error) || !(of_beyond.normal.z() > 0)) continue;
+      const double error = of_hider.error_between(of_beyond) + of_beyond.error_between(of_hider);
+      if (above_hider(from) > error || above_hider(to) > error) continue;
+      double least = 0, most = 0, depth = std::max({std::abs(from.z()), std::abs(to.z()), std::abs(apex.z())});
+      for (const SeenPoint& x : seen_hider) {
+        least = std::min(least, of_beyond.at(x) - of_hider.at(x));
+        most = std::max(most, of_beyond.at(x) - of_hider.at(x));
+        depth = std::max(depth, std::abs(x.z()));
+      }
+      if (most - least <= kLevel * depth + error && above_hider(apex) > kLevel * depth + error) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<SightLine> MasterView::lines_in_sight(Index slave_face) const {
   const SeenFace slave = seen(opposite(master_), slave_face);
   const double strip = most_strip(slave);
@@ -287,6 +330,7 @@ std::vector<SightLine> MasterView::lines_in_sight(Index slave_face) const {
     lines.add_sides(hider->side, hider->face);
     lines.add_depth_0(hider->side, hider->face);
     lines.add_crossing(hider->side, hider->face);
+    if (hides_level_face_beyond(slave_face, *hider, strip)) lines.lose();
   }
   return lines.take();
 }

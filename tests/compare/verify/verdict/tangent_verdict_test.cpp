@@ -242,6 +242,25 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereACutAlongASideTakesACornerAlone
   EXPECT_FALSE(pair.is_flagged());
 }
 
+/// Two wedges, the one's ridge in a side of the other: there both its sides touch that side, and the one beyond the
+/// ridge is 2^-32 off its plane. Moved one way it comes to light 4e9 times as fast as it moves, moved the other way the
+/// ridge is covered at half the speed: the oracle's derivative is of the one, the engine's moves the ridge (`pcm
+/// verify`, seed 2026, extreme pose 14805 of the wedges).
+TEST(ClippedTangentVerdict, PassesTheEnginesWhereAHiddenFaceIsNearlyLevelWithWhatHidesIt) {
+  PosedPair pair;
+  pair.E.vertices = {{0, -0.5, 0}, {1, -0.5, 1}, {-1, -0.5, 1}, {0, 0.5, 0}, {-1, 0.5, 1}, {1, 0.5, 1}};
+  pair.E.faces = {{0, 1, 2}, {3, 4, 5}, {0, 3, 5}, {0, 5, 1}, {0, 2, 4}, {0, 4, 3}, {1, 5, 4}, {1, 4, 2}};
+  pair.F = pair.E;
+  for (Eigen::Vector3d& x : pair.F.vertices) x += Eigen::Vector3d::Constant(0x1p21);
+  pair.pose.A << -0x1.ffffffffe1bbcp-1, 0x1.40939771ffcbp-52, -0x1.2cc6b2a0ca348p-39,  //
+      -0x1.c82380a76984dp-49, -0x1.0000000000343p+0, -0x1.ba44c4626c3f8p-45,           //
+      0x1.bb72979df389p-34, -0x1.13cd492095fe8p-48, 0x1.0000000000006p+0;
+  pair.pose.r = {0x1.fffff3ffe66ebp+20, 0x1.fffffc000085dp+20, -0x1.fffff400ddb7ep+20};
+  pair.velocity = {};
+  pair.law = {};
+  EXPECT_FALSE(pair.is_flagged());
+}
+
 /// A wall stands upright as the master sees it, and leans over the face beside it by roundings, or not: what that face
 /// is seen of ends at the wall's line in the master's plane, or at their common edge (`pcm verify`, seed 2026,
 /// degenerate pose 12779 of the lattice tetrahedra).
