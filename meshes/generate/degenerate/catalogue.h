@@ -10,7 +10,7 @@
 #include "pcm/triangle_mesh.h"
 
 /// Tiny named pairs of surfaces in positions that are hard on every decision of a contact computation. Tests run them
-/// as they are and moved by a few ulps. All surfaces are fit for contact.
+/// as they are and moved by 1 to 8 ulps. All surfaces are fit for contact.
 namespace pcm::degenerate {
 
 /// A pair in a pose: x_E = A x_F + r. Lengths in metres.
