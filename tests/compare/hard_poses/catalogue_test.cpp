@@ -3,6 +3,7 @@
 // The named degenerate pairs: as they are, and moved by 1 to 8 ulps along each axis.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -10,7 +11,10 @@
 #include "compare/io/names.h"
 #include "compare/poses/rounded_vertices.h"
 #include "compare/verify/routes/held_pairing.h"
+#include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/catalogue.h"
+#include "pcm/bad_input.h"
+#include "pcm/check.h"
 #include "tests/compare/law_of_all.h"
 
 namespace pcm::compare::catalogue_test {
@@ -77,6 +81,41 @@ TEST_P(MovedCatalogue, EngineAndOracleAgreeAndVolumesAreThoseWorkedOutByHandToUl
   }
 }
 
+/// By a rational rotation and five times as large, so that slanting faces lie in one plane exactly.
+TriangleMesh turned_by_integers(TriangleMesh mesh, const Eigen::Matrix3d& turn) {
+  for (Eigen::Vector3d& x : mesh.vertices) x = turn * x;
+  return mesh;
+}
+
+TEST_P(CatalogueInScheme, PairsTurnedByIntegerMatricesAreHeldAndHaveTheSameVolumes) {
+  Eigen::Matrix3d about_x, about_y;  // five times those of the quaternions (2, 1, 0, 0) and (1, 0, 2, 0)
+  about_x << 5, 0, 0, 0, 3, -4, 0, 4, 3;
+  about_y << -3, 0, 4, 0, 5, 0, -4, 0, -3;
+  const Velocity velocity{{0.3, -0.2, 0.1}, {0.5, 0.4, -0.3}};
+  fast::Workspace workspace;
+  int volumes = 0;
+  for (const degenerate::Case& named : degenerate::catalogue()) {
+    // Coordinates of few digits stay exact.
+    if (!named.A.isIdentity(0) || !named.exactly_representable || !named.volume) continue;
+    for (const Eigen::Matrix3d& turn : {about_x, about_y}) {
+      SCOPED_TRACE(named.name);
+      const HeldPairing held(turned_by_integers(named.E, turn), turned_by_integers(named.F, turn), law_of_all(),
+                             HeldPairing::Modes{Mode::E, Mode::F, Mode::both}, GetParam());
+      const Pose pose{Eigen::Matrix3d::Identity(), turn * named.r};
+      for (const PoseOutcome& outcome : held.hold(pose, velocity, workspace))
+        for (const Disagreement& d : outcome.disagreements) ADD_FAILURE() << name(d.kind) << ": " << d.text;
+      const auto volume = held.oracle().answer(reference::Problem::exact, pose, {}).volume;
+      ASSERT_TRUE(volume.has_value());
+      EXPECT_NEAR(*volume, 125 * *named.volume, 0x1p-40 * *named.volume);
+      if (*named.volume == 0) {
+        EXPECT_EQ(*volume, 0);
+      }
+      ++volumes;
+    }
+  }
+  EXPECT_GT(volumes, 60);
+}
+
 TEST_P(CatalogueInScheme, BodiesThatMeetInNoVolumeHaveNoElementsAndNoForce) {
   int empty = 0;
   fast::Workspace workspace;
@@ -97,6 +136,94 @@ TEST_P(CatalogueInScheme, BodiesThatMeetInNoVolumeHaveNoElementsAndNoForce) {
     }
   }
   EXPECT_GT(empty, 15);
+}
+
+/// What engine and oracle answer, by an elastic law of 1 N/m^3.
+struct Answered {
+  fast::Contact engine;
+  reference::Answer oracle;
+};
+Answered answered(const TriangleMesh& E, const TriangleMesh& F, const Pose& pose, Mode mode, Scheme scheme) {
+  ContactLaw law;
+  law.stiffness = 1;
+  const HeldPairing held(E, F, law, mode, scheme);
+  fast::Workspace workspace;
+  EXPECT_TRUE(held.hold(pose, {}, workspace).front().disagreements.empty());
+  return {fast::evaluate(held.engine(), pose, {}, {}, workspace),
+          held.oracle().answer(reference::Problem::rounded, pose, {})};
+}
+
+TEST_P(CatalogueInScheme, OneTriangleUponItselfTouchesNothingWhicheverWayItIsWound) {
+  TriangleMesh one;
+  one.vertices = {{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0.5}};
+  one.faces = {{0, 1, 2}};
+  for (const Triangle& winding : {Triangle{0, 1, 2}, Triangle{1, 2, 0}, Triangle{2, 0, 1}, Triangle{0, 2, 1},
+                                  Triangle{2, 1, 0}, Triangle{1, 0, 2}})
+    for (const Mode mode : {Mode::E, Mode::F}) {
+      TriangleMesh other = one;
+      other.faces = {winding};
+      const Answered same = answered(one, other, {}, mode, GetParam());
+      EXPECT_FALSE(same.engine.touching);
+      EXPECT_FALSE(same.oracle.touching);
+      EXPECT_EQ(same.engine.element_count, 0);
+      EXPECT_EQ(same.oracle.elements.size(), 0U);
+    }
+}
+
+TEST_P(CatalogueInScheme, ABoxSmallerByTheThirtiethPowerOfTwoHasItsForceExactly) {
+  const TriangleMesh large = generate::box({0x1p11, 0x1p11, 0x1p11}),
+                     small = generate::box({0x1p-20, 0x1p-20, 0x1p-20});
+  // On the large one's top, off its diagonals and axes.
+  const Pose pose{Eigen::Matrix3d::Identity(), {0x1p9, 0x1p8, 0x1p10 + 0x1p-21 - 0x1p-22}};
+  const Answered found = answered(large, small, pose, Mode::F, GetParam());
+  EXPECT_EQ(found.engine.force_Me, Eigen::Vector3d(0, 0, -0x1p-62));
+  EXPECT_EQ(found.oracle.force_Me, Eigen::Vector3d(0, 0, -0x1p-62));
+}
+
+TEST_P(CatalogueInScheme, OrientationsAreTakenByBothWhereTheyAreRotationsTo1e9AndRefusedBeyond) {
+  const TriangleMesh box = generate::box({1, 1, 1});
+  Pose pose;
+  pose.r = {0.25, 0.125, 0.75};
+  pose.A(0, 0) = 1 + 4.9e-10;
+  const Answered taken = answered(box, box, pose, Mode::E, GetParam());
+  EXPECT_TRUE(taken.engine.touching);
+  EXPECT_TRUE(taken.oracle.touching);
+  const HeldPairing held(box, box, ContactLaw{}, Mode::E, GetParam());
+  fast::Workspace workspace;
+  for (const double no_rotation : {1 + 5.1e-10, std::nan("")}) {
+    pose.A(0, 0) = no_rotation;
+    EXPECT_THROW(fast::evaluate(held.engine(), pose, {}, {}, workspace), BadInput);
+    EXPECT_THROW(held.oracle().answer(reference::Problem::rounded, pose, {}), BadInput);
+  }
+}
+
+/// An edge of the box is split for the face of its lower side alone.
+TEST_P(CatalogueInScheme, ABoxWithATJunctionIsOpenAndItsLowerSideCarriesTheForceOfItsArea) {
+  TriangleMesh split = generate::box({1, 1, 1});
+  const auto is_low = [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](Index v) { return split.vertices[static_cast<std::size_t>(v)].z() < 0; });
+  };
+  const auto found = std::find_if(split.faces.begin(), split.faces.end(), is_low);
+  ASSERT_NE(found, split.faces.end());
+  // The side of this face that is an edge of the box: its ends differ in one coordinate.
+  const Triangle face = *found;
+  std::size_t k = 0;
+  const auto at = [&](Index v) { return split.vertices[static_cast<std::size_t>(v)]; };
+  while ((at(face[k]) - at(face[(k + 1) % 3])).cwiseAbs().sum() != 1) ++k;
+  const auto middle = static_cast<Index>(split.vertices.size());
+  split.vertices.emplace_back(0.5 * (at(face[k]) + at(face[(k + 1) % 3])));
+  *found = {face[k], middle, face[(k + 2) % 3]};
+  split.faces.push_back({middle, face[(k + 1) % 3], face[(k + 2) % 3]});
+  const MeshReport report = check(split);
+  EXPECT_TRUE(report.fit()) << report.summary();
+  EXPECT_FALSE(report.closed());
+  EXPECT_EQ(report.border_edges.size(), 3U);
+  const Pose pose{Eigen::Matrix3d::Identity(), {0.0625, 0.03125, 0.5 + 0.5 - 0.125}};
+  const Answered on_plate = answered(generate::box({4, 4, 1}), split, pose, Mode::F, GetParam());
+  EXPECT_EQ(on_plate.engine.force_Me, Eigen::Vector3d(0, 0, -0.125));
+  EXPECT_EQ(on_plate.oracle.force_Me, Eigen::Vector3d(0, 0, -0.125));
+  EXPECT_FALSE(on_plate.engine.has_volume);
 }
 
 }  // namespace

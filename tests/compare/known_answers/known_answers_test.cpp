@@ -37,6 +37,33 @@ TEST(ClosedForms, HaveTheirPublishedNumbers) {
   expect(hertz_equal_at(1, 0.2L, 0.2L), 0.125664);
 }
 
+// What textbooks have in their place: to first order in the depth over the radius.
+TEST(ClosedForms, TendToTheirFirstOrders) {
+  const long double pi = std::acos(-1.0L);
+  const auto cylinder = [](long double h) { return 4 * std::sqrt(2.0L) / 3 * h * std::sqrt(h); };
+  EXPECT_NEAR(static_cast<double>(cylinder(0.05L)), 0.0210819, 5e-8);
+  // The gap D, k = D / d.
+  const auto socket = [pi](long double D, long double d) {
+    const long double k = D / d;
+    return 2 * pi * (d * (1 - k * k * k) / 3 - D * (1 - k * k) / 2);
+  };
+  EXPECT_NEAR(static_cast<double>(socket(0.01L, 0.02L)), 0.0130900, 5e-8);
+  EXPECT_NEAR(static_cast<double>(socket(0, 0.02L)), 2.09440 * 0.02, 5e-7);
+  EXPECT_NEAR(static_cast<double>(pi / 2 * 0.02L), 1.57080 * 0.02, 5e-7);
+  for (const long double d : {1e-2L, 1e-3L, 1e-4L}) {
+    const auto tends = [d](long double value, long double first_order) {
+      EXPECT_NEAR(static_cast<double>(value / first_order), 1, 2 * static_cast<double>(d)) << static_cast<double>(d);
+    };
+    tends(cylinder_on_plane_cylinder_master(1, d), cylinder(d));
+    tends(cylinder_on_plane_plane_master(1, d), cylinder(d));
+    tends(sphere_in_socket_sphere_master(1, 1, d), socket(0, d));
+    tends(sphere_in_socket_socket_master(1, 1, d), socket(0, d));
+    tends(sphere_in_socket_sphere_master(1, 1 + d / 2, d), socket(d / 2, d));
+    tends(journal_in_bore_journal_master(1, 1, d), pi / 2 * d);
+    tends(journal_in_bore_bore_master(1, 1, d), pi / 2 * d);
+  }
+}
+
 /// A series whose deviations are the given ones.
 struct Measured {
   explicit Measured(const std::array<double, 4>& deviations) {
