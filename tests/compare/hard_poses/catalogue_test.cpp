@@ -223,6 +223,21 @@ TEST_P(CatalogueInScheme, OneTriangleUponItselfTouchesNothingWhicheverWayItIsWou
     }
 }
 
+/// The master's top face, of 27 m^2, has its barycentre above the point of F that is deepest, 1/2 m. Clipped, what of F
+/// lies beneath what is cut of F there counts: of the spike, which widens upwards, all; of the keel, cut in a square of
+/// 1 m^2, the prism under its lower sides, 1/2 - |y| deep, without the ends that lie under nothing.
+TEST_P(CatalogueInScheme, PenetrationLinesThroughAVertexOrAnEdgeHaveTheirForceExactly) {
+  for (const char* const feature : {"vertex", "edge"}) {
+    SCOPED_TRACE(feature);
+    const degenerate::Case named = degenerate::find_case(std::string("penetration_line_through_") + feature);
+    const Answered found = answered(named.E, named.F, {named.A, named.r}, Mode::E, GetParam());
+    const double clipped = named.name.ends_with("vertex") ? 1.0 / 12 : 0.25;
+    const double force = GetParam() == Scheme::barycentric ? 27 * 0.5 : clipped;
+    EXPECT_EQ(found.oracle.force_Me, Eigen::Vector3d(0, 0, -force));
+    EXPECT_LT((found.engine.force_Me - Eigen::Vector3d(0, 0, -force)).norm(), 0x1p-48 * force);
+  }
+}
+
 TEST_P(CatalogueInScheme, ABoxSmallerByTheThirtiethPowerOfTwoHasItsForceExactly) {
   const TriangleMesh large = generate::box({0x1p11, 0x1p11, 0x1p11}),
                      small = generate::box({0x1p-20, 0x1p-20, 0x1p-20});
