@@ -12,11 +12,11 @@
 #include <cerrno>
 #include <condition_variable>
 #include <exception>
-#include <fstream>
 #include <random>
 #include <system_error>
 
 #include "compare/io/sha256.h"
+#include "compare/io/this_host.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
@@ -48,15 +48,6 @@ constexpr const char* kNothing = R"(
   DELETE FROM job; DELETE FROM range; DELETE FROM worker; DELETE FROM claim; DELETE FROM found; DELETE FROM publisher;
   DELETE FROM taken;)";
 
-/// Within which process numbers mean the same: this start of this machine, and what a container sees of it.
-std::string host_name() {
-  std::ifstream file("/proc/sys/kernel/random/boot_id");
-  std::string boot;
-  std::getline(file, boot);
-  std::error_code none;
-  return boot + ' ' + std::filesystem::read_symlink("/proc/self/ns/pid", none).string();
-}
-
 std::string random_number() {
   std::random_device device;
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device());
@@ -79,7 +70,7 @@ std::int64_t count_of(Database& database, const char* sql) {
 }  // namespace
 
 Campaign::Campaign(const std::filesystem::path& file, std::chrono::milliseconds patience)
-    : database_(file), host_(host_name()), patience_(patience) {
+    : database_(file), host_(this_host()), patience_(patience) {
   Transaction transaction(database_);
   const std::int64_t version = count_of(database_, "PRAGMA user_version");
   if (version == 0) database_.run(("PRAGMA user_version = " + std::to_string(kVersion)).c_str());

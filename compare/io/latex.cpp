@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "compare/io/characters_in.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -101,12 +103,6 @@ std::string row_of(const Row& cells, const std::vector<std::size_t>& columns) {
     if (k < cells.size()) row += inline_latex(cells[k]);
   }
   return row + " \\\\\n";
-}
-
-/// Of UTF-8: bytes that go on with a character are none.
-std::size_t characters_in(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U; }));
 }
 
 /// Of the longest cell of each column, with three blanks behind, in characters.

@@ -16,6 +16,8 @@
 #include <string>
 #include <thread>
 
+#include "compare/io/this_host.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -52,9 +54,7 @@ std::string parent_process() {
   std::istringstream words(text.substr(text.rfind(')') + 1));
   std::string started;
   for (int word = 0; word < 20; ++word) words >> started;
-  std::array<char, 256> host{};
-  gethostname(host.data(), host.size() - 1);
-  return std::string(host.data()) + ' ' + number + ' ' + started;
+  return this_host() + ' ' + number + ' ' + started;
 }
 
 /// What the launcher calls its launch; without a name who started this process, which is one for all on one machine.

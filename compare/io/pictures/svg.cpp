@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdint>
 
+#include "compare/io/characters_in.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -81,16 +83,12 @@ std::string escaped(std::string_view text) {
 }
 
 std::vector<std::string> wrapped(std::string_view words, std::size_t most) {
-  // The bytes of a UTF-8 character but its first are 10xxxxxx.
-  const auto characters = [](std::string_view s) {
-    return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-  };
   std::vector<std::string> paragraph;
   while (!words.empty()) {
     const std::string_view word = words.substr(0, words.find(' '));
     words.remove_prefix(std::min(words.size(), word.size() + 1));
     if (word.empty()) continue;
-    if (paragraph.empty() || characters(paragraph.back()) + 1 + characters(word) > most)
+    if (paragraph.empty() || characters_in(paragraph.back()) + 1 + characters_in(word) > most)
       paragraph.emplace_back(word);
     else
       paragraph.back() += ' ' + std::string(word);

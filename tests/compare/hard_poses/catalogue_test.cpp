@@ -18,18 +18,10 @@
 #include "pcm/bad_input.h"
 #include "pcm/check.h"
 #include "tests/compare/law_of_all.h"
+#include "tests/meshes/mesh_measures.h"
 
 namespace pcm::compare::catalogue_test {
 namespace {
-
-double area_of(const TriangleMesh& mesh) {
-  double twice = 0;
-  for (const Triangle& t : mesh.faces) {
-    const auto vertex = [&](int k) { return mesh.vertices[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])]; };
-    twice += (vertex(1) - vertex(0)).cross(vertex(2) - vertex(0)).norm();
-  }
-  return twice / 2;
-}
 
 class CatalogueInScheme : public testing::TestWithParam<Scheme> {};
 
@@ -72,7 +64,7 @@ TEST_P(MovedCatalogue, EngineAndOracleAgreeAndVolumesAreThoseWorkedOutByHandToUl
       ASSERT_TRUE(volume.has_value());
       // What a surface sweeps.
       const double roundings = named.exactly_representable ? 0 : 8;
-      EXPECT_NEAR(*volume, *named.volume, (std::abs(ulps) + roundings) * ulp * area_of(named.E));
+      EXPECT_NEAR(*volume, *named.volume, (std::abs(ulps) + roundings) * ulp * test::area(named.E));
       ++volumes;
     }
     if (HasFailure()) return;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/fast/engine_support.h"
+#include "tests/meshes/mesh_measures.h"
 
 /// The elastic force of the clipped scheme is continuous in the pose, but for flush poses.
 ///
@@ -29,15 +30,6 @@ struct Path {
   Mode mode;
 };
 
-double area_of(const TriangleMesh& mesh) {
-  double area = 0;
-  for (const Triangle& t : mesh.faces) {
-    const auto x = [&](std::size_t k) -> const Vector3d& { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
-    area += 0.5 * (x(1) - x(0)).cross(x(2) - x(0)).norm();
-  }
-  return area;
-}
-
 double length_of_edges(const TriangleMesh& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.faces) {
@@ -57,7 +49,7 @@ double size_of(const TriangleMesh& mesh) {
 
 /// How much the force may change per length that F moves, for c_l = 1.
 double steepest(const Path& path) {
-  const double area = area_of(path.E) + area_of(path.F);
+  const double area = pcm::test::area(path.E) + pcm::test::area(path.F);
   const double length = length_of_edges(path.E) + length_of_edges(path.F);
   const double size = size_of(path.E) + size_of(path.F);
   double least_sine = 1;
