@@ -87,7 +87,7 @@ void bind_contact(py::module_& module) {
   py::class_<Contact>(module, "Contact", "The answer at one state. What was not wanted is zero, empty or None.")
       .def_readonly("touching", &Contact::touching, "The surfaces cross.")
       .def_readonly("nested", &Contact::nested,
-                    "A part of one lies in the other without crossing: it carries no force.")
+                    "A part of one lies in the other without crossing: no force, unless open or about a cavity.")
       .def_readonly("ambiguous", &Contact::ambiguous, "An open surface labels faces both ways.")
       .def_readonly("E", &Contact::E, "ActiveArea of E's surface.")
       .def_readonly("F", &Contact::F, "ActiveArea of F's surface.")
@@ -95,7 +95,8 @@ void bind_contact(py::module_& module) {
                     "Number of faces whose area counts as 0, for a border of the other surface ends there.")
       .def_readonly("has_volume", &Contact::has_volume, "False where a surface is open or the answer is ambiguous.")
       .def_readonly("volume", &Contact::volume, "Of the intersection, m^3.")
-      .def_readonly("patches", &Contact::patches, "Number of connected contacts.")
+      .def_readonly("patches", &Contact::patches,
+                    "Number of contacts; borders that only the inside of a face joins count apart.")
       .def_property_readonly("polygons", rows(&Contact::polygons),
                              "Intersection polygons: closed, first and count in `crossings`, patch.")
       .def_property_readonly("crossings", rows(&Contact::crossings),

@@ -116,7 +116,7 @@ struct Contact {
   bool ambiguous = false;  ///< an open surface labels a set of faces both ways (PCM section 5); not known there either
   std::vector<Crossing> crossings;  ///< of all polygons, one polygon after the other; where `polygons` are wanted
   std::vector<Polygon> polygons;    ///< ordered by their first crossing; likewise
-  Index patches = 0;                ///< polygons whose active areas are connected belong to one; likewise
+  Index patches = 0;                ///< polygons that vertices and edges in active areas join share one; likewise
   ActiveArea E;                     ///< its areas where `areas` are wanted
   ActiveArea F;
   Index undefined_areas = 0;  ///< intersected faces in which a border of the other surface ends: their area counts as 0

@@ -180,13 +180,13 @@ typedef struct pcm_statistics {
 typedef struct pcm_answer {
   size_t size;                   ///< sizeof(pcm_answer), set by the caller
   int32_t touching;              ///< 1 where the surfaces cross, else 0; so with all flags
-  int32_t nested;                ///< a part of one lies in the other without crossing: it carries no force
+  int32_t nested;                ///< a part of one lies in the other uncrossed: no force, unless open or about a cavity
   int32_t ambiguous;             ///< an open surface labels faces both ways (PCM section 5)
   int32_t has_volume;            ///< 0 where a surface is open or the answer is ambiguous
   int32_t penetration_exceeded;  ///< deeper than the law's max_penetration
   int32_t too_deep;              ///< number of faces without a force: the body is thinner there than the penetration
   int32_t undefined_areas;       ///< number of faces whose area counts as 0: a border of the other surface ends there
-  int32_t patches;               ///< number of connected contacts
+  int32_t patches;               ///< number of contacts; borders that only the inside of a face joins count apart
   int32_t polygons;              ///< number of polygons to be copied out
   int32_t crossings;             ///< number of their points
   int32_t element_count;         ///< number of elements
@@ -239,7 +239,7 @@ typedef struct pcm_polygon {
   int32_t closed;  ///< 1, or 0 where it ends at borders
   int32_t first;
   int32_t count;
-  int32_t patch;  ///< which connected contact it bounds, from 0
+  int32_t patch;  ///< which contact it bounds, from 0
 } pcm_polygon;
 
 PCM_API pcm_status pcm_copy_polygons(const pcm_workspace* workspace, pcm_polygon* polygons, size_t capacity,
