@@ -58,7 +58,8 @@ void bind_surface(py::module_& module) {
            }),
            py::arg("vertices"), py::arg("faces"),
            "From vertices, shape (n, 3), m, and triangles, shape (m, 3): vertex numbers from 0, counterclockwise seen\n"
-           "from outside the body. Raises BadInput where the surface is unfit for contact.")
+           "from outside the body. Raises BadInput where the surface is unfit for contact; its text counts from 1, as\n"
+           "OBJ files do.")
       .def_static("read", &read, py::arg("path"), "From a file, .obj or .off, whose coordinates are metres.")
       .def_property_readonly("vertices", &vertices_of, "A copy of the coordinates, shape (n, 3), m.")
       .def_property_readonly("faces", &faces_of, "A copy of the vertex numbers, shape (m, 3).")

@@ -61,7 +61,7 @@ typedef struct pcm_surface pcm_surface;
 
 /// From `vertex_count` vertices, three coordinates each, m, and `face_count` triangles, three vertex numbers each,
 /// counterclockwise seen from outside the body. Both arrays are copied. PCM_BAD_INPUT where the surface is unfit for
-/// contact (PCM section 2).
+/// contact (PCM section 2). Arrays count vertices and faces from 0, error texts from 1, as OBJ files do.
 PCM_API pcm_status pcm_surface_define(const double* vertices, size_t vertex_count, const int32_t* faces,
                                       size_t face_count, pcm_surface** surface, pcm_error* error);
 
