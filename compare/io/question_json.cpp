@@ -9,9 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string_view>
 
 #include "compare/io/names.h"
+#include "compare/io/strict_json.h"
 #include "meshes/files/parse_number.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -40,15 +40,6 @@ void require_list(const Json& json, std::size_t size) {
   if (!json.is_array())
     throw BadInput(fmt::format("a list of {} numbers is wanted; this is of type {}", size, json.type_name()));
   if (json.size() != size) throw BadInput(fmt::format("a list of {} numbers is wanted, not of {}", size, json.size()));
-}
-
-double number_at(const Json& json, const char* key, double (*number)(const Json&)) {
-  const Json& value = json.at(key);
-  try {
-    return number(value);
-  } catch (const BadInput& error) {
-    throw BadInput(std::string(key) + ": " + error.what());
-  }
 }
 
 }  // namespace
@@ -120,16 +111,19 @@ Json law_json(const ContactLaw& law, Notation notation) {
 }
 
 ContactLaw law_from(const Json& json, double (*number)(const Json&)) {
+  const auto number_at = [&](const char* key) { return read_at(json, key, number); };
   ContactLaw law;
-  law.stiffness = number_at(json, "stiffness", number);
-  if (json.contains("stiffness_E"))
-    law.layers = LayerStiffness{number_at(json, "stiffness_E", number), number_at(json, "stiffness_F", number)};
-  law.damping = number_at(json, "damping", number);
-  law.transition_depth = number_at(json, "transition_depth", number);
-  law.friction = number_at(json, "friction", number);
-  law.slip_velocity = number_at(json, "slip_velocity", number);
-  law.max_penetration = number_at(json, "max_penetration", number);
-  law.damping_mode = named(json.at("damping_mode"), kDampingModes);
+  law.stiffness = number_at("stiffness");
+  if (json.contains("stiffness_E") || json.contains("stiffness_F"))
+    law.layers = LayerStiffness{number_at("stiffness_E"), number_at("stiffness_F")};
+  law.damping = number_at("damping");
+  law.transition_depth = number_at("transition_depth");
+  law.friction = number_at("friction");
+  law.slip_velocity = number_at("slip_velocity");
+  law.max_penetration = number_at("max_penetration");
+  law.damping_mode = read_at(json, "damping_mode", [](const Json& word) { return named(word, kDampingModes); });
+  refuse_other_keys(json, {"stiffness", "stiffness_E", "stiffness_F", "damping", "transition_depth", "friction",
+                           "slip_velocity", "max_penetration", "damping_mode"});
   return law;
 }
 
@@ -139,11 +133,6 @@ Mode mode_from(const Json& json) {
 
 Scheme scheme_from(const Json& json) {
   return named(json, kSchemes);
-}
-
-std::string description(const nlohmann::json::exception& error) {
-  const std::string_view what = error.what();  // "[json.exception.NAME] what"
-  return std::string(what.substr(what.find(']') + 2));
 }
 
 }  // namespace pcm::compare

@@ -34,13 +34,10 @@ Json vector_json(const Eigen::Vector3d& x, Notation notation = Notation::hexadec
 double number_in_either_notation(const Json& json);
 
 Json law_json(const ContactLaw& law, Notation notation = Notation::hexadecimal);
-/// Values may be out of their ranges: whoever asks the question refuses them.
+/// Throws BadInput for other keys too. Values may be out of their ranges: whoever asks the question refuses them.
 ContactLaw law_from(const Json& json, double (*number)(const Json&) = number_from);
 
 Mode mode_from(const Json& json);
 Scheme scheme_from(const Json& json);
-
-/// What the library says is wrong, without its own name for it.
-std::string description(const nlohmann::json::exception& error);
 
 }  // namespace pcm::compare

@@ -20,13 +20,14 @@ constexpr double u = kUnitRoundoff;
 // With a = p1 - p0, b = p2 - p0: a term of N = a x b carries 4 roundings (two differences, product, sum). Vertices off
 // by d move a and b by up to 2 d, so N by 2 d x (|a| + |b|) + (2 d) x (2 d), all products taken absolutely.
 // The unit vectors of N and N' differ by at most 2 |N' - N| / (|N'| + |N|) (Dunkl and Williams 1964), that of N by 5 u
-// more for length and division. Underflowed products count for nothing above kLeastProduct.
+// more for length and division. Of N 2^-1070 m^2 is what underflow may add; other products that underflow count for
+// nothing above kLeastProduct.
 FaceError::FaceError(const FaceGeometry& face, const Eigen::Vector3d& rounding_Me) {
   const auto& p = face.points_Me;
   const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
   const Eigen::Vector3d C = face.barycentre_Me();
   N = (4 * u * cross_of_magnitudes(a, b) + 2 * cross_of_magnitudes(rounding_Me, a + b + 2 * rounding_Me)).sum();
-  N *= kSafetyFactor;
+  N = kSafetyFactor * N + 0x1p-1070;
   area = 0.5 * N + 3 * u * face.area;
   barycentre_Me = kSafetyFactor * (u * (C.cwiseAbs() + a + b) + rounding_Me);
   const double length_N = 2 * face.area;

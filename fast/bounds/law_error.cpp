@@ -30,7 +30,7 @@ Uncertain normal_force_error(const ForceProblem& problem, const Element& element
       std::min(area.greatest() * depth.greatest(), area.size * depth.size * kSafetyFactor + volume_error);
   const double elastic_error = c_l * std::min(volume_error, area.size * depth.error + area.error * depth.greatest()) +
                                (kStiffnessRoundings + 2) * u * c_l * greatest_volume +
-                               (kUnderflow * (1 + area.greatest())) * depth.greatest();
+                               (kUnderflow * (1 + area.greatest())) * depth.greatest() + kUnderflow;
   double damping = 0, damping_error = 0;
   if (law.damping > 0) {
     // Damping stays as it is where it cannot be felt: (18) and the mode `compression` are maxima, which never widen an
@@ -47,7 +47,7 @@ Uncertain normal_force_error(const ForceProblem& problem, const Element& element
     damping = (law.damping * faded.size) * v_n.size;
     damping_error = (law.damping * faded.error) * v_n.greatest() + (law.damping * faded.size) * v_n.error +
                     (5 * u * law.damping * faded.greatest()) * v_n.greatest() +
-                    kUnderflow * (v_n.greatest() + law.damping * (1 + area.greatest()) * v_n.greatest());
+                    kUnderflow * (v_n.greatest() + law.damping * (1 + area.greatest()) * v_n.greatest()) + kUnderflow;
   }
   return {std::abs(element.normal_force), elastic_error + damping_error + u * (elastic + damping)};
 }
@@ -73,10 +73,10 @@ FrictionErrors friction_error(const ContactLaw& law, const Uncertain& F_n, doubl
 
 double greatest_normal_force(const ForceProblem& problem, double area, double u_k, double speed) {
   const ContactLaw& law = problem.law;
-  double F_n = (problem.stiffness.c_l * area + kUnderflow) * u_k;
+  double F_n = (problem.stiffness.c_l * area + kUnderflow) * u_k + kUnderflow;
   if (law.damping > 0) {
     const double fade = u_k < law.transition_depth ? u_k / law.transition_depth : 1;
-    F_n += (law.damping * area + kUnderflow) * speed * fade;
+    F_n += (law.damping * area + kUnderflow) * speed * fade + kUnderflow;
   }
   return F_n;
 }

@@ -37,6 +37,11 @@ void require_positive_or_infinite(const char* what, double value) {
   if (!(value > 0)) refuse(what, value, "greater than 0 (infinite is allowed)");
 }
 
+/// Of v, m/s, and w, rad/s. Points of surfaces that touch are no farther than 2^303 m from Mf, so that their
+/// velocities, and what bounds have of them, stay finite with room for roundings; the relative velocities of a scene's
+/// bodies, which are no greater than 2^603, are among these.
+constexpr double kGreatestVelocity = 0x1p700;
+
 /// Below the least normal number a sum of two halves has lost digits, or all.
 void require_layer_stiffness(const char* what, double value) {
   if (!(value >= std::numeric_limits<double>::min())) refuse(what, value, "at least 2^-1022 (infinite is allowed)");
@@ -63,6 +68,11 @@ void require_valid(const ContactLaw& law) {
 
 void require_valid(const Velocity& velocity) {
   if (!velocity.v.allFinite() || !velocity.w.allFinite()) throw BadInput("velocity: v and w must be finite");
+  for (const Eigen::Vector3d& x : {velocity.v, velocity.w}) {
+    const double greatest = x.cwiseAbs().maxCoeff();
+    if (greatest > kGreatestVelocity)
+      refuse("velocity: greatest |v| or |w|", greatest, "at most 2^700; choose other units");
+  }
 }
 
 double require_valid(const Pose& pose, const Velocity& velocity) {

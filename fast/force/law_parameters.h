@@ -14,7 +14,7 @@ namespace pcm::fast {
 /// Throws BadInput, naming the parameter and its range, where the law has none of the values PCM section 7 allows.
 void require_valid(const ContactLaw& law);
 
-/// Throws BadInput where anything is not finite.
+/// Throws BadInput where anything is not finite or greater than 2^700.
 void require_valid(const Velocity& velocity);
 
 /// Throws BadInput where the pose is no rotation to 1e-9, where anything is not finite or r is beyond

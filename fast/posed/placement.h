@@ -30,8 +30,8 @@ struct Placement {
   double position_error_E = 0;  ///< error of points and boxes in Me, m
   double position_error_F = 0;  ///< the same in Mf, where A^T stands for the inverse of A, m
   /// How far F's rounded vertices may be from those of its own frame, seen from there, m. They are off A x_F + r by
-  /// gamma_4 M along each axis of Me, so by 7 u M along each of Mf and 12.2 u M in all; the skew counts as in
-  /// position_error_F.
+  /// gamma_4 M along each axis of Me, so by 7 u M along each of Mf and 12.2 u M in all; the skew, computed to 4 u,
+  /// counts as in position_error_F.
   double vertex_error_F = 0;
   double skew = 0;  ///< |A^T A - I|, entry by entry, at most
   /// No two vertices of either are farther apart along an axis of Me, if the root boxes touch, m. It is the sum of all
@@ -51,7 +51,7 @@ struct Placement {
     position_error_E = kPlacementError * max_coordinate;
     // Three entries of A^T A - I meet a point's coordinates, or a box's half widths.
     position_error_F = 4 * position_error_E + 12 * skew * surface_F.max_coordinates.maxCoeff();
-    vertex_error_F = 16 * 0x1p-53 * max_coordinate + 12 * skew * surface_F.max_coordinates.maxCoeff();
+    vertex_error_F = 16 * 0x1p-53 * max_coordinate + 12 * (skew + 4 * 0x1p-53) * surface_F.max_coordinates.maxCoeff();
     extent = 2 * (1 + 0x1p-20) * (surface_E.tree.root().box.half.sum() + surface_F.tree.root().box.half.sum()) +
              2 * position_error_E;
   }

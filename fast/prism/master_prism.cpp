@@ -48,7 +48,10 @@ Dyadic exact_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector
 double rounded_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x) {
   const double unit = unit_for(size_of(p));
   const Dyadic height = exact_height(p, x, unit);
-  return keeping_sign(height.approximate() / (unit * unit * unit), height.sign());
+  if (height.sign() == 0) return 0;
+  // In the cube of the unit it may be beyond what a double holds.
+  const int top = height.top();
+  return keeping_sign(std::ldexp(height.approximate(-top), 64 * top - 3 * std::ilogb(unit)), height.sign());
 }
 
 /// N . (x_k - p0) = value[k] 2^exponent, the greatest of the values between 2^-64 and 1, but where all are 0.

@@ -12,6 +12,9 @@ namespace {
 
 /// In a tree's coordinates, beyond all that it holds.
 constexpr double kFarAway = 1024;
+/// Lengths that are greater might overflow in single precision, or their products: then nothing is told apart.
+constexpr double kGreatestOfPose = 0x1p100, kGreatestOfRay = 0x1p60;
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -41,7 +44,11 @@ WidePose::WidePose(const WideTree& E, const WideTree& F, const Placement& placem
   plane_error = static_cast<float>(kUp * (kPlaneRoundings * kV * radii + 2 * in_double_E + tilt + in_units));
   edge_error = exact_scale < 0x1p30
                    ? static_cast<float>(kUp * (kEdgeRoundings * kV * radii + 2 * in_double_E + 2 * in_units))
-                   : std::numeric_limits<float>::infinity();
+                   : kUnknown;
+  if (radii < kGreatestOfPose) return;
+  scale = 1;
+  shift = {};
+  box_error_E = box_error_F = plane_error = edge_error = kUnknown;
 }
 
 WideRay::WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const Eigen::Vector3d& ray_direction,
@@ -55,6 +62,9 @@ WideRay::WideRay(const WideTree& tree, const Eigen::Vector3d& ray_origin, const 
   }
   box_error = static_cast<float>((1 + 0x1p-20) *
                                  (64 * 0x1p-24 * (tree.radius() + from_tree.lpNorm<1>()) + 2 * distance / tree.unit()));
+  if (from_tree.lpNorm<1>() < kGreatestOfRay) return;
+  origin = {};
+  box_error = kUnknown;
 }
 
 WidePrism::WidePrism(const WideTree& tree, const TreePrism& prism, double deepest_depth) {
@@ -72,7 +82,7 @@ WidePrism::WidePrism(const WideTree& tree, const TreePrism& prism, double deepes
     offset[k] = static_cast<float>(from_tree - error(from_tree));
     if (k < 3) continue;
     const double end = from_tree + deepest_depth / tree.unit();
-    deepest = std::abs(end) < kFarAway ? static_cast<float>(end + error(end)) : std::numeric_limits<float>::infinity();
+    deepest = std::abs(end) < kFarAway ? static_cast<float>(end + error(end)) : kUnknown;
   }
 }
 

@@ -36,6 +36,9 @@ namespace pcm::fast {
 /// point of that face comes to it. Only the sides on which corners of E lie hold here alone: the plane of a small face
 /// moves farther, far from it. With margins of no more than G / 8, and Tracking asks for no greater ones, the shift is
 /// no more than 9 G / 8, and the above are 39, 113 and 29 v G: within the same bounds.
+///
+/// Where F is so much larger than E that numbers might overflow, all errors are infinite, so that everything is
+/// possible.
 struct WidePose {
   std::array<std::array<float, 3>, 3> rotation{};
   std::array<std::array<float, 3>, 3> rotation_absolute{};
@@ -57,7 +60,8 @@ struct WidePose {
 /// Let G bound |x| + |y| + |z| of the tree's points and of the line's origin, added up. Positions are off by 3 v G; a
 /// box is entered at the greatest of three quotients, off by less than 24 v G where it is not out of reach: boxes that
 /// grow by 64 v G are entered no later than the true ones. A face is passed at a distance, times an edge's length, off
-/// by 8 v G times that length and 8 v G more for the positions: 64 v G covers both, outside and inside.
+/// by 8 v G times that length and 8 v G more for the positions: 64 v G covers both, outside and inside. Where the
+/// origin is so far off that numbers might overflow, that error is infinite.
 struct WideRay {
   std::array<float, 3> origin{};
   std::array<float, 3> direction{};

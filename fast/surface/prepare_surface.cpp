@@ -134,9 +134,9 @@ Index vertices_of_least_component(const PreparedSurface& surface) {
   throw BadInput((mesh.name.empty() ? std::string("surface") : mesh.name) + ": " + why);
 }
 
-/// Lists of three entries a face are counted by Index.
+/// Lists of up to six entries a face, both ends of its edges where it shares none, are counted by Index.
 void require_countable(const TriangleMesh& mesh) {
-  constexpr auto kMostFaces = static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 3;
+  constexpr auto kMostFaces = static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 6;
   if (mesh.faces.size() > kMostFaces) {
     refuse(mesh, "has " + std::to_string(mesh.faces.size()) + " triangles, more than the " +
                      std::to_string(kMostFaces) + " the engine can count; divide it");

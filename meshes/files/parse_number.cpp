@@ -31,7 +31,9 @@ bool is_too_small(std::string_view digits, bool hexadecimal) {
     std::int64_t value = 0;
     const auto result = std::from_chars(exponent.data(), exponent.data() + exponent.size(), value);
     if (result.ec == std::errc::result_out_of_range) return negative;
-    order += negative ? -value : value;
+    // No text is so long that its point could make up for more.
+    constexpr std::int64_t kGreatest = std::int64_t{1} << 62;
+    order += negative ? -std::min(value, kGreatest) : std::min(value, kGreatest);
   }
   return order < 0;
 }

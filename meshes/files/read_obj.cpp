@@ -35,6 +35,10 @@ Eigen::Vector3d read_vertex(const TextLines& lines) {
     lines.fail("a vertex needs three coordinates, here " + std::string(count == 1 ? "is " : "are ") +
                std::to_string(count) + "; write v x y z");
   }
+  if (count == 5 || count > 7) {
+    lines.fail("a vertex of " + std::to_string(count) +
+               " numbers; write v x y z, with a weight of 1 or three colours at most");
+  }
   double numbers[4] = {0, 0, 0, 1};
   for (std::size_t i = 0; i < count; ++i) {
     const double number = read_finite(lines, words[i + 1]);

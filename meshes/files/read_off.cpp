@@ -45,11 +45,17 @@ Counts read_header(TextLines& lines) {
     lines.fail("expected the numbers of vertices, faces and edges; write three whole numbers");
   const Counts counts{read_count(lines, words[first], "a number of vertices"),
                       read_count(lines, words[first + 1], "a number of faces")};
+  if (words.size() - first == 3) read_count(lines, words[first + 2], "a number of edges");
   if (std::max(counts.vertices, counts.faces) > kMostElements)
     lines.fail("more than 2147483647 vertices or faces; split the surface");
   if (counts.vertices == 0) lines.fail_as_a_whole("no vertex in the file; a surface is needed");
   if (counts.faces == 0) lines.fail_as_a_whole("no face in the file; export the surface with its faces");
   return counts;
+}
+
+/// What may follow coordinates or corners: the numbers of a colour.
+void require_numbers_from(const TextLines& lines, std::size_t first) {
+  for (std::size_t i = first; i < lines.words().size(); ++i) read_finite(lines, lines.words()[i]);
 }
 
 void next_element(TextLines& lines, const char* what, std::int64_t done, std::int64_t count) {
@@ -76,6 +82,7 @@ TriangleMesh parse_off(std::string_view text, const std::string& name) {
     if (words.size() < 3) lines.fail("a vertex needs three coordinates; write x y z");
     mesh.vertices.emplace_back(read_finite(lines, words[0]), read_finite(lines, words[1]),
                                read_finite(lines, words[2]));
+    require_numbers_from(lines, 3);
   }
   PolygonList polygons;
   for (std::int64_t i = 0; i < counts.faces; ++i) {
@@ -89,6 +96,7 @@ TriangleMesh parse_off(std::string_view text, const std::string& name) {
     polygons.begin(lines.line());
     for (std::int64_t k = 1; k <= corners; ++k)
       polygons.add_corner(read_count(lines, words[static_cast<std::size_t>(k)], "the index of a vertex"));
+    require_numbers_from(lines, static_cast<std::size_t>(corners) + 1);
   }
   if (lines.next()) lines.fail("more lines than the header counts; correct the counts or remove the lines");
   mesh.faces = polygons.triangulate(mesh.vertices, lines, 0);

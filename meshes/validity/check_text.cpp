@@ -118,9 +118,11 @@ std::vector<MeshIssue> MeshReport::issues() const {
   list.add(MeshIssueKind::inconsistent_orientation, Severity::error, flipped_edges,
            "edge between faces of opposite orientation", "edges between faces of opposite orientation",
            describe_edge_with_faces, "; reverse the order of the vertices of the faces that look inward");
-  list.add(MeshIssueKind::inside_out_components, Severity::error, inside_out, "closed component that is inside out",
-           "closed components that are inside out", describe_inside_out,
-           "; reverse the order of the vertices of all its faces (outer shells look outward, cavities inward)");
+  list.add(
+      MeshIssueKind::inside_out_components, Severity::error, inside_out, "closed component that is inside out",
+      "closed components that are inside out", describe_inside_out,
+      "; reverse the order of the vertices of all its faces (outer shells look outward, cavities inward), or remove "
+      "it where it encloses no volume");
   list.add(MeshIssueKind::possible_cavities, Severity::warning, possible_cavities, "closed component that looks inward",
            "closed components that look inward", describe_inside_out,
            "; reverse the order of the vertices of all its faces unless it is a cavity of the open part around it");

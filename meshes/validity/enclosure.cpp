@@ -3,6 +3,7 @@
 #include "meshes/validity/enclosure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -35,6 +36,15 @@ class Columns {
   std::span<const Index> at(const Eigen::Vector3d& p) const {
     const std::size_t column = cell(p.x(), 0) * side_ + cell(p.y(), 1);
     return std::span(faces_).subspan(starts_[column], starts_[column + 1] - starts_[column]);
+  }
+
+  /// Calls `action(face)` for all faces in a column of this one, for some of them several times.
+  template <class Action>
+  void for_each_near(Index face, const Action& action) const {
+    const Range cells = range(static_cast<std::size_t>(face));
+    for (std::size_t x = cells.x0; x <= cells.x1; ++x)
+      for (std::size_t y = cells.y0; y <= cells.y1; ++y)
+        for (std::size_t i = starts_[x * side_ + y]; i < starts_[x * side_ + y + 1]; ++i) action(faces_[i]);
   }
 
  private:
@@ -177,6 +187,54 @@ void keep_common(std::vector<Location>& candidates, const std::vector<Location>&
   candidates = std::move(common);
 }
 
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+Corners corners_of(const TriangleMesh& mesh, Index face) {
+  const auto& [a, b, c] = mesh.faces[static_cast<std::size_t>(face)];
+  return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
+
+/// Whether an edge of the first face passes through the inside of the second, from one side to the other.
+bool some_edge_passes(const Corners& edges, const Corners& face) {
+  const auto& [a, b, c] = face;
+  const std::array<int, 3> side{side_sign(a, b, c, edges[0]), side_sign(a, b, c, edges[1]),
+                                side_sign(a, b, c, edges[2])};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if (side[k] * side[next] >= 0) continue;
+    const Eigen::Vector3d &p = edges[k], &q = edges[next];
+    const int turn = side_sign(p, q, a, b);
+    if (turn != 0 && side_sign(p, q, b, c) == turn && side_sign(p, q, c, a) == turn) return true;
+  }
+  return false;
+}
+
+bool boxes_meet(const Corners& e, const Corners& f) {
+  const auto low = [](const Corners& x) { return x[0].cwiseMin(x[1]).cwiseMin(x[2]).eval(); };
+  const auto high = [](const Corners& x) { return x[0].cwiseMax(x[1]).cwiseMax(x[2]).eval(); };
+  return (low(e).array() <= high(f).array()).all() && (low(f).array() <= high(e).array()).all();
+}
+
+/// Leaves out the candidates that their component crosses.
+void leave_out_crossed(const TriangleMesh& mesh, const Columns& columns, const std::vector<Index>& component_of_face,
+                       std::vector<std::vector<Location>>& candidates) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (component_of_face[f] < 0) continue;
+    std::vector<Location>& of_own = candidates[static_cast<std::size_t>(component_of_face[f])];
+    if (of_own.empty()) continue;
+    const Corners own = corners_of(mesh, static_cast<Index>(f));
+    columns.for_each_near(static_cast<Index>(f), [&](Index other) {
+      const auto candidate = std::find_if(of_own.begin(), of_own.end(), [&](const Location& location) {
+        return location.component == component_of_face[static_cast<std::size_t>(other)];
+      });
+      if (candidate == of_own.end()) return;
+      const Corners others = corners_of(mesh, other);
+      if (boxes_meet(own, others) && (some_edge_passes(own, others) || some_edge_passes(others, own)))
+        of_own.erase(candidate);
+    });
+  }
+}
+
 }  // namespace
 
 std::vector<Index> count_enclosing_components(const TriangleMesh& mesh, const std::vector<Index>& component_of_face,
@@ -206,9 +264,10 @@ std::vector<Index> count_enclosing_components(const TriangleMesh& mesh, const st
       }
     }
   }
-  for (std::size_t c = 0; c < enclosing.size(); ++c)
-    for (const Location& candidate : candidates[c])
-      if (candidate.inside) ++enclosing[c];
+  for (std::vector<Location>& of_component : candidates)
+    std::erase_if(of_component, [](const Location& candidate) { return !candidate.inside; });
+  leave_out_crossed(mesh, columns, component_of_face, candidates);
+  for (std::size_t c = 0; c < enclosing.size(); ++c) enclosing[c] = static_cast<Index>(candidates[c].size());
   return enclosing;
 }
 

@@ -65,6 +65,9 @@ std::string escaped(std::string key) {
   return key;
 }
 
+/// What a scene needs is five; a pointer is as long as its value lies deep.
+constexpr std::size_t kMostLevels = 64;
+
 /// Notes the line of every value by its pointer.
 class LineRecorder : public nlohmann::json_sax<Json> {
  public:
@@ -83,20 +86,16 @@ class LineRecorder : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
     levels_.back().token = escaped(name);
-    if (!levels_.back().keys.insert(name).second) {
-      twice = name;
-      twice_line = position_.line;
-      return false;
-    }
-    return true;
+    return levels_.back().keys.insert(name).second || refuse("the key '" + name + "' is there twice");
   }
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& e) override {
     error = e.what();
     return false;
   }
 
-  std::string error, twice;
-  int twice_line = 0;
+  std::string error;    ///< of the parser
+  std::string refusal;  ///< of what the parser lets pass
+  int refused_line = 0;
 
  private:
   struct Level {
@@ -106,6 +105,11 @@ class LineRecorder : public nlohmann::json_sax<Json> {
     std::set<std::string> keys;
   };
 
+  bool refuse(const std::string& what) {
+    refusal = what;
+    refused_line = position_.line;
+    return false;
+  }
   std::string pointer() const {
     std::string text;
     for (const Level& level : levels_) text += "/" + level.token;
@@ -118,6 +122,8 @@ class LineRecorder : public nlohmann::json_sax<Json> {
   }
   bool open(bool array) {
     value();
+    if (levels_.size() == kMostLevels)
+      return refuse("lists and objects lie in one another more than " + std::to_string(kMostLevels) + " levels deep");
     levels_.push_back({array, 0, "", {}});
     return true;
   }
@@ -151,9 +157,8 @@ LocatedJson::LocatedJson(std::string file, const std::string& text) : file_(std:
   LineRecorder recorder(position, lines_);
   const CountingIterator begin(text.data(), &position), end(text.data() + text.size(), &position);
   if (!Json::sax_parse(begin, end, &recorder)) {
-    if (recorder.twice_line > 0) {
-      throw BadInput(file_ + ":" + std::to_string(recorder.twice_line) + ": the key '" + recorder.twice +
-                     "' is there twice");
+    if (recorder.refused_line > 0) {
+      throw BadInput(file_ + ":" + std::to_string(recorder.refused_line) + ": " + recorder.refusal);
     }
     const std::size_t colon = recorder.error.find(": ");
     throw BadInput(file_ + ":" + std::to_string(position.line) +

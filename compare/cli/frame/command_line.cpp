@@ -30,7 +30,7 @@ void complain(std::string message) {
 
 double finite_number(const std::string& option, const std::string& text) {
   const std::optional<double> number = parse_number(text);
-  if (!number) throw BadInput(option + ": '" + text + "' is not a finite number");
+  if (!number) throw BadInput(option + ": '" + text + "' is not a finite number; write it as 0.1 or 0x1.8p-3");
   return *number;
 }
 

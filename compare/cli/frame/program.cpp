@@ -55,6 +55,17 @@ std::string describe(const CLI::ParseError& error, const CLI::App& program) {
   return what + "; see '" + full_name(command) + " --help'";
 }
 
+/// Throws BadInput naming an option or argument whose value is empty, as that of a shell's variable that is not set: it
+/// would pass for one that is not given.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_inject_separator()) continue;  // CLI11 has empty ones between groups of values
+    for (const std::string& value : option->results())
+      if (value.empty())
+        throw BadInput(option->get_name() + ": the value is empty; name a value or leave the option out");
+  }
+}
+
 }  // namespace
 
 int exit_status_of(const std::function<Exit()>& work) {
@@ -98,6 +109,7 @@ Exit run_command_line(int argc, char** argv, const std::function<void(CLI::App&,
     complain(describe(error, program));
     return Exit::bad_input;
   }
+  refuse_empty_values(innermost(program));
   return run();
 }
 

@@ -8,9 +8,11 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/cli/frame/output_files.h"
 #include "meshes/files/extension.h"
 #include "meshes/generate/make.h"
 #include "pcm/bad_input.h"
@@ -22,7 +24,8 @@ namespace {
 using Parameters = std::map<std::string, double, std::less<>>;
 
 struct MakeOptions {
-  std::string shape, output;
+  std::string shape;
+  std::optional<std::string> output;
   std::vector<std::string> parameters;  ///< the words after the name that are no options of the command itself
 };
 
@@ -52,12 +55,13 @@ void require_no_other_format(const std::string& output) {
 }
 
 Exit make_shape(const MakeOptions& options) {
-  require_no_other_format(options.output);
+  require_files_of_their_own({{"-o", options.output}}, {});
+  if (options.output) require_no_other_format(*options.output);
   const TriangleMesh mesh = make(options.shape, parameters_from(options.parameters));
-  if (options.output.empty()) {
-    std::cout << format_obj(mesh);
+  if (options.output) {
+    write_obj(mesh, *options.output);
   } else {
-    write_obj(mesh, options.output);
+    std::cout << format_obj(mesh);
   }
   return Exit::success;
 }

@@ -5,8 +5,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -29,14 +31,10 @@ struct FaceCounts {
 
 /// Reads what stands under a key; nothing where the key is missing or null. What `read` throws gets the key's name.
 template <class Read>
-auto read_at(const Json& object, const char* key, const Read& read) -> std::optional<decltype(read(object))> {
+auto read_if_given(const Json& object, const char* key, const Read& read) -> std::optional<decltype(read(object))> {
   const auto found = object.find(key);
   if (found == object.end() || found->is_null()) return std::nullopt;
-  try {
-    return read(*found);
-  } catch (const BadInput& error) {
-    throw BadInput(fmt::format("\"{}\": {}", key, error.what()));
-  }
+  return within(fmt::format("\"{}\"", key), [&] { return read(*found); });
 }
 
 const Json& array_from(const Json& json) {
@@ -49,11 +47,17 @@ bool truth_value(const Json& json) {
   return json.get<bool>();
 }
 
+/// A whole number from 0 on, as JSON Schema has them: 1.0 is one.
+std::optional<std::int64_t> whole_number(const Json& json) {
+  const double x = json.is_number() ? json.get<double>() : -1;
+  if (!(x >= 0 && x < 0x1p53 && x == std::floor(x))) return std::nullopt;
+  return static_cast<std::int64_t>(x);
+}
+
 std::int64_t count(const Json& json) {
-  if (!json.is_number_integer() ||
-      (json.is_number_unsigned() ? json.get<std::uint64_t>() > (1ULL << 53) : json.get<std::int64_t>() < 0))
-    throw BadInput(in_quotes(json.dump()) + " is no number of things");
-  return json.get<std::int64_t>();
+  const std::optional<std::int64_t> number = whole_number(json);
+  if (!number) throw BadInput(in_quotes(json.dump()) + " is no number of things");
+  return *number;
 }
 
 Eigen::Vector3d vector(const Json& json) {
@@ -72,10 +76,11 @@ double finite(const Json& json) {
 
 Index face(const Json& json, Side side, const FaceCounts& faces) {
   const auto last = static_cast<std::int64_t>(faces.of(side)) - 1;
-  if (!json.is_number_integer() || json.get<std::int64_t>() < 0 || json.get<std::int64_t>() > last)
+  const std::optional<std::int64_t> number = whole_number(json);
+  if (!number || *number > last)
     throw BadInput(
         fmt::format("{} is no face of {}, whose faces are 0 to {}", in_quotes(json.dump()), name(side), last));
-  return json.get<Index>();
+  return static_cast<Index>(*number);
 }
 
 template <class T>
@@ -124,14 +129,14 @@ GivenElement element_from(const Json& json, Mode mode, const FaceCounts& faces) 
   GivenElement element;
   element.master = master_of(json, mode);
   const auto face_at = [&](const char* word, Side side) {
-    const auto index = read_at(json, word, [&](const Json& value) { return face(value, side, faces); });
+    const auto index = read_if_given(json, word, [&](const Json& value) { return face(value, side, faces); });
     if (!index) throw BadInput(fmt::format("\"{}\" of an element is missing", word));
     return *index;
   };
   element.master_face = face_at("master_face", element.master);
   element.slave_face = face_at("slave_face", opposite(element.master));
-  element.area = read_at(json, "area", finite);
-  element.penetration = read_at(json, "penetration", finite);
+  element.area = read_if_given(json, "area", finite);
+  element.penetration = read_if_given(json, "penetration", finite);
   return element;
 }
 
@@ -149,10 +154,10 @@ GivenArea area_from(const Json& json, Side side, const FaceCounts& faces) {
   refuse_other_keys(json, {"intersected", "inner", "active", "area"});
   const auto read_faces = [&](const Json& value) { return faces_from(value, side, faces); };
   GivenArea given;
-  given.intersected = read_at(json, "intersected", read_faces);
-  given.inner = read_at(json, "inner", read_faces);
-  given.active = read_at(json, "active", read_faces);
-  given.area = read_at(json, "area", finite);
+  given.intersected = read_if_given(json, "intersected", read_faces);
+  given.inner = read_if_given(json, "inner", read_faces);
+  given.active = read_if_given(json, "active", read_faces);
+  given.area = read_if_given(json, "area", finite);
   return given;
 }
 
@@ -183,26 +188,27 @@ GivenAnswer answer_from(const Json& json, const PosedQuestions& posed, const Pos
                            "elements", "force", "torque", "comment"});
   const FaceCounts faces{posed.surfaces[question.E].mesh.faces.size(), posed.surfaces[question.F].mesh.faces.size()};
   GivenAnswer answer;
-  answer.touching = read_at(json, "touching", truth_value);
-  answer.crossing_pairs = read_at(json, "crossing_pairs", [&](const Json& value) { return pairs_from(value, faces); });
+  answer.touching = read_if_given(json, "touching", truth_value);
+  answer.crossing_pairs =
+      read_if_given(json, "crossing_pairs", [&](const Json& value) { return pairs_from(value, faces); });
   const auto side = [&](Side which) {
-    return read_at(json, which == Side::E ? "E" : "F",
-                   [&](const Json& value) { return area_from(value, which, faces); })
+    return read_if_given(json, which == Side::E ? "E" : "F",
+                         [&](const Json& value) { return area_from(value, which, faces); })
         .value_or(GivenArea{});
   };
   answer.E = side(Side::E);
   answer.F = side(Side::F);
-  answer.polygons = read_at(json, "polygons", count);
-  answer.closed_polygons = read_at(json, "closed_polygons", count);
-  answer.volume = read_at(json, "volume", finite);
+  answer.polygons = read_if_given(json, "polygons", count);
+  answer.closed_polygons = read_if_given(json, "closed_polygons", count);
+  answer.volume = read_if_given(json, "volume", finite);
   const auto elements = json.find("elements");
   if (elements != json.end() && elements->is_number())
-    answer.element_count = read_at(json, "elements", count);
+    answer.element_count = read_if_given(json, "elements", count);
   else
     answer.elements =
-        read_at(json, "elements", [&](const Json& value) { return elements_from(value, question.mode, faces); });
-  answer.force_Me = read_at(json, "force", vector);
-  answer.torque_Me = read_at(json, "torque", vector);
+        read_if_given(json, "elements", [&](const Json& value) { return elements_from(value, question.mode, faces); });
+  answer.force_Me = read_if_given(json, "force", vector);
+  answer.torque_Me = read_if_given(json, "torque", vector);
   return answer;
 }
 

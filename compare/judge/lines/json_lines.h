@@ -5,23 +5,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "compare/io/exact_json.h"
+#include "compare/io/strict_json.h"
 
 namespace pcm::compare {
 
 /// The JSON object that a line is. Throws BadInput where it is none.
 Json object_from_line(std::string_view line);
-
-/// Throws BadInput naming the first key of the object that is none of the known ones.
-void refuse_other_keys(const Json& object, std::initializer_list<std::string_view> known);
-
-/// The text under a key. Throws BadInput where there is none.
-std::string text_at(const Json& object, const char* key);
 
 /// A file of JSON objects, one a line, read object by object; blank lines are skipped, a leading UTF-8 byte order mark
 /// too.

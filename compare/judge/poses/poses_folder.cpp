@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "compare/io/names.h"
-#include "compare/io/poses_file.h"
 #include "compare/io/question_json.h"
 #include "compare/io/sha256.h"
 #include "compare/judge/lines/json_lines.h"
+#include "compare/verify/verdict/question_range.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/read_mesh.h"
@@ -63,13 +63,6 @@ std::size_t surface_named(const Json& json, const char* key, const std::vector<P
   return static_cast<std::size_t>(found - surfaces.begin());
 }
 
-ContactLaw posed_law_from(const Json& json) {
-  if (!json.is_object()) throw BadInput("\"law\": " + in_quotes(json.dump()) + " is no object");
-  refuse_other_keys(json, {"stiffness", "stiffness_E", "stiffness_F", "damping", "transition_depth", "friction",
-                           "slip_velocity", "max_penetration", "damping_mode"});
-  return law_from(json, number_in_either_notation);
-}
-
 PosedQuestion question_from(const Json& json, const std::vector<PosedSurface>& surfaces) {
   refuse_other_keys(json, {"id", "pair", "stratum", "E", "F", "A", "r", "v", "w", "law", "mode", "scheme", "comment",
                            "known_volume"});
@@ -81,27 +74,14 @@ PosedQuestion question_from(const Json& json, const std::vector<PosedSurface>& s
   question.F = surface_named(json, "F", surfaces);
   question.pose = {rows_from(json.at("A")), vector_from(json.at("r"))};
   question.velocity = {vector_from(json.at("v")), vector_from(json.at("w"))};
-  if (!is_rotation(question.pose.A)) throw BadInput("A is not a rotation to 1e-9");
-  if (!question.pose.r.allFinite() || !question.velocity.v.allFinite() || !question.velocity.w.allFinite())
-    throw BadInput("r, v or w is not finite");
-  question.law = posed_law_from(json.at("law"));
+  require_in_range(question.pose, question.velocity);
+  question.law = read_at(json, "law", [](const Json& law) { return law_from(law, number_in_either_notation); });
+  within("law", [&] { require_in_range(question.law); });
   question.mode = mode_from(json.at("mode"));
   question.scheme = scheme_from(json.at("scheme"));
   if (json.contains("comment")) question.comment = text_at(json, "comment");
   if (json.contains("known_volume")) question.known_volume = number_in_either_notation(json.at("known_volume"));
   return question;
-}
-
-/// What the library throws and what the readers here throw, with the file's line.
-template <class Read>
-auto at_line(const JsonLines& lines, const Read& read) {
-  try {
-    return read();
-  } catch (const nlohmann::json::exception& error) {
-    throw BadInput(lines.place() + ": " + description(error));
-  } catch (const BadInput& error) {
-    throw BadInput(lines.place() + ": " + error.what());
-  }
 }
 
 }  // namespace
@@ -140,7 +120,7 @@ Json pose_json(const PosedQuestion& question, const std::vector<PosedSurface>& s
 PosesReader::PosesReader(const std::filesystem::path& file, const std::filesystem::path& folder) : lines_(file) {
   const std::optional<Json> header = lines_.next();
   if (!header) throw BadInput(lines_.name() + ": the file is empty");
-  at_line(lines_, [&] {
+  within(lines_.place(), [&] {
     if (const std::string format = text_at(*header, "format"); format != kPosesFormat)
       throw BadInput(fmt::format("these are poses of another format, {}; this program reads \"{}\"", in_quotes(format),
                                  kPosesFormat));
@@ -154,7 +134,7 @@ std::optional<PosedQuestion> PosesReader::next() {
   const std::optional<Json> json = lines_.next();
   if (!json) return std::nullopt;
   ++read_;
-  return at_line(lines_, [&] { return question_from(*json, surfaces_); });
+  return within(lines_.place(), [&] { return question_from(*json, surfaces_); });
 }
 
 void PosesReader::require_all() const {

@@ -36,6 +36,9 @@ constexpr std::array<std::string_view, 11> kTables = {"overview.md",
                                                       "times.tex",
                                                       "verification.provenance.json"};
 
+/// The one of them that every finished run leaves.
+constexpr std::string_view kProvenance = kTables.back();
+
 constexpr const char* kFindings = "findings";
 
 std::string now() {
@@ -79,9 +82,22 @@ void refuse_earlier_version(const fs::path& folder) {
     throw BadInput("--out " + folder.string() + ": it holds a run of an earlier version of pcm; choose another folder");
 }
 
+/// Files under the names of tables, without their provenance, are no run's.
+void refuse_files_of_others(const fs::path& folder) {
+  std::error_code ignored;
+  const auto is_there = [&](std::string_view table) { return fs::exists(fs::symlink_status(folder / table, ignored)); };
+  const auto found = std::find_if(kTables.begin(), kTables.end(), is_there);
+  if (found != kTables.end() && !is_there(kProvenance))
+    throw BadInput(
+        fmt::format("--out {}: {} is there, which no run has left; choose another folder", folder.string(), *found));
+}
+
 /// The folder, before anything is made in it.
-fs::path without_earlier_version(fs::path folder) {
-  if (!fs::exists(folder / kCampaignFile)) refuse_earlier_version(folder);
+fs::path of_runs_alone(fs::path folder) {
+  if (!fs::exists(folder / kCampaignFile)) {
+    refuse_earlier_version(folder);
+    refuse_files_of_others(folder);
+  }
   return folder;
 }
 
@@ -92,7 +108,7 @@ void remove_unfinished_tables(const fs::path& folder) {
 }
 
 KeptRun::KeptRun(fs::path folder, const Verification& run, JobPart part)
-    : SharedChunks(without_earlier_version(folder)), folder_(std::move(folder)), run_(run) {
+    : SharedChunks(of_runs_alone(folder)), folder_(std::move(folder)), run_(run) {
   campaign_.begin([&](const std::optional<Campaign::Job>& held, bool at_work) { return decide(held, at_work, part); });
 }
 

@@ -14,7 +14,8 @@
 
 #include "compare/io/poses_file.h"
 #include "compare/io/question_json.h"
-#include "fast/force/law_parameters.h"
+#include "compare/io/strict_json.h"
+#include "compare/verify/verdict/question_range.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/check.h"
@@ -25,29 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What `read` gives; what it throws names the place.
-template <class Read>
-auto within(const std::string& place, const Read& read) {
-  try {
-    return read();
-  } catch (const nlohmann::json::exception& error) {
-    throw BadInput(place + ": " + description(error));
-  } catch (const BadInput& error) {
-    throw BadInput(place + ": " + error.what());
-  }
-}
-
-const Json& array_at(const Json& json, const char* key) {
-  const Json& array = json.at(key);
-  if (!array.is_array()) throw BadInput(std::string(key) + ": is no array");
-  return array;
-}
-
-std::string text_at(const Json& json, const char* key) {
-  const Json& text = json.at(key);
-  return within(key, [&] { return text.get<std::string>(); });
-}
-
 struct NamedSurface {
   std::string name;
   fs::path file;
@@ -56,13 +34,14 @@ struct NamedSurface {
 
 NamedSurface surface_from(const Json& json, const fs::path& folder) {
   NamedSurface surface{text_at(json, "name"), folder / text_at(json, "file"), {}};
+  refuse_other_keys(json, {"name", "file"});
   surface.mesh = read_mesh(surface.file);
   require_fit(surface.mesh);
   return surface;
 }
 
 const NamedSurface& surface_at(const Json& json, const char* key, const std::vector<NamedSurface>& surfaces) {
-  const Json& index = json.at(key);
+  const Json& index = value_at(json, key);
   if (!index.is_number_integer() || index < 0 || index >= surfaces.size())
     throw BadInput(
         fmt::format("{}: {} is no surface's number; there are {}, from 0", key, index.dump(), surfaces.size()));
@@ -80,46 +59,35 @@ void add_pairing(const Json& json, const std::vector<NamedSurface>& surfaces, co
   pair.F = F.mesh;
   pair.file_E = E.file;
   pair.file_F = F.file;
-  const Json& law = json.at("law");
-  within("law", [&] {
-    pair.law = law_from(law);
-    fast::require_valid(pair.law);
-  });
+  pair.law = read_at(json, "law", [](const Json& law) { return law_from(law); });
+  within("law", [&] { require_in_range(pair.law); });
   RecordedPoses& recorded = plan.recorded.emplace_back();
-  const Json& mode = json.at("mode");
-  const Json& scheme = json.at("scheme");
-  recorded.modes = {within("mode", [&] { return mode_from(mode); })};
-  recorded.scheme = within("scheme", [&] { return scheme_from(scheme); });
+  recorded.modes = {read_at(json, "mode", mode_from)};
+  recorded.scheme = read_at(json, "scheme", scheme_from);
   recorded.file = folder / text_at(json, "poses");
+  refuse_other_keys(json, {"E", "F", "law", "mode", "scheme", "poses"});
 }
 
 constexpr std::string_view kNoTrajectory =
     "this is no trajectory of pcm; give trajectory/trajectory.json of a folder of 'pcm simulate'";
 
-Json parsed_index(const std::string& text) {
-  try {
-    return Json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    throw BadInput(std::string(kNoTrajectory) + ": " + description(error));
-  }
-}
-
 VerificationPlan read_index(const fs::path& file) {
   const std::string text = read_text_file(file);
   return within(file.string(), [&] {
     VerificationPlan plan;
-    const Json json = parsed_index(text);
+    const Json json = strict_json(text, kNoTrajectory);
     if (!json.is_object() || !json.contains("pcm_trajectory"))
       throw BadInput(std::string(kNoTrajectory) + " (\"pcm_trajectory\": 1 is missing)");
     if (json["pcm_trajectory"] != 1)
       throw BadInput("\"pcm_trajectory\" is " + json["pcm_trajectory"].dump() +
                      ", and only 1 is known; record it anew");
+    refuse_other_keys(json, {"pcm_trajectory", "surfaces", "pairings"});
     const fs::path folder = file.parent_path();
     std::vector<NamedSurface> surfaces;
-    for (const Json& surface : array_at(json, "surfaces"))
+    for (const Json& surface : list_at(json, "surfaces"))
       surfaces.push_back(
           within(fmt::format("surfaces[{}]", surfaces.size()), [&] { return surface_from(surface, folder); }));
-    for (const Json& pairing : array_at(json, "pairings"))
+    for (const Json& pairing : list_at(json, "pairings"))
       within(fmt::format("pairings[{}]", plan.pairs.size()), [&] { add_pairing(pairing, surfaces, folder, plan); });
     return plan;
   });
@@ -130,8 +98,10 @@ std::vector<RecordedState> read_states(const fs::path& file) {
   std::error_code error;
   if (fs::is_regular_file(file, error) && fs::file_size(file, error) == 0) return states;
   PosesFile poses(file);
-  while (const std::optional<State> state = poses.next())
+  while (const std::optional<State> state = poses.next()) {
+    within(poses.place(), [&] { require_in_range(state->pose, state->velocity); });
     states.push_back({state->pose, state->velocity, poses.line()});
+  }
   return states;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/verify/verdict/case_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,15 +13,19 @@
 
 #include "compare/io/json_file.h"
 #include "compare/io/names.h"
-#include "compare/io/poses_file.h"
 #include "compare/io/question_json.h"
 #include "compare/io/sha256.h"
+#include "compare/io/strict_json.h"
+#include "compare/verify/verdict/question_range.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
+#include "pcm/check.h"
 #include "pcm/read_mesh.h"
 
 namespace pcm::compare {
 namespace {
+
+constexpr std::string_view kNoCase = "this is no case file of pcm";
 
 Json to_json(const MovingPose& state) {
   Json json;
@@ -32,17 +38,17 @@ Json to_json(const MovingPose& state) {
 
 MovingPose moving_pose(const Json& json) {
   MovingPose state;
-  state.pose = {matrix_from(json.at("A")), vector_from(json.at("r"))};
-  state.velocity = {vector_from(json.at("v")), vector_from(json.at("w"))};
-  if (!is_rotation(state.pose.A)) throw BadInput("A of the pose is not a rotation to 1e-9");
-  if (!state.pose.r.allFinite() || !state.velocity.v.allFinite() || !state.velocity.w.allFinite())
-    throw BadInput("r, v or w of the pose is not finite");
+  state.pose = {read_at(json, "A", matrix_from), read_at(json, "r", vector_from)};
+  state.velocity = {read_at(json, "v", vector_from), read_at(json, "w", vector_from)};
+  refuse_other_keys(json, {"A", "r", "v", "w"});
+  require_in_range(state.pose, state.velocity);
   return state;
 }
 
 std::string hash_of_mesh(const std::filesystem::path& file) {
   if (const std::optional<std::string> hash = sha256_of_file(file)) return *hash;
-  throw BadInput("cannot read the mesh " + file.string());
+  throw BadInput("cannot read the mesh " + file.string() +
+                 "; put it there, or give its path from the case file's folder");
 }
 
 Json to_json(const TriangleMesh& mesh, const std::filesystem::path& file) {
@@ -59,30 +65,80 @@ Json to_json(const TriangleMesh& mesh, const std::filesystem::path& file) {
   return json;
 }
 
-TriangleMesh mesh_from(const Json& json, const std::filesystem::path& folder, std::filesystem::path& file) {
-  if (json.contains("path")) {
-    file = folder / json.at("path").get<std::string>();
-    if (hash_of_mesh(file) != json.at("sha256").get<std::string>())
-      throw BadInput("the mesh " + file.string() + " has changed since (its SHA-256 is another)");
-    return read_mesh(file);
+TriangleMesh mesh_of_file(const Json& json, const std::filesystem::path& file) {
+  refuse_other_keys(json, {"name", "path", "sha256"});
+  if (hash_of_mesh(file) != text_at(json, "sha256"))
+    throw BadInput("the mesh " + file.string() + " has changed since (its SHA-256 is another)");
+  return read_mesh(file);
+}
+
+Eigen::Vector3d vertex_from(const Json& json) {
+  if (!json.is_array() || json.size() != 3 || !json[0].is_number() || !json[1].is_number() || !json[2].is_number())
+    throw BadInput(in_quotes(json.dump()) + " is no list of three coordinates");
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+
+Triangle face_from(const Json& json, std::size_t vertices) {
+  if (!json.is_array() || json.size() != 3) throw BadInput(in_quotes(json.dump()) + " is no list of three vertices");
+  Triangle face{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto v = json[k].is_number_integer() ? json[k].get<std::int64_t>() : -1;
+    if (v < 0 || v >= static_cast<std::int64_t>(vertices))
+      throw BadInput(fmt::format("{} is no vertex; there are {}, from 0", in_quotes(json[k].dump()), vertices));
+    face[k] = static_cast<Index>(v);
   }
+  return face;
+}
+
+/// What `read` makes of each element of the list under a key; what it throws names key and number.
+template <class Read>
+void read_each(const Json& object, const char* key, const Read& read) {
+  std::size_t number = 0;
+  for (const Json& element : list_at(object, key)) within(fmt::format("{}[{}]", key, number++), [&] { read(element); });
+}
+
+TriangleMesh mesh_inline(const Json& json) {
+  refuse_other_keys(json, {"name", "vertices", "faces"});
   TriangleMesh mesh;
-  mesh.name = json.at("name").get<std::string>();
-  for (const Json& x : json.at("vertices"))
-    mesh.vertices.emplace_back(x.at(0).get<double>(), x.at(1).get<double>(), x.at(2).get<double>());
-  for (const Json& corners : json.at("faces")) {
-    Triangle face{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Json& corner = corners.at(k);
-      const auto v = corner.is_number_integer() ? corner.get<std::int64_t>() : -1;
-      if (v < 0 || v >= static_cast<std::int64_t>(mesh.vertices.size()))
-        throw BadInput("a face of mesh '" + mesh.name + "' names the vertex " + corner.dump() +
-                       ", which does not exist");
-      face[k] = static_cast<Index>(v);
-    }
-    mesh.faces.push_back(face);
-  }
+  mesh.name = text_at(json, "name");
+  read_each(json, "vertices", [&](const Json& x) { mesh.vertices.push_back(vertex_from(x)); });
+  read_each(json, "faces", [&](const Json& face) { mesh.faces.push_back(face_from(face, mesh.vertices.size())); });
   return mesh;
+}
+
+TriangleMesh mesh_from(const Json& json, const std::filesystem::path& folder, std::filesystem::path& file) {
+  const bool by_path = json.is_object() && json.contains("path");
+  if (by_path) file = folder / text_at(json, "path");
+  TriangleMesh mesh = by_path ? mesh_of_file(json, file) : mesh_inline(json);
+  require_fit(mesh);
+  return mesh;
+}
+
+std::array<std::string, 2> pair_of_words(const Json& json) {
+  if (!json.is_array() || json.size() != 2 || !json[0].is_string() || !json[1].is_string())
+    throw BadInput(in_quotes(json.dump()) + " is no pair of words");
+  return {json[0].get<std::string>(), json[1].get<std::string>()};
+}
+
+Case case_from(const Json& json, const std::filesystem::path& folder) {
+  refuse_other_keys(json, {"format", "origin", "pose", "before", "law", "scheme", "mode", "disagreements", "engine",
+                           "oracle", "E", "F"});
+  Case posed;
+  posed.origin = text_at(json, "origin");
+  const MovingPose state = read_at(json, "pose", moving_pose);
+  posed.pose = state.pose;
+  posed.velocity = state.velocity;
+  if (json.contains("before"))
+    read_each(json, "before", [&](const Json& earlier) { posed.before.push_back(moving_pose(earlier)); });
+  posed.law = read_at(json, "law", [](const Json& law) { return law_from(law); });
+  within("law", [&] { require_in_range(posed.law); });
+  posed.scheme = read_at(json, "scheme", scheme_from);
+  posed.mode = read_at(json, "mode", mode_from);
+  if (json.contains("disagreements"))
+    read_each(json, "disagreements", [&](const Json& words) { posed.disagreements.push_back(pair_of_words(words)); });
+  posed.E = read_at(json, "E", [&](const Json& mesh) { return mesh_from(mesh, folder, posed.file_E); });
+  posed.F = read_at(json, "F", [&](const Json& mesh) { return mesh_from(mesh, folder, posed.file_F); });
+  return posed;
 }
 
 template <typename Crossing>
@@ -212,31 +268,12 @@ bool remove_case_files(const std::filesystem::path& folder) {
 
 Case read_case(const std::filesystem::path& path) {
   const std::string text = read_text_file(path);
-  try {
-    const Json json = Json::parse(text);
-    if (!json.is_object() || json.value("format", "") != "pcm case 1")
-      throw BadInput("this is no case file of pcm (\"format\": \"pcm case 1\" is missing)");
-    Case posed;
-    posed.origin = json.at("origin").get<std::string>();
-    const MovingPose state = moving_pose(json.at("pose"));
-    posed.pose = state.pose;
-    posed.velocity = state.velocity;
-    for (const Json& earlier : json.value("before", Json::array())) posed.before.push_back(moving_pose(earlier));
-    posed.law = law_from(json.at("law"));
-    posed.scheme = scheme_from(json.at("scheme"));
-    posed.mode = mode_from(json.at("mode"));
-    for (const Json& words : json.value("disagreements", Json::array())) {
-      if (words.size() != 2) throw BadInput("a disagreement is no pair of words: " + words.dump());
-      posed.disagreements.push_back({words.at(0).get<std::string>(), words.at(1).get<std::string>()});
-    }
-    posed.E = mesh_from(json.at("E"), path.parent_path(), posed.file_E);
-    posed.F = mesh_from(json.at("F"), path.parent_path(), posed.file_F);
-    return posed;
-  } catch (const nlohmann::json::exception& error) {
-    throw BadInput(path.string() + ": this is no case file of pcm: " + description(error));
-  } catch (const BadInput& error) {
-    throw BadInput(path.string() + ": " + error.what());
-  }
+  return within(path.string(), [&] {
+    const Json json = strict_json(text, kNoCase);
+    if (!json.is_object() || !json.contains("format") || json["format"] != "pcm case 1")
+      throw BadInput(std::string(kNoCase) + " (\"format\": \"pcm case 1\" is missing)");
+    return case_from(json, path.parent_path());
+  });
 }
 
 }  // namespace pcm::compare

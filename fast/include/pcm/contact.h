@@ -124,8 +124,8 @@ struct Contact {
   double volume = 0;          ///< of the intersection, m^3
   std::vector<Element> elements;  ///< by master (E first), then master face, then slave face; empty unless wanted
   Index element_count = 0;        ///< over all masters evaluated
-  /// Active faces of the masters evaluated whose barycentre lies in the other body, but whose penetration line leaves
-  /// the master before it meets the other surface: the body is thinner there than the penetration, and has no force.
+  /// Active faces of the masters evaluated whose penetration line leaves the master before it leaves the other body
+  /// (PCM section 6): the master is thinner there than the penetration, and has no force.
   Index too_deep = 0;
   double max_penetration = 0;  ///< greatest u (clipped: anywhere) over all masters evaluated, before clamping, m
   /// max_penetration > that of the law. Either depends on an ulp where only parts of rounding size lie so deep:

@@ -25,7 +25,7 @@ struct Pose {
   Eigen::Vector3d r = Eigen::Vector3d::Zero();      ///< r_MeMf in Me, m
 };
 
-/// Motion of Mf relative to Me, resolved in Me.
+/// Motion of Mf relative to Me, resolved in Me. No component is greater than 2^700.
 struct Velocity {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();  ///< dr/dt seen in Me, m/s
   Eigen::Vector3d w = Eigen::Vector3d::Zero();  ///< angular velocity of F relative to E, rad/s

@@ -204,5 +204,22 @@ TEST(ForceBound, OfAnUndecidedElementCoversItsWholeForce) {
   EXPECT_TRUE(flipped);
 }
 
+TEST(ForceBound, HoldsForAFaceWhoseAreaUnderflowsUnderAStiffLaw) {
+  const TriangleMesh box = generate::box({2.5, 3, 5});
+  for (const int exponent : {-530, -536, -539, -545}) {
+    const double side = std::ldexp(1.0, exponent);
+    TriangleMesh speck;
+    speck.vertices = {{0, 0, 0}, {0, side, 0}, {0, 0, side}, {9, 9, 9}, {9, 10, 9}, {9, 9, 10}};
+    speck.faces = {{0, 1, 2}, {3, 4, 5}};
+    for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+      const Contact contact =
+          answer(speck, box, shifted(0.75, 0.5, -0.5), stiffness(0x1p1000), Mode::E, {}, with_bound(), scheme);
+      // The face is half a metre deep: c_l side^2 / 2 times that.
+      const double truth = -0.25 * std::ldexp(1.0, 1000 + 2 * exponent);
+      EXPECT_LE(std::abs(contact.force_Me.x() - truth), contact.bound->force_Me.x()) << exponent;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pcm::fast

@@ -79,6 +79,29 @@ TEST(ForceError, HoldsForAStiffnessWhosePartOnANarrowColumnUnderflows) {
   }
 }
 
+// The normal force underflows, and friction multiplies what it lost.
+TEST(ForceError, HoldsWhereGreatFrictionMultipliesANormalForceThatUnderflows) {
+  ContactLaw law = soft(0x1p-1060, made(0, 0, 0, 0));
+  law.friction = 0x1p100;
+  const Pose pose;
+  const Velocity velocity{{1, 0, 0}, {0, 0, 0}};
+  const ForceProblem problem(law, pose, velocity, {});
+  Element element;
+  element.normal_Me = {0, 0, 1};
+  element.area = 0.3125;
+  for (double depth = 0x1p-10; depth > 0x1p-30; depth /= 2) {
+    element.penetration = depth;
+    apply_force(problem, Eigen::Vector3d::Zero(), element);
+    const TrueForce truth = true_force(law, problem.pose, problem.velocity, Side::E, element.area, depth,
+                                       element.normal_Me.cast<Real>(), RealVector::Zero());
+    const ElementForceError bound = force_error(problem, element, ElementError{});
+    EXPECT_LE(std::abs(truth.force.x() - Real(element.force_Me.x())), Real(bound.force_Me.x())) << depth;
+    const GreatestForce most =
+        greatest_force(problem, element.area, depth, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+    EXPECT_LE(std::abs(truth.force.x()), Real(most.friction)) << depth;
+  }
+}
+
 class ForceErrorOf : public testing::TestWithParam<Example> {};
 
 TEST_P(ForceErrorOf, HoldsAtTheEndsOfTheErrors) {

@@ -188,6 +188,83 @@ TEST(EngineRanges, FeaturesWhoseSquaresUnderflowGiveFiniteAnswers) {
   }
 }
 
+TEST(EngineRanges, ASmallBodyCrossesAFaceHoweverMuchLargerThatIs) {
+  // Two large triangles on either side of F's origin; the pose has the barycentre of the first one in E's, exactly.
+  constexpr double kLarge = 0x1p60;
+  TriangleMesh F;
+  for (const double side : {kLarge, -kLarge}) {
+    const auto first = static_cast<Index>(F.vertices.size());
+    for (const Vector3d& x : {Vector3d(1, 1, 4), Vector3d(1, 4, 1), Vector3d(4, 1, 1)}) F.vertices.push_back(side * x);
+    F.faces.push_back({first, first + 1, first + 2});
+  }
+  Pose pose;
+  const Vector3d first_row = Vector3d(3, 4, 5).normalized();
+  const Vector3d third_row = first_row.cross(Vector3d(1, -2, 0.3)).normalized();
+  pose.A.row(0) = first_row;
+  pose.A.row(1) = third_row.cross(first_row);
+  pose.A.row(2) = third_row;
+  // Of 35 bits, so that products of whole numbers have no roundings.
+  pose.A = pose.A.unaryExpr([](double x) { return std::ldexp(std::round(std::ldexp(x, 35)), -35); });
+  pose.r = -(pose.A * (kLarge * Vector3d(2, 2, 2)));
+  for (int exponent = -40; exponent > -300; exponent -= exponent > -60 || exponent < -80 ? 10 : 1) {
+    TriangleMesh E;
+    E.vertices = {{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
+    E.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    const Contact contact = answer(scaled(E, std::ldexp(1.0, exponent)), F, pose);
+    EXPECT_EQ(contact.polygons.size(), 1U) << exponent;
+    EXPECT_EQ(contact.F.intersected.size(), 1U) << exponent;
+  }
+}
+
+TEST(EngineRanges, ALineMeetsTheNearestOfTwoSheetsHoweverNarrowTheBarThatItLeaves) {
+  for (int exponent = -60; exponent >= -290; exponent -= 10) {
+    const double t = std::ldexp(1.0, exponent);
+    TriangleMesh bar = box(Vector3d(2, 2, 1));
+    for (Vector3d& x : bar.vertices) x.head<2>() *= t;
+    for (const bool nearest_first : {true, false}) {
+      TriangleMesh sheets;
+      for (const double z : {nearest_first ? t : 2 * t, nearest_first ? 2 * t : t}) {
+        const auto first = static_cast<Index>(sheets.vertices.size());
+        for (const Vector3d& x : {Vector3d(-4 * t, -5 * t, z), Vector3d(6 * t, -5 * t, z), Vector3d(-4 * t, 7 * t, z)})
+          sheets.vertices.push_back(x);
+        sheets.faces.push_back({first, first + 1, first + 2});
+      }
+      const Contact contact = answer(bar, sheets, {}, stiffness(1), Mode::E);
+      for (const Element& element : contact.elements) EXPECT_EQ(element.slave_face, nearest_first ? 0 : 1) << exponent;
+      EXPECT_GT(contact.elements.size(), 0U) << exponent;
+    }
+  }
+}
+
+TEST(EngineRanges, ClippedElementsOfNearlyFlushNeedlesScaleUpToTheGreatestCoordinates) {
+  TriangleMesh E, F;
+  E.vertices = {{0, 0, 0},
+                {0x1.d37b0e196e6f9p-38, 0x1.99aef1350bc4fp-38, 0},
+                {-0x1.5c639ccf135bp-4, 1, 0x1.959df199d411ap-8},
+                {0x1.6dbd3619bc50dp-2, 0x1.be7cfe981975fp-2, -0.5}};
+  E.faces = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  F.vertices = {{0x1.3c0251fd596dp+0, 0x1.be3a3c79683d6p-1, 0x1.b40598e4056bap-1},
+                {-0x1.052921b99f83ap-1, -0x1.e8427bad7111bp-1, 0x1.478efe57145cfp-1},
+                {-0x1.c66fcea3c01f5p-1, 0x1.238427ceb4ff3p-1, -0x1.11520eccab91ep+0},
+                {0x1.3b7679ebbab68p+0, -0x1.45e53ef291693p+0, -0x1.826ed234fce7dp-1}};
+  F.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const auto scaled_answer = [&](int exponent) {
+    const double size = std::ldexp(1.0, exponent);
+    return answer(scaled(E, size), scaled(F, size), {}, stiffness(std::ldexp(1.0, -exponent)), Mode::E, {}, {},
+                  Scheme::clipped);
+  };
+  const Contact small = scaled_answer(0);
+  ASSERT_EQ(small.elements.size(), 2U);
+  for (int exponent = 280; exponent < 299; ++exponent) {
+    const Contact large = scaled_answer(exponent);
+    ASSERT_EQ(large.elements.size(), 2U) << exponent;
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(large.elements[i].slave_face, small.elements[i].slave_face);
+      EXPECT_EQ(std::ldexp(large.elements[i].penetration, -exponent), small.elements[i].penetration) << exponent;
+    }
+  }
+}
+
 TEST(EngineRanges, StiffestLayersShareThePenetrationEvenly) {
   ContactLaw law;
   law.layers = LayerStiffness{1.5e308, 1.5e308};

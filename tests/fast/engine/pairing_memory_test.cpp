@@ -155,22 +155,26 @@ TEST_P(InBothSchemes, BadVelocitiesAreRefusedAndNothingIsForgotten) {
   const Bodies touch = bodies().front();
   ContactLaw law = kRough;
   law.damping_mode = DampingMode::full;
+  law.damping = 1e120;
   const Pairing pairing(touch.E, touch.F, law, Mode::E, GetParam());
   PairingMemory memory(pairing);
   Workspace workspace, other;
   const Velocity v = velocities()[0];
-  Velocity infinite = v, huge = v;
+  Velocity infinite = v, huge = v, beyond = v;
   infinite.w.y() = std::numeric_limits<double>::infinity();
-  huge.v = {1e307, 1e307, 1e307};
+  huge.v = {1e200, 1e200, 1e200};
+  beyond.w.x() = -0x1.1p700;
   const auto ask = [&](const Velocity& velocity) -> const Contact& {
     return memory.evaluate(touch.pose, velocity, {}, workspace);
   };
   // At a pose that is not known yet.
   expect_bad_input([&] { ask(infinite); }, "velocity: v and w must be finite");
+  expect_bad_input([&] { ask(beyond); }, "velocity: greatest |v| or |w|");
   expect_bad_input([&] { ask(huge); }, "force or torque exceeds");
   EXPECT_EQ(ask(v).work.law_only, 0);
   // At one that is.
   expect_bad_input([&] { ask(infinite); }, "velocity: v and w must be finite");
+  expect_bad_input([&] { ask(beyond); }, "velocity: greatest |v| or |w|");
   expect_bad_input([&] { ask(huge); }, "force or torque exceeds");
   EXPECT_EQ(ask(v).work.law_only, 1);
   test::expect_same_answer(ask(v), evaluate(pairing, touch.pose, v, {}, other));

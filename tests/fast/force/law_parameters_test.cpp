@@ -157,5 +157,27 @@ TEST(Pose, AnythingButARotationIsRefused) {
   expect_refused(evaluated({}, {{0, kNaN, 0}, {0, 0, 0}}), "velocity");
 }
 
+TEST(Velocity, BeyondWhatPointsCanHaveIsRefusedAndNoLesserOneLosesItsDirection) {
+  const Surface slider(generate::box(Vector3d(0.5, 0.5, 0.5))), plate(generate::box(Vector3d(2, 2, 2)));
+  ContactLaw law;
+  law.friction = 0.5;
+  Pose pose;
+  pose.r = {0, 0, -1.1875};
+  Workspace workspace;
+  for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped}) {
+    const Pairing pairing(slider, plate, law, Mode::E, scheme);
+    const auto force = [&](double v, double w) -> Vector3d {
+      return evaluate(pairing, pose, {{v, v, 0}, {0, 0, w}}, {}, workspace).force_Me;
+    };
+    const Vector3d slow = force(1, 0);
+    EXPECT_GT(slow.x(), 0);
+    EXPECT_EQ(force(0x1p700, 0), slow);
+    EXPECT_THROW(force(0x1.1p700, 0), BadInput);
+    EXPECT_THROW(force(-0x1.1p700, 0), BadInput);
+    EXPECT_TRUE(force(0, 0x1p700).allFinite());
+    EXPECT_THROW(force(0, 0x1.1p700), BadInput);
+  }
+}
+
 }  // namespace
 }  // namespace pcm::fast

@@ -188,6 +188,15 @@ TEST(ParseNumber, MidwayBetweenTheLargestNumberAndOverflowTheLastDigitDecides) {
   EXPECT_FALSE(parse_number(digits + "2").has_value());
 }
 
+TEST(ParseNumber, ExponentsNearTheRangeOfIntegersAreTooLargeOrTooSmall) {
+  for (const char* large : {"1e9223372036854775807", "10e9223372036854775806", "0x1p9223372036854775807",
+                            "0x10p9223372036854775806", "1e99999999999999999999"})
+    EXPECT_EQ(parse_number(large), std::nullopt) << large;
+  for (const char* small :
+       {"1e-9223372036854775807", "0.01e-9223372036854775807", "0x.01p-9223372036854775807", "1e-99999999999999999999"})
+    EXPECT_EQ(parse_number(small), 0) << small;
+}
+
 TEST(ParseNumber, EverythingElseIsRefused) {
   for (const char* text :
        {"",      " ",    "+",  "-",   ".",    "+.",    "--1",     "+-1",    "-+1", "1 ",       " 1",          "1,5",

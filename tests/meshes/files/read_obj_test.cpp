@@ -93,6 +93,8 @@ TEST(ReadObj, ErrorsNameFileLineAndRemedy) {
   expect_error("v\n", "a.obj:1: a vertex needs three coordinates, here are 0");
   expect_error("\n# x\nv 0 0 1.2.3\n", "a.obj:3: '1.2.3' is not a finite number");
   expect_error("v 0 0 nan\n", "a.obj:1: 'nan' is not a finite number");
+  expect_error("v 0 0 0 2 7\n", "a.obj:1: a vertex of 5 numbers; write v x y z");
+  expect_error("v 0 0 0 2 1 1 1 1\n", "a.obj:1: a vertex of 8 numbers; write v x y z");
   expect_error("v 0 -inf 0\n", "a.obj:1: '-inf' is not a finite number");
   expect_error("v 0 1e999 0\n", "a.obj:1: '1e999' is not a finite number");
   expect_error("v 0 0 0 x\n", "a.obj:1: 'x' is not a finite number");

@@ -59,6 +59,9 @@ TEST(ReadOff, ErrorsNameFileLineAndRemedy) {
                "a.off:7: the face refers to vertex 4, but the file's vertices are numbered 0 to 3");
   expect_error("OFF\n4 1 0\n" + kVertices + "3 0 1 -1\n", "a.off:7: '-1' is not the index of a vertex");
   expect_error("OFF\n1 1 0\n0 0\n", "a.off:3: a vertex needs three coordinates");
+  expect_error("OFF\n4 1 zz\n", "a.off:2: 'zz' is not a number of edges");
+  expect_error("OFF\n1 1 0\n0 0 0 foo\n", "a.off:3: 'foo' is not a finite number");
+  expect_error("OFF\n4 1 0\n" + kVertices + "3 0 1 2 bar\n", "a.off:7: 'bar' is not a finite number");
   expect_error("OFF\n1 1 0\n0 0 1e400\n", "a.off:3: '1e400' is not a finite number");
 }
 

@@ -199,6 +199,33 @@ TEST(Check, ClosedPartThatEnclosesNothingIsUnfit) {
   expect_issues(mesh, {MeshIssueKind::inside_out_components}, "(2 faces, encloses no volume)");
 }
 
+TEST(Check, SpokeWhoseEndsLieInTheRimIsNotEnclosedByIt) {
+  // A square rim, outer +-3, inner +-2, and a bar through its hole: all corners of the bar lie within the rim.
+  TriangleMesh rim;
+  for (const double z : {0.0, 1.0})
+    for (const double r : {3.0, 2.0})
+      for (const Eigen::Vector2d& q : {Eigen::Vector2d(-r, -r), {r, -r}, {r, r}, {-r, r}})
+        rim.vertices.emplace_back(q.x(), q.y(), z);
+  const auto add_quad = [&rim](Index a, Index b, Index c, Index d) {
+    rim.faces.push_back({a, b, c});
+    rim.faces.push_back({a, c, d});
+  };
+  for (Index i = 0; i < 4; ++i) {
+    const Index j = (i + 1) % 4;
+    add_quad(8 + i, 8 + j, 12 + j, 12 + i);
+    add_quad(j, i, 4 + i, 4 + j);
+    add_quad(i, j, 8 + j, 8 + i);
+    add_quad(4 + j, 4 + i, 12 + i, 12 + j);
+  }
+  TriangleMesh spoke = cube();
+  for (Eigen::Vector3d& p : spoke.vertices) p = {5 * p.x() - 2.5, 0.4 * p.y() - 0.2, 0.5 * p.z() + 0.25};
+  expect_issues(rim, {});
+  expect_issues(joined(rim, spoke), {});
+  expect_issues(joined(spoke, rim), {});
+  expect_issues(joined(rim, inverted(spoke)), {MeshIssueKind::inside_out_components},
+                "the one of face 33 (12 faces); reverse");
+}
+
 TEST(Check, CavityLooksInwardAndABodyInsideItOutward) {
   const TriangleMesh outer = scaled(cube(), 8);
   const TriangleMesh cavity = translated(scaled(cube(), 4), {2, 2, 2});

@@ -51,6 +51,14 @@ TEST(OracleAreas, IdentitiesNoticeAFaceThatIsMissingOrCountedTwice) {
   EXPECT_FALSE(twice.vector_areas_cancel || twice.fluxes_agree || twice.limit_closes);
 }
 
+TEST(OracleAreas, IdentitiesAreNoneWhereASurfaceIsOpen) {
+  const TriangleMesh open = generate::rectangle(1, 1), closed = generate::box({-2, -2, -2}, {2, 2, 2});
+  for (const Problem problem : kProblems) {
+    EXPECT_FALSE(prove_identities(open, closed, problem, {}).applicable);
+    EXPECT_FALSE(prove_identities(closed, open, problem, {}).applicable);
+  }
+}
+
 TEST(OracleAreas, IdentitiesNoticeALimitOfOneSideAlone) {
   // E is moved into F, whose bottom lies in E's top: in z = 0, where no part adds to the volume.
   const TriangleMesh E = generate::box({0, 0, -2}, {2, 2, 0}), F = generate::box({0, 0, 0}, {2, 2, 2});

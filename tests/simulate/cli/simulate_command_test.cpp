@@ -161,7 +161,7 @@ TEST(SimulateCommand, RefusesStillsBeforeItBegins) {
       {"nan", "--stills: 'nan' is not a finite number"},
       {"inf", "--stills: 'inf' is not a finite number"},
       {"0.1,soon", "--stills: 'soon' is not a finite number"},
-      {"", "--stills: '' is not a finite number"},
+      {"", "--stills: the value is empty"},
       {"0.1,", "--stills: '' is not a finite number"},
       {"0.1,0.2,0.10", "--stills: 0.1 s is there twice"},
       {"0,-0", "--stills: -0 s is there twice"},

@@ -86,6 +86,8 @@ TEST(ReadScene, RefusesWithFileLineAndKey) {
       {R"("mass": 3,)", R"("mass": -3,)", "block.json:6: bodies[0].mass: Expected number greater than 0"},
       {R"("mass": 3,)", R"("mass": 3, "mass": 3,)", "block.json:6: the key 'mass' is there twice"},
       {R"("mass": 3,)", R"("mass": 3,,)", "block.json:6: no JSON: "},
+      {R"("mass": 3,)", "\"mass\": " + std::string(100000, '[') + ",",
+       "block.json:6: lists and objects lie in one another more than 64 levels deep"},
       {R"("name": "arm")", R"("name": "block")", "block.json:12: bodies[1].name: another body has the name 'block'"},
       {R"("name": "arm")", R"("name": "ground")", "block.json:12: bodies[1].name: 'ground' is what stands still"},
       {R"("inertia": [1, 1, 1], )", "",

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -197,7 +198,7 @@ TEST_F(ProgramBadInput, OptionsOfVerify) {
   expect_bad_input({"verify", "--pair", surface_, scratch_.path("missing.obj")}, "missing.obj");
   expect_bad_input({"verify", "--poses", "6", "--out", surface_}, surface_);
   expect_bad_input({"verify", "--poses", "6", "--out", ""}, "--out");
-  expect_bad_input({"verify", "--case", ""}, "no such file");
+  expect_bad_input({"verify", "--case", ""}, "--case: the value is empty");
   expect_bad_input({"verify", "--case", scratch_.path("missing.json")}, "missing.json");
   expect_bad_input({"verify", "--case", scratch_.path("")}, "folder");
   expect_bad_input({"verify", "--case", surface_}, "no case file");
@@ -212,6 +213,23 @@ TEST_F(ProgramBadInput, OptionsOfVerify) {
   expect_bad_input({"verify", "--stability", "--quick", "--seed", "x"}, "--seed");
   expect_bad_input({"verify", "--error-budget", "--quick", "--jobs", "0"}, "--jobs");
   expect_bad_input({"verify", "--error-budget", "--quick", "--out", surface_}, surface_);
+}
+
+TEST_F(ProgramBadInput, FolderOfARefusedRunIsLeftAsItIs) {
+  std::filesystem::create_directory(scratch_.path("run"));
+  const std::string own = scratch_.write("run/state.probe", "precious");
+  expect_bad_input({"verify", "--strata", "generic,grazing", "--pair", surface_, surface_, "--poses", "1", "--out",
+                    scratch_.path("run")},
+                   "generic");
+  EXPECT_EQ(content_of(own), "precious");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch_.path("run")), {}), 1);
+}
+
+TEST_F(ProgramBadInput, EmptyValuesAreNotTakenForOptionsThatAreNotGiven) {
+  expect_bad_input({"contact", "", surface_}, "E: the value is empty");
+  expect_bad_input({"verify", "--out", "", "--poses", "6"}, "--out: the value is empty");
+  expect_bad_input({"simulate", "bubbles", "--duration", ""}, "--duration: the value is empty");
+  expect_bad_input({"simulate", "bubbles", "--integrator", ""}, "--integrator: the value is empty");
 }
 
 TEST_F(ProgramBadInput, StateOfAVerificationThatIsDamagedOrAnothers) {
@@ -246,6 +264,8 @@ TEST_F(ProgramBadInput, MakingAndConverting) {
   expect_bad_input({"mesh", "make", "torus", "--segments=3.5"}, "segments");
   expect_bad_input({"mesh", "make", "box", "-o", scratch_.path("nowhere/box.obj")}, "nowhere");
   expect_bad_input({"mesh", "make", "box", "-o", scratch_.path("")}, scratch_.path(""));
+  expect_bad_input({"mesh", "make", "box", "-o", "-"}, "-o: name a file");
+  expect_bad_input({"mesh", "make", "box", "-o", ""}, "--output: the value is empty");
   expect_bad_input({"mesh", "convert", surface_}, "OUT");
   expect_bad_input({"mesh", "convert", surface_, scratch_.path("out.stl")}, "out.stl");
   expect_bad_input({"mesh", "convert", scratch_.path("missing.obj"), scratch_.path("out.obj")}, "missing.obj");

@@ -102,20 +102,23 @@ TEST_F(VerifyTrajectory, RefusesABadIndexByItsKey) {
   expect_refused(file + ": this is no trajectory of pcm");
   expect_bad_index([](Json& json) { json["pcm_trajectory"] = 2; }, "\"pcm_trajectory\" is 2, and only 1 is known");
   expect_bad_index([](Json& json) { json.erase("pcm_trajectory"); }, "this is no trajectory of pcm");
-  expect_bad_index([](Json& json) { json.erase("surfaces"); }, "key 'surfaces' not found");
+  expect_bad_index([](Json& json) { json.erase("surfaces"); }, "\"surfaces\" is missing");
   expect_bad_index([](Json& json) { json["pairings"] = "none"; }, "pairings: ");
-  expect_bad_index([](Json& json) { json["surfaces"][1].erase("file"); }, "surfaces[1]: key 'file' not found");
+  expect_bad_index([](Json& json) { json["pairing"] = 1; }, "the key 'pairing' is none of pcm_trajectory");
+  expect_bad_index([](Json& json) { json["pairings"][0]["modes"] = "E"; }, "pairings[0]: the key 'modes' is none of");
+  expect_bad_index([](Json& json) { json["surfaces"][0]["unit"] = "m"; }, "surfaces[0]: the key 'unit' is none of");
+  expect_bad_index([](Json& json) { json["surfaces"][1].erase("file"); }, "surfaces[1]: \"file\" is missing");
   expect_bad_index([](Json& json) { json["surfaces"][1] = 7; }, "surfaces[1]: ");
-  expect_bad_index([](Json& json) { json["surfaces"][0]["name"] = 7; }, "surfaces[0]: name: type must be string");
+  expect_bad_index([](Json& json) { json["surfaces"][0]["name"] = 7; }, "surfaces[0]: \"name\" is no text: 7");
   for (const char* key : {"E", "F", "law", "mode", "scheme", "poses"})
     expect_bad_index([key](Json& json) { json["pairings"][0].erase(key); },
-                     "pairings[0]: key '" + std::string(key) + "' not found");
+                     "pairings[0]: \"" + std::string(key) + "\" is missing");
   for (const Json& index : {Json(2), Json(-1), Json(0.5), Json("0"), Json(), Json(1e300), Json(18446744073709551615U)})
     expect_bad_index([&index](Json& json) { json["pairings"][0]["F"] = index; },
                      "pairings[0]: F: " + index.dump() + " is no surface's number; there are 2, from 0");
   expect_bad_index([](Json& json) { json["pairings"][0]["mode"] = "all"; }, "pairings[0]: mode: 'all' is none of E, F");
   expect_bad_index([](Json& json) { json["pairings"][0]["scheme"] = 1; }, "pairings[0]: scheme: type must be string");
-  expect_bad_index([](Json& json) { json["pairings"][0]["poses"] = 1; }, "pairings[0]: poses: type must be string");
+  expect_bad_index([](Json& json) { json["pairings"][0]["poses"] = 1; }, "pairings[0]: \"poses\" is no text: 1");
 }
 
 TEST_F(VerifyTrajectory, RefusesABadLawByItsKey) {
@@ -126,16 +129,23 @@ TEST_F(VerifyTrajectory, RefusesABadLawByItsKey) {
   expect_bad_law("friction", "much", "friction: 'much' is no number");
   expect_bad_law("friction", "-1", "contact law: friction mu is -1");
   expect_bad_law("stiffness", "inf", "contact law: stiffness c_l is inf");
-  expect_bad_law("damping_mode", "none", "'none' is none of no-tension, full, compression");
-  expect_bad_law("stiffness_E", "1e6", "key 'stiffness_F' not found");
+  expect_bad_law("damping_mode", "none", "damping_mode: 'none' is none of no-tension, full, compression");
+  expect_bad_law("stiffness_E", "1e6", "\"stiffness_F\" is missing");
+  expect_bad_law("stiffness_F", "1e6", "\"stiffness_E\" is missing");
+  expect_bad_law("stiffness", "1e300", "stiffness: 1e+300 is so large that the verdict's bounds need not hold");
+  expect_bad_law("frction", "1", "the key 'frction' is none of stiffness");
   expect_bad_index([](Json& json) { json["pairings"][0]["law"].erase("damping"); },
-                   "pairings[0]: law: key 'damping' not found");
+                   "pairings[0]: law: \"damping\" is missing");
 }
 
 TEST_F(VerifyTrajectory, RefusesFilesThatAreMissingOrMalformed) {
   const TemporaryFolder& folder = trajectory_.folder();
   folder.write("0.poses", "1 0 0  0 1 0  0 0 1  0.8 0 0  0 0 0  0 0 0\n1 0 0\n");
   expect_refused(folder.path("0.poses") + ":2: 3 numbers");
+  folder.write("0.poses", "1 0 0  0 1 0  0 0 1  0.8 0 0\n1 0 0  0 1 0  0 0 1  1e300 0 0\n");
+  expect_refused(folder.path("0.poses") + ":2: pose: greatest |r| is");
+  folder.write("0.poses", "1 0 0  0 1 0  0 0 1  0.8 0 0  1e100 0 0  0 0 0\n");
+  expect_refused(folder.path("0.poses") + ":1: velocity: a component exceeds 2^300");
   folder.write("0.poses", "");
   expect_refused(trajectory_.file() + ": no pairing has a pose");
   std::filesystem::remove(folder.path("0.poses"));

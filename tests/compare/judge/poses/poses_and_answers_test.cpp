@@ -152,6 +152,14 @@ TEST_F(Folder, AnswersReadBackBitForBit) {
     }
 }
 
+TEST_F(Folder, WholeNumbersMayHaveADecimalPointAsInJsonSchema) {
+  const Json line = Json::parse(R"({"id":")" + id() + R"(","polygons":2.0,"E":{"inner":[3.0]}})");
+  const GivenAnswer read = answer_from(line, folder_.posed, folder_.posed.questions[0]);
+  EXPECT_EQ(read.polygons, 2);
+  ASSERT_TRUE(read.E.inner);
+  EXPECT_EQ(*read.E.inner, std::vector<Index>{3});
+}
+
 TEST_F(Folder, WhatIsNoAnswerIsRefusedWithFileAndLine) {
   expect_refused("no JSON\n", "answers.jsonl:1: this is no JSON object");
   expect_refused("[1]\n", "answers.jsonl:1: this is JSON, but no object");
@@ -173,6 +181,8 @@ TEST_F(Folder, WhatIsNoAnswerIsRefusedWithFileAndLine) {
   expect_refused(with("\"volume\":\"big\""), "answers.jsonl:2: \"volume\": 'big' is no number");
   expect_refused(with("\"volume\":1e999"), "answers.jsonl:2: ");
   expect_refused(with("\"polygons\":-1"), "answers.jsonl:2: \"polygons\": '-1' is no number of things");
+  expect_refused(with("\"polygons\":9007199254740992"),
+                 "answers.jsonl:2: \"polygons\": '9007199254740992' is no number");
   expect_refused(with("\"polygons\":1.5"), "answers.jsonl:2: \"polygons\": '1.5' is no number of things");
   expect_refused(with("\"elements\":-2"), "answers.jsonl:2: \"elements\": '-2' is no number of things");
   expect_refused(with("\"pairs\":[]"), "answers.jsonl:2: the key 'pairs' is none of id, touching, crossing_pairs");
@@ -250,11 +260,11 @@ TEST_F(Folder, PosesThatWereTamperedWithAreRefused) {
          "poses.jsonl:2: the key 'former' is none of id, pair");
   Json skew = Json::parse(whole.substr(second, third - second));
   skew["A"] = Json{{7.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-  expect(whole.substr(0, second) + skew.dump() + "\n" + whole.substr(third), "poses.jsonl:2: A is not a rotation");
+  expect(whole.substr(0, second) + skew.dump() + "\n" + whole.substr(third), "poses.jsonl:2: pose: A is no rotation");
   expect(replaced("\"r\":[", "\"r\":[0.0,"), "is no list of three numbers");
   expect(replaced("\"A\":[", "\"A\":[[0.0,0.0,0.0],"), "poses.jsonl:2: \"A\" is no list of three rows");
   expect(replaced("\"damping\":", "\"damping_of_old\":0.0,\"damping\":"),
-         "poses.jsonl:2: the key 'damping_of_old' is none of stiffness");
+         "poses.jsonl:2: law: the key 'damping_of_old' is none of stiffness");
   expect(replaced("\"poses\":12", "\"poses\":-12"), "poses.jsonl:1: \"poses\": '-12' is no number of poses");
   expect(replaced("\"poses\":12", "\"poses\":12.0"), "poses.jsonl:1: \"poses\": '12.0' is no number of poses");
   expect(replaced("\"poses\":12", "\"poses\":12,\"pose\":1"), "poses.jsonl:1: the key 'pose' is none of format");

@@ -92,7 +92,8 @@ class KeptRunTest : public testing::Test {
     std::int64_t asked = 0;
     run_chunks(
         run, kept, 1, [&] { return ++asked > 1000; }, kSilent);
-    for (const char* file : {"overview.md", "verification.md", "verification.csv", "verification.json", "times.md"})
+    for (const char* file : {"overview.md", "verification.md", "verification.csv", "verification.json", "times.md",
+                             "verification.provenance.json"})
       scratch_.write(file, "old");
     scratch_.write("case_old.json", R"({"origin": "old"})");
     for (const char* file : {"notes.txt", "notes.json", "case_mine.json"}) scratch_.write(file, "not of the run");
@@ -380,6 +381,16 @@ TEST_F(KeptRunOfTheProgram, WithoutACampaignLeavesNoCaseBesideTheNewTables) {
   EXPECT_EQ(first.status, 0);
   EXPECT_NE(first.err.find("whose campaign is gone"), std::string::npos) << first.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "case_box-box_generic_0_both.json"));
+}
+
+TEST_F(KeptRunOfTheProgram, RefusesAFolderWithFilesOfOthersThatAreCalledAsTablesAre) {
+  std::filesystem::create_directories(folder_);
+  write_text_file(folder_ / "overview.md", "my thesis");
+  const Outcome refused = run_pcm(verify_);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("overview.md is there, which no run has left"), std::string::npos) << refused.err;
+  EXPECT_EQ(bytes_of(folder_ / "overview.md"), "my thesis");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
 TEST_F(KeptRunOfTheProgram, HoldsTheHashOfTheProgramAndAnotherOnesIsReplaced) {

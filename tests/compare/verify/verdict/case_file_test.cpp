@@ -125,24 +125,61 @@ TEST_F(CaseFiles, BadOnesAreRefused) {
     write_text_file(folder_ / "case.json", text);
     EXPECT_THROW(read_case(folder_ / "case.json"), BadInput) << text.substr(0, 40);
   }
-  const auto refused_with = [&](const std::function<void(nlohmann::ordered_json&)>& change) {
+  EXPECT_THROW(write_text_file(folder_ / "no" / "such" / "folder.json", ""), BadInput);
+}
+
+TEST_F(CaseFiles, BadValuesAreRefusedByFileAndKey) {
+  const std::string whole = format_case(posed(), {}, {});
+  const std::filesystem::path file = folder_ / "case.json";
+  const auto refused_with = [&](const std::string& message,
+                                const std::function<void(nlohmann::ordered_json&)>& change) {
     auto json = nlohmann::ordered_json::parse(whole);
     change(json);
-    write_text_file(folder_ / "case.json", json.dump());
-    EXPECT_THROW(read_case(folder_ / "case.json"), BadInput);
+    write_text_file(file, json.dump());
+    expect_bad_input([&] { read_case(file); }, file.string() + ": " + message);
   };
-  refused_with([](auto& json) { json["pose"]["A"][0] = "2"; });
-  refused_with([](auto& json) { json["pose"]["A"][0] = 1; });
-  refused_with([](auto& json) { json["pose"]["r"][0] = "inf"; });
-  refused_with([](auto& json) { json["pose"]["v"][0] = "nan"; });
-  refused_with([](auto& json) { json["disagreements"] = {{"force"}}; });
-  refused_with([](auto& json) { json["disagreements"] = {{"force", "off", "by far"}}; });
-  refused_with([](auto& json) { json["disagreements"] = {{"force", 1}}; });
-  refused_with([](auto& json) { json["disagreements"] = "force"; });
-  refused_with([](auto& json) { json["E"]["faces"][0][0] = -1; });
-  refused_with([](auto& json) { json["E"]["faces"][0][0] = 0.5; });
-  refused_with([](auto& json) { json["E"]["faces"][0][0] = 4294967296; });
-  EXPECT_THROW(write_text_file(folder_ / "no" / "such" / "folder.json", ""), BadInput);
+  refused_with("pose: pose: A is no rotation", [](auto& json) { json["pose"]["A"][0] = "2"; });
+  refused_with("pose: A: 1 is no number in quotes", [](auto& json) { json["pose"]["A"][0] = 1; });
+  refused_with("pose: pose: A and r must be finite", [](auto& json) { json["pose"]["r"][0] = "inf"; });
+  refused_with("pose: v: 'nan' is no number", [](auto& json) { json["pose"]["v"][0] = "nan"; });
+  // What the engine or its scenes refuse is no disagreement.
+  refused_with("pose: pose: greatest |r| is", [](auto& json) { json["pose"]["r"][0] = "1e308"; });
+  refused_with("pose: velocity: greatest |v| or |w| is", [](auto& json) { json["pose"]["w"][0] = "1e308"; });
+  refused_with("pose: velocity: a component exceeds 2^300", [](auto& json) { json["pose"]["w"][0] = "1e100"; });
+  refused_with("pose: \"w\" is missing", [](auto& json) { json["pose"].erase("w"); });
+  refused_with("pose: the key 'q' is none of A, r, v, w", [](auto& json) { json["pose"]["q"] = 1; });
+  refused_with("before: a list is wanted", [](auto& json) { json["before"] = 5; });
+  refused_with("before[0]: an object is wanted", [](auto& json) { json["before"] = {5}; });
+  refused_with("law: contact law: friction mu is -1", [](auto& json) { json["law"]["friction"] = "-1"; });
+  refused_with("law: damping: 1e+250 is so large that the verdict's bounds need not hold",
+               [](auto& json) { json["law"]["damping"] = "1e250"; });
+  refused_with("law: the key 'frction' is none of stiffness", [](auto& json) { json["law"]["frction"] = "1"; });
+  for (const char* key : {"stiffness_E", "stiffness_F"})
+    refused_with("law: \"" + std::string(key) + "\" is missing", [key](auto& json) { json["law"].erase(key); });
+  refused_with("mode: type must be string", [](auto& json) { json["mode"] = 1; });
+  refused_with("disagreements[0]: '[\"force\"]' is no pair of words",
+               [](auto& json) { json["disagreements"] = {nlohmann::ordered_json::array({"force"})}; });
+  refused_with("disagreements[0]: ", [](auto& json) { json["disagreements"] = {{"force", "off", "by far"}}; });
+  refused_with("disagreements[0]: ",
+               [](auto& json) { json["disagreements"] = nlohmann::ordered_json::parse(R"([["force", 1]])"); });
+  refused_with("disagreements: a list is wanted", [](auto& json) { json["disagreements"] = "force"; });
+  refused_with("E: faces[0]: '-1' is no vertex; there are", [](auto& json) { json["E"]["faces"][0][0] = -1; });
+  refused_with("E: faces[0]: '0.5' is no vertex", [](auto& json) { json["E"]["faces"][0][0] = 0.5; });
+  refused_with("E: faces[0]: '4294967296' is no vertex", [](auto& json) { json["E"]["faces"][0][0] = 4294967296; });
+  refused_with("F: faces[1]: '[0,1,2,3]' is no list of three vertices", [](auto& json) {
+    json["F"]["faces"][1] = {0, 1, 2, 3};
+  });
+  refused_with("F: vertices[2]: '[0,1]' is no list of three coordinates", [](auto& json) {
+    json["F"]["vertices"][2] = {0, 1};
+  });
+  refused_with("E: faces: a list is wanted", [](auto& json) { json["E"]["faces"] = 7; });
+  refused_with("E: ", [](auto& json) { json["E"]["faces"] = nlohmann::ordered_json::array(); });
+  refused_with("the key 'Mode' is none of format, origin", [](auto& json) { json["Mode"] = "E"; });
+  write_text_file(file, std::string(whole).replace(whole.find("\"mode\""), 6, "\"mode\": \"E\", \"mode\""));
+  expect_bad_input([&] { read_case(file); }, file.string() + ": the key 'mode' is there twice");
+  const std::string nested = std::string(200000, '[') + std::string(200000, ']');
+  write_text_file(file, R"({"format": "pcm case 1", "disagreements": )" + nested + "}");
+  expect_bad_input([&] { read_case(file); }, file.string() + ": lists and objects lie in one another more than 64");
 }
 
 TEST(HeldPairings, UnfitAndEmptySurfacesAreRefused) {
