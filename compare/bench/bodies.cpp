@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "compare/verify/routes/wanted_presets.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/parts.h"

@@ -10,7 +10,7 @@
 #include "compare/bench/bodies.h"
 #include "compare/bench/peer.h"
 #include "compare/bench/timing.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 
 /// `pcm bench peers`: everybody on the same surfaces at the same poses, in turn.
 namespace pcm::compare {

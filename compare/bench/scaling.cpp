@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "compare/bench/peer.h"
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "compare/verify/routes/wanted_presets.h"
 #include "meshes/generate/round.h"
 #include "pcm/engine.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compare/bench/timing.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "pcm/triangle_mesh.h"
 
 /// `pcm bench scaling`: how the engine's time, setup time and memory grow, on two spheres (subdivided icosahedra).

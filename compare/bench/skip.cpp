@@ -9,7 +9,7 @@
 
 #include "compare/bench/bodies.h"
 #include "compare/bench/moving_bubbles.h"
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "compare/verify/routes/wanted_presets.h"
 #include "fast/base/same_bits.h"
 #include "meshes/generate/bubbles.h"

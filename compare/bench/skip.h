@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compare/bench/timing.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "pcm/savings.h"
 
 /// `pcm bench skip`: what each thing that is skipped saves, with the answers compared bit for bit.

@@ -10,9 +10,9 @@
 
 #include "compare/bench/bodies.h"
 #include "compare/io/names.h"
-#include "compare/io/random.h"
 #include "compare/poses/greatest_extent.h"
 #include "compare/poses/recorded_motion.h"
+#include "compare/random/random.h"
 #include "compare/verify/routes/wanted_presets.h"
 #include "compare/verify/run/recorded_scenes.h"
 #include "fast/base/same_bits.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compare/bench/timing.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "pcm/work_counters.h"
 
 /// `pcm bench steps`: what an evaluation costs that follows others at poses near by, beside one that knows of none, and

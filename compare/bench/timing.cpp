@@ -14,7 +14,7 @@
 #include <limits>
 #include <utility>
 
-#include "compare/io/program_provenance.h"
+#include "compare/io/provenance/program_provenance.h"
 
 namespace pcm::compare {
 namespace {

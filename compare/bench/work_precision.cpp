@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "compare/verify/routes/wanted_presets.h"
 
 namespace pcm::compare {

@@ -11,7 +11,7 @@
 #include "compare/bench/timing.h"
 #include "compare/error_budget/bodies.h"
 #include "compare/io/pictures/svg_plot.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "compare/wrong_answers/tested_engine.h"
 
 /// `pcm bench work-precision`: error of the elastic force over run time, for pairs of smooth bodies (those of the error

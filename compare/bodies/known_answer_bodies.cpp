@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "compare/io/integer_quaternion.h"
-#include "compare/io/random.h"
+#include "compare/random/integer_quaternion.h"
+#include "compare/random/random.h"
 
 namespace pcm::compare {
 namespace {

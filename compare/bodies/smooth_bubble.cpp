@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/bodies/closed_forms.h"
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 
 namespace pcm::compare {
 namespace {

@@ -15,8 +15,8 @@
 #include <random>
 #include <system_error>
 
-#include "compare/io/sha256.h"
-#include "compare/io/this_host.h"
+#include "compare/io/provenance/sha256.h"
+#include "compare/io/provenance/this_host.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compare/explain/explain.h"
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 #include "reference/oracle.h"
 
 namespace pcm::compare {

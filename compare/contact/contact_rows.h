@@ -7,7 +7,7 @@
 #include "compare/contact/contact_record.h"
 #include "compare/contact/csv_row.h"
 #include "compare/contact/placed_surfaces.h"
-#include "compare/io/poses_file.h"
+#include "compare/poses/poses_file.h"
 
 namespace pcm::compare {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/io/contact_json.h"
+#include "compare/contact/contact_json.h"
 #include "compare/io/names.h"
 #include "compare/poses/crossing_pairs.h"
 

@@ -6,8 +6,8 @@
 
 #include "compare/contact/contact_record.h"
 #include "compare/contact/placed_surfaces.h"
-#include "compare/io/exact_json.h"
-#include "compare/io/poses_file.h"
+#include "compare/io/json/exact_json.h"
+#include "compare/poses/poses_file.h"
 #include "compare/poses/surface_features.h"
 
 namespace pcm::compare {

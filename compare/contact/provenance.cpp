@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
-#include "compare/io/program_provenance.h"
-#include "compare/io/question_json.h"
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/program_provenance.h"
+#include "compare/io/provenance/sha256.h"
 #include "meshes/files/text_file.h"
 
 namespace pcm::compare {

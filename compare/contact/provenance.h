@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 #include "pcm/inputs.h"
 #include "pcm/triangle_mesh.h"
 

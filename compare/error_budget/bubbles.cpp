@@ -12,7 +12,7 @@
 #include "compare/bodies/closed_forms.h"
 #include "compare/bodies/smooth_bubble.h"
 #include "compare/error_budget/bodies.h"
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "meshes/generate/bubbles.h"
 
 namespace pcm::compare {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "reference/oracle.h"
 
 namespace pcm::compare {

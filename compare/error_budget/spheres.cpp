@@ -7,7 +7,7 @@
 
 #include "compare/bodies/closed_forms.h"
 #include "compare/error_budget/bodies.h"
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/parts.h"
 #include "meshes/generate/round.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "compare/explain/explain.h"
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 
 namespace pcm::compare {
 

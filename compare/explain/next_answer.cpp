@@ -9,6 +9,7 @@
 #include <iterator>
 #include <type_traits>
 
+#include "fast/base/geometry.h"
 #include "pcm/workspace.h"
 
 namespace pcm::compare {
@@ -82,7 +83,10 @@ DiscreteAnswer discrete_answer(const fast::Contact& contact) {
 
 std::optional<NextAnswer> next_answer(const fast::Pairing& pairing, const Pose& pose, const DiscreteAnswer& answer,
                                       const std::vector<Eigen::Vector3d>& directions, double ulp, double farthest) {
+  // The engine takes no poses farther out than that.
+  farthest = std::min(farthest, fast::kGreatestCoordinate - pose.r.cwiseAbs().maxCoeff());
   std::optional<NextAnswer> nearest;
+  if (farthest < ulp) return nearest;
   for (const Eigen::Vector3d& line : directions)
     for (const double way : {1.0, -1.0}) {
       const Eigen::Vector3d direction = way * line;

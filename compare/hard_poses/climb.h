@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compare/hard_poses/error_over_bound.h"
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 
 /// Poses that are searched for, because they bring the engine's error near to its own bound. The stratum adversarial
 /// searches for the least margins of decisions instead.

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/random.h"
 #include "compare/known_answers/identity_result.h"
 #include "compare/poses/strata.h"
+#include "compare/random/random.h"
 #include "pcm/engine.h"
 
 /// What the identities share: posed pairs, transformations of them, and comparisons.

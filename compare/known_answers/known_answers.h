@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/io/kept_values.h"
+#include "compare/io/tables/kept_values.h"
 #include "pcm/engine.h"
 #include "pcm/inputs.h"
 

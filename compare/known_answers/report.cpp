@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "compare/io/names.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "compare/known_answers/problems.h"
 
 namespace pcm::compare {

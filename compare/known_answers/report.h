@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/column_units.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/column_units.h"
+#include "compare/io/tables/table.h"
 #include "compare/known_answers/identities.h"
 #include "compare/known_answers/known_answers.h"
 

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "compare/bodies/known_answer_bodies.h"
-#include "compare/io/random.h"
 #include "compare/known_answers/problems.h"
+#include "compare/random/random.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"

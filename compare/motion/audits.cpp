@@ -10,7 +10,7 @@
 #include <mutex>
 #include <utility>
 
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 #include "compare/io/names.h"
 
 namespace pcm::compare {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/column_units.h"
+#include "compare/io/tables/column_units.h"
 #include "compare/motion/audits.h"
 
 /// Tables of audits. They hold no times, so that they are the same on every run.

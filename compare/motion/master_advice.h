@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/poses_file.h"
+#include "compare/poses/poses_file.h"
 #include "pcm/engine.h"
 
 namespace pcm::compare {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 #include "compare/motion/force_jumps.h"
 #include "compare/motion/path_work.h"
 

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "compare/io/random.h"
 #include "compare/poses/strata.h"
+#include "compare/random/random.h"
 #include "pcm/inputs.h"
 
 /// Force laws and velocities drawn for a pose, with the weight on where a law changes its branch. Pure functions of the

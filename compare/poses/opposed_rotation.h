@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 
 namespace pcm::compare {
 

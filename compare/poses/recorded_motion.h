@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "compare/io/random.h"
 #include "compare/poses/strata.h"
+#include "compare/random/random.h"
 
 /// The stratum trajectory: poses and velocities that a simulation has gone through.
 namespace pcm::compare {

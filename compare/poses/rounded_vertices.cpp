@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/io/random.h"
 #include "compare/poses/exact_arithmetic.h"
+#include "compare/random/random.h"
 
 namespace pcm::compare {
 

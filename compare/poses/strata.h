@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/io/random.h"
 #include "compare/poses/surface_features.h"
+#include "compare/random/random.h"
 #include "pcm/inputs.h"
 
 /// The strata that verification poses are drawn from (DESIGN section 4). A pose is a pure function of (seed, stratum,

@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "fast/base/number_vector.h"
 
 namespace pcm::compare {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "compare/stability/sweeps.h"
 #include "pcm/inputs.h"
 

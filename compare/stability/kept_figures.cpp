@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/stability/kept_figures.h"
 
-#include "compare/io/kept_values.h"
+#include "compare/io/tables/kept_values.h"
 
 namespace pcm::compare::stability {
 namespace {

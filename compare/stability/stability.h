@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/kept_values.h"
+#include "compare/io/tables/kept_values.h"
 #include "compare/stability/pose_figures.h"
 #include "compare/stability/sweeps.h"
 

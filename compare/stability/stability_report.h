@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compare/io/pictures/svg_plot.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "compare/stability/stability.h"
 
 namespace pcm::compare::stability {

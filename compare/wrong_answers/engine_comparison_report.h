@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "compare/wrong_answers/engine_comparison.h"
 
 namespace pcm::compare {

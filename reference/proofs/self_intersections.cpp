@@ -47,8 +47,8 @@ bool intersect(const Face& a, const Face& b) {
     for (int j = 0; j < 3; ++j)
       if (a.vertices[i] == b.vertices[j]) shared.emplace_back(i, j);
   if (shared.size() == 3) return true;
-  if (shared.size() == 2) return folded_flat(a, b, a.points[shared[0].first], a.points[shared[1].first]);
   if (a.triangle().is_degenerate() || b.triangle().is_degenerate()) return false;  // reported as zero-area elsewhere
+  if (shared.size() == 2) return folded_flat(a, b, a.points[shared[0].first], a.points[shared[1].first]);
   if (shared.size() == 1)
     return opposite_edge_meets(a, shared[0].first, b) || opposite_edge_meets(b, shared[0].second, a);
   return CGAL::do_intersect(a.triangle(), b.triangle());

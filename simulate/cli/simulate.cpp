@@ -17,7 +17,7 @@
 #include "compare/cli/frame/noted_interrupt.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/io/create_folder.h"
-#include "compare/io/report_folder.h"
+#include "compare/io/tables/report_folder.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "simulate/page/page.h"
@@ -241,7 +241,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
       "  pcm simulate bubbles --print > mine.json\n"
       "  pcm simulate mine.json --out mine --integrator bdf\n"
       "  pcm simulate mine.json --from mine --at 1.5 --out finer --relative-tolerance 1e-6");
-  command->add_option("SCENE", options->scene, built_in_names() + ", or a scene file");
+  CLI::Option* const scene = command->add_option("SCENE", options->scene, built_in_names() + ", or a scene file");
   command->add_option("--out", options->out, "Folder of the run; SCENE-run where it is left out")->type_name("DIR");
   command
       ->add_option("--integrator", options->method,
@@ -284,8 +284,14 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   for (const char* option : {"--integrator", "--jacobian", "--relative-tolerance", "--absolute-tolerance", "--spectrum",
                              "--paraview", "--stills"})
     compares->excludes(option);
-  command->add_flag("--print", options->print, "Print the scene and run nothing");
-  command->add_flag("--schema", options->schema, "Print the JSON schema of scene files");
+  CLI::Option* const print = command->add_flag("--print", options->print, "Print the scene and run nothing");
+  CLI::Option* const schema = command->add_flag("--schema", options->schema, "Print the JSON schema of scene files");
+  for (CLI::Option* option : command->get_options()) {
+    const bool alone = option == command->get_help_ptr() || option == print || option == schema;
+    if (!alone && option != scene) print->excludes(option);
+    if (!alone) schema->excludes(option);
+  }
+  schema->excludes(print);
   command->callback([options, &run] { run = [options] { return simulate(*options); }; });
 }
 

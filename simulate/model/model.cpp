@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -310,7 +311,15 @@ Evaluation Model::derivative(double t, const Eigen::VectorXd& y, Eigen::VectorXd
   Data& data = *data_;
   data.realize(t, y, SimTK::Stage::Velocity);
   const std::int64_t unmoved = data.contacts.counters().unmoved;
-  const std::vector<pcm::simbody::PairingAnswer>& answers = data.contacts.answers(data.state);
+  const std::vector<pcm::simbody::PairingAnswer>* asked = nullptr;
+  try {
+    asked = &data.contacts.answers(data.state);
+  } catch (const BadInput&) {
+    // A state that an integrator tries, beyond what the engine takes: it has no finite derivative there.
+    dydt.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return Evaluation::available;
+  }
+  const std::vector<pcm::simbody::PairingAnswer>& answers = *asked;
   data.counters.law_only += data.contacts.counters().unmoved - unmoved;
   for (const pcm::simbody::PairingAnswer& answer : answers) {
     data.counters.nested += answer.nested;

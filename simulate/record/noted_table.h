@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 
 namespace pcm::simulate {
 

@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "compare/io/create_folder.h"
+#include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
-#include "compare/io/program_hash.h"
-#include "compare/io/question_json.h"
-#include "compare/io/report_folder.h"
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/program_hash.h"
+#include "compare/io/provenance/sha256.h"
+#include "compare/io/tables/report_folder.h"
 #include "meshes/files/parse_number.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -249,6 +249,7 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
   } catch (const std::filesystem::filesystem_error& error) {
     throw BadInput(folder_.string() + ": " + error.code().message() + ": " + error.path1().string());
   }
+  write_texts_that_differ();
   open_tables(true);
   return run;
 }
@@ -258,28 +259,39 @@ void RunFolder::begin(Eigen::Index size) {
   std::filesystem::remove(folder_ / "checkpoint.json", ignored);
   remove_report();
   open_tables(false);
-  write_text_file(folder_ / "scene.json", scene_text_);
-  write_trajectory_index();
+  write_surfaces();
+  write_texts_that_differ();
   steps_ << "t,size,order,error_test_failures,nonlinear_failures,not_here,not_finite,elements,entered,left,too_deep\n";
   series_ << series_header(scene_);
   states_ << states_header(size);
   spectrum_ << "t,size,least_real,greatest_imaginary,radius\n";
 }
 
-void RunFolder::write_trajectory_index() const {
+void RunFolder::write_surfaces() const {
+  for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
+    write_obj(scene_.surfaces[s].surface.mesh(), folder_ / "trajectory" / surface_file(s));
+}
+
+void RunFolder::write_texts_that_differ() const {
+  const auto write = [this](const std::filesystem::path& file, const std::string& text) {
+    if (compare::sha256_of_file(folder_ / file) != compare::sha256(text)) write_text_file(folder_ / file, text);
+  };
+  write("scene.json", scene_text_);
+  write(std::filesystem::path("trajectory") / "trajectory.json", trajectory_index());
+}
+
+std::string RunFolder::trajectory_index() const {
   Json json;
   json["pcm_trajectory"] = 1;
   Json& surfaces = json["surfaces"] = Json::array();
-  for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
-    write_obj(scene_.surfaces[s].surface.mesh(), folder_ / "trajectory" / surface_file(s));
+  for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
     surfaces.push_back({{"name", scene_.surfaces[s].name}, {"file", surface_file(s)}});
-  }
   Json& pairings = json["pairings"] = Json::array();
   for (std::size_t p = 0; p < scene_.pairings.size(); ++p) {
     Json& pairing = pairings.emplace_back(pairing_json(scene_.pairings[p]));
     pairing["poses"] = fmt::format("{}.poses", p);
   }
-  write_text_file(folder_ / "trajectory" / "trajectory.json", json.dump(1) + "\n");
+  return json.dump(1) + "\n";
 }
 
 void RunFolder::add_step(const SimulatedStep& step) {

@@ -88,7 +88,10 @@ class RunFolder {
   std::vector<std::filesystem::path> whole_files() const;
   /// In the order of `tables`.
   std::vector<std::ofstream*> streams();
-  void write_trajectory_index() const;
+  void write_surfaces() const;
+  /// The scene's text and the trajectory's index, where they are not what they were.
+  void write_texts_that_differ() const;
+  std::string trajectory_index() const;
 
   std::filesystem::path folder_;
   std::optional<FolderLock> lock_;

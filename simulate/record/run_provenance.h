@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "compare/io/column_units.h"
+#include "compare/io/tables/column_units.h"
 #include "simulate/run/integrator_comparison.h"
 #include "simulate/scenes/scene.h"
 

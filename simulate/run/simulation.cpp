@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/run/simulation.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,7 @@
 
 #include "pcm/bad_input.h"
 #include "simulate/integrators/difference_quotients.h"
+#include "simulate/integrators/integrator.h"
 #include "simulate/integrators/make_integrator.h"
 
 namespace pcm::simulate {
@@ -129,6 +132,9 @@ void Simulation::start() {
   checkpoint.t = t;
   checkpoint.y = y;
   checkpoint.energy_at_start = model_.observe(t, y).energies.total();
+  if (!std::isfinite(checkpoint.energy_at_start))
+    throw BadInput(
+        "the energy at the start exceeds what a double can hold; masses, speeds, heights or gravity are too great");
   start(checkpoint);
 }
 
@@ -144,6 +150,8 @@ void Simulation::begin_segment(double t, const Eigen::VectorXd& y) {
   const Eigen::VectorXd unit = model_.normalised(y);
   model_.forget();
   integrator_->start(t, unit);
+  t_ = t;
+  y_ = unit;
   Observation now = model_.observe(t, unit);
   powers_ = now.powers;
   elements_ = std::move(now.elements);
@@ -154,16 +162,12 @@ double Simulation::next_checkpoint() const {
   return std::min(scene_.duration, multiple_or_end(segment_ + 1, scene_.output.checkpoint_interval, scene_.duration));
 }
 
-double Simulation::t() const {
-  return integrator_->t();
-}
-
 bool Simulation::at_checkpoint() const {
   return t() >= next_checkpoint();
 }
 
 Simulation::Checkpoint Simulation::checkpoint() const {
-  return {t(), integrator_->y(), flow_, energy_at_start_};
+  return {t_, y_, flow_, energy_at_start_};
 }
 
 Eigen::VectorXd Simulation::state_at(double t) const {
@@ -193,19 +197,28 @@ std::optional<Spectrum> Simulation::spectrum(double t, const Eigen::VectorXd& y)
 SimulatedStep Simulation::step() {
   if (at_checkpoint()) {
     ++segment_;
-    begin_segment(t(), integrator_->y());
+    begin_segment(t_, y_);
   }
   SimulatedStep result;
   const double begin = t(), seconds = processor_seconds();
   result.step = integrator_->step(next_checkpoint());
   integration_seconds_ += processor_seconds() - seconds;
 
-  const double end = t(), middle = begin + (end - begin) / 2;
+  const double end = integrator_->t(), middle = begin + (end - begin) / 2;
   const Powers in_the_middle = model_.observe(middle, state_at(middle)).powers;
   result.observation = model_.observe(end, integrator_->y());
-  add_step(flow_, end - begin, powers_, in_the_middle, result.observation.powers);
-  powers_ = result.observation.powers;
   result.flow = flow_;
+  add_step(result.flow, end - begin, powers_, in_the_middle, result.observation.powers);
+  if (!std::isfinite(result.observation.energies.total()) || !std::isfinite(result.flow.lost()))
+    throw IntegrationFailure(
+        begin,
+        fmt::format("the energy exceeds what a double can hold after t = {:g} s: forces, masses or speeds are too "
+                    "great",
+                    begin));
+  t_ = end;
+  y_ = integrator_->y();
+  powers_ = result.observation.powers;
+  flow_ = result.flow;
 
   std::vector<ObservedElement> now = result.observation.elements;
   std::sort(now.begin(), now.end(), before);
@@ -215,7 +228,7 @@ SimulatedStep Simulation::step() {
   elements_ = std::move(now);
   ++steps_since_checkpoint_;
   const std::int64_t interval = scene_.output.spectrum_interval;
-  if (interval > 0 && steps_since_checkpoint_ % interval == 0) result.spectrum = spectrum(end, integrator_->y());
+  if (interval > 0 && steps_since_checkpoint_ % interval == 0) result.spectrum = spectrum(end, y_);
   for (const PairingObservation& pairing : result.observation.pairings) result.too_deep += pairing.too_deep;
   return result;
 }

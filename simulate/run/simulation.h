@@ -71,9 +71,10 @@ class Simulation {
   void start();
   void start(const Checkpoint& checkpoint);
 
-  /// One accepted step, ending at the next checkpoint at the latest. Throws IntegrationFailure.
+  /// One accepted step, ending at the next checkpoint at the latest. Throws IntegrationFailure, where energies exceed
+  /// what a double can hold too, and stays where it was.
   SimulatedStep step();
-  double t() const;
+  double t() const { return t_; }
   bool finished() const { return t() >= scene_.duration; }
   /// Where a checkpoint was reached, which `step` then begins from.
   bool at_checkpoint() const;
@@ -102,6 +103,8 @@ class Simulation {
   std::unique_ptr<Integrator> integrator_;
   EnergyFlow flow_;
   double energy_at_start_ = 0;
+  double t_ = 0;                           ///< up to here it has come
+  Eigen::VectorXd y_;                      ///< at t()
   Powers powers_;                          ///< at t()
   std::vector<ObservedElement> elements_;  ///< at t()
   std::int64_t segment_ = 0;               ///< checkpoints passed

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/io/json/strict_json.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::simulate {
@@ -65,9 +66,6 @@ std::string escaped(std::string key) {
   return key;
 }
 
-/// What a scene needs is five; a pointer is as long as its value lies deep.
-constexpr std::size_t kMostLevels = 64;
-
 /// Notes the line of every value by its pointer.
 class LineRecorder : public nlohmann::json_sax<Json> {
  public:
@@ -122,8 +120,9 @@ class LineRecorder : public nlohmann::json_sax<Json> {
   }
   bool open(bool array) {
     value();
-    if (levels_.size() == kMostLevels)
-      return refuse("lists and objects lie in one another more than " + std::to_string(kMostLevels) + " levels deep");
+    if (levels_.size() >= compare::kMostJsonLevels)
+      return refuse("lists and objects lie in one another more than " + std::to_string(compare::kMostJsonLevels) +
+                    " levels deep");
     levels_.push_back({array, 0, "", {}});
     return true;
   }

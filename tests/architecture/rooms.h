@@ -46,6 +46,7 @@ inline const std::vector<Part>& parts() {
        {}},
       {"compare",
        {"io",
+        "random",
         "campaign",
         "bodies",
         "poses",

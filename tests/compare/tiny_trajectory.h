@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "compare/io/question_json.h"
+#include "compare/io/json/question_json.h"
 #include "meshes/generate/boxes.h"
 #include "pcm/write_obj.h"
 #include "tests/meshes/temporary_folder.h"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/io/poses_file.h"
+#include "compare/poses/poses_file.h"
 #include "compare/verify/verdict/case_file.h"
 #include "fast/base/same_bits.h"
 #include "meshes/files/read_obj.h"

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,10 +21,10 @@
 #include "compare/bench/steps.h"
 #include "compare/bench/work_precision.h"
 #include "compare/cli/frame/programs.h"
+#include "compare/io/json/question_json.h"
 #include "compare/io/pictures/svg_plot.h"
-#include "compare/io/question_json.h"
-#include "compare/io/report_folder.h"
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/sha256.h"
+#include "compare/io/tables/report_folder.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -51,12 +52,15 @@ struct SkipOptions {
   bool quick = false;
 };
 
-/// A folder, made if need be: before an hour is spent on what can't be kept there.
-std::optional<fs::path> output_folder(const std::optional<std::string>& out) {
+/// A folder, made if need be, without files of others under these names: before an hour is spent on what can't be kept
+/// there.
+std::optional<fs::path> output_folder(const std::optional<std::string>& out, const std::string& command,
+                                      std::initializer_list<const char*> files) {
   if (!out) return {};
   std::error_code error;
   fs::create_directories(*out, error);
   if (!fs::is_directory(*out, error)) throw BadInput("--out " + *out + ": no such folder, and it cannot be made");
+  refuse_files_of_others(*out, command, files);
   return fs::path(*out);
 }
 
@@ -87,7 +91,8 @@ Exit bench_peers(const PeersOptions& options) {
   std::vector<BenchBody> bodies;
   for (const std::string& name : options.bodies.empty() ? bench_body_names() : options.bodies)
     bodies.push_back(bench_body(name));
-  const std::optional<fs::path> folder = output_folder(options.out);
+  const std::optional<fs::path> folder =
+      output_folder(options.out, "peers", {"peers.md", "peers.tex", "peers.csv", "peers.json"});
   const Machine machine = this_machine(stay_on_one_core());
   const std::vector<PeerComparison> results = compare_peers(bodies, poses, show_progress);
   show_progress("");
@@ -107,7 +112,8 @@ Exit bench_peers(const PeersOptions& options) {
 
 Exit bench_scaling(const FixedOptions& options) {
   const std::int64_t poses = options.quick ? 2 : 20;
-  const std::optional<fs::path> folder = output_folder(options.out);
+  const std::optional<fs::path> folder =
+      output_folder(options.out, "scaling", {"scaling.md", "scaling.tex", "scaling.csv", "setup.csv", "scaling.json"});
   const Machine machine = this_machine(stay_on_one_core());
   const ScalingResult result = run_scaling(options.quick ? 4 : 8, poses, show_progress);
   show_progress("");
@@ -130,7 +136,8 @@ Exit bench_scaling(const FixedOptions& options) {
 Exit bench_skip(const SkipOptions& options) {
   const auto steps = static_cast<std::int64_t>(
       whole_number("--steps", options.steps.value_or(options.quick ? "3" : "100"), 1, 100'000));
-  const std::optional<fs::path> folder = output_folder(options.out);
+  const std::optional<fs::path> folder =
+      output_folder(options.out, "skip", {"skip.md", "skip.tex", "skip_scene.csv", "skip.csv", "skip.json"});
   const Machine machine = this_machine(stay_on_one_core());
   const SkipResult result =
       options.quick ? run_skip(8, steps, 2, show_progress) : run_skip(50, steps, 40, show_progress);
@@ -159,7 +166,8 @@ Exit bench_skip(const SkipOptions& options) {
 Exit bench_steps(const FixedOptions& options) {
   const std::int64_t ways = options.quick ? 2 : 100;
   const int passes = options.quick ? 1 : 5;
-  const std::optional<fs::path> folder = output_folder(options.out);
+  const std::optional<fs::path> folder =
+      output_folder(options.out, "steps", {"steps.md", "steps.tex", "steps.csv", "steps_work.csv", "steps.json"});
   const Machine machine = this_machine(stay_on_one_core());
   const std::vector<StepsResult> results = run_steps(ways, passes, show_progress);
   show_progress("");
@@ -181,7 +189,9 @@ Exit bench_steps(const FixedOptions& options) {
 
 Exit bench_work_precision(const FixedOptions& options) {
   const Extent extent = options.quick ? Extent::quick : Extent::full;
-  const std::optional<fs::path> folder = output_folder(options.out);
+  const std::optional<fs::path> folder =
+      output_folder(options.out, "work_precision",
+                    {"work_precision.md", "work_precision.tex", "work_precision.csv", "work_precision.json"});
   show_progress("forces of the smooth bodies");
   const std::vector<WorkPrecisionProblem> problems = work_precision_problems(extent);
   const Machine machine = this_machine(stay_on_one_core());

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "compare/io/contact_json.h"
+#include "compare/contact/contact_json.h"
 #include "compare/wrong_answers/tested_engine.h"
 #include "reference/oracle.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "compare/contact/contact_record.h"
-#include "compare/io/exact_json.h"
-#include "compare/io/poses_file.h"
+#include "compare/io/json/exact_json.h"
+#include "compare/poses/poses_file.h"
 #include "pcm/inputs.h"
 #include "pcm/triangle_mesh.h"
 #include "reference/vocabulary/answer.h"

@@ -5,13 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "compare/cli/frame/output_files.h"
 #include "compare/contact/contact_rows.h"
-#include "compare/io/json_file.h"
+#include "compare/io/json/json_file.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
@@ -30,6 +31,25 @@ std::vector<std::string> provenance_files(const ContactOutputOptions& options) {
     if (table) files.push_back(provenance_file(*table));
   if (options.vtk) files.push_back((std::filesystem::path(*options.vtk) / "provenance.json").string());
   return files;
+}
+
+/// Whether it is a file that says where tables come from, not somebody's own.
+bool is_provenance(const std::string& file) {
+  std::ifstream in(file);
+  const Json json = Json::parse(in, nullptr, false);
+  return json.is_object() && json.contains("version") && json.contains("command_line") && json.contains("engine");
+}
+
+/// Throws BadInput naming the first file of the folder that would be replaced where none says that it is of earlier
+/// contacts.
+void refuse_pictures_of_others(const std::filesystem::path& folder) {
+  if (is_provenance((folder / "provenance.json").string())) return;
+  std::error_code none_there;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none_there))
+    if (is_name_in_vtp_folder(entry.path().filename().string()))
+      throw BadInput(entry.path().string() +
+                     " is there, and no provenance.json beside it says that 'pcm contact' has written it; name another "
+                     "folder for --vtk");
 }
 
 /// Not a pipe, a device, or a link, as /dev/stdout is one.
@@ -71,10 +91,15 @@ void require_files_of_their_own(const ContactOutputOptions& options, const std::
       if (is_name_in_vtp_folder(name.string()) && is_same_file(std::filesystem::path(*options.vtk) / name, other))
         throw BadInput(other + ": is read or written already; name another folder for --vtk");
     }
-  for (const std::string& file : provenance_files(options))
+  if (options.vtk) refuse_pictures_of_others(*options.vtk);
+  for (const std::string& file : provenance_files(options)) {
     for (const std::string& other : taken)
       if (is_same_file(file, other))
         throw BadInput(other + ": would be overwritten with where the tables come from; name another file");
+    if (std::error_code error; std::filesystem::exists(file, error) && !is_provenance(file))
+      throw BadInput(file +
+                     ": would be overwritten with where the tables come from, and 'pcm contact' has not written it");
+  }
 }
 
 ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const ContactQuestion& question,

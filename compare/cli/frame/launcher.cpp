@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-#include "compare/io/this_host.h"
+#include "compare/io/provenance/this_host.h"
 
 namespace pcm::compare {
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/frame/output_files.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "pcm/bad_input.h"
@@ -16,6 +17,18 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
   return !one.empty() && one == other;
 }
 
+namespace {
+
+/// Whether the file is the one that standard output was led into.
+bool is_standard_output(const std::string& file) {
+  struct stat named {
+  }, output{};
+  return fstat(STDOUT_FILENO, &output) == 0 && S_ISREG(output.st_mode) && stat(file.c_str(), &named) == 0 &&
+         named.st_dev == output.st_dev && named.st_ino == output.st_ino;
+}
+
+}  // namespace
+
 std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile>& outputs,
                                                     const std::vector<std::string>& inputs) {
   std::vector<std::string> taken = inputs;
@@ -26,6 +39,8 @@ std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile
     for (const std::string& other : taken)
       if (is_same_file(*file, other))
         throw BadInput(*file + ": is read or written already; name another file for " + option);
+    if (is_standard_output(*file))
+      throw BadInput(*file + ": what is printed goes there already; name another file for " + option);
     taken.push_back(*file);
   }
   return taken;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compare/cli/frame/command_line.h"
-#include "compare/io/poses_file.h"
+#include "compare/poses/poses_file.h"
 
 namespace pcm::compare {
 

@@ -6,13 +6,16 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include "compare/io/split_at_commas.h"
 #include "pcm/bad_input.h"
 #include "pcm/version.h"
 
@@ -55,14 +58,43 @@ std::string describe(const CLI::ParseError& error, const CLI::App& program) {
   return what + "; see '" + full_name(command) + " --help'";
 }
 
+[[noreturn]] void refuse_empty_value(const std::string& option) {
+  throw BadInput(option + ": the value is empty; name a value or leave the option out");
+}
+
+/// Throws BadInput naming the first option given as --name= with nothing behind it: CLI11 would take the next word for
+/// its value, another option even.
+void refuse_options_without_value(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (word == "--") return;
+    if (word.starts_with("--") && word.find('=') == word.size() - 1)
+      refuse_empty_value(word.substr(0, word.size() - 1));
+  }
+}
+
+/// Throws BadInput naming an option whose list has an empty item: CLI11 leaves it out.
+void refuse_empty_items(const CLI::App& command, const std::vector<std::string>& words) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_delimiter() == '\0') continue;
+    const std::string name = option->get_name();
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      std::string list;
+      if (words[k].starts_with(name + "=")) list = words[k].substr(name.size() + 1);
+      if (words[k] == name && k + 1 < words.size()) list = words[k + 1];
+      const std::vector<std::string> items = split_at_commas(list);
+      if (items.size() > 1 && std::find(items.begin(), items.end(), "") != items.end())
+        throw BadInput(name + ": '" + list + "' has an empty item; leave out the comma");
+    }
+  }
+}
+
 /// Throws BadInput naming an option or argument whose value is empty, as that of a shell's variable that is not set: it
 /// would pass for one that is not given.
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_inject_separator()) continue;  // CLI11 has empty ones between groups of values
     for (const std::string& value : option->results())
-      if (value.empty())
-        throw BadInput(option->get_name() + ": the value is empty; name a value or leave the option out");
+      if (value.empty()) refuse_empty_value(option->get_name());
   }
 }
 
@@ -100,6 +132,8 @@ Exit run_command_line(int argc, char** argv, const std::function<void(CLI::App&,
   Run run;
   add_commands(program, run);
 
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  refuse_options_without_value(words);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help or --version
@@ -110,6 +144,7 @@ Exit run_command_line(int argc, char** argv, const std::function<void(CLI::App&,
     return Exit::bad_input;
   }
   refuse_empty_values(innermost(program));
+  refuse_empty_items(innermost(program), words);
   return run();
 }
 

@@ -18,11 +18,13 @@
 
 #include "compare/campaign/run_chunks.h"
 #include "compare/cli/frame/launcher.h"
+#include "compare/cli/frame/output_files.h"
 #include "compare/cli/frame/programs.h"
 #include "compare/cli/judge/publish_judgement.h"
 #include "compare/cli/verify/verify_run.h"
-#include "compare/io/program_hash.h"
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/program_hash.h"
+#include "compare/io/provenance/sha256.h"
+#include "compare/io/tables/report_folder.h"
 #include "compare/judge/engines/replies.h"
 #include "compare/judge/judgement/judged_cases.h"
 #include "compare/judge/judgement/judging_report.h"
@@ -173,6 +175,15 @@ Exit judge_alone(Judging& run, const JudgeOptions& options, const JudgingSetup& 
   return exit_status(run, !interrupted);
 }
 
+/// Throws BadInput where the folder has files of others under the names of tables, the answers themselves even. Those
+/// who share in a judgement may come while its tables are being written.
+void refuse_to_overwrite(const JudgeOptions& options, const fs::path& folder) {
+  for (const char* file : kJudgementFiles)
+    if (options.answers && is_same_file(*options.answers, folder / file))
+      throw BadInput(*options.answers + ": the tables would take its place; choose another folder for --out");
+  if (!fs::exists(folder / kCampaignFile)) refuse_files_of_others(folder, kJudgementReport, kJudgementFiles);
+}
+
 Exit judge(const JudgeOptions& options) {
   if (options.schema) {
     std::cout << (*options.schema == "poses" ? pose_schema() : answer_schema());
@@ -191,6 +202,7 @@ Exit judge(const JudgeOptions& options) {
   const auto ulps = static_cast<std::int64_t>(whole_number("--ulps", options.ulps, 0, kMostUlps));
   const PosedQuestions posed = read_poses_folder(*options.poses);
   const std::optional<fs::path> folder = prepared_folder(options.frame);
+  if (folder) refuse_to_overwrite(options, *folder);
   JudgingSetup setup{options.answers.value_or(options.command.value_or("")),
                      *options.poses,
                      tolerances.text(),

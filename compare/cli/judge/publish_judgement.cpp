@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "compare/io/report_folder.h"
+#include "compare/io/tables/report_folder.h"
 #include "compare/judge/judgement/judged_cases.h"
 #include "compare/judge/poses/poses_folder.h"
 
@@ -66,7 +66,7 @@ void publish_judgement(const Judging& run, const JudgingSetup& setup,
     remove_judged_cases(*folder);
     Json whole = judging_json(run, setup, ended);
     whole["cases"] = write_judged_cases(*folder, run);
-    ReportFolder tables(*folder, "judgement", question_of(run.judge().posed(), setup, ended.empty()));
+    ReportFolder tables(*folder, kJudgementReport, question_of(run.judge().posed(), setup, ended.empty()));
     tables.markdown("judgement", "# Answers before the oracle\n\n" + judging_legend(setup) + "\n" + markdown(strata) +
                                      "\n" + markdown(facts) + "\n" + markdown(pairs) + "\n" + verdict + "\n");
     tables.csv("strata", csv(strata), {});

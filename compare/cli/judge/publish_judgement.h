@@ -3,12 +3,18 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
 #include "compare/judge/judgement/judging_report.h"
 
 namespace pcm::compare {
+
+/// What a judgement leaves in its folder beside the case files, and its name in there.
+inline constexpr const char* kJudgementReport = "judgement";
+inline constexpr std::initializer_list<const char*> kJudgementFiles = {
+    "judgement.md", "judgement.tex", "judgement.json", "strata.csv", "facts.csv", "pairs.csv"};
 
 /// The tables and the verdict, on the screen and, where there is a folder, in its files, with a case file of each of
 /// the first wrong answers of a stratum. `ended`: what ended it before all was judged; empty where nothing did.

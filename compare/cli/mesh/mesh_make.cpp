@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "compare/cli/frame/output_files.h"
+#include "fast/base/geometry.h"
 #include "meshes/files/extension.h"
 #include "meshes/generate/make.h"
 #include "pcm/bad_input.h"
@@ -58,6 +60,12 @@ Exit make_shape(const MakeOptions& options) {
   require_files_of_their_own({{"-o", options.output}}, {});
   if (options.output) require_no_other_format(*options.output);
   const TriangleMesh mesh = make(options.shape, parameters_from(options.parameters));
+  double greatest = 0;
+  for (const Eigen::Vector3d& x : mesh.vertices) greatest = std::max(greatest, x.cwiseAbs().maxCoeff());
+  if (!(greatest <= fast::kGreatestCoordinate))
+    throw BadInput(
+        fmt::format("{}: with these parameters a coordinate is {:.3g} m, beyond what the engine takes, 2^300 m",
+                    options.shape, greatest));
   if (options.output) {
     write_obj(mesh, *options.output);
   } else {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "compare/io/kept_values.h"
-#include "compare/io/program_hash.h"
+#include "compare/io/provenance/program_hash.h"
+#include "compare/io/tables/kept_values.h"
 #include "compare/known_answers/known_answers.h"
 
 namespace pcm::compare {

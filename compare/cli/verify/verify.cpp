@@ -13,7 +13,7 @@
 
 #include "compare/cli/frame/launcher.h"
 #include "compare/cli/verify/verify_run.h"
-#include "compare/io/report_folder.h"
+#include "compare/io/tables/report_folder.h"
 #include "compare/verify/run/held_again.h"
 #include "compare/verify/run/kept_run.h"
 #include "compare/verify/run/run_chunks.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "compare/cli/verify/kept_folder.h"
-#include "compare/io/report_folder.h"
+#include "compare/io/tables/report_folder.h"
 #include "compare/motion/audits_report.h"
 
 namespace pcm::compare {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "compare/io/question_json.h"
-#include "compare/io/report_folder.h"
+#include "compare/io/json/question_json.h"
+#include "compare/io/tables/report_folder.h"
 #include "compare/verify/run/run_identity.h"
 #include "compare/wrong_answers/engine_comparison_report.h"
 #include "meshes/files/text_file.h"

@@ -11,7 +11,7 @@
 
 #include "compare/cli/frame/progress_line.h"
 #include "compare/cli/verify/kept_folder.h"
-#include "compare/io/report_folder.h"
+#include "compare/io/tables/report_folder.h"
 #include "compare/known_answers/report.h"
 
 namespace pcm::compare {

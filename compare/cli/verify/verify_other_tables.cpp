@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
+#include <string>
 
 #include "compare/cli/verify/verify_audits.h"
 #include "compare/cli/verify/verify_engines.h"
@@ -12,12 +14,21 @@
 #include "compare/cli/verify/verify_known_answers.h"
 #include "compare/cli/verify/verify_run.h"
 #include "compare/cli/verify/verify_stability.h"
+#include "compare/io/tables/report_folder.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The folder of --out, without files of others under these names.
+std::optional<fs::path> own_folder(const VerifyOptions& options, const std::string& command,
+                                   std::initializer_list<const char*> files) {
+  std::optional<fs::path> folder = prepared_folder(options);
+  if (folder) refuse_files_of_others(*folder, command, files);
+  return folder;
+}
 
 Extent extent_of(const VerifyOptions& options) {
   return options.quick ? Extent::quick : Extent::full;
@@ -34,7 +45,8 @@ Exit engine_comparison(const VerifyOptions& options) {
   std::vector<std::string> notices;
   VerificationPlan plan = plan_from(options, notices);
   plan.schemes = {Scheme::barycentric};
-  const std::optional<fs::path> folder = prepared_folder(options);
+  const std::optional<fs::path> folder = own_folder(
+      options, "wrong_answers", {"wrong_answers.md", "wrong_answers.tex", "wrong_answers.csv", "wrong_answers.json"});
   for (const std::string& notice : notices) complain(notice);
   const Interruptible work(plan.poses);
   return verify_engines(
@@ -44,23 +56,29 @@ Exit engine_comparison(const VerifyOptions& options) {
 
 Exit known_answers(const VerifyOptions& options) {
   const std::uint64_t seed = seed_of(options);
-  const std::optional<fs::path> folder = prepared_folder(options);
+  const std::optional<fs::path> folder =
+      own_folder(options, "known_answers",
+                 {"known_answers.md", "known_answers.tex", "known_answers.csv", "known_answers.json", "identities.md",
+                  "identities.tex", "identities.csv"});
   return verify_known_answers(extent_of(options), seed, number_of_jobs(options), folder);
 }
 
 Exit error_budget(const VerifyOptions& options) {
-  const std::optional<fs::path> folder = prepared_folder(options);
+  const std::optional<fs::path> folder = own_folder(
+      options, "error_budget", {"error_budget.md", "error_budget.tex", "error_budget.csv", "error_budget.json"});
   return verify_error_budget(extent_of(options), number_of_jobs(options), folder);
 }
 
 Exit audits(const VerifyOptions& options) {
-  const std::optional<fs::path> folder = prepared_folder(options);
+  const std::optional<fs::path> folder =
+      own_folder(options, "audits", {"audits.md", "audits.tex", "audits.csv", "audits.json"});
   return verify_audits(extent_of(options), number_of_jobs(options), folder);
 }
 
 Exit stability(const VerifyOptions& options) {
   const std::uint64_t seed = seed_of(options);
-  const std::optional<fs::path> folder = prepared_folder(options);
+  const std::optional<fs::path> folder = own_folder(
+      options, "stability", {"stability.md", "stability.tex", "stability.csv", "flatness.csv", "stability.json"});
   return verify_stability(extent_of(options), seed, number_of_jobs(options), folder);
 }
 

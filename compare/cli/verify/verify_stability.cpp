@@ -10,7 +10,7 @@
 
 #include "compare/cli/frame/progress_line.h"
 #include "compare/cli/verify/kept_folder.h"
-#include "compare/io/report_folder.h"
+#include "compare/io/tables/report_folder.h"
 #include "compare/stability/stability_report.h"
 #include "meshes/files/text_file.h"
 

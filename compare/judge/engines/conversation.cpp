@@ -27,6 +27,8 @@ namespace {
 constexpr std::size_t kLongestLine = std::size_t{1} << 26;
 
 constexpr Conversation::Seconds kPatience{1};
+/// Thirty years: nobody waits longer.
+constexpr Conversation::Seconds kLongestLimit{1e9};
 /// Between two looks at whether to stop: signals may come to other threads.
 constexpr double kLook = 0.1;
 
@@ -130,7 +132,8 @@ std::optional<Conversation::Said> Conversation::ask(const std::string& line) {
     start();
     tell = greeting_ + '\n' + tell;
   }
-  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit_);
+  const Clock::time_point end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::min(limit_, kLongestLimit));
   std::size_t told = 0;
   while (true) {
     if (const std::size_t at = heard_.find('\n'); at != std::string::npos) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/question_json.h"
+#include "compare/io/json/question_json.h"
 #include "compare/judge/judgement/judge.h"
 
 /// What came of judging some answers: sums, whatever the order of the answers and whoever judged them.

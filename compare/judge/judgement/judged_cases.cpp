@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/judge/judgement/judged_cases.h"
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <system_error>
 
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/sha256.h"
 #include "compare/verify/verdict/case_file.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -48,10 +51,30 @@ void remove_judged_cases(const fs::path& folder) {
   }
 }
 
+namespace {
+
+/// Longer names are none to many file systems.
+constexpr std::size_t kLongestId = 180;
+
+/// The name of the case file of a pose, whose id may hold anything and be of any length; another one than those taken.
+std::string free_name(const std::string& id, std::set<std::string>& taken) {
+  std::size_t length = std::min(id.size(), kLongestId);
+  while (length < id.size() && (static_cast<unsigned char>(id[length]) & 0xC0U) == 0x80U) --length;  // within UTF-8
+  std::string word = id.substr(0, length);
+  std::replace_if(
+      word.begin(), word.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '_');
+  std::string name = case_file_name(word);
+  for (int k = 2; !taken.insert(name).second; ++k) name = case_file_name(word + "-" + std::to_string(k));
+  return name;
+}
+
+}  // namespace
+
 Json write_judged_cases(const fs::path& folder, const Judging& run) {
   Json written = Json::array();
+  std::set<std::string> taken;
   for (const WrongAnswer& wrong : run.wrong_answers()) {
-    const std::string name = case_file_name(run.judge().posed().questions[wrong.reply.question].id);
+    const std::string name = free_name(run.judge().posed().questions[wrong.reply.question].id, taken);
     const std::string text = run.case_text(wrong);
     write_text_file(folder / name, text);
     written.push_back({{"file", name}, {"sha256", sha256(text)}});

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 #include "compare/judge/judgement/judging.h"
 
 /// The case files of `pcm judge --out`. Other commands may have case files in the same folder, those of `pcm verify`

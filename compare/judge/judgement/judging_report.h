@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "compare/judge/judgement/judging.h"
 
 /// The tables of `pcm judge`.

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "compare/io/json_file.h"
+#include "compare/io/json/json_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {

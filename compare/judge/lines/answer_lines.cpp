@@ -12,8 +12,8 @@
 #include <tuple>
 #include <utility>
 
+#include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
-#include "compare/io/question_json.h"
 #include "compare/judge/lines/json_lines.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "compare/io/question_json.h"
+#include "compare/io/json/question_json.h"
 #include "compare/judge/lines/given_answer.h"
 #include "compare/judge/lines/posed_question.h"
 

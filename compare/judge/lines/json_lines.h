@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "compare/io/strict_json.h"
+#include "compare/io/json/strict_json.h"
 
 namespace pcm::compare {
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "compare/io/question_json.h"
+#include "compare/io/json/question_json.h"
 
 namespace pcm::compare {
 

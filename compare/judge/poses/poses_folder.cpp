@@ -9,9 +9,9 @@
 #include <set>
 #include <utility>
 
+#include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
-#include "compare/io/question_json.h"
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/sha256.h"
 #include "compare/judge/lines/json_lines.h"
 #include "compare/verify/verdict/question_range.h"
 #include "meshes/files/text_file.h"
@@ -40,6 +40,12 @@ std::size_t count_of_poses(const Json& json) {
   return json.get<std::size_t>();
 }
 
+/// Of a surface's vertices or faces, where the first line has it.
+void require_count(const Json& surface, const char* key, std::size_t count) {
+  if (surface.contains(key) && surface[key] != count)
+    throw BadInput(fmt::format("\"{}\": {} has {}, not {}", key, text_at(surface, "file"), count, surface[key].dump()));
+}
+
 std::vector<PosedSurface> surfaces_from(const Json& header, const std::filesystem::path& folder) {
   std::vector<PosedSurface> surfaces;
   for (const Json& json : header.at("surfaces")) {
@@ -50,6 +56,8 @@ std::vector<PosedSurface> surfaces_from(const Json& header, const std::filesyste
       throw BadInput(fmt::format("{} has changed since the poses were written: its SHA-256 is {}, it was {}",
                                  file.string(), hash, surface.sha256));
     surface.mesh = read_mesh(file);
+    require_count(json, "vertices", surface.mesh.vertices.size());
+    require_count(json, "faces", surface.mesh.faces.size());
     surfaces.push_back(std::move(surface));
   }
   return surfaces;
@@ -81,6 +89,8 @@ PosedQuestion question_from(const Json& json, const std::vector<PosedSurface>& s
   question.scheme = scheme_from(json.at("scheme"));
   if (json.contains("comment")) question.comment = text_at(json, "comment");
   if (json.contains("known_volume")) question.known_volume = number_in_either_notation(json.at("known_volume"));
+  if (question.known_volume && !(*question.known_volume >= 0))
+    throw BadInput("\"known_volume\": " + json["known_volume"].dump() + " is negative");
   return question;
 }
 

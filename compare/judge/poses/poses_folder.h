@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/question_json.h"
+#include "compare/io/json/question_json.h"
 #include "compare/judge/lines/json_lines.h"
 #include "compare/judge/lines/posed_question.h"
 

@@ -19,8 +19,11 @@ class PosedSurfaces {
  public:
   /// The surface's number; another one of the same vertices and faces has it too.
   std::size_t number_of(const TriangleMesh& mesh);
-  /// Writes the files, whose bytes the hashes are of.
-  void write(const std::filesystem::path& folder) const;
+  /// Writes the files, whose bytes the hashes are of, under names of their own; then gives them theirs, or removes
+  /// them.
+  void write_beside(const std::filesystem::path& folder) const;
+  void take_their_places(const std::filesystem::path& folder) const;
+  void remove_those_beside(const std::filesystem::path& folder) const;
   const std::vector<PosedSurface>& surfaces() const { return surfaces_; }
 
  private:
@@ -35,7 +38,8 @@ class PosedSurfaces {
 /// always whole and beside its own surfaces. What an earlier run left in the folder is whole until finish().
 class PosesWriter {
  public:
-  /// Writes the first line. `surfaces`, all of them, must outlive this.
+  /// Writes the first line. `surfaces`, all of them, must outlive this. Throws BadInput, and leaves all as it is, where
+  /// poses.jsonl or the file of a surface is there which no such writer has left: a user's own.
   PosesWriter(std::filesystem::path folder, const PosedSurfaces& surfaces, std::int64_t poses,
               const std::string& origin);
   PosesWriter(const PosesWriter&) = delete;
@@ -44,7 +48,7 @@ class PosesWriter {
   ~PosesWriter();
 
   void add(const std::string& line) { out_ << line << '\n'; }
-  /// Writes the surfaces too. Throws BadInput where one of them could not be written; poses.jsonl is missing then.
+  /// Writes the surfaces too. Throws BadInput where one of them could not be written; what an earlier run left stays.
   void finish();
 
  private:

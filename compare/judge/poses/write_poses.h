@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "compare/io/question_json.h"
+#include "compare/io/json/question_json.h"
 #include "compare/verify/run/planned_poses.h"
 
 namespace pcm::compare {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "compare/io/json_file.h"
+#include "compare/io/json/json_file.h"
 #include "compare/verify/run/run_identity.h"
 #include "compare/verify/verdict/case_file.h"
 #include "meshes/files/text_file.h"

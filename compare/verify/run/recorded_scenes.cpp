@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "compare/io/question_json.h"
+#include "compare/io/json/question_json.h"
 #include "meshes/generate/make.h"
 
 namespace pcm::compare {

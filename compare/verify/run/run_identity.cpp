@@ -6,9 +6,9 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
+#include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
-#include "compare/io/question_json.h"
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/sha256.h"
 
 namespace pcm::compare {
 namespace {

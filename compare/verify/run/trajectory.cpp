@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/io/poses_file.h"
-#include "compare/io/question_json.h"
-#include "compare/io/strict_json.h"
+#include "compare/io/json/question_json.h"
+#include "compare/io/json/strict_json.h"
+#include "compare/poses/poses_file.h"
 #include "compare/verify/verdict/question_range.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "compare/io/names.h"
-#include "compare/io/program_hash.h"
+#include "compare/io/provenance/program_hash.h"
 
 namespace pcm::compare {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "compare/io/column_units.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/column_units.h"
+#include "compare/io/tables/table.h"
 #include "compare/verify/run/verify.h"
 
 namespace pcm::compare {

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "compare/io/column_units.h"
+#include "compare/io/tables/column_units.h"
 #include "compare/verify/run/verify.h"
 
 /// The tables of a verification. All but the times are the same bit for bit whenever the plan is.

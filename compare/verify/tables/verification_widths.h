@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "compare/io/column_units.h"
+#include "compare/io/tables/column_units.h"
 #include "compare/verify/run/verify.h"
 
 /// How wide the checks behind a verdict were: bounds in units of what they hold. The same bit for bit whenever the plan

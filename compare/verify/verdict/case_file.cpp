@@ -11,11 +11,11 @@
 #include <system_error>
 #include <vector>
 
-#include "compare/io/json_file.h"
+#include "compare/io/json/json_file.h"
+#include "compare/io/json/question_json.h"
+#include "compare/io/json/strict_json.h"
 #include "compare/io/names.h"
-#include "compare/io/question_json.h"
-#include "compare/io/sha256.h"
-#include "compare/io/strict_json.h"
+#include "compare/io/provenance/sha256.h"
 #include "compare/verify/verdict/question_range.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"

@@ -14,7 +14,7 @@
 #include "compare/bench/bodies.h"
 #include "compare/bench/timing.h"
 #include "compare/bench/work_precision.h"
-#include "compare/io/table.h"
+#include "compare/io/tables/table.h"
 #include "meshes/files/text_file.h"
 #include "pcm/engine.h"
 #include "tests/compare/io/well_formed_xml.h"

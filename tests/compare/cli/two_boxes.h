@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/temporary_folder.h"
 

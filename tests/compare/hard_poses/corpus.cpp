@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "compare/io/json_file.h"
+#include "compare/io/json/json_file.h"
+#include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
-#include "compare/io/question_json.h"
 
 namespace pcm::compare::hard_poses_test {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/random.h"
 #include "compare/poses/pairs.h"
+#include "compare/random/random.h"
 #include "compare/verify/routes/wanted_presets.h"
 #include "pcm/engine.h"
 #include "pcm/pairing_memory.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/integer_quaternion.h"
+#include "compare/random/integer_quaternion.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "meshes/generate/round.h"

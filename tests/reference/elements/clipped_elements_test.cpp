@@ -478,8 +478,10 @@ TEST(ClippedElements, SlidesAtTheSpeedOfItsPlaceHoweverSmallTheBoundOfPenetratio
       for (const Problem problem : kProblems) {
         const Answer answer = clipped(sphere, plate, mode, law).answer(problem, pose, velocity);
         EXPECT_GT(answer.elements.size(), 10u);
-        EXPECT_GT(answer.force_scale, 0);
+        double forces = 0, moments = 0;
         for (const Element& e : answer.elements) {
+          forces += e.force_Me.stableNorm();
+          moments += (e.position_Me - pose.r).norm() * e.force_Me.stableNorm();
           const Eigen::Vector3d v_k = velocity.v + w.cross(e.position_Me - pose.r);          // (17)
           const double v_t = (v_k - v_k.dot(e.normal_Me) * e.normal_Me).norm();              // (19)
           EXPECT_NEAR(v_t, e.tangential_velocity, 1e-14);                                    // some roundings
@@ -488,6 +490,8 @@ TEST(ClippedElements, SlidesAtTheSpeedOfItsPlaceHoweverSmallTheBoundOfPenetratio
           EXPECT_NEAR(0.5, e.tangential_force / e.normal_force, 1e-14);                      // (20)
           EXPECT_NEAR(std::hypot(1, 0.5), e.force_Me.stableNorm() / e.normal_force, 1e-14);  // (21)
         }
+        EXPECT_NEAR(1, answer.force_scale / forces, 1e-12);
+        EXPECT_NEAR(1, answer.torque_scale / moments, 1e-12);
       }
   }
 }

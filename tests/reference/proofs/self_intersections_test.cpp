@@ -41,5 +41,10 @@ TEST(SelfIntersections, FaceFoldedFlatUponItsNeighbourIsFound) {
   EXPECT_TRUE(self_intersections(mesh).empty());
 }
 
+TEST(SelfIntersections, AFaceWithoutAreaIsFoldedUponNothing) {
+  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 1, 3}}, "needle"};
+  EXPECT_TRUE(self_intersections(mesh).empty());
+}
+
 }  // namespace
 }  // namespace pcm::reference

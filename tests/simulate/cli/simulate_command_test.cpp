@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/sha256.h"
 #include "meshes/files/text_file.h"
 #include "pcm/read_mesh.h"
 #include "simulate/record/folder_lock.h"
@@ -116,6 +116,52 @@ TEST(SimulateCommand, WhoseIntegratorGivesUpSaysWhenInOneLineAndShowsWhatThereIs
   EXPECT_GT(folder.bytes("page.html").size(), 100000U);
   EXPECT_EQ(nlohmann::json::parse(folder.bytes("run.provenance.json"))["question"]["complete"], false);
   EXPECT_EQ(folder.run().status, 1);  // goes on from the checkpoint, to the same end
+}
+
+TEST(SimulateCommand, WhoseEnergyOverflowsHasNoNumberThatIsNone) {
+  const std::string heavy = R"({"laws": {"law": {"stiffness": 1e7}},
+    "ground": {"surfaces": [{"name": "floor", "make": "plate"}]},
+    "bodies": [{"name": "box", "at": {"position": [0, 0, 5]}, MORE, "surfaces": [{"name": "box", "make": "box"}]}],
+    "pairings": [{"E": "floor", "F": "box", "law": "law"}], "duration": 0.05, "gravity": GRAVITY})";
+  const auto scene = [&heavy](const std::string& more, const std::string& gravity) {
+    std::string text = heavy;
+    text.replace(text.find("MORE"), 4, more);
+    return text.replace(text.find("GRAVITY"), 7, gravity);
+  };
+  const Folder at_the_start(scene(R"("mass": 1e300, "velocity": [0, 0, -1e5])", "[0, 0, -9.81]"));
+  const Outcome refused = at_the_start.run();
+  EXPECT_EQ(refused.status, 2) << refused.out;
+  EXPECT_NE(refused.err.find("the energy at the start exceeds"), std::string::npos) << refused.err;
+
+  const Folder later(scene(R"("mass": 1)", "[0, 0, -1e300]"));
+  const Outcome ended = later.run();
+  EXPECT_NE(ended.status, 0);
+  expect_one_line(ended.err);
+  for (const char* file : {"series.csv", "tables.md", "checkpoint.json", "tables.tex"})
+    for (const char* none : {"nan", "inf"}) EXPECT_EQ(later.bytes(file).find(none), std::string::npos) << file;
+}
+
+TEST(SimulateCommand, MendsTheSceneAndTheIndexOfTheTrajectoryThatWereEmptied) {
+  const Folder folder(block_over_floor("0.1"));
+  ASSERT_EQ(folder.run().status, 0);
+  const std::string scene = folder.bytes("scene.json"), index = folder.bytes("trajectory/trajectory.json");
+  for (const char* file : {"scene.json", "trajectory/trajectory.json"})
+    std::ofstream(fs::path(folder.out) / file).close();
+  ASSERT_EQ(folder.run().status, 0);
+  EXPECT_EQ(folder.bytes("scene.json"), scene);
+  EXPECT_EQ(folder.bytes("trajectory/trajectory.json"), index);
+}
+
+TEST(SimulateCommand, RefusesOptionsThatWhatItPrintsDoesNotHeed) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"simulate", "bubbles", "--print", "--duration", "7"},
+        {"simulate", "--schema", "--duration", "7"},
+        {"simulate", "--print", "--schema", "bubbles"}}) {
+    const Outcome outcome = compare::run_pcm(words);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    expect_one_line(outcome.err);
+  }
 }
 
 /// The scene with stills of its own.

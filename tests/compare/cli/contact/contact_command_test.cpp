@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/exact_json.h"
-#include "compare/io/sha256.h"
+#include "compare/io/json/exact_json.h"
+#include "compare/io/provenance/sha256.h"
 #include "tests/compare/cli/two_boxes.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/content_of.h"
@@ -90,6 +90,38 @@ TEST_F(ContactCommand, AFileIsWrittenThatIsNeitherReadNorWrittenOtherwise) {
   const Outcome outcome = run_pcm({"contact", box_, box_, "--poses", poses, "--csv", nowhere});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find(nowhere + ": the file can't be created"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ContactCommand, NoTableIsWrittenIntoTheFileThatTheAnswersArePrintedInto) {
+  const std::string poses = scratch_.write("poses.txt", kOverlap), file = scratch_.path("rows.csv");
+  for (const std::string& table : {file, std::string("/dev/stdout")}) {
+    const Outcome outcome = run_pcm({"contact", box_, box_, "--poses", poses, "--csv", table}, file);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(table + ": what is printed goes there already"), std::string::npos) << outcome.err;
+    EXPECT_EQ(content_of(file), "");
+  }
+}
+
+TEST_F(ContactCommand, FilesOfOthersUnderTheNamesOfWhatItAddsAreLeftAlone) {
+  const std::string poses = scratch_.write("poses.txt", kOverlap), csv = scratch_.path("rows.csv");
+  const std::string mine = scratch_.write("rows.csv.provenance.json", "{\"mine\": 1}");
+  const Outcome table = run_pcm({"contact", box_, box_, "--poses", poses, "--csv", csv});
+  EXPECT_EQ(table.status, 2);
+  EXPECT_NE(table.err.find(mine + ": would be overwritten"), std::string::npos) << table.err;
+  EXPECT_EQ(content_of(mine), "{\"mine\": 1}");
+  EXPECT_FALSE(std::filesystem::exists(csv));
+
+  const std::string folder = scratch_.path("vtk");
+  std::filesystem::create_directory(folder);
+  const std::string picture = scratch_.write("vtk/E_7.vtp", "mine");
+  const Words with_pictures{"contact", box_, box_, "--poses", poses, "--vtk", folder};
+  const Outcome refused = run_pcm(with_pictures);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("E_7.vtp is there, and no provenance.json"), std::string::npos) << refused.err;
+  EXPECT_EQ(content_of(picture), "mine");
+  std::filesystem::remove(picture);
+  EXPECT_EQ(run_pcm(with_pictures).status, 0);
+  EXPECT_EQ(run_pcm(with_pictures).status, 0) << "its own are replaced";
 }
 
 TEST_F(ContactCommand, NoFileForParaViewIsOneThatIsReadOrWrittenOtherwise) {

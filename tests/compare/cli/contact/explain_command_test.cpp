@@ -37,6 +37,15 @@ TEST(ExplainCommand, ExplainsANamedPose) {
   EXPECT_EQ(run_pcm({"explain", "--pose", "catalogue/vertex_on_face/both"}).status, 0);
 }
 
+TEST(ExplainCommand, LooksForAnotherAnswerNoFartherOutThanPosesMayBe) {
+  const TemporaryFolder scratch;
+  const std::string surface = scratch.write("t.obj", kTetrahedron);
+  const std::string poses = scratch.write("poses.txt", std::string(kIdentity) + "1e90 0 0\n");
+  const Outcome outcome = run_pcm({"explain", surface, surface, "--poses", poses});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("found along no direction"), std::string::npos) << outcome.out;
+}
+
 TEST(ExplainCommand, DrawsAMapOfOnePoseAndRefusesOneOfMany) {
   const TemporaryFolder scratch;
   const std::string picture = scratch.path("map.svg");

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 #include "meshes/files/text_file.h"
 #include "tests/compare/io/well_formed_xml.h"
 #include "tests/compare/run_pcm.h"

@@ -232,6 +232,26 @@ TEST_F(ProgramBadInput, EmptyValuesAreNotTakenForOptionsThatAreNotGiven) {
   expect_bad_input({"simulate", "bubbles", "--integrator", ""}, "--integrator: the value is empty");
 }
 
+TEST_F(ProgramBadInput, AnEmptyValueBehindAnEqualsSignDoesNotTakeTheNextOptionForIt) {
+  expect_bad_contact({"--csv=", "--full"}, "--csv: the value is empty");
+  expect_bad_contact({"--poses=", "--full"}, "--poses: the value is empty");
+  expect_bad_input({"poses", "--out=", "--catalogue"}, "--out: the value is empty");
+  expect_bad_input({"simulate", "bubbles", "--out=", "--print"}, "--out: the value is empty");
+}
+
+TEST_F(ProgramBadInput, ListsWithEmptyItems) {
+  const std::string out = scratch_.path("out");
+  for (const std::string list : {"generic,,nested", "generic,", ",generic"}) {
+    expect_bad_input({"poses", "--out", out, "--poses", "6", "--strata", list},
+                     "--strata: '" + list + "' has an empty");
+    expect_bad_input({"verify", "--poses", "6", "--strata=" + list}, "--strata: '" + list + "' has an empty");
+  }
+  expect_bad_input({"verify", "--poses", "6", "--engine", "fast,"}, "--engine: 'fast,' has an empty");
+  expect_bad_input({"judge", "a.jsonl", "--poses", out, "--tolerance", "force=1,,torque=1"}, "--tolerance: ");
+  expect_bad_input({"inspect", surface_, surface_, "--path", surface_, "--normal", "0,0,1,"}, "--normal: ");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST_F(ProgramBadInput, StateOfAVerificationThatIsDamagedOrAnothers) {
   const std::string folder = scratch_.path("run");
   const Words verify{"verify", "--poses", "6", "--pair", surface_, surface_, "--out", folder};
@@ -254,6 +274,7 @@ TEST_F(ProgramBadInput, StateOfAVerificationThatIsDamagedOrAnothers) {
 TEST_F(ProgramBadInput, MakingAndConverting) {
   expect_bad_input({"mesh", "make"}, "NAME");
   expect_bad_input({"mesh", "make", "sausage"}, "sausage");
+  expect_bad_input({"mesh", "make", "wedge", "--tilt_degrees=1e-300"}, "wedge: with these parameters a coordinate is");
   expect_bad_input({"mesh", "make", "box", "--sausage=1"}, "sausage");
   expect_bad_input({"mesh", "make", "box", "-o", "box.OFF"}, "only Wavefront OBJ is written");
   expect_bad_input({"mesh", "make", "box", "--extent_x"}, "--extent_x");

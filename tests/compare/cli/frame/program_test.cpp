@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/exact_json.h"
+#include "compare/io/json/exact_json.h"
 #include "compare/verify/run/verify.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/sha256.h"
 #include "compare/io/split_at_commas.h"
 #include "tests/compare/run_pcm.h"
 #include "tests/meshes/content_of.h"
@@ -216,6 +218,63 @@ TEST_F(JudgeCommand, CaseFilesOfOthersInItsFolderAreLeftAlone) {
   std::filesystem::copy_file(of_verify, own, std::filesystem::copy_options::overwrite_existing);
   EXPECT_EQ(judge(answers_, {"--out", out}).status, 0);
   EXPECT_TRUE(std::filesystem::exists(own)) << "another command has replaced it";
+}
+
+TEST_F(JudgeCommand, FilesOfOthersUnderTheNamesOfTablesAreLeftAlone) {
+  const std::string out = scratch_.path("judged");
+  std::filesystem::create_directory(out);
+  const std::string mine = scratch_.write("judged/pairs.csv", "mine");
+  const Outcome refused = judge(answers_, {"--out", out});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("pairs.csv is there, and judgement.provenance.json does not say"), std::string::npos)
+      << refused.err;
+  EXPECT_EQ(content_of(mine), "mine");
+  std::filesystem::remove(mine);
+  EXPECT_EQ(judge(answers_, {"--out", out}).status, 0);
+  EXPECT_EQ(judge(answers_, {"--out", out}).status, 0) << "its own are replaced";
+
+  const std::string answers = content_of(scratch_.path("answers.jsonl"));
+  const std::string among_tables = scratch_.write("judged/facts.csv", answers);
+  EXPECT_EQ(run_pcm({"judge", among_tables, "--poses", poses_, "--out", out}).status, 2);
+  EXPECT_EQ(content_of(among_tables), answers);
+}
+
+TEST_F(JudgeCommand, EachWrongAnswerHasACaseOfItsOwnWhateverItsIdIsMadeOf) {
+  // Two names that are one to a file system, and one longer than it takes.
+  std::string poses = content_of(poses_ + "/poses.jsonl"), all;
+  std::vector<std::string> lines = lines_of(poses), answers = answers_;
+  const std::vector<std::string> names = {"a/b", "a_b", std::string(5000, 'x'), "a\\nb"};
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const std::string id = nlohmann::json::parse(lines[k]).at("id");
+    if (k <= names.size()) {
+      lines[k] = replaced(lines[k], id, names[k - 1]);
+      answers[k] = replaced(answers[k], id, names[k - 1]);
+      const bool touches = answers[k].find("\"touching\":true") != std::string::npos;
+      answers[k] = touches ? replaced(answers[k], "\"touching\":true", "\"touching\":false")
+                           : replaced(answers[k], "\"touching\":false", "\"touching\":true");
+    }
+  }
+  for (const std::string& line : lines) all += line + "\n";
+  std::ofstream(poses_ + "/poses.jsonl", std::ios::binary) << all;
+  const std::string out = scratch_.path("judged");
+  const Outcome outcome = judge(answers, {"--out", out});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  const auto cases = nlohmann::json::parse(content_of(out + "/judgement.json")).at("cases");
+  ASSERT_EQ(cases.size(), names.size());
+  std::set<std::string> files;
+  for (const auto& one : cases) {
+    const std::string file = one.at("file");
+    files.insert(file);
+    EXPECT_EQ(one.at("sha256"), sha256(content_of(out + "/" + file)));
+    EXPECT_EQ(file.find('\n'), std::string::npos);
+  }
+  EXPECT_EQ(files.size(), names.size());
+}
+
+TEST_F(JudgeCommand, WaitsForAnEngineHoweverLongTheLimitIs) {
+  const Outcome outcome =
+      run_pcm({"judge", "--command", std::string(PCM_PROGRAM) + " answer", "--poses", poses_, "--time-limit", "1e300"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
 }
 
 TEST_F(JudgeCommand, WhatWasJudgedBeforeBadInputIsKept) {

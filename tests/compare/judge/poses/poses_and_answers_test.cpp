@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/sha256.h"
 #include "compare/judge/lines/answer_lines.h"
 #include "compare/judge/lines/answers_file.h"
 #include "compare/judge/lines/json_lines.h"
@@ -110,16 +110,39 @@ TEST(PosesFolder, InterruptedRunLeavesPosesOfAnEarlierOneWhole) {
   EXPECT_EQ(read_poses_folder(folder.path()).questions.size(), 24U);
 }
 
-TEST(PosesFolder, NoPosesAreThereWhileTheirSurfacesChange) {
+TEST(PosesFolder, WhoseSurfacesCannotBeWrittenKeepsEarlierPoses) {
   const PosedFolder folder(12);
+  const std::string poses = content_of(folder.path() + "/poses.jsonl");
   std::filesystem::remove_all(folder.path() + "/surfaces");
   std::ofstream(folder.path() + "/surfaces") << "no folder, so that surfaces can't be written\n";
   EXPECT_THROW(write_poses(
                    folder.path(), planned(12, {Scheme::barycentric}), PosedLaw::drawn, Notation::decimal, 1,
                    [] { return false; }, [](std::int64_t) {}),
                BadInput);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/poses.jsonl"));
+  EXPECT_EQ(content_of(folder.path() + "/poses.jsonl"), poses);
   EXPECT_FALSE(std::filesystem::exists(folder.path() + "/poses.jsonl.part"));
+}
+
+TEST(PosesFolder, FilesOfOthersUnderItsNamesAreLeftAlone) {
+  const PosedFolder folder(12);
+  const auto expect_refused = [&](const std::string& file) {
+    const std::map<std::string, std::string> before = contents_of(folder.path());
+    try {
+      write_poses(
+          folder.path(), planned(24, {Scheme::barycentric}), PosedLaw::drawn, Notation::decimal, 1,
+          [] { return false; }, [](std::int64_t) {});
+      ADD_FAILURE() << file << " is written over";
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find(file + " is there"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(contents_of(folder.path()), before);
+  };
+  const std::string surface = folder.path() + "/" + folder.posed.surfaces[1].file, own = content_of(surface);
+  std::ofstream(surface, std::ios::binary) << "# mine\n" << own;
+  expect_refused(folder.posed.surfaces[1].file);
+  std::ofstream(surface, std::ios::binary) << own;
+  std::ofstream(folder.path() + "/poses.jsonl", std::ios::binary) << "my own\n";
+  expect_refused("poses.jsonl");
 }
 
 class Folder : public testing::Test {
@@ -269,6 +292,8 @@ TEST_F(Folder, PosesThatWereTamperedWithAreRefused) {
   expect(replaced("\"poses\":12", "\"poses\":12.0"), "poses.jsonl:1: \"poses\": '12.0' is no number of poses");
   expect(replaced("\"poses\":12", "\"poses\":12,\"pose\":1"), "poses.jsonl:1: the key 'pose' is none of format");
   expect(replaced("\"file\":", "\"files\":1,\"file\":"), "poses.jsonl:1: the key 'files' is none of name");
+  expect(replaced("\"faces\":", "\"faces\":1"), "poses.jsonl:1: \"faces\": ");
+  expect(replaced("\"scheme\":", "\"known_volume\":-5.0,\"scheme\":"), "poses.jsonl:2: \"known_volume\": -5.0");
   expect(replaced(",\"mode\":\"both\"", ""), "poses.jsonl:2: key 'mode' not found");
 
   std::ofstream(poses, std::ios::binary) << whole;

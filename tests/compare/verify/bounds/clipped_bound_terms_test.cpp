@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "meshes/generate/boxes.h"
 #include "pcm/engine.h"
 #include "reference/oracle.h"

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "compare/verify/routes/held_pairing.h"
 #include "pcm/bad_input.h"
 #include "tests/compare/tetrahedron.h"

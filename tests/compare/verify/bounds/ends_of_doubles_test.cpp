@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "compare/io/random.h"
+#include "compare/random/random.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/round.h"
 #include "pcm/bad_input.h"

@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
-#include "compare/io/random.h"
 #include "compare/poses/pairs.h"
 #include "compare/poses/strata.h"
+#include "compare/random/random.h"
 #include "pcm/engine.h"
 #include "reference/oracle.h"
 #include "tests/reference/brute_force/trials.h"

@@ -12,8 +12,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "compare/io/random.h"
 #include "compare/poses/rounded_vertices.h"
+#include "compare/random/random.h"
 #include "fast/clipped/visible_parts.h"
 #include "meshes/generate/boxes.h"
 #include "pcm/bad_input.h"

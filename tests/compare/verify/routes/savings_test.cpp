@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "compare/io/contact_json.h"
+#include "compare/contact/contact_json.h"
 #include "compare/poses/pairs.h"
 #include "compare/poses/strata.h"
 #include "fast/base/geometry.h"

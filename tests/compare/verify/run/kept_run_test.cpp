@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "compare/io/program_hash.h"
-#include "compare/io/sha256.h"
+#include "compare/io/provenance/program_hash.h"
+#include "compare/io/provenance/sha256.h"
 #include "compare/verify/run/run_chunks.h"
 #include "compare/verify/tables/verification_table.h"
 #include "meshes/files/text_file.h"

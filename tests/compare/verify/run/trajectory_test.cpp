@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/io/poses_file.h"
+#include "compare/poses/poses_file.h"
 #include "compare/verify/run/run_chunks.h"
 #include "compare/verify/run/run_identity.h"
 #include "compare/verify/run/run_verdict.h"
