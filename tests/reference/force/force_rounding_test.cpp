@@ -206,6 +206,21 @@ TEST(ForceRounding, FrictionHalfwayBetweenTwoDoublesGoesToTheEvenOne) {
     }
 }
 
+TEST(ForceRounding, SumOfSizesHalfwayBetweenTwoDoublesGoesToTheEvenOne) {
+  // Of both halves of the bottom F_n = c_l 3/2 in all, and mu = 3/4: |F| = 5/4 F_n, 15 (2^52 + 4) / 8 in all. In units
+  // of 1, doubles are even and 15 2^49 + 8 is.
+  ContactLaw law = stiffness(0x1p52 + 4);
+  law.friction = 0.75;
+  Velocity velocity;
+  velocity.v = {0.1, 0.3, 1};
+  const TriangleMesh E = generate::box({0, 0, 0.5}, {3, 1, 4});
+  for (const Problem problem : kProblems) {
+    const reference::Answer answer = Oracle(E, plate(), law).answer(problem, {}, velocity);
+    ASSERT_EQ(answer.elements.size(), 2u);
+    EXPECT_EQ(answer.force_scale, 15 * 0x1p49 + 8);
+  }
+}
+
 TEST(ForceRounding, VelocityAlongANormalDoesNotSlip) {
   // The slant face's N = (9, 9, 9), and no element of this is a sum of doubles: v - (v . N / N^2) N.
   const TriangleMesh E = degenerate::tetrahedron({{{-3, 0, 0}, {0, -3, 0}, {0, 0, -3}, {0, 0, 0}}});
