@@ -199,6 +199,10 @@ TEST(Scene, CountsWhatBecameOfThePairingsWhenTheyWereLastAskedFor) {
   EXPECT_EQ(second.apart_by_certificate, 1);
   EXPECT_EQ(second.certificates_sought, 0);
   EXPECT_EQ(second.work.box_tests, 0);
+  scene.move({E, F});
+  const SceneCounters not_asked = scene.counters();
+  EXPECT_EQ(not_asked.evaluated + not_asked.apart_by_boxes + not_asked.apart_by_certificate, 0);
+  EXPECT_EQ(not_asked.certificates_sought, 0);
 }
 
 TEST(Scene, FarFromTheOriginBoxesOfTouchingBodiesStillTouch) {

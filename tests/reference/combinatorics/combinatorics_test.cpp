@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <limits>
+#include <string>
+
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
 #include "pcm/bad_input.h"
@@ -133,6 +137,41 @@ TEST(OracleInput, BadLawIsRefused) {
   law.layers = LayerStiffness{1, std::numeric_limits<double>::infinity()};
   law.friction = -1;
   EXPECT_THROW(Oracle(box, box, law), BadInput);
+}
+
+TEST(OracleInput, NumbersOfTheLawOutOfTheirRangesAreRefusedByName) {
+  const TriangleMesh box = generate::box({0, 0, 0}, {1, 1, 1});
+  constexpr double kInf = std::numeric_limits<double>::infinity(), kNaN = std::numeric_limits<double>::quiet_NaN();
+  const auto expect_refused = [&box](double ContactLaw::*number, std::initializer_list<double> values,
+                                     const char* name) {
+    for (const double value : values) {
+      ContactLaw law;
+      law.stiffness = 1;
+      EXPECT_NO_THROW(Oracle(box, box, law));
+      law.*number = value;
+      try {
+        const Oracle oracle(box, box, law);
+        ADD_FAILURE() << name << " " << value;
+      } catch (const BadInput& error) {
+        EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+      }
+    }
+  };
+  expect_refused(&ContactLaw::stiffness, {0, -1, kInf, kNaN}, "law: stiffness");
+  expect_refused(&ContactLaw::damping, {-1, kInf, kNaN}, "law: damping");
+  expect_refused(&ContactLaw::transition_depth, {-1, kInf, kNaN}, "law: transition depth");
+  expect_refused(&ContactLaw::friction, {-1, kInf, kNaN}, "law: friction");
+  expect_refused(&ContactLaw::slip_velocity, {-1, kInf, kNaN}, "law: slip velocity");
+  expect_refused(&ContactLaw::max_penetration, {0, -1, kNaN}, "law: greatest penetration");
+}
+
+TEST(OracleInput, VelocitiesThatAreNoNumbersAreRefused) {
+  const Oracle oracle(generate::box({0, 0, 0}, {1, 1, 1}), generate::box({0, 0, 0}, {1, 1, 1}));
+  for (Eigen::Vector3d Velocity::*vector : {&Velocity::v, &Velocity::w}) {
+    Velocity velocity;
+    (velocity.*vector).y() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(oracle.answer(Problem::rounded, {}, velocity), BadInput);
+  }
 }
 
 }  // namespace
