@@ -153,6 +153,7 @@ Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-integrators" : options.out;
   compare::create_folder(folder);
+  compare::refuse_files_of_others(folder, "integrators", {"integrators.md", "integrators.tex"});
   const std::optional<IntegratorComparison> comparison = comparison_of(options.scene, scene);
   if (!comparison) return Exit::negative;
   const std::string title = scene.title.empty() ? options.scene : scene.title;
@@ -209,6 +210,7 @@ Exit simulate(const SimulateOptions& options) {
                    energies = energy_table(run.kept(), run.observe().energies);
   std::cout << on_screen(cost) << '\n' << on_screen(energies) << std::flush;
   write_tables(folder, markdown(cost) + "\n" + markdown(energies), options, text, scene, finished);
+  if (!failure.empty()) compare::complain(options.scene + ": " + failure + "; tables, page and stills end there");
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
   // There is nothing to be seen of what the run has not reached, or does not as --duration and --at have it.
@@ -217,9 +219,7 @@ Exit simulate(const SimulateOptions& options) {
   write_page(folder / "page.html", recording);
   std::cout << "\npage: " << (folder / "page.html").string() << '\n';
   for (const std::filesystem::path& still : stills) std::cout << "still: " << still.string() << '\n';
-  if (!failure.empty()) {
-    compare::complain(options.scene + ": " + failure + "; tables, page and stills end there");
-  } else if (!finished) {
+  if (failure.empty() && !finished) {
     compare::complain(
         fmt::format("interrupted at t = {:g} s; the same command goes on from there", run.kept().checkpoint.t));
   }

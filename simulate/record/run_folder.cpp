@@ -28,6 +28,8 @@
 namespace pcm::simulate {
 namespace {
 
+constexpr const char* kTrajectoryIndex = "trajectory/trajectory.json";
+
 using Json = nlohmann::ordered_json;
 
 /// A hash of all but itself.
@@ -249,7 +251,7 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
   } catch (const std::filesystem::filesystem_error& error) {
     throw BadInput(folder_.string() + ": " + error.code().message() + ": " + error.path1().string());
   }
-  write_texts_that_differ();
+  write_texts_that_are_missing();
   open_tables(true);
   return run;
 }
@@ -260,7 +262,8 @@ void RunFolder::begin(Eigen::Index size) {
   remove_report();
   open_tables(false);
   write_surfaces();
-  write_texts_that_differ();
+  write_text_file(folder_ / "scene.json", scene_text_);
+  write_text_file(folder_ / kTrajectoryIndex, trajectory_index());
   steps_ << "t,size,order,error_test_failures,nonlinear_failures,not_here,not_finite,elements,entered,left,too_deep\n";
   series_ << series_header(scene_);
   states_ << states_header(size);
@@ -272,12 +275,14 @@ void RunFolder::write_surfaces() const {
     write_obj(scene_.surfaces[s].surface.mesh(), folder_ / "trajectory" / surface_file(s));
 }
 
-void RunFolder::write_texts_that_differ() const {
+void RunFolder::write_texts_that_are_missing() const {
   const auto write = [this](const std::filesystem::path& file, const std::string& text) {
-    if (compare::sha256_of_file(folder_ / file) != compare::sha256(text)) write_text_file(folder_ / file, text);
+    std::error_code none_there;
+    const std::uintmax_t size = std::filesystem::file_size(folder_ / file, none_there);
+    if (none_there || size == 0) write_text_file(folder_ / file, text);
   };
   write("scene.json", scene_text_);
-  write(std::filesystem::path("trajectory") / "trajectory.json", trajectory_index());
+  write(kTrajectoryIndex, trajectory_index());
 }
 
 std::string RunFolder::trajectory_index() const {

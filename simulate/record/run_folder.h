@@ -89,8 +89,8 @@ class RunFolder {
   /// In the order of `tables`.
   std::vector<std::ofstream*> streams();
   void write_surfaces() const;
-  /// The scene's text and the trajectory's index, where they are not what they were.
-  void write_texts_that_differ() const;
+  /// The scene's text and the trajectory's index, where they are missing or empty.
+  void write_texts_that_are_missing() const;
   std::string trajectory_index() const;
 
   std::filesystem::path folder_;

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -35,12 +34,11 @@ std::vector<std::string> provenance_files(const ContactOutputOptions& options) {
 
 /// Whether it is a file that says where tables come from, not somebody's own.
 bool is_provenance(const std::string& file) {
-  std::ifstream in(file);
-  const Json json = Json::parse(in, nullptr, false);
+  const Json json = json_or_discarded(file);
   return json.is_object() && json.contains("version") && json.contains("command_line") && json.contains("engine");
 }
 
-/// Throws BadInput naming the first file of the folder that would be replaced where none says that it is of earlier
+/// Throws BadInput naming a file of the folder that would be replaced where none says that it is of earlier
 /// contacts.
 void refuse_pictures_of_others(const std::filesystem::path& folder) {
   if (is_provenance((folder / "provenance.json").string())) return;
@@ -84,6 +82,7 @@ void add_contact_output_options(CLI::App& command, ContactOutputOptions& options
 void require_files_of_their_own(const ContactOutputOptions& options, const std::vector<std::string>& inputs) {
   const std::vector<std::string> taken =
       require_files_of_their_own({{"--csv", options.csv}, {"--elements", options.csv_elements}}, inputs);
+  require_no_standard_output({{"--csv", options.csv}, {"--elements", options.csv_elements}});
   if (options.vtk && options.vtk->empty()) throw BadInput("--vtk: name a folder");
   if (options.vtk)
     for (const std::string& other : taken) {

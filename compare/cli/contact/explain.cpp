@@ -146,6 +146,7 @@ Exit write_map(const ExplainCommand& command, Asked question) {
   std::vector<std::string> inputs = command.files;
   if (command.poses.poses) inputs.push_back(*command.poses.poses);
   require_files_of_their_own({{"--map", command.map}}, inputs);
+  require_no_standard_output({{"--map", command.map}});
   if (std::optional<PosesFile> poses = poses_from(command.poses, metres_per_unit(command.unit)))
     question.pose = only_pose(*poses);
   const AnswerMap map = answer_map(question.E, question.F, question.pose, map_grid(command));

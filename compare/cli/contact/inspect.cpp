@@ -124,6 +124,7 @@ Exit inspect(const InspectOptions& options) {
   const std::optional<ViewAxis> view = view_from(options.view);
   require_files_of_their_own({{"--out", options.out}, {"--svg", options.svg}},
                              {options.file_E, options.file_F, options.path});
+  require_no_standard_output({{"--out", options.out}, {"--svg", options.svg}});
   for (const auto& file : {options.out, options.svg})
     if (file) require_writable(*file);  // better refused now than after the work
 

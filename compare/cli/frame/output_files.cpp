@@ -39,11 +39,15 @@ std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile
     for (const std::string& other : taken)
       if (is_same_file(*file, other))
         throw BadInput(*file + ": is read or written already; name another file for " + option);
-    if (is_standard_output(*file))
-      throw BadInput(*file + ": what is printed goes there already; name another file for " + option);
     taken.push_back(*file);
   }
   return taken;
+}
+
+void require_no_standard_output(const std::vector<OutputFile>& outputs) {
+  for (const auto& [option, file] : outputs)
+    if (file && is_standard_output(*file))
+      throw BadInput(*file + ": what is printed goes there already; name another file for " + option);
 }
 
 void require_writable(const std::filesystem::path& file) {

@@ -16,10 +16,13 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 /// An option of the command line and the file that it names, if it was given.
 using OutputFile = std::pair<std::string, std::optional<std::string>>;
 
-/// Throws BadInput where a file to write has no name, is a folder, another one of those to write, one of `inputs`, or
-/// the file that standard output was led into. Returns all of them, inputs first.
+/// Throws BadInput where a file to write has no name, is a folder, another one of those to write, or one of `inputs`.
+/// Returns all of them, inputs first.
 std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile>& outputs,
                                                     const std::vector<std::string>& inputs);
+
+/// Throws BadInput where a file to write is the one that standard output was led into: of commands that print as well.
+void require_no_standard_output(const std::vector<OutputFile>& outputs);
 
 /// Throws BadInput where write_text_file could not write the file, as far as can be told without writing: what is there
 /// stays as it is.

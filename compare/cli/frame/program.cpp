@@ -78,12 +78,17 @@ void refuse_empty_items(const CLI::App& command, const std::vector<std::string>&
     if (option->get_delimiter() == '\0') continue;
     const std::string name = option->get_name();
     for (std::size_t k = 0; k < words.size(); ++k) {
-      std::string list;
-      if (words[k].starts_with(name + "=")) list = words[k].substr(name.size() + 1);
-      if (words[k] == name && k + 1 < words.size()) list = words[k + 1];
-      const std::vector<std::string> items = split_at_commas(list);
-      if (items.size() > 1 && std::find(items.begin(), items.end(), "") != items.end())
-        throw BadInput(name + ": '" + list + "' has an empty item; leave out the comma");
+      const bool with_sign = words[k].starts_with(name + "=");
+      if (!with_sign && words[k] != name) continue;
+      std::vector<std::string> lists;
+      if (with_sign) lists.push_back(words[k].substr(name.size() + 1));
+      for (std::size_t next = k + 1; next < words.size() && !words[next].starts_with('-'); ++next)
+        lists.push_back(words[next]);
+      for (const std::string& list : lists) {
+        const std::vector<std::string> items = split_at_commas(list);
+        if (items.size() > 1 && std::find(items.begin(), items.end(), "") != items.end())
+          throw BadInput(name + ": '" + list + "' has an empty item; leave out the comma");
+      }
     }
   }
 }

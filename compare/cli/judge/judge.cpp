@@ -181,7 +181,8 @@ void refuse_to_overwrite(const JudgeOptions& options, const fs::path& folder) {
   for (const char* file : kJudgementFiles)
     if (options.answers && is_same_file(*options.answers, folder / file))
       throw BadInput(*options.answers + ": the tables would take its place; choose another folder for --out");
-  if (!fs::exists(folder / kCampaignFile)) refuse_files_of_others(folder, kJudgementReport, kJudgementFiles);
+  const bool with_others = options.shared && fs::exists(folder / kCampaignFile);
+  if (!with_others) refuse_files_of_others(folder, kJudgementReport, kJudgementFiles);
 }
 
 Exit judge(const JudgeOptions& options) {

@@ -27,6 +27,11 @@ std::string made_by(const ProgramProvenance& program) {
                      program.flags, program.processor, program.command_line);
 }
 
+/// Which tables a call has begun to write, until all are there.
+std::string unfinished_file(const std::string& command) {
+  return provenance_file(command) + ".part";
+}
+
 std::string as_latex_comment(const std::string& text) {
   std::string comment = "% ";
   for (const char c : text) {
@@ -48,12 +53,15 @@ bool is_column(std::string name, const std::string& pattern) {
 
 void refuse_files_of_others(const std::filesystem::path& folder, const std::string& command,
                             std::initializer_list<const char*> files) {
-  std::ifstream in(folder / provenance_file(command));
-  const auto earlier = nlohmann::json::parse(in, nullptr, false);
+  const nlohmann::ordered_json finished = json_or_discarded(folder / provenance_file(command));
+  const nlohmann::ordered_json unfinished = json_or_discarded(folder / unfinished_file(command));
+  const auto has = [](const nlohmann::ordered_json& provenance, const char* file) {
+    return provenance.is_object() && provenance.contains("files") && provenance["files"].contains(file);
+  };
   for (const char* file : files) {
     std::error_code none_there;
     if (!std::filesystem::exists(std::filesystem::symlink_status(folder / file, none_there))) continue;
-    if (earlier.is_object() && earlier.contains("files") && earlier["files"].contains(file)) continue;
+    if (has(finished, file) || has(unfinished, file)) continue;
     throw BadInput(
         fmt::format("{} is there, and {} does not say that this command has written it; choose another folder",
                     (folder / file).string(), provenance_file(command)));
@@ -64,17 +72,26 @@ ReportFolder::ReportFolder(std::filesystem::path folder, const std::string& comm
                            ProgramProvenance program)
     : folder_(std::move(folder)),
       provenance_file_(provenance_file(command)),
+      unfinished_file_(unfinished_file(command)),
       program_(std::move(program)),
       provenance_(provenance_json(program_)),
       files_(nlohmann::ordered_json::object()) {
   provenance_["question"] = std::move(question);
   std::error_code none_there;
-  std::filesystem::remove(folder_ / provenance_file_, none_there);
+  // What an earlier call has left is its own until all is there anew.
+  if (std::filesystem::exists(folder_ / provenance_file_, none_there))
+    std::filesystem::rename(folder_ / provenance_file_, folder_ / unfinished_file_, none_there);
 }
 
 void ReportFolder::write(const std::string& file, const std::string& text) {
-  write_text_file(folder_ / file, text);
   files_[file]["sha256"] = sha256(text);
+  nlohmann::ordered_json begun = json_or_discarded(folder_ / unfinished_file_);
+  if (!begun.is_object() || !begun["files"].is_object()) begun = {{"files", nlohmann::ordered_json::object()}};
+  if (!begun["files"].contains(file)) {
+    begun["files"][file] = files_[file];
+    write_text_file(folder_ / unfinished_file_, json_file_text(begun));
+  }
+  write_text_file(folder_ / file, text);
 }
 
 void ReportFolder::markdown(const std::string& name, const std::string& text) {
@@ -121,6 +138,8 @@ void ReportFolder::finish() {
   nlohmann::ordered_json whole = provenance_;
   whole["files"] = files_;
   write_text_file(folder_ / provenance_file_, json_file_text(whole));
+  std::error_code none_there;
+  std::filesystem::remove(folder_ / unfinished_file_, none_there);
 }
 
 }  // namespace pcm::compare

@@ -30,7 +30,8 @@ void refuse_files_of_others(const std::filesystem::path& folder, const std::stri
 /// columns; so COMMAND.provenance.json, written last, has all of this once more, the SHA-256 of every table, and the
 /// units of the columns of every CSV file. Several commands may share a folder.
 ///
-/// Every file is written whole or not at all; throws BadInput naming it where it can't be.
+/// Every file is written whole or not at all; throws BadInput naming it where it can't be. Until the last of them
+/// COMMAND.provenance.json.part tells which ones the command has begun, so that it may replace them.
 class ReportFolder {
  public:
   /// `question`: what was asked, an object: seed, schemes, modes, laws, hashes of the surfaces. Removes what an earlier
@@ -52,7 +53,7 @@ class ReportFolder {
   void note_units(const std::string& file, std::string_view header, const ColumnUnits& units);
 
   std::filesystem::path folder_;
-  std::string provenance_file_;
+  std::string provenance_file_, unfinished_file_;
   ProgramProvenance program_;
   nlohmann::ordered_json provenance_;
   nlohmann::ordered_json files_;

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <system_error>
 
+#include "compare/io/json/json_file.h"
 #include "compare/io/provenance/sha256.h"
 #include "compare/verify/verdict/case_file.h"
 #include "meshes/files/text_file.h"
@@ -38,21 +38,6 @@ void remove_unchanged(const fs::path& file, const std::string& hash) {
   if (error) throw BadInput(file.string() + ": of another judgement, and it can't be removed");
 }
 
-}  // namespace
-
-void remove_judged_cases(const fs::path& folder) {
-  std::ifstream in(folder / "judgement.json");
-  const Json earlier = Json::parse(in, nullptr, false);
-  if (!earlier.is_object() || !earlier.contains("cases")) return;
-  for (const Json& one : earlier["cases"]) {
-    if (!one.is_object()) continue;
-    if (const std::string name = text_or_nothing(one, "file"); is_name_of_case(name))
-      remove_unchanged(folder / name, text_or_nothing(one, "sha256"));
-  }
-}
-
-namespace {
-
 /// Longer names are none to many file systems.
 constexpr std::size_t kLongestId = 180;
 
@@ -70,9 +55,20 @@ std::string free_name(const std::string& id, std::set<std::string>& taken) {
 
 }  // namespace
 
+void remove_judged_cases(const fs::path& folder) {
+  const Json earlier = json_or_discarded(folder / "judgement.json");
+  if (!earlier.is_object() || !earlier.contains("cases")) return;
+  for (const Json& one : earlier["cases"]) {
+    if (!one.is_object()) continue;
+    if (const std::string name = text_or_nothing(one, "file"); is_name_of_case(name))
+      remove_unchanged(folder / name, text_or_nothing(one, "sha256"));
+  }
+}
+
 Json write_judged_cases(const fs::path& folder, const Judging& run) {
   Json written = Json::array();
-  std::set<std::string> taken;
+  std::set<std::string> taken;  // by cases of others, too
+  for (const auto& entry : fs::directory_iterator(folder)) taken.insert(entry.path().filename().string());
   for (const WrongAnswer& wrong : run.wrong_answers()) {
     const std::string name = free_name(run.judge().posed().questions[wrong.reply.question].id, taken);
     const std::string text = run.case_text(wrong);

@@ -64,7 +64,8 @@ void refuse_files_of_others(const std::filesystem::path& folder, const std::vect
     if (hash && (*hash == surface.sha256 || (known != earlier.end() && known->second == *hash))) continue;
     throw BadInput(
         file.string() +
-        " is there, and no poses.jsonl beside it says that 'pcm poses' has written it; choose another folder");
+        " is there, and is not what a poses.jsonl beside it says that 'pcm poses' has written; choose another "
+        "folder");
   }
 }
 

@@ -150,6 +150,9 @@ TEST(SimulateCommand, MendsTheSceneAndTheIndexOfTheTrajectoryThatWereEmptied) {
   ASSERT_EQ(folder.run().status, 0);
   EXPECT_EQ(folder.bytes("scene.json"), scene);
   EXPECT_EQ(folder.bytes("trajectory/trajectory.json"), index);
+  std::ofstream(fs::path(folder.out) / "scene.json") << "begun by the user";
+  ASSERT_EQ(folder.run().status, 0);
+  EXPECT_EQ(folder.bytes("scene.json"), "begun by the user");
 }
 
 TEST(SimulateCommand, RefusesOptionsThatWhatItPrintsDoesNotHeed) {

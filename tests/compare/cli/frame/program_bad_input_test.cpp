@@ -246,6 +246,7 @@ TEST_F(ProgramBadInput, ListsWithEmptyItems) {
                      "--strata: '" + list + "' has an empty");
     expect_bad_input({"verify", "--poses", "6", "--strata=" + list}, "--strata: '" + list + "' has an empty");
   }
+  expect_bad_input({"verify", "--poses", "6", "--strata", "generic", "nested,"}, "--strata: 'nested,' has an empty");
   expect_bad_input({"verify", "--poses", "6", "--engine", "fast,"}, "--engine: 'fast,' has an empty");
   expect_bad_input({"judge", "a.jsonl", "--poses", out, "--tolerance", "force=1,,torque=1"}, "--tolerance: ");
   expect_bad_input({"inspect", surface_, surface_, "--path", surface_, "--normal", "0,0,1,"}, "--normal: ");

@@ -233,6 +233,13 @@ TEST_F(JudgeCommand, FilesOfOthersUnderTheNamesOfTablesAreLeftAlone) {
   EXPECT_EQ(judge(answers_, {"--out", out}).status, 0);
   EXPECT_EQ(judge(answers_, {"--out", out}).status, 0) << "its own are replaced";
 
+  const std::string of_verify = scratch_.path("verified");
+  std::filesystem::create_directory(of_verify);
+  scratch_.write("verified/campaign.sqlite", "");
+  const std::string beside = scratch_.write("verified/pairs.csv", "mine");
+  EXPECT_EQ(judge(answers_, {"--out", of_verify}).status, 2);
+  EXPECT_EQ(content_of(beside), "mine");
+
   const std::string answers = content_of(scratch_.path("answers.jsonl"));
   const std::string among_tables = scratch_.write("judged/facts.csv", answers);
   EXPECT_EQ(run_pcm({"judge", among_tables, "--poses", poses_, "--out", out}).status, 2);
@@ -257,8 +264,11 @@ TEST_F(JudgeCommand, EachWrongAnswerHasACaseOfItsOwnWhateverItsIdIsMadeOf) {
   for (const std::string& line : lines) all += line + "\n";
   std::ofstream(poses_ + "/poses.jsonl", std::ios::binary) << all;
   const std::string out = scratch_.path("judged");
+  std::filesystem::create_directory(out);
+  const std::string mine = scratch_.write("judged/case_a_b.json", "mine");
   const Outcome outcome = judge(answers, {"--out", out});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_EQ(content_of(mine), "mine");
   const auto cases = nlohmann::json::parse(content_of(out + "/judgement.json")).at("cases");
   ASSERT_EQ(cases.size(), names.size());
   std::set<std::string> files;

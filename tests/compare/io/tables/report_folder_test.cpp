@@ -6,10 +6,12 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "compare/io/provenance/program_provenance.h"
 #include "compare/io/provenance/sha256.h"
 #include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
 #include "pcm/version.h"
 #include "tests/meshes/temporary_folder.h"
 
@@ -77,6 +79,32 @@ TEST_F(ReportFolderTest, OfTwoCommandsKeepsWhatEachSaysOfItsTables) {
 TEST_F(ReportFolderTest, BegunAnewSaysNothingOfTheTablesOfBefore) {
   const ReportFolder again(scratch_.path(), "first", {});
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("first.provenance.json")));
+}
+
+TEST_F(ReportFolderTest, FilesOfOthersAreRefusedAndThoseOfAnUnfinishedCallAreNot) {
+  const auto is_refused = [this](const char* command, const char* file) {
+    try {
+      refuse_files_of_others(scratch_.path(), command, {file});
+      return false;
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string(file) + " is there"), std::string::npos) << error.what();
+      return true;
+    }
+  };
+  scratch_.write("mine.csv", "mine");
+  EXPECT_TRUE(is_refused("first", "mine.csv"));
+  EXPECT_TRUE(is_refused("second", "table.csv"));
+  EXPECT_FALSE(is_refused("first", "table.csv"));
+  EXPECT_FALSE(is_refused("first", "none.csv"));
+  ReportFolder unfinished(scratch_.path(), "first", {});
+  EXPECT_FALSE(is_refused("first", "table.csv"));
+  unfinished.csv("new", "a\n1\n", {});
+  EXPECT_FALSE(is_refused("first", "new.csv"));
+  unfinished.finish();
+  EXPECT_FALSE(is_refused("first", "new.csv"));
+  EXPECT_TRUE(is_refused("first", "table.csv")) << "the last call has not written it";
+  std::filesystem::create_directory(scratch_.path("third.provenance.json"));
+  EXPECT_TRUE(is_refused("third", "mine.csv"));
 }
 
 TEST(ProgramProvenance, IsReadBackAsItWasWritten) {
