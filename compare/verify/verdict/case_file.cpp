@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
@@ -238,8 +237,7 @@ namespace {
 /// Whether the file is a case under the name that a run gives it, that of its pose: its origin, or one of what commas
 /// part there. Others are somebody's own.
 bool is_of_a_run(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  const Json json = Json::parse(in, nullptr, false);
+  const Json json = json_or_discarded(file);
   if (!json.is_object() || !json.contains("origin") || !json["origin"].is_string()) return false;
   const auto origin = json["origin"].get<std::string>();
   for (std::size_t begin = 0; begin < origin.size();) {
