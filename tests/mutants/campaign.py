@@ -104,13 +104,15 @@ class Campaign:
         self._scratch.configure()
         for room in rooms:
             known = self._read_unaltered().get(self._key_of_unaltered(room), {})
-            checks = self._checks[room] = Checks(self._scratch.build_folder, self._ladder, known)
+            checks = self._checks[room] = Checks(self._scratch.build_folder, self._build, self._ladder, known)
             new = [name for name in self._names if not set(checks.commands(name, room)) <= set(known)]
             if new:
-                self._scratch.build(checks.targets(new, room), self._jobs)
                 self._check_unaltered(room, new)
                 self._check_planted(room, new)
                 self._keep_unaltered(room)
+
+    def _build(self, targets):
+        self._scratch.build(targets, self._jobs)
 
     def _key_of_unaltered(self, room):
         return " ".join([room, self._answering, self._checking])
@@ -225,7 +227,6 @@ class Campaign:
                 found = found_before.get(name)
                 if found and checks.is_enough(name, found):
                     continue
-                self._scratch.build(checks.targets([name], mutant.room), self._jobs)
                 finding = checks.check(name, mutant.room, passed=found)
                 entry["checks"][name] = asdict(finding) | {"sources": self._sources(), "commit": self._commit}
                 entry["state"] = CAUGHT if finding.by or entry["state"] == CAUGHT else SURVIVED

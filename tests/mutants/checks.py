@@ -142,21 +142,16 @@ def verdict(output):
 
 
 class Checks:
-    """The checks in one build folder. `allowed` has the seconds of each command, once they were measured; `ladder`
-    the numbers of poses of verify."""
+    """The checks in one build folder. `build` makes the targets of a list there, of None all: a program is built when it
+    is asked, since one before it may already have caught the mutant. `allowed` has the seconds of each command, once they
+    were measured; `ladder` the numbers of poses of verify."""
 
-    def __init__(self, build, ladder=LADDER, allowed=None):
-        self._build = Path(build)
+    def __init__(self, folder, build, ladder=LADDER, allowed=None):
+        self._folder = Path(folder)
+        self._build = build
         self._ladder = ladder
         self._allowed = dict(allowed or {})
         self._env = dict(os.environ, MALLOC_PERTURB_="165", GLIBC_TUNABLES="glibc.malloc.tcache_count=0")
-
-    def targets(self, names, room):
-        """What has to be built for these checks; None stands for all."""
-        if "suite" in names:
-            return None
-        programs = [path.split("/")[-1] for path in TEST_PROGRAMS[room]] if "tests" in names else []
-        return programs + (["pcm"] if "verify" in names else [])
 
     def commands(self, name, room):
         """What is run for a check, by name: what has to be known to set its limits."""
@@ -188,8 +183,9 @@ class Checks:
     def _tests(self, room, measure):
         seconds = 0.0
         for program in TEST_PROGRAMS[room]:
-            command = [self._build / "tests" / program, "--gtest_fail_fast", "--gtest_color=no"]
-            ended = self._run(program, command, measure, env=self._env, cwd=self._build)
+            self._build([program.split("/")[-1]])
+            command = [self._folder / "tests" / program, "--gtest_fail_fast", "--gtest_color=no"]
+            ended = self._run(program, command, measure, env=self._env, cwd=self._folder)
             seconds += ended.seconds
             if ended.status != 0:
                 return Finding(failed_test(ended), seconds)
@@ -197,12 +193,13 @@ class Checks:
 
     def _verify(self, measure, passed):
         seconds = 0.0
-        out = self._build / "mutant_verified"
+        out = self._folder / "mutant_verified"
+        self._build(["pcm"])
         for poses in self._ladder:
             if poses <= passed:
                 continue
             shutil.rmtree(out, ignore_errors=True)
-            command = [self._build / "pcm", "verify", "--poses", poses, "--seed", SEED, "--mode", "all", "--out", out]
+            command = [self._folder / "pcm", "verify", "--poses", poses, "--seed", SEED, "--mode", "all", "--out", out]
             ended = self._run(f"verify {poses}", command, measure, env=self._env)
             seconds += ended.seconds
             if ended.status == 0:
@@ -225,8 +222,9 @@ class Checks:
 
     def _suite(self, room, measure):
         del room
+        self._build(None)
         # But those of the mutants themselves, which want their texts where they were.
-        command = ["ctest", "--test-dir", self._build, "-LE", "long", "-E", r"^Mutants\.", "--stop-on-failure"]
+        command = ["ctest", "--test-dir", self._folder, "-LE", "long", "-E", r"^Mutants\.", "--stop-on-failure"]
         command += ["-j", os.cpu_count() or 1]
         ended = self._run("suite", command, measure, env=self._env)
         return Finding("" if ended.status == 0 else failed_of_suite(ended), ended.seconds)

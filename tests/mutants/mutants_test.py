@@ -319,10 +319,20 @@ class Findings(unittest.TestCase):
             table.write_text("pair,disagreements,force disagreements,bound disagreements\na,3,2,0\nb,1,1,0\n")
             self.assertEqual(checks.disagreements_by_kind(table), {"force": 3})
 
+    def test_want_a_program_built_when_those_before_it_have_passed(self):
+        first, second, *_ = [program.split("/")[-1] for program in checks.TEST_PROGRAMS["reference"]]
+        built = []
+
+        def run(command, *limits, **options):
+            return self.ended(int(Path(command[0]).name == second), "")
+
+        with unittest.mock.patch("checks.run", run):
+            checks.Checks("nowhere", built.extend).check("tests", "reference", measure=True)
+        self.assertEqual(built, [first, second])
+
     def test_end_programs_that_never_do(self):
         ended = checks.run([sys.executable, "-c", "while True: pass"], allowed=1)
         self.assertTrue(ended.ran_out_of_time)
-
 
     def test_are_none_where_the_machine_killed_the_program(self):
         kill_itself = "import os, signal; os.kill(os.getpid(), signal.SIGKILL)"
