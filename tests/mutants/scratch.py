@@ -5,6 +5,7 @@
 import hashlib
 import os
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -75,9 +76,12 @@ class Scratch:
         return digest.hexdigest()[:16]
 
     def configure(self):
-        """As `./run test` does, but that a mutant may have warnings."""
+        """As `./run test` does, but that a mutant may have warnings. Where there is ccache, what is put back is not
+        compiled again; it keeps nothing that precompiled headers take part in."""
         command = ["cmake", "-S", self.source, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
         command += ["-DPCM_UNITY_BUILD=ON", "-DPCM_BENCH_PEERS=OFF", "-DPCM_BUILD_TESTS=ON", "-DPCM_LONG_TESTS=OFF"]
+        if shutil.which("ccache"):
+            command += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache", "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"]
         self._run([*command, "-DPCM_WARNINGS_AS_ERRORS=OFF"])
 
     def build(self, targets, jobs):
