@@ -5,7 +5,10 @@
 #include <CGAL/FPU.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "meshes/generate/boxes.h"
 #include "tests/shifted_pose.h"
