@@ -3,11 +3,22 @@
 #include "simulate/scenes/mass_properties.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 
 #include "meshes/generate/solid_moments.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::simulate {
+
+namespace {
+
+/// Steiner's term: of a mass at a point, about the origin.
+Eigen::Matrix3d inertia_of_point(double mass, const Eigen::Vector3d& at) {
+  return mass * (at.squaredNorm() * Eigen::Matrix3d::Identity() - at * at.transpose());
+}
+
+}  // namespace
 
 MassProperties solid_of_density_1(const std::vector<PlacedMesh>& surfaces) {
   MassProperties solid;
@@ -22,11 +33,8 @@ MassProperties solid_of_density_1(const std::vector<PlacedMesh>& surfaces) {
   }
   if (!(solid.mass > 0)) throw BadInput("no solid: the volume within the body's surfaces is not positive");
   solid.centre_B /= solid.mass;
-  for (const MassProperties& part : parts) {
-    const Eigen::Vector3d d = part.centre_B - solid.centre_B;
-    solid.inertia_B +=
-        part.inertia_B + part.mass * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());  // Steiner
-  }
+  for (const MassProperties& part : parts)
+    solid.inertia_B += part.inertia_B + inertia_of_point(part.mass, part.centre_B - solid.centre_B);
   return solid;
 }
 
@@ -38,6 +46,16 @@ std::string flaw_of_inertia(const Eigen::Matrix3d& inertia) {
   if (moments[2] > (moments[0] + moments[1]) * (1 + 1e-9))
     return "a principal moment of inertia exceeds the other two together, as no body's does";
   return {};
+}
+
+std::string flaw_of_mass(const MassProperties& body) {
+  const Eigen::Matrix3d about_B = body.inertia_B + inertia_of_point(body.mass, body.centre_B);
+  const Eigen::Vector3d moments = about_B.diagonal();
+  const auto is_normal = [](double x) { return std::isnormal(x); };
+  if (is_normal(body.mass) && std::all_of(moments.begin(), moments.end(), is_normal) &&
+      (about_B / body.mass).allFinite())
+    return {};
+  return "its mass, its inertia about B's origin or their ratio is no number that a double holds with all its digits";
 }
 
 }  // namespace pcm::simulate

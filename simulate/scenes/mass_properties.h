@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "simulate/scenes/scene.h"
@@ -21,5 +22,9 @@ MassProperties solid_of_density_1(const std::vector<PlacedMesh>& surfaces);
 /// Why no rigid body has these principal moments of inertia; empty if one may: all positive, none greater than the
 /// other two together, beyond roundings.
 std::string flaw_of_inertia(const Eigen::Matrix3d& inertia);
+
+/// Why equations of motion can't be set up with these; empty if they can: mass and moments of inertia are normal
+/// doubles, and so is what is made of them.
+std::string flaw_of_mass(const MassProperties& body);
 
 }  // namespace pcm::simulate

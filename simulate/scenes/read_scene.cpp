@@ -254,6 +254,8 @@ MassProperties SceneReader::mass_from(const Json& json, const std::string& at, s
     const std::string flaw = flaw_of_inertia(result.inertia_B);
     if (!flaw.empty()) json_.refuse(at + "/inertia", flaw);
   }
+  const std::string flaw = flaw_of_mass(result);
+  if (!flaw.empty()) json_.refuse(at, flaw);
   return result;
 }
 

@@ -118,6 +118,14 @@ TEST(SimulateCommand, WhoseIntegratorGivesUpSaysWhenInOneLineAndShowsWhatThereIs
   EXPECT_EQ(folder.run().status, 1);  // goes on from the checkpoint, to the same end
 }
 
+TEST(SimulateCommand, RefusesASceneInWhichNothingCanMove) {
+  const Folder folder(R"({"bodies": [{"name": "post", "mass": 1, "inertia": [1, 1, 1], "centre_of_mass": [0, 0, 0],
+                                      "joint": {"type": "weld"}}], "duration": 1})");
+  const Outcome outcome = folder.run();
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("nothing can move: every body of the scene is welded"), std::string::npos) << outcome.err;
+}
+
 TEST(SimulateCommand, WhoseEnergyOverflowsHasNoNumberThatIsNone) {
   const std::string heavy = R"({"laws": {"law": {"stiffness": 1e7}},
     "ground": {"surfaces": [{"name": "floor", "make": "plate"}]},

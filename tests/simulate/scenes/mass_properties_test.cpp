@@ -46,5 +46,18 @@ TEST(FlawOfInertia, TellsWhatNoBodyHas) {
   EXPECT_NE(flaw(1, 1, -1), "");
 }
 
+TEST(FlawOfMass, TellsWhatDoublesDoNotHold) {
+  const auto flaw = [](double mass, double moment, double centre) {
+    return flaw_of_mass({mass, {0, centre, 0}, moment * Eigen::Matrix3d::Identity()});
+  };
+  EXPECT_EQ(flaw(1, 1, 1), "");
+  EXPECT_EQ(flaw(1e-300, 1e-300, 0), "");
+  EXPECT_EQ(flaw(1e300, 1e300, 1), "");
+  EXPECT_NE(flaw(1e-310, 1, 0), "");
+  EXPECT_NE(flaw(1, 1e-310, 0), "");
+  EXPECT_NE(flaw(1e-160, 1e160, 0), "");  // their ratio
+  EXPECT_NE(flaw(1, 1, 1e160), "");       // Steiner's term
+}
+
 }  // namespace
 }  // namespace pcm::simulate
