@@ -105,5 +105,7 @@ std::string work_precision_screen(const std::vector<WorkPrecisionResult>& result
 std::string work_precision_markdown(const std::vector<WorkPrecisionResult>& results, const Machine& machine);
 /// Both errors side by side.
 Figure work_precision_figure(const WorkPrecisionResult& result, const Machine& machine);
+/// The name of its file, without the extension; `id`: of the pair.
+std::string work_precision_picture(const std::string& id);
 
 }  // namespace pcm::compare

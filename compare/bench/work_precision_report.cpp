@@ -189,6 +189,10 @@ Table equal_time_table(const std::vector<WorkPrecisionResult>& results) {
   return table;
 }
 
+std::string work_precision_picture(const std::string& id) {
+  return "work_precision_" + id;
+}
+
 std::string work_precision_screen(const std::vector<WorkPrecisionResult>& results, const Machine& machine) {
   return fmt::format("{}\n{}\n{}{}\n{}\n{}", describe(machine), kLegend, on_screen(work_precision_table(results)),
                      left_out(results), kLegendOfRatios, on_screen(equal_time_table(results)));
@@ -197,8 +201,8 @@ std::string work_precision_screen(const std::vector<WorkPrecisionResult>& result
 std::string work_precision_markdown(const std::vector<WorkPrecisionResult>& results, const Machine& machine) {
   std::string page = fmt::format("# pcm bench work-precision\n\n{}\n\n{}\n", describe(machine), kLegend);
   for (const WorkPrecisionResult& result : results)
-    page += fmt::format("- {}: {}; {} orientations. Reference: {}. Plot: work_precision_{}.svg\n", result.title,
-                        result.problem, result.orientations, result.reference, result.id);
+    page += fmt::format("- {}: {}; {} orientations. Reference: {}. Plot: {}.svg\n", result.title, result.problem,
+                        result.orientations, result.reference, work_precision_picture(result.id));
   page += fmt::format("\n## Barycentric scheme against clipped scheme\n\n{}\n{}\n## All figures\n\n{}", kLegendOfRatios,
                       markdown(equal_time_table(results)), markdown(work_precision_table(results)));
   const std::string missing = left_out(results);

@@ -294,11 +294,15 @@ std::string stability_markdown(const StabilityReport& report) {
         "\n## {}\n\nMedians of the force's figures, barycentric scheme, then clipped scheme; set, flip: settled and "
         "flipped "
         "poses; cond: condition; e/c: error over condition; 2003, 2023: errors of the published algorithms, other: how "
-        "often they had other elements than the exact problem, or no answer. Plot: stability_{}.svg\n\n{}",
-        title(sweep), name(sweep), markdown(force_table(report, sweep)));
+        "often they had other elements than the exact problem, or no answer. Plot: {}.svg\n\n{}",
+        title(sweep), stability_picture(sweep), markdown(force_table(report, sweep)));
   page += "\n## All figures\n\n" + markdown(stability_table(report));
   for (const std::string& finding : findings(report)) page += fmt::format("\n- {}\n", finding);
   return page;
+}
+
+std::string stability_picture(Sweep sweep) {
+  return fmt::format("stability_{}", name(sweep));
 }
 
 Figure stability_figure(const StabilityReport& report, Sweep sweep) {

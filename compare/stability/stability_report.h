@@ -22,6 +22,8 @@ std::string stability_summary(const StabilityReport& report);
 std::string stability_markdown(const StabilityReport& report);
 /// Error, condition, bound and the published algorithms' errors over what is varied, and error over condition.
 Figure stability_figure(const StabilityReport& report, Sweep sweep);
+/// The name of its file, without the extension.
+std::string stability_picture(Sweep sweep);
 
 /// The last line printed.
 std::string stability_verdict(const StabilityReport& report);

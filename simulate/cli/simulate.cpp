@@ -153,7 +153,7 @@ Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-integrators" : options.out;
   compare::create_folder(folder);
-  compare::refuse_files_of_others(folder, "integrators", {"integrators.md", "integrators.tex"});
+  compare::refuse_files_of_others(folder, "integrators", {"integrators.md", "integrators.tex", "integrators.svg"});
   const std::optional<IntegratorComparison> comparison = comparison_of(options.scene, scene);
   if (!comparison) return Exit::negative;
   const std::string title = scene.title.empty() ? options.scene : scene.title;
@@ -161,7 +161,7 @@ Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::
   std::cout << on_screen(table) << std::flush;
   compare::ReportFolder report(folder, "integrators", question_of_comparison(options.scene, text, scene, *comparison));
   report.markdown("integrators", "# " + title + "\n\n" + markdown(table));
-  write_text_file(folder / "integrators.svg", comparison_picture(title + ": integrators compared", *comparison));
+  report.picture("integrators", comparison_picture(title + ": integrators compared", *comparison));
   report.finish();
   std::cout << "\npicture: " << (folder / "integrators.svg").string() << '\n';
   return Exit::success;

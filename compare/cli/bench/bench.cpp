@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "compare/bench/peer_comparison.h"
 #include "compare/bench/scaling.h"
@@ -25,7 +26,6 @@
 #include "compare/io/pictures/svg_plot.h"
 #include "compare/io/provenance/sha256.h"
 #include "compare/io/tables/report_folder.h"
-#include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
@@ -55,7 +55,7 @@ struct SkipOptions {
 /// A folder, made if need be, without files of others under these names: before an hour is spent on what can't be kept
 /// there.
 std::optional<fs::path> output_folder(const std::optional<std::string>& out, const std::string& command,
-                                      std::initializer_list<const char*> files) {
+                                      const std::vector<std::string>& files) {
   if (!out) return {};
   std::error_code error;
   fs::create_directories(*out, error);
@@ -194,6 +194,9 @@ Exit bench_work_precision(const FixedOptions& options) {
                     {"work_precision.md", "work_precision.tex", "work_precision.csv", "work_precision.json"});
   show_progress("forces of the smooth bodies");
   const std::vector<WorkPrecisionProblem> problems = work_precision_problems(extent);
+  if (folder)
+    for (const WorkPrecisionProblem& problem : problems)
+      refuse_files_of_others(*folder, "work_precision", {work_precision_picture(problem.pair.id) + ".svg"});
   const Machine machine = this_machine(stay_on_one_core());
   std::vector<WorkPrecisionResult> results;
   for (const WorkPrecisionProblem& problem : problems) results.push_back(run_work_precision(problem, show_progress));
@@ -207,10 +210,9 @@ Exit bench_work_precision(const FixedOptions& options) {
                                    {"orientations", results.front().orientations},
                                    {"points", json(work_precision_table(results))},
                                    {"barycentric_over_clipped", json(equal_time_table(results))}});
-    report.finish();
     for (const WorkPrecisionResult& result : results)
-      write_text_file(*folder / fmt::format("work_precision_{}.svg", result.id),
-                      svg(work_precision_figure(result, machine)));
+      report.picture(work_precision_picture(result.id), svg(work_precision_figure(result, machine)));
+    report.finish();
   }
   return Exit::success;
 }

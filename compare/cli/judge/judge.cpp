@@ -182,7 +182,7 @@ void refuse_to_overwrite(const JudgeOptions& options, const fs::path& folder) {
     if (options.answers && is_same_file(*options.answers, folder / file))
       throw BadInput(*options.answers + ": the tables would take its place; choose another folder for --out");
   const bool with_others = options.shared && fs::exists(folder / kCampaignFile);
-  if (!with_others) refuse_files_of_others(folder, kJudgementReport, kJudgementFiles);
+  if (!with_others) refuse_files_of_others(folder, kJudgementReport, {kJudgementFiles.begin(), kJudgementFiles.end()});
 }
 
 Exit judge(const JudgeOptions& options) {

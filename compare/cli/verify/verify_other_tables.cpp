@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compare/cli/verify/verify_audits.h"
 #include "compare/cli/verify/verify_engines.h"
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 /// The folder of --out, without files of others under these names.
 std::optional<fs::path> own_folder(const VerifyOptions& options, const std::string& command,
-                                   std::initializer_list<const char*> files) {
+                                   const std::vector<std::string>& files) {
   std::optional<fs::path> folder = prepared_folder(options);
   if (folder) refuse_files_of_others(*folder, command, files);
   return folder;
@@ -77,8 +77,7 @@ Exit audits(const VerifyOptions& options) {
 
 Exit stability(const VerifyOptions& options) {
   const std::uint64_t seed = seed_of(options);
-  const std::optional<fs::path> folder = own_folder(
-      options, "stability", {"stability.md", "stability.tex", "stability.csv", "flatness.csv", "stability.json"});
+  const std::optional<fs::path> folder = own_folder(options, "stability", stability_files());
   return verify_stability(extent_of(options), seed, number_of_jobs(options), folder);
 }
 

@@ -12,7 +12,6 @@
 #include "compare/cli/verify/kept_folder.h"
 #include "compare/io/tables/report_folder.h"
 #include "compare/stability/stability_report.h"
-#include "meshes/files/text_file.h"
 
 namespace pcm::compare {
 namespace {
@@ -32,11 +31,17 @@ void write_tables(const std::filesystem::path& path, const stability::StabilityR
                             {"flatness", json(flatness)},
                             {"points", json(table)}});
   for (const stability::Sweep sweep : stability::kSweeps)
-    write_text_file(path / fmt::format("stability_{}.svg", name(sweep)), svg(stability_figure(report, sweep)));
+    folder.picture(stability_picture(sweep), svg(stability_figure(report, sweep)));
   folder.finish();
 }
 
 }  // namespace
+
+std::vector<std::string> stability_files() {
+  std::vector<std::string> files = {"stability.md", "stability.tex", "stability.csv", "flatness.csv", "stability.json"};
+  for (const stability::Sweep sweep : stability::kSweeps) files.push_back(stability_picture(sweep) + ".svg");
+  return files;
+}
 
 Exit verify_stability(Extent extent, std::uint64_t seed, int jobs, const std::optional<std::filesystem::path>& folder) {
   const ProgressLine progress;

@@ -21,6 +21,8 @@
 namespace pcm::compare {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// Indented by four blanks, which Markdown leaves as it stands.
 std::string made_by(const ProgramProvenance& program) {
   return fmt::format("pcm {}, commit {}; {}, {}; {}:\n\n    {}\n", program.version, program.commit, program.compiler,
@@ -30,6 +32,25 @@ std::string made_by(const ProgramProvenance& program) {
 /// Which tables a call has begun to write, until all are there.
 std::string unfinished_file(const std::string& command) {
   return provenance_file(command) + ".part";
+}
+
+/// What earlier calls have left, an object by name.
+nlohmann::ordered_json files_of(const fs::path& folder, const std::string& command) {
+  auto files = nlohmann::ordered_json::object();
+  for (const std::string& name : {provenance_file(command), unfinished_file(command)}) {
+    const nlohmann::ordered_json provenance = json_or_discarded(folder / name);
+    if (provenance.is_object() && provenance.contains("files") && provenance["files"].is_object())
+      files.update(provenance["files"]);
+  }
+  return files;
+}
+
+void refuse_file_of_others(const fs::path& folder, const std::string& command, const std::string& file,
+                           const nlohmann::ordered_json& own) {
+  std::error_code none_there;
+  if (own.contains(file) || !fs::exists(fs::symlink_status(folder / file, none_there))) return;
+  throw BadInput(fmt::format("{} is there, and {} does not say that this command has written it; choose another folder",
+                             (folder / file).string(), provenance_file(command)));
 }
 
 std::string as_latex_comment(const std::string& text) {
@@ -51,45 +72,34 @@ bool is_column(std::string name, const std::string& pattern) {
 
 }  // namespace
 
-void refuse_files_of_others(const std::filesystem::path& folder, const std::string& command,
-                            std::initializer_list<const char*> files) {
-  const nlohmann::ordered_json finished = json_or_discarded(folder / provenance_file(command));
-  const nlohmann::ordered_json unfinished = json_or_discarded(folder / unfinished_file(command));
-  const auto has = [](const nlohmann::ordered_json& provenance, const char* file) {
-    return provenance.is_object() && provenance.contains("files") && provenance["files"].contains(file);
-  };
-  for (const char* file : files) {
-    std::error_code none_there;
-    if (!std::filesystem::exists(std::filesystem::symlink_status(folder / file, none_there))) continue;
-    if (has(finished, file) || has(unfinished, file)) continue;
-    throw BadInput(
-        fmt::format("{} is there, and {} does not say that this command has written it; choose another folder",
-                    (folder / file).string(), provenance_file(command)));
-  }
+void refuse_files_of_others(const fs::path& folder, const std::string& command, const std::vector<std::string>& files) {
+  const nlohmann::ordered_json own = files_of(folder, command);
+  for (const std::string& file : files) refuse_file_of_others(folder, command, file, own);
 }
 
-ReportFolder::ReportFolder(std::filesystem::path folder, const std::string& command, nlohmann::ordered_json question,
+ReportFolder::ReportFolder(fs::path folder, const std::string& command, nlohmann::ordered_json question,
                            ProgramProvenance program)
     : folder_(std::move(folder)),
+      command_(command),
       provenance_file_(provenance_file(command)),
       unfinished_file_(unfinished_file(command)),
       program_(std::move(program)),
       provenance_(provenance_json(program_)),
-      files_(nlohmann::ordered_json::object()) {
+      files_(nlohmann::ordered_json::object()),
+      own_(files_of(folder_, command)) {
   provenance_["question"] = std::move(question);
   std::error_code none_there;
   // What an earlier call has left is its own until all is there anew.
-  if (std::filesystem::exists(folder_ / provenance_file_, none_there))
-    std::filesystem::rename(folder_ / provenance_file_, folder_ / unfinished_file_, none_there);
+  if (fs::exists(folder_ / provenance_file_, none_there))
+    fs::rename(folder_ / provenance_file_, folder_ / unfinished_file_, none_there);
 }
 
 void ReportFolder::write(const std::string& file, const std::string& text) {
+  refuse_file_of_others(folder_, command_, file, own_);
   files_[file]["sha256"] = sha256(text);
-  nlohmann::ordered_json begun = json_or_discarded(folder_ / unfinished_file_);
-  if (!begun.is_object() || !begun["files"].is_object()) begun = {{"files", nlohmann::ordered_json::object()}};
-  if (!begun["files"].contains(file)) {
-    begun["files"][file] = files_[file];
-    write_text_file(folder_ / unfinished_file_, json_file_text(begun));
+  if (!own_.contains(file)) {
+    own_[file] = files_[file];
+    write_text_file(folder_ / unfinished_file_, json_file_text({{"files", own_}}));
   }
   write_text_file(folder_ / file, text);
 }
@@ -134,12 +144,16 @@ void ReportFolder::json(const std::string& name, const nlohmann::ordered_json& v
   write(name + ".json", json_file_text(whole));
 }
 
+void ReportFolder::picture(const std::string& name, const std::string& svg) {
+  write(name + ".svg", svg);
+}
+
 void ReportFolder::finish() {
   nlohmann::ordered_json whole = provenance_;
   whole["files"] = files_;
   write_text_file(folder_ / provenance_file_, json_file_text(whole));
   std::error_code none_there;
-  std::filesystem::remove(folder_ / unfinished_file_, none_there);
+  fs::remove(folder_ / unfinished_file_, none_there);
 }
 
 }  // namespace pcm::compare

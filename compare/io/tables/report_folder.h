@@ -3,10 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compare/io/provenance/program_provenance.h"
 #include "compare/io/tables/column_units.h"
@@ -21,7 +21,7 @@ inline std::string provenance_file(const std::string& command) {
 /// Throws BadInput naming the first of these files that is in the folder without an earlier call of the command having
 /// left it there, as its provenance file tells: to be asked before long work.
 void refuse_files_of_others(const std::filesystem::path& folder, const std::string& command,
-                            std::initializer_list<const char*> files);
+                            const std::vector<std::string>& files);
 
 /// A command's tables in one folder, each with what made it.
 ///
@@ -30,8 +30,9 @@ void refuse_files_of_others(const std::filesystem::path& folder, const std::stri
 /// columns; so COMMAND.provenance.json, written last, has all of this once more, the SHA-256 of every table, and the
 /// units of the columns of every CSV file. Several commands may share a folder.
 ///
-/// Every file is written whole or not at all; throws BadInput naming it where it can't be. Until the last of them
-/// COMMAND.provenance.json.part tells which ones the command has begun, so that it may replace them.
+/// Every file is written whole or not at all; throws BadInput naming it where it can't be, or where a file that no
+/// earlier call of the command has left has its name. Until the last of them COMMAND.provenance.json.part tells which
+/// ones the command has begun, so that it may replace them.
 class ReportFolder {
  public:
   /// `question`: what was asked, an object: seed, schemes, modes, laws, hashes of the surfaces. Removes what an earlier
@@ -44,6 +45,8 @@ class ReportFolder {
   /// A CSV file that is there already: of one written line by line. Throws BadInput where it can't be read.
   void csv_there(const std::string& name, const ColumnUnits& units);
   void json(const std::string& name, const nlohmann::ordered_json& value);
+  /// NAME.svg.
+  void picture(const std::string& name, const std::string& svg);
   /// COMMAND.provenance.json.
   void finish();
 
@@ -53,10 +56,11 @@ class ReportFolder {
   void note_units(const std::string& file, std::string_view header, const ColumnUnits& units);
 
   std::filesystem::path folder_;
-  std::string provenance_file_, unfinished_file_;
+  std::string command_, provenance_file_, unfinished_file_;
   ProgramProvenance program_;
   nlohmann::ordered_json provenance_;
   nlohmann::ordered_json files_;
+  nlohmann::ordered_json own_;  ///< by name, files that the command may replace
 };
 
 }  // namespace pcm::compare

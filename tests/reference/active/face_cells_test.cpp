@@ -97,6 +97,18 @@ TEST(FaceCells, MakeUpTheFaceAndWindAlikeFromAllCornersInRandomPoses) {
   EXPECT_GE(cells, 2000);
 }
 
+TEST(FaceCells, MakeUpTheFaceWhereManyCrossingsLieOnOneRay) {
+  // Twenty posts pass through the top, all touching one line through its first corner from the same side.
+  TriangleMesh body;
+  body.vertices = {{0, 0, 0}, {64, 0, 0}, {0, 64, 0}, {0, 0, -64}};
+  body.faces = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  TriangleMesh posts;
+  for (int k = 1; k <= 20; ++k)
+    posts = degenerate::joined(std::move(posts), generate::box({2 * k - 0.5, 1.0 * k, -1}, {2.0 * k, k + 0.5, 1}));
+  for (const Problem problem : {Problem::rounded, Problem::exact})
+    EXPECT_GE(expect_fit_cells(body, posts, problem, shifted(0, 0, 0)), 60);
+}
+
 TEST(FaceCells, MakeUpTheFaceAndWindAlikeFromAllCornersWhereGridsLieUponEachOther) {
   std::mt19937_64 random(7);
   const TriangleMesh grid = generate::gridded_box(2.0, 2), cone = generate::cone(0.5, 1, 4);
