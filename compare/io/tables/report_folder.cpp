@@ -77,6 +77,12 @@ void refuse_files_of_others(const fs::path& folder, const std::string& command, 
   for (const std::string& file : files) refuse_file_of_others(folder, command, file, own);
 }
 
+void take_back_provenance(const fs::path& folder, const std::string& command) {
+  std::error_code none_there;
+  const fs::path finished = folder / provenance_file(command);
+  if (fs::exists(finished, none_there)) fs::rename(finished, folder / unfinished_file(command), none_there);
+}
+
 ReportFolder::ReportFolder(fs::path folder, const std::string& command, nlohmann::ordered_json question,
                            ProgramProvenance program)
     : folder_(std::move(folder)),
@@ -88,10 +94,7 @@ ReportFolder::ReportFolder(fs::path folder, const std::string& command, nlohmann
       files_(nlohmann::ordered_json::object()),
       own_(files_of(folder_, command)) {
   provenance_["question"] = std::move(question);
-  std::error_code none_there;
-  // What an earlier call has left is its own until all is there anew.
-  if (fs::exists(folder_ / provenance_file_, none_there))
-    fs::rename(folder_ / provenance_file_, folder_ / unfinished_file_, none_there);
+  take_back_provenance(folder_, command_);
 }
 
 void ReportFolder::write(const std::string& file, const std::string& text) {

@@ -23,6 +23,9 @@ inline std::string provenance_file(const std::string& command) {
 void refuse_files_of_others(const std::filesystem::path& folder, const std::string& command,
                             const std::vector<std::string>& files);
 
+/// What an earlier call of the command has said of its tables holds no more; they stay its own, to be replaced.
+void take_back_provenance(const std::filesystem::path& folder, const std::string& command);
+
 /// A command's tables in one folder, each with what made it.
 ///
 /// NAME.md ends with version, commit, compiler, machine and command line, and NAME.tex has the same tables for LaTeX.
