@@ -13,6 +13,7 @@ std::array<Vertex, 3> vertices_of(const ExactPose& pose, Side side, Index face) 
   return {Vertex{side, t[0]}, Vertex{side, t[1]}, Vertex{side, t[2]}};
 }
 
+/// Whether the line through both passes all three sides of the face alike. Never in doubt, thanks to the tie rule.
 bool line_passes_through(const Orientation& orientation, Vertex a, Vertex b, const std::array<Vertex, 3>& face) {
   const int sign = orientation.orient3d(a, b, face[0], face[1]);
   return orientation.orient3d(a, b, face[1], face[2]) == sign && orientation.orient3d(a, b, face[2], face[0]) == sign;
@@ -41,11 +42,6 @@ void add_crossings(const Orientation& orientation, Side edge_side, Index edge_fa
 }
 
 }  // namespace
-
-bool edge_crosses_face(const Orientation& orientation, Vertex a, Vertex b, Side face_side, Index face) {
-  return orientation.side(a, face_side, face) != orientation.side(b, face_side, face) &&
-         line_passes_through(orientation, a, b, vertices_of(orientation.pose(), face_side, face));
-}
 
 std::vector<PairCrossing> pair_crossings(const Orientation& orientation, Index e, Index f) {
   const ExactPose& pose = orientation.pose();

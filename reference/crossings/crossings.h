@@ -34,10 +34,6 @@ struct Crossings {
   std::vector<Segment> segments;  ///< one a crossing pair, ascending by (e, f)
 };
 
-/// Whether the edge (a, b) crosses the face: its ends lie on different sides, and the line through them passes all
-/// three sides of the face alike. Never in doubt, thanks to the tie rule.
-bool edge_crosses_face(const Orientation& orientation, Vertex a, Vertex b, Side face_side, Index face);
-
 /// A crossing of one face pair with the part it plays in the pair's segment.
 struct PairCrossing {
   CrossingId id;
