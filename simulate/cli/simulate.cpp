@@ -192,6 +192,7 @@ Exit simulate(const SimulateOptions& options) {
   if (options.compares) return compare_all(options, scene, text);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;
+  if (scene.surfaces.empty()) throw BadInput(options.scene + ": it has no surfaces, so that there is nothing to show");
   require_three_js();
   std::string notice;
   RecordedRun run(scene, text, folder, notice);

@@ -197,6 +197,11 @@ std::vector<std::ofstream*> RunFolder::streams() {
   return all;
 }
 
+void RunFolder::remove_report() const {
+  std::error_code none_there;
+  std::filesystem::remove(folder_ / compare::provenance_file(kRunReport), none_there);
+}
+
 void RunFolder::open_tables(bool append) {
   const std::vector<std::filesystem::path> files = tables();
   const std::vector<std::ofstream*> outs = streams();
@@ -238,7 +243,7 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
     for (const std::filesystem::path& table : tables())
       if (std::filesystem::file_size(folder_ / table) < lengths.at(table.string()).get<std::uintmax_t>())
         throw BadInput((folder_ / table).string() + ": is shorter than it was; remove the folder to begin anew");
-    compare::take_back_provenance(folder_, kRunReport);
+    remove_report();
     for (const std::filesystem::path& table : tables())
       std::filesystem::resize_file(folder_ / table, lengths.at(table.string()).get<std::uintmax_t>());
   } catch (const Json::exception&) {
@@ -254,7 +259,7 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
 void RunFolder::begin(Eigen::Index size) {
   std::error_code ignored;
   std::filesystem::remove(folder_ / "checkpoint.json", ignored);
-  compare::take_back_provenance(folder_, kRunReport);
+  remove_report();
   open_tables(false);
   write_surfaces();
   write_text_file(folder_ / "scene.json", scene_text_);

@@ -81,6 +81,8 @@ class RunFolder {
   /// Throws BadInput naming one, where no run was begun here yet.
   void refuse_others_files() const;
   void open_tables(bool append);
+  /// What was said of the tables, which are about to change.
+  void remove_report() const;
   std::vector<std::filesystem::path> tables() const;
   /// What is written at once, not line by line.
   std::vector<std::filesystem::path> whole_files() const;

@@ -50,10 +50,10 @@ std::string flaw_of_inertia(const Eigen::Matrix3d& inertia) {
 
 std::string flaw_of_mass(const MassProperties& body) {
   const Eigen::Matrix3d about_B = body.inertia_B + inertia_of_point(body.mass, body.centre_B);
-  const Eigen::Vector3d moments = about_B.diagonal();
   const auto is_normal = [](double x) { return std::isnormal(x); };
+  const Eigen::Vector3d moments = about_B.diagonal(), of_unit_mass = moments / body.mass;
   if (is_normal(body.mass) && std::all_of(moments.begin(), moments.end(), is_normal) &&
-      (about_B / body.mass).allFinite())
+      std::all_of(of_unit_mass.begin(), of_unit_mass.end(), is_normal) && (about_B / body.mass).allFinite())
     return {};
   return "its mass, its inertia about B's origin or their ratio is no number that a double holds with all its digits";
 }

@@ -23,8 +23,8 @@ MassProperties solid_of_density_1(const std::vector<PlacedMesh>& surfaces);
 /// other two together, beyond roundings.
 std::string flaw_of_inertia(const Eigen::Matrix3d& inertia);
 
-/// Why equations of motion can't be set up with these; empty if they can: mass and moments of inertia are normal
-/// doubles, and so is what is made of them.
+/// Why equations of motion can't be set up with these; empty if they can: the mass, the moments of inertia about B's
+/// origin and their ratios are normal doubles.
 std::string flaw_of_mass(const MassProperties& body);
 
 }  // namespace pcm::simulate

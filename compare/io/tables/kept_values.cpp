@@ -29,7 +29,7 @@ double number_from_kept(const nlohmann::ordered_json& kept) {
 }
 
 KeptValues::KeptValues(std::filesystem::path file, const nlohmann::ordered_json& identity) : file_(std::move(file)) {
-  read(identity.dump());
+  read(identity);
   // Anew, without lines that were cut off; whole or not at all.
   std::string lines = identity.dump() + '\n';
   for (const auto& [name, value] : values_) lines += line_of(name, value);
@@ -37,10 +37,14 @@ KeptValues::KeptValues(std::filesystem::path file, const nlohmann::ordered_json&
   out_.open(file_, std::ios::app);
 }
 
-void KeptValues::read(const std::string& identity) {
+void KeptValues::read(const nlohmann::ordered_json& identity) {
   std::ifstream in(file_);
   std::string line;
-  if (!std::getline(in, line) || line != identity) return;
+  if (!std::getline(in, line)) return;
+  const auto held = nlohmann::ordered_json::parse(line, nullptr, false);
+  if (!held.is_object() || held.value("format", nlohmann::ordered_json()) != identity["format"])
+    throw BadInput(file_.string() + ": is there, and no values of a run; move it away, or choose another folder");
+  if (held != identity) return;
   while (std::getline(in, line)) {
     const auto entry = nlohmann::ordered_json::parse(line, nullptr, false);
     if (entry.is_array() && entry.size() == 2 && entry[0].is_string())

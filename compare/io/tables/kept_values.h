@@ -22,8 +22,9 @@ class KeptValues {
  public:
   /// Keeps nothing.
   KeptValues() = default;
-  /// `identity`: of what the values are, and of the program. A file of other ones is begun anew; a line that was cut
-  /// off is left out. Throws BadInput where the file can't be written.
+  /// `identity`: under the key "format" what such files are, then of what the values are, and of the program. A file of
+  /// other ones is begun anew; a line that was cut off is left out. Throws BadInput where the file can't be written, and
+  /// where another one of that name is there.
   KeptValues(std::filesystem::path file, const nlohmann::ordered_json& identity);
 
   /// How many values are there.
@@ -36,7 +37,7 @@ class KeptValues {
   void finish();
 
  private:
-  void read(const std::string& identity);
+  void read(const nlohmann::ordered_json& identity);
 
   std::filesystem::path file_;
   std::ofstream out_;

@@ -45,14 +45,6 @@ nlohmann::ordered_json files_of(const fs::path& folder, const std::string& comma
   return files;
 }
 
-void refuse_file_of_others(const fs::path& folder, const std::string& command, const std::string& file,
-                           const nlohmann::ordered_json& own) {
-  std::error_code none_there;
-  if (own.contains(file) || !fs::exists(fs::symlink_status(folder / file, none_there))) return;
-  throw BadInput(fmt::format("{} is there, and {} does not say that this command has written it; choose another folder",
-                             (folder / file).string(), provenance_file(command)));
-}
-
 std::string as_latex_comment(const std::string& text) {
   std::string comment = "% ";
   for (const char c : text) {
@@ -74,19 +66,17 @@ bool is_column(std::string name, const std::string& pattern) {
 
 void refuse_files_of_others(const fs::path& folder, const std::string& command, const std::vector<std::string>& files) {
   const nlohmann::ordered_json own = files_of(folder, command);
-  for (const std::string& file : files) refuse_file_of_others(folder, command, file, own);
-}
-
-void take_back_provenance(const fs::path& folder, const std::string& command) {
   std::error_code none_there;
-  const fs::path finished = folder / provenance_file(command);
-  if (fs::exists(finished, none_there)) fs::rename(finished, folder / unfinished_file(command), none_there);
+  for (const std::string& file : files)
+    if (!own.contains(file) && fs::exists(fs::symlink_status(folder / file, none_there)))
+      throw BadInput(fmt::format(
+          "{} is there, and {} does not say that this command has written it; move it away, or choose another folder",
+          (folder / file).string(), provenance_file(command)));
 }
 
 ReportFolder::ReportFolder(fs::path folder, const std::string& command, nlohmann::ordered_json question,
                            ProgramProvenance program)
     : folder_(std::move(folder)),
-      command_(command),
       provenance_file_(provenance_file(command)),
       unfinished_file_(unfinished_file(command)),
       program_(std::move(program)),
@@ -94,11 +84,13 @@ ReportFolder::ReportFolder(fs::path folder, const std::string& command, nlohmann
       files_(nlohmann::ordered_json::object()),
       own_(files_of(folder_, command)) {
   provenance_["question"] = std::move(question);
-  take_back_provenance(folder_, command_);
+  std::error_code none_there;
+  // What an earlier call has left is its own until all is there anew.
+  if (fs::exists(folder_ / provenance_file_, none_there))
+    fs::rename(folder_ / provenance_file_, folder_ / unfinished_file_, none_there);
 }
 
 void ReportFolder::write(const std::string& file, const std::string& text) {
-  refuse_file_of_others(folder_, command_, file, own_);
   files_[file]["sha256"] = sha256(text);
   if (!own_.contains(file)) {
     own_[file] = files_[file];

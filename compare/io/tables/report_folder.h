@@ -19,27 +19,23 @@ inline std::string provenance_file(const std::string& command) {
 }
 
 /// Throws BadInput naming the first of these files that is in the folder without an earlier call of the command having
-/// left it there, as its provenance file tells: to be asked before long work.
+/// left it there, as its provenance file tells, or the one ending in .part: to be asked before long work.
 void refuse_files_of_others(const std::filesystem::path& folder, const std::string& command,
                             const std::vector<std::string>& files);
-
-/// What an earlier call of the command has said of its tables holds no more; they stay its own, to be replaced.
-void take_back_provenance(const std::filesystem::path& folder, const std::string& command);
 
 /// A command's tables in one folder, each with what made it.
 ///
 /// NAME.md ends with version, commit, compiler, machine and command line, and NAME.tex has the same tables for LaTeX.
 /// An object in NAME.json begins with the key "provenance", which adds what was asked. A CSV file holds nothing but its
-/// columns; so COMMAND.provenance.json, written last, has all of this once more, the SHA-256 of every table, and the
-/// units of the columns of every CSV file. Several commands may share a folder.
+/// columns; so COMMAND.provenance.json, written last, has all of this once more, the SHA-256 of every table and picture,
+/// and the units of the columns of every CSV file. Several commands may share a folder.
 ///
-/// Every file is written whole or not at all; throws BadInput naming it where it can't be, or where a file that no
-/// earlier call of the command has left has its name. Until the last of them COMMAND.provenance.json.part tells which
-/// ones the command has begun, so that it may replace them.
+/// Every file is written whole or not at all; throws BadInput naming it where it can't be. Until the last of them
+/// COMMAND.provenance.json.part tells which ones the command has begun, so that it may replace them.
 class ReportFolder {
  public:
-  /// `question`: what was asked, an object: seed, schemes, modes, laws, hashes of the surfaces. Removes what an earlier
-  /// call of the command said of its tables.
+  /// `question`: what was asked, an object: seed, schemes, modes, laws, hashes of the surfaces. What an earlier call of
+  /// the command said of its tables holds no more.
   ReportFolder(std::filesystem::path folder, const std::string& command, nlohmann::ordered_json question,
                ProgramProvenance program = this_program());
 
@@ -59,11 +55,11 @@ class ReportFolder {
   void note_units(const std::string& file, std::string_view header, const ColumnUnits& units);
 
   std::filesystem::path folder_;
-  std::string command_, provenance_file_, unfinished_file_;
+  std::string provenance_file_, unfinished_file_;
   ProgramProvenance program_;
   nlohmann::ordered_json provenance_;
   nlohmann::ordered_json files_;
-  nlohmann::ordered_json own_;  ///< by name, files that the command may replace
+  nlohmann::ordered_json own_;  ///< by name, what is known as the command's: of earlier calls, and what is begun
 };
 
 }  // namespace pcm::compare

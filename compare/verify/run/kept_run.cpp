@@ -23,21 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a run leaves in its folder beside the campaign and the case files.
-constexpr std::array<std::string_view, 11> kTables = {"overview.md",
-                                                      "overview.tex",
-                                                      "overview.csv",
-                                                      "verification.md",
-                                                      "verification.tex",
-                                                      "widths.csv",
-                                                      "verification.csv",
-                                                      "verification.json",
-                                                      "times.md",
-                                                      "times.tex",
-                                                      "verification.provenance.json"};
+/// What every finished run leaves, and what is there while its tables are written.
+constexpr std::string_view kProvenance = "verification.provenance.json",
+                           kUnfinished = "verification.provenance.json.part";
 
-/// The one of them that every finished run leaves.
-constexpr std::string_view kProvenance = kTables.back();
+/// What a run leaves in its folder beside the campaign and the case files.
+constexpr std::array<std::string_view, 12> kTables = {
+    "overview.md",      "overview.tex",      "overview.csv", "verification.md", "verification.tex", "widths.csv",
+    "verification.csv", "verification.json", "times.md",     "times.tex",       kProvenance,        kUnfinished};
 
 constexpr const char* kFindings = "findings";
 
@@ -82,12 +75,12 @@ void refuse_earlier_version(const fs::path& folder) {
     throw BadInput("--out " + folder.string() + ": it holds a run of an earlier version of pcm; choose another folder");
 }
 
-/// Files under the names of tables, without their provenance, are no run's.
+/// Files under the names of tables, without what says of them that a run has begun them, are no run's.
 void refuse_files_of_others(const fs::path& folder) {
   std::error_code ignored;
   const auto is_there = [&](std::string_view table) { return fs::exists(fs::symlink_status(folder / table, ignored)); };
   const auto found = std::find_if(kTables.begin(), kTables.end(), is_there);
-  if (found != kTables.end() && !is_there(kProvenance))
+  if (found != kTables.end() && !is_there(kProvenance) && !is_there(kUnfinished))
     throw BadInput(
         fmt::format("--out {}: {} is there, which no run has left; choose another folder", folder.string(), *found));
 }

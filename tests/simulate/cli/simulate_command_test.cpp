@@ -126,6 +126,15 @@ TEST(SimulateCommand, RefusesASceneInWhichNothingCanMove) {
   EXPECT_NE(outcome.err.find("nothing can move: every body of the scene is welded"), std::string::npos) << outcome.err;
 }
 
+TEST(SimulateCommand, RefusesASceneThatHasNothingToShowBeforeItIsIntegrated) {
+  const Folder folder(R"({"bodies": [{"name": "bob", "mass": 1, "inertia": [1, 1, 1], "centre_of_mass": [0, 0, 0]}],
+                          "duration": 1})");
+  const Outcome outcome = folder.run();
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("it has no surfaces, so that there is nothing to show"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder.out));
+}
+
 TEST(SimulateCommand, WhoseEnergyOverflowsHasNoNumberThatIsNone) {
   const std::string heavy = R"({"laws": {"law": {"stiffness": 1e7}},
     "ground": {"surfaces": [{"name": "floor", "make": "plate"}]},
@@ -491,7 +500,6 @@ TEST(SimulateCommand, TellsThatTheDiskIsFull) {
     const Folder folder(block_over_floor("0.1"));
     fs::create_directories(folder.out);
     FolderLock{folder.out};  // of an earlier run, so that the file counts as that run's
-    write_text_file(fs::path(folder.out) / "run.provenance.json", R"({"files": {"tables.md": {}}})");
     fs::create_symlink("/dev/full", fs::path(folder.out) / file);
     const Outcome outcome = folder.run({"--stills", "0"});
     EXPECT_EQ(outcome.status, 2);

@@ -28,7 +28,7 @@ class KeptValuesTest : public testing::Test {
 
   const TemporaryFolder scratch_;
   const std::string file_ = scratch_.path("some.kept");
-  const Json ours_{{"program", "1"}};
+  const Json ours_{{"format", "kept"}, {"program", "1"}};
   int found_ = 0;
 };
 
@@ -61,7 +61,7 @@ TEST_F(KeptValuesTest, OfAnotherProgramAreLeftAndLinesThatWereCutOffAreFoundAgai
     EXPECT_EQ(asked(kept, "b", 3), 3);
   }
   EXPECT_EQ(KeptValues(file_, ours_).size(), 2U);
-  EXPECT_EQ(KeptValues(file_, {{"program", "2"}}).size(), 0U);
+  EXPECT_EQ(KeptValues(file_, {{"format", "kept"}, {"program", "2"}}).size(), 0U);
   EXPECT_EQ(KeptValues(file_, ours_).size(), 0U);
 }
 
@@ -74,6 +74,16 @@ TEST_F(KeptValuesTest, AreKeptNowhereWithoutAFileAndNotBeyondTheEnd) {
   kept.finish();
   EXPECT_FALSE(std::filesystem::exists(file_));
   EXPECT_THROW(KeptValues(scratch_.path("nowhere/some.kept"), ours_), BadInput);
+}
+
+TEST_F(KeptValuesTest, AreNotKeptInPlaceOfAFileOfOthers) {
+  for (const char* mine : {"my notes\n", "{}\n", "[\"a\", 1]\n", "{\"format\": \"another\"}\n"}) {
+    write_text_file(file_, mine);
+    EXPECT_THROW(KeptValues(file_, ours_), BadInput);
+    EXPECT_EQ(read_text_file(file_), mine);
+  }
+  write_text_file(file_, "");  // of a run that the machine ended
+  EXPECT_EQ(KeptValues(file_, ours_).size(), 0U);
 }
 
 }  // namespace
