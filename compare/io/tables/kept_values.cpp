@@ -42,7 +42,7 @@ void KeptValues::read(const nlohmann::ordered_json& identity) {
   std::string line;
   if (!std::getline(in, line)) return;
   const auto held = nlohmann::ordered_json::parse(line, nullptr, false);
-  if (!held.is_object() || held.value("format", nlohmann::ordered_json()) != identity["format"])
+  if (!held.is_object() || held.value("format", nlohmann::ordered_json()) != identity.at("format"))
     throw BadInput(file_.string() + ": is there, and no values of a run; move it away, or choose another folder");
   if (held != identity) return;
   while (std::getline(in, line)) {

@@ -56,6 +56,17 @@ TEST(StabilityProgram, PrintsTablesForAScreenAndWritesThemWithPlots) {
   }
 }
 
+TEST(StabilityProgram, PicturesOfOthersAreRefusedBeforeAnythingIsWorkedOut) {
+  const TemporaryFolder scratch;
+  const std::filesystem::path picture = scratch.path("stability_depth.svg");
+  write_text_file(picture, "mine");
+  const Outcome outcome = run_pcm({"verify", "--stability", "--quick", "--out", scratch.path().string()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("stability_depth.svg is there"), std::string::npos) << outcome.err;
+  EXPECT_EQ(read_text_file(picture), "mine");
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("stability.kept")));
+}
+
 TEST(StabilityProgram, OptionsThatItWouldNotHeedAreRefused) {
   for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{
            {"--poses", "6"}, {"--mode", "F"}, {"--known-answers"}, {"--audits"}, {"--engine", "fast"}}) {

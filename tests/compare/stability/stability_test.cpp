@@ -180,7 +180,7 @@ TEST(Stability, ThreadsChangeNoFigure) {
 TEST(Stability, PointsThatAreKeptGiveTheSameTablesAndAreNotAskedAgain) {
   const TemporaryFolder scratch;
   const auto table = [&](const AskEngine& ask) {
-    KeptValues kept(scratch.path("stability.kept"), {});
+    KeptValues kept(scratch.path("stability.kept"), {{"format", "kept"}});
     return csv(stability_table(report_of(figures_at_point(kPoint, kPoses, 1, ask, kept))));
   };
   const std::string first = table(ask_engine);

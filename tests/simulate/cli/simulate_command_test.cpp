@@ -120,7 +120,8 @@ TEST(SimulateCommand, WhoseIntegratorGivesUpSaysWhenInOneLineAndShowsWhatThereIs
 
 TEST(SimulateCommand, RefusesASceneInWhichNothingCanMove) {
   const Folder folder(R"({"bodies": [{"name": "post", "mass": 1, "inertia": [1, 1, 1], "centre_of_mass": [0, 0, 0],
-                                      "joint": {"type": "weld"}}], "duration": 1})");
+                                      "joint": {"type": "weld"}, "surfaces": [{"name": "post", "make": "box"}]}],
+                          "duration": 1})");
   const Outcome outcome = folder.run();
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("nothing can move: every body of the scene is welded"), std::string::npos) << outcome.err;

@@ -393,6 +393,17 @@ TEST_F(KeptRunOfTheProgram, RefusesAFolderWithFilesOfOthersThatAreCalledAsTables
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(KeptRunOfTheProgram, ReplacesTablesThatARunWasWritingWhoseCampaignIsGone) {
+  std::filesystem::create_directories(folder_);
+  write_text_file(folder_ / "overview.md", "half a run's");
+  write_text_file(folder_ / "verification.provenance.json.part", R"({"files": {"overview.md": {}}})");
+  const Outcome anew = run_pcm(verify_);
+  EXPECT_EQ(anew.status, 0) << anew.err;
+  EXPECT_NE(anew.err.find("whose campaign is gone"), std::string::npos) << anew.err;
+  EXPECT_NE(bytes_of(folder_ / "overview.md"), "half a run's");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "verification.provenance.json.part"));
+}
+
 TEST_F(KeptRunOfTheProgram, HoldsTheHashOfTheProgramAndAnotherOnesIsReplaced) {
   ASSERT_EQ(run_pcm(verify_).status, 0);
   const std::string hash = sha256(bytes_of(PCM_PROGRAM));
