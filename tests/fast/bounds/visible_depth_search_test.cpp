@@ -174,6 +174,22 @@ TEST(VisibleDepthSearch, WhatManyHidersLeaveUndecidedCountsAsSeen) {
   for (const double computed : {0.0, kDeep}) EXPECT_NEAR(search(faces, 0, computed).at_most, kFloor, 1e-11);
 }
 
+TEST(VisibleDepthSearch, PiecesAreCutAsOftenAsRoundingsArePaidForAndNoMore) {
+  // Strips that overlap hide all of the floor; what is left of it beyond the first k has been cut k times.
+  const auto hidden_by = [](int strips) {
+    std::vector<Face> faces{floor_everywhere()};
+    for (int k = 0; k < strips; ++k) {
+      const double from = (k - 0.1) / strips, to = (k + 1.1) / strips;
+      const Index v = 3 + 4 * k;
+      faces.push_back({{{{from, -8}, {to, -8}, {to, 40}}}, level(0.5), {v, v + 1, v + 2}});
+      faces.push_back({{{{from, -8}, {to, 40}, {from, 40}}}, level(0.5), {v, v + 2, v + 3}});
+    }
+    return faces;
+  };
+  EXPECT_NEAR(search(hidden_by(kMostPieceCuts), 0, 0).at_most, 0.5, 1e-11);
+  EXPECT_NEAR(search(hidden_by(kMostPieceCuts + 1), 0, 0).at_most, kFloor, 1e-11);
+}
+
 // Where the side of a face whose order is unsure ends far away, roundings of where a piece is parted along it are far
 // greater than those of the pieces' vertices: none of the slit may be lost between two pieces.
 TEST(VisibleDepthSearch, SlitBesideTheLineOfASideThatEndsFarAwayIsNotLost) {

@@ -14,6 +14,7 @@
 
 #include "fast/crossings/pair_margin.h"
 #include "fast/simd/overlap_sets.h"
+#include "fast/simd/pairs.h"
 
 namespace pcm::fast {
 namespace {
@@ -226,6 +227,12 @@ TEST(PairsInLanes, OfFacesThatTouchOrHaveNoAreaAreNotSure) {
                                     Points{Vector3d(0.25, 0, 0), Vector3d(0, 0.25, 0), Vector3d(0.25, 0.25, 0)},
                                     Points{Vector3d(0.25, 0.25, 1), Vector3d(0.25, 0.25, -1), Vector3d(0.25, 0.25, 2)}};
   for (const Points& f : faces) EXPECT_FALSE(look_at(e, f).sure);
+}
+
+/// What fast/simd/pairs.h derives, which pairs drawn by chance come nowhere near: two volumes of each kind, each off by
+/// 8 u, and four roundings.
+TEST(PairsInLanes, RoundingsAreAtLeastWhatIsDerived) {
+  EXPECT_GE(kVolumeRoundings, (2 * 8 + 4) * 0x1p-53);
 }
 
 /// A corner of f a hair above the middle of e, and a long edge that passes there.
