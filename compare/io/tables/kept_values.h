@@ -23,8 +23,8 @@ class KeptValues {
   /// Keeps nothing.
   KeptValues() = default;
   /// `identity`: under the key "format" what such files are, then of what the values are, and of the program. A file of
-  /// other ones is begun anew; a line that was cut off is left out. Throws BadInput where the file can't be written, and
-  /// where another one of that name is there.
+  /// other ones is begun anew; a line that was cut off is left out. Throws BadInput where the file can't be written,
+  /// and where another one of that name is there.
   KeptValues(std::filesystem::path file, const nlohmann::ordered_json& identity);
 
   /// How many values are there.

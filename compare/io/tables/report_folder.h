@@ -27,8 +27,8 @@ void refuse_files_of_others(const std::filesystem::path& folder, const std::stri
 ///
 /// NAME.md ends with version, commit, compiler, machine and command line, and NAME.tex has the same tables for LaTeX.
 /// An object in NAME.json begins with the key "provenance", which adds what was asked. A CSV file holds nothing but its
-/// columns; so COMMAND.provenance.json, written last, has all of this once more, the SHA-256 of every table and picture,
-/// and the units of the columns of every CSV file. Several commands may share a folder.
+/// columns; so COMMAND.provenance.json, written last, has all of this once more, the SHA-256 of every table and
+/// picture, and the units of the columns of every CSV file. Several commands may share a folder.
 ///
 /// Every file is written whole or not at all; throws BadInput naming it where it can't be. Until the last of them
 /// COMMAND.provenance.json.part tells which ones the command has begun, so that it may replace them.

@@ -57,7 +57,7 @@ TEST(FlawOfMass, TellsWhatDoublesDoNotHold) {
   EXPECT_NE(flaw(1, 1e-310, 0), "");
   EXPECT_NE(flaw(1e-160, 1e160, 0), "");  // their ratio
   EXPECT_NE(flaw(1e160, 1e-160, 0), "");
-  EXPECT_NE(flaw(1, 1, 1e160), "");       // Steiner's term
+  EXPECT_NE(flaw(1, 1, 1e160), "");  // Steiner's term
 }
 
 }  // namespace
