@@ -194,9 +194,10 @@ Exit bench_work_precision(const FixedOptions& options) {
                     {"work_precision.md", "work_precision.tex", "work_precision.csv", "work_precision.json"});
   show_progress("forces of the smooth bodies");
   const std::vector<WorkPrecisionProblem> problems = work_precision_problems(extent);
-  if (folder)
-    for (const WorkPrecisionProblem& problem : problems)
-      refuse_files_of_others(*folder, "work_precision", {work_precision_picture(problem.pair.id) + ".svg"});
+  std::vector<std::string> pictures;
+  for (const WorkPrecisionProblem& problem : problems)
+    pictures.push_back(work_precision_picture(problem.pair.id) + ".svg");
+  if (folder) refuse_files_of_others(*folder, "work_precision", pictures);
   const Machine machine = this_machine(stay_on_one_core());
   std::vector<WorkPrecisionResult> results;
   for (const WorkPrecisionProblem& problem : problems) results.push_back(run_work_precision(problem, show_progress));
