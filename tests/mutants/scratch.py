@@ -80,9 +80,8 @@ class Scratch:
         compiled again; it keeps nothing that precompiled headers take part in."""
         command = ["cmake", "-S", self.source, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
         command += ["-DPCM_UNITY_BUILD=ON", "-DPCM_BENCH_PEERS=OFF", "-DPCM_BUILD_TESTS=ON", "-DPCM_LONG_TESTS=OFF"]
-        cached = shutil.which("ccache") is not None
-        command += ["-DCMAKE_CXX_COMPILER_LAUNCHER=" + ("ccache" if cached else "")]
-        command += ["-DCMAKE_DISABLE_PRECOMPILE_HEADERS=" + ("ON" if cached else "OFF")]
+        launcher, without_precompiled = ("ccache", "ON") if shutil.which("ccache") else ("", "OFF")
+        command += [f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}", f"-DCMAKE_DISABLE_PRECOMPILE_HEADERS={without_precompiled}"]
         self._run([*command, "-DPCM_WARNINGS_AS_ERRORS=OFF"])
 
     def build(self, targets, jobs):

@@ -13,6 +13,7 @@
 #include "reference/active/face_points.h"
 #include "reference/combinatorics/combinatorics.h"
 #include "tests/reference/poses.h"
+#include "tests/reference/problems.h"
 
 namespace pcm::reference {
 namespace {
@@ -92,7 +93,7 @@ TEST(FaceCells, MakeUpTheFaceAndWindAlikeFromAllCornersInRandomPoses) {
   for (int i = 0; i < 24; ++i) {
     const TriangleMesh &E = shapes[random() % 4], &F = shapes[random() % 4];
     const Pose pose = random_pose(random, 0.7);
-    for (const Problem problem : {Problem::rounded, Problem::exact}) cells += expect_fit_cells(E, F, problem, pose);
+    for (const Problem problem : kProblems) cells += expect_fit_cells(E, F, problem, pose);
   }
   EXPECT_GE(cells, 2000);
 }
@@ -105,8 +106,7 @@ TEST(FaceCells, MakeUpTheFaceWhereManyCrossingsLieOnOneRay) {
   TriangleMesh posts;
   for (int k = 1; k <= 20; ++k)
     posts = degenerate::joined(std::move(posts), generate::box({2 * k - 0.5, 1.0 * k, -1}, {2.0 * k, k + 0.5, 1}));
-  for (const Problem problem : {Problem::rounded, Problem::exact})
-    EXPECT_GE(expect_fit_cells(body, posts, problem, shifted(0, 0, 0)), 60);
+  for (const Problem problem : kProblems) EXPECT_GE(expect_fit_cells(body, posts, problem, shifted(0, 0, 0)), 60);
 }
 
 TEST(FaceCells, MakeUpTheFaceAndWindAlikeFromAllCornersWhereGridsLieUponEachOther) {
