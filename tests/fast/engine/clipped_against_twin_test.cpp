@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "meshes/generate/degenerate/hard_bodies.h"
 #include "tests/fast/engine_support.h"
 #include "tests/reference/brute_force/twin_comparison.h"
 
@@ -63,21 +64,11 @@ TEST(ClippedAgainstTwin, AgreesOnTheDegenerateCatalogue) {
   compare_on_catalogue(compare);
 }
 
-/// A block with a tent upside down upon its top: the ridge touches the top, from where two all but level sides rise.
-TriangleMesh block_with_touching_ridge(double rise) {
-  TriangleMesh tent;
-  tent.vertices = {{-0.5, 0, 0},     {0.5, 0, 0},       {-0.5, -0.5, rise}, {0.5, -0.5, rise},
-                   {0.5, 0.5, rise}, {-0.5, 0.5, rise}, {0, 0, 1}};
-  tent.faces = {{0, 1, 3}, {0, 3, 2}, {1, 0, 5}, {1, 5, 4}};
-  for (const auto& [a, b] : {std::pair{2, 3}, {3, 1}, {1, 4}, {4, 5}, {5, 0}, {0, 2}}) tent.faces.push_back({a, b, 6});
-  return degenerate::joined(generate::box({-2, -2, -1}, {2, 2, 0}), tent);
-}
-
 /// Rounded, the ridge sinks beneath F's top by an ulp, and hides a strip of it as wide as an ulp over the rise. In F's
 /// own frame nothing lies beneath the top but the block's other side.
 TEST(ClippedAgainstTwin, AgreesWhereRoundingSinksARidgeThatTouchesTheMaster) {
   for (const double rise : {0x1p-30, 0x1p-40, 0x1p-48}) {
-    const TriangleMesh F = block_with_touching_ridge(rise);
+    const TriangleMesh F = degenerate::block_with_touching_ridge(rise);
     for (const double angle : {0.15, 0.2, 0.35, 0.4}) {
       const Pose pose = fast::test::turned(angle, {0, 0, 0});
       TriangleMesh E = generate::box({-4, -4, -0.25}, {4, 4, 3});
