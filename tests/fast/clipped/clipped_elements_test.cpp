@@ -202,6 +202,20 @@ TEST(ClippedElements, FacesWhoseBarycentreIsTooDeepAreCountedAsInTheBarycentricS
   EXPECT_EQ(contact.too_deep, expected.too_deep);
 }
 
+TEST(ClippedElements, EndsOfARodWhoseAreaUnderflowsAreTooDeepAsTheirLinesTell) {
+  const TriangleMesh host = generate::box({4, 4, 4});
+  for (const double width : {0x1p-360, 0x1p-520, 0x1p-600}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector3d extents = Vector3d::Constant(width);
+      extents[axis] = 1;
+      TriangleMesh rod = generate::box({1, 1, 1});
+      for (Vector3d& x : rod.vertices) x = x.cwiseProduct(extents);
+      EXPECT_EQ(answer(rod, host, {}, stiffness(1), Mode::E).too_deep, 12) << width << ' ' << axis;
+      EXPECT_EQ(clipped(rod, host).too_deep, 12) << width << ' ' << axis;
+    }
+  }
+}
+
 TEST(ClippedElements, GuestFarFromItsHostIsTooDeepAndLooksAtNoFaceOfTheHostButWhereALineLeavesIt) {
   // Under each face of the guest lie some 40 faces of the host, with as many vertices to look at.
   const TriangleMesh host = generate::icosphere(1, 4), guest = generate::box({0.3, 0.3, 0.3});
