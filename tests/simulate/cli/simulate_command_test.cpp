@@ -124,7 +124,10 @@ TEST(SimulateCommand, RefusesASceneInWhichNothingCanMove) {
                           "duration": 1})");
   const Outcome outcome = folder.run();
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("nothing can move: every body of the scene is welded"), std::string::npos) << outcome.err;
+  expect_one_line(outcome.err);
+  EXPECT_NE(outcome.err.find("scene.json:1: bodies: nothing can move: every body of the scene is welded; give one of"),
+            std::string::npos)
+      << outcome.err;
 }
 
 TEST(SimulateCommand, RefusesASceneThatHasNothingToShowBeforeItIsIntegrated) {
