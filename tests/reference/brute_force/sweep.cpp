@@ -96,12 +96,21 @@ Rational swept_share(const Answer& answer, const Steps& steps, Side side, Index 
   return std::clamp(share, Rational(0), Rational(1));
 }
 
+/// How often the other surface winds about all of a face that is not crossed; an open one counts an inner face once.
+Index uncrossed_share(const Answer& answer, const Steps& steps, Side side, Index face) {
+  if (answer.scene.body(other(side)).closed)
+    return steps.winding[index_of(side)][answer.scene.body(side).faces[face][0]];
+  return steps.active[index_of(side)][face] ? 1 : 0;
+}
+
 }  // namespace
 
 void sweep_perturbed_areas(Answer& answer, const Steps& steps) {
   for (const Side side : {Side::E, Side::F}) {
     ActiveArea& active = side == Side::E ? answer.E : answer.F;
-    for (const Index face : active.inner) active.shares[face].perturbed = 1;
+    for (Index face = 0; face < std::ssize(answer.scene.body(side).faces); ++face)
+      if (!steps.intersected[index_of(side)][face])
+        active.shares[face].perturbed = uncrossed_share(answer, steps, side, face);
     for (const Index face : active.intersected) {
       if (border_ends_in(answer, steps, side, face)) {
         ++answer.undefined_areas;
