@@ -115,6 +115,10 @@ TEST(BruteTwin, AgreesOnTheDegenerateCatalogue) {
   compare_on_catalogue(compare);
 }
 
+TEST(BruteTwin, AgreesWhereFacesLieInAPocket) {
+  compare_in_a_pocket(compare);
+}
+
 TEST(BruteTwin, AgreesOnAnElementWithAForceHalfwayBetweenTwoDoubles) {
   const Trial trial = draw_trial(Kind::open, 888, 88);
   compare(trial.E, trial.F, trial.pose);

@@ -15,7 +15,6 @@
 
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/bodies.h"
-#include "meshes/generate/degenerate/hard_bodies.h"
 #include "pcm/engine.h"
 #include "tests/reference/brute_force/combinatorics.h"
 #include "tests/reference/brute_force/twin_comparison.h"
@@ -134,20 +133,8 @@ TEST(FastAgainstTwin, AgreesWhereOpenStripsLeaveFacesAmbiguous) {
   EXPECT_GT(ambiguous, 10);
 }
 
-/// A column that sticks out of that loop of a figure of eight which is wound about -1 times: faces that are not crossed
-/// lie in it, and are not active.
 TEST(FastAgainstTwin, AgreesWhereFacesLieInAPocket) {
-  const TriangleMesh column = generate::gridded_box({0.1, 0.1, 0.4}, {2, 2, 6});
-  const TriangleMesh eight = degenerate::figure_of_eight();
-  for (const double angle : {0.0, 0.3}) {
-    SCOPED_TRACE(angle);
-    Pose pose;
-    pose.A = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-    pose.r = pose.A * Eigen::Vector3d(0.17, 0.01, -0.25);
-    const Answer twin = compare(column, eight, pose);
-    EXPECT_GT(twin.positions.size(), 8U);
-    EXPECT_LT(twin.E.perturbed_area, 0);
-  }
+  compare_in_a_pocket(compare);
 }
 
 class FastAgainstTwinPoses : public testing::TestWithParam<Series> {};

@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <string>
 #include <tuple>
 
+#include "meshes/generate/boxes.h"
 #include "meshes/generate/degenerate/catalogue.h"
+#include "meshes/generate/degenerate/hard_bodies.h"
 #include "tests/reference/brute_force/brute_force.h"
 #include "tests/reference/brute_force/trials.h"
 
@@ -39,6 +42,23 @@ void compare_on_catalogue(const Compare& compare) {
     seen.add(compare(example.E, example.F, Pose{example.A, example.r}));
   }
   EXPECT_GE(seen.touching, 10);
+}
+
+/// A column that sticks out of that loop of a figure of eight which is wound about -1 times: faces that are not crossed
+/// lie in it, and are not active.
+template <class Compare>
+void compare_in_a_pocket(const Compare& compare) {
+  const TriangleMesh column = generate::gridded_box({0.1, 0.1, 0.4}, {2, 2, 6});
+  const TriangleMesh eight = degenerate::figure_of_eight();
+  for (const double angle : {0.0, 0.3}) {
+    SCOPED_TRACE(angle);
+    Pose pose;
+    pose.A = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    pose.r = pose.A * Eigen::Vector3d(0.17, 0.01, -0.25);
+    const Answer twin = compare(column, eight, pose);
+    EXPECT_TRUE(twin.touching);
+    EXPECT_LT(twin.E.perturbed_area, 0);
+  }
 }
 
 /// A kind of trial, and how many of it.
