@@ -156,6 +156,19 @@ TEST(ForceBound, GrowsWithTheDistanceFromTheOrigin) {
   }
 }
 
+/// So far from the origin, where vertices are rounded to 2^-14 m, the master's thickness is not taken on trust: its
+/// lines pass boxes of its own sides, which stand aslant in their tree, and meet none of these.
+TEST(ForceBound, IsNarrowWhereLinesPassTheMastersSidesWithoutMeetingThem) {
+  const Eigen::Vector3d far(0x1p38, 0, 0);
+  const Pose pose = turned(0.7, far + Eigen::Vector3d(0, 0, 2.25));
+  const TriangleMesh E = translated(generate::box({4, 4, 4}), far);
+  TriangleMesh F = generate::gridded_box({1, 1, 1}, {3, 3, 3});
+  for (Eigen::Vector3d& x : F.vertices) x = pose.A.transpose() * x;
+  const Contact contact = answer(E, F, pose, stiffness(1), Mode::F, {}, with_bound());
+  EXPECT_EQ(contact.element_count, 18);
+  EXPECT_LT(contact.bound->force_Me.norm(), 0x1p-11);
+}
+
 TEST(ForceBound, OfDryFrictionWithoutSlipIsTheJump) {
   const TriangleMesh box = generate::box({2, 2, 2}), ball = generate::icosphere(1, 2);
   // The slip velocity is 0 in floating point, and in truth anything within its rounding.
