@@ -17,6 +17,10 @@ constexpr double u = kUnitRoundoff;
 /// Shifts beyond this are no longer small (fast/bounds/prism_error.cpp).
 constexpr double kGreatestPositionError = 0x1p-6;
 
+bool is_small(const PrismPositionError& error) {
+  return error.s < kGreatestPositionError && error.t < kGreatestPositionError;
+}
+
 /// Integrals over a fan of five triangles are off by as much as a shift of its border by 6 u times its width would
 /// make.
 constexpr double kFanRoundings = 6;
@@ -123,6 +127,8 @@ ClampRoundings::ClampRoundings(const BoxST& box, int polygons) : cuts(2), sums(2
 
 void ViewError::see(PosedSurface& surface, Index face, bool of_master, const SeenCorners& corners,
                     const ProjectedFace* projected, WorkCounters& work) {
+  // Told first: by an error that is not small it is not known what lies beside the master.
+  known_ = known_ && is_small(error_.of_frame(0));
   if (surely_unseen(error_, of_master, corners.points)) return;
   // Not a local variable: most of it stays unused where nothing is seen.
   scratch_->sights.emplace_back();
@@ -135,7 +141,7 @@ void ViewError::see(PosedSurface& surface, Index face, bool of_master, const See
     scratch_->sights.pop_back();
     return;
   }
-  known_ = known_ && f.position_error.s < kGreatestPositionError && f.position_error.t < kGreatestPositionError;
+  known_ = known_ && is_small(f.position_error);
   sight.projected = projected;
   sight.may_carry = !of_master && f.facing <= 0;
   if (sight.may_carry) greatest_depth_ = std::max(greatest_depth_, f.greatest);

@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "fast/bounds/element_error.h"
+#include "fast/posed/posed_pair.h"
+#include "fast/surface/prepare_surface.h"
+#include "meshes/generate/boxes.h"
 
 namespace pcm::fast {
 namespace {
@@ -31,6 +36,29 @@ TEST(ViewError, OfAPartOfAFaceThatIsSurelyUnseenIsAllOfIt) {
   EXPECT_GE(found.foot_Me.x(), 2);
   EXPECT_GE(found.foot_Me.y(), 3);
   EXPECT_LT((found.foot_Me - Eigen::Vector3d(2, 3, 0)).norm(), 1e-14);
+}
+
+/// A face of F, 2^-48 m wide, and one of E that lies 1 m beside it.
+TEST(ViewError, IsNotKnownWhereTheMastersVerticesMayMoveByMoreThanAPartOfItsWidth) {
+  const PreparedSurface slave = prepare_surface(generate::box({4, 1, -1}, {5, 2, 1}));
+  const FaceGeometry needle({Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(2, 0x1p-48, 0)});
+  const MasterPrism prism(needle);
+  PosedPair posed;
+  posed.place(slave, slave, {}, 0, false);
+  WorkCounters work;
+  SeenCorners corners;
+  for (std::size_t k = 0; k < 3; ++k) corners.points[k] = prism.see(posed.face_Me(Side::E, 0)[k], work);
+  for (const auto& [rounding, is_known] : {std::pair(0x1p-56, true), {0x1p-52, false}}) {
+    const Eigen::Vector3d rounding_Me(0, rounding, 0);  // In the face's plane, so that its normal is known.
+    const FaceError face_error(needle, rounding_Me);
+    const PrismError error(prism, face_error, Side::F, rounding_Me, rounding_Me);
+    ViewScratch scratch;
+    ViewError view(scratch, prism, error, {});
+    EXPECT_TRUE(view.known());
+    view.see(posed[Side::E], 0, false, corners, nullptr, work);
+    EXPECT_TRUE(scratch.sights.empty());
+    EXPECT_EQ(view.known(), is_known);
+  }
 }
 
 }  // namespace
