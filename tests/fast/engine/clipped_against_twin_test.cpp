@@ -88,7 +88,7 @@ TEST_P(ClippedAgainstTwinPoses, Agree) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ClippedAgainstTwinPoses,
                          testing::Values(Series{Kind::generic, 100}, Series{Kind::lattice, 300},
-                                         Series{Kind::grids, 60}, Series{Kind::open, 200}),
+                                         Series{Kind::grids, 60}, Series{Kind::open, 200}, Series{Kind::folded, 40}),
                          series_name);
 
 }  // namespace

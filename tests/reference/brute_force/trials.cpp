@@ -6,10 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/bubbles.h"
+#include "meshes/generate/degenerate/bodies.h"
 #include "meshes/generate/round.h"
+#include "pcm/check.h"
 
 namespace pcm::brute_force {
 namespace {
@@ -94,6 +97,24 @@ TriangleMesh open_body(Draw& draw) {
   return mesh;
 }
 
+/// A box or an octahedron with corners anywhere on a lattice, at times two of them in one: it may wind about what it
+/// encloses several times, or less than no times.
+TriangleMesh folded_body(Draw& draw) {
+  for (;;) {
+    TriangleMesh mesh = draw.integer(0, 2) == 0 ? generate::box(Eigen::Vector3d(1, 1, 1)) : octahedron(1);
+    for (Eigen::Vector3d& x : mesh.vertices) x = draw.lattice_point(-3, 3);
+    if (draw.integer(0, 5) == 0) mesh = degenerate::joined(std::move(mesh), lattice_body(draw));
+    if (check(mesh).fit()) return mesh;
+  }
+}
+
+/// Small beside that, so that some lie wholly in what a body folded encloses.
+TriangleMesh small_body(Draw& draw) {
+  TriangleMesh mesh = draw.integer(0, 1) == 0 ? generate::gridded_box(1.0, draw.integer(1, 2)) : lattice_body(draw);
+  for (Eigen::Vector3d& x : mesh.vertices) x /= 4;
+  return mesh;
+}
+
 Eigen::Matrix3d any_rotation(Draw& draw) {
   for (;;) {
     const double w = draw.number(-1, 1);
@@ -130,7 +151,7 @@ void move_by_ulps(double& x, Draw& draw) {
 }  // namespace
 
 std::string name_of(Kind kind) {
-  static constexpr const char* kNames[] = {"Generic", "Lattice", "NearLattice", "Grids", "Open"};
+  static constexpr const char* kNames[] = {"Generic", "Lattice", "NearLattice", "Grids", "Open", "Folded"};
   return kNames[static_cast<int>(kind)];
 }
 
@@ -171,6 +192,13 @@ Trial draw_trial(Kind kind, std::uint64_t seed, int number) {
       trial.pose.A = draw.integer(0, 1) == 0 ? right_angles(draw) : any_rotation(draw);
       trial.pose.r = any_vertex(trial.E, draw) - trial.pose.A * any_vertex(trial.F, draw);
       trial.pose.r += draw.integer(0, 2) == 0 ? draw.lattice_point(-1, 1) : draw.point(0.5);
+      break;
+    case Kind::folded:
+      trial.E = draw.integer(0, 1) == 0 ? folded_body(draw) : small_body(draw);
+      trial.F = folded_body(draw);
+      if (draw.integer(0, 1) == 0) std::swap(trial.E, trial.F);
+      trial.pose.A = draw.integer(0, 1) == 0 ? right_angles(draw) : any_rotation(draw);
+      trial.pose.r = draw.integer(0, 1) == 0 ? draw.lattice_point(-2, 2) : draw.point(2);
       break;
   }
   return trial;

@@ -67,7 +67,7 @@ using Series = std::tuple<Kind, int>;
 /// Every kind, for INSTANTIATE_TEST_SUITE_P, and the name of each.
 inline const auto kAllSeries =
     testing::Values(Series{Kind::generic, 200}, Series{Kind::lattice, 400}, Series{Kind::near_lattice, 300},
-                    Series{Kind::grids, 60}, Series{Kind::open, 300});
+                    Series{Kind::grids, 60}, Series{Kind::open, 300}, Series{Kind::folded, 120});
 inline std::string series_name(const testing::TestParamInfo<Series>& test) {
   return name_of(std::get<Kind>(test.param));
 }
