@@ -137,6 +137,23 @@ TEST_P(InBothSchemes, WhatComesInBetweenIsNeverTakenForTheAnswer) {
   ask(touch.pose, v, kForce, {}, true);
 }
 
+TEST_P(InBothSchemes, OneWishMoreAtTheSamePoseIsAnotherQuestion) {
+  const Bodies touch = bodies().front();
+  const Pairing pairing(touch.E, touch.F, kRough, Mode::both, GetParam());
+  Workspace one, other;
+  for (bool Wanted::*const wish :
+       {&Wanted::polygons, &Wanted::areas, &Wanted::elements, &Wanted::statistics, &Wanted::tangent, &Wanted::force}) {
+    Wanted wanted = kForce;
+    wanted.*wish = false;
+    PairingMemory memory(pairing);
+    memory.evaluate(touch.pose, velocities()[0], wanted, one);
+    wanted.*wish = true;
+    const Contact& answer = memory.evaluate(touch.pose, velocities()[1], wanted, one);
+    EXPECT_EQ(answer.work.law_only, 0);
+    test::expect_same_answer(answer, evaluate(pairing, touch.pose, velocities()[1], wanted, other));
+  }
+}
+
 TEST_P(InBothSchemes, AZeroOfTheOtherSignIsAnotherPose) {
   const Surface bubble(generate::bubble());
   const Pairing pairing(bubble, bubble, kRough, Mode::E, GetParam());

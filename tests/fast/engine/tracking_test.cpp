@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "meshes/generate/parts.h"
@@ -141,6 +142,31 @@ TEST(Tracking, SpeckThatPassesThroughASurfaceBetweenPosesIsFound) {
     EXPECT_GT(inside, 5);
     EXPECT_LT(inside, 35);
   }
+}
+
+/// A sheet within a block, an ear of which comes out through the middle of an upper face while a second sheet stands in
+/// the lower side: no other pair comes near to crossing, and with that one the upper face gets its element.
+TEST(Tracking, PairThatBeginsToCrossAloneIsFound) {
+  TriangleMesh sheets;
+  sheets.vertices = {{-1.8, -1.8, 0.5}, {1.8, -1.8, 0.5},  {1.8, 1.8, 0.5}, {-1.8, 1.8, 0.5}, {0.3, -1.2, 0.9995},
+                     {1, 0.3, -1.25},   {1.1, 0.3, -0.95}, {1, 0.4, -0.85}, {1.1, 0.4, -0.55}};
+  sheets.faces = {{0, 3, 2}, {0, 2, 1}, {0, 1, 4}, {5, 6, 7}, {7, 6, 8}};
+  const Pairing pairing(Surface(generate::box({4, 4, 2})), Surface(sheets), test::stiffness(1), Mode::both);
+  PairingMemory memory(pairing);
+  Workspace one, other;
+  int followed = 0;
+  std::set<Index> elements;
+  for (int i = 0; i < 100; ++i) {
+    Pose pose;
+    pose.r.z() = 1e-5 * i;
+    const Contact& answer = memory.evaluate(pose, {}, kForceOnly, one);
+    const Contact& anew = evaluate(pairing, pose, {}, kForceOnly, other);
+    EXPECT_TRUE(test::same(answer, anew)) << i;
+    followed += answer.work.candidate_pairs == 0 ? 1 : 0;
+    elements.insert(anew.element_count);
+  }
+  EXPECT_GT(followed, 80);
+  EXPECT_EQ(elements.size(), 2U);
 }
 
 /// Steps by which lines go on to find what they find for a while, and then the next face, or none.
