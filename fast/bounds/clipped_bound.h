@@ -24,7 +24,8 @@ struct ClippedBoundScratch {
 /// The integrals of an element are off by what fast/bounds/clipped_error.h says, its force by what
 /// fast/bounds/force_error.h makes of that, and the same for what the exact problem may have beside the computed
 /// elements. A face of the master that is active in one problem only adds all it has and might have; `flipped` is set
-/// where that is an element, where a face is seen flush, or where the master face's own normal is not known.
+/// where that is an element, where a face is seen flush, or where the master face is too narrow a needle: its normal is
+/// not known, or its width not to 2^-6 of itself.
 MasterForce sum_bounded_clipped_elements(const Intersection& intersection, const ForceProblem& problem,
                                          ClippedFaceScratch& forming, ClippedBoundScratch& scratch, MasterBound& bound,
                                          ElementRecord& record);

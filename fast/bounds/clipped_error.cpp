@@ -127,7 +127,7 @@ ClampRoundings::ClampRoundings(const BoxST& box, int polygons) : cuts(2), sums(2
 
 void ViewError::see(PosedSurface& surface, Index face, bool of_master, const SeenCorners& corners,
                     const ProjectedFace* projected, WorkCounters& work) {
-  // Told first: by an error that is not small it is not known what lies beside the master.
+  // Before anything is left out: by a frame's error that is not small it is not known what lies beside the master.
   known_ = known_ && is_small(error_.of_frame(0));
   if (surely_unseen(error_, of_master, corners.points)) return;
   // Not a local variable: most of it stays unused where nothing is seen.

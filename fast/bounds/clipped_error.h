@@ -73,7 +73,9 @@ class ViewError {
   /// Of what the exact problem sees, before clamping (fast/bounds/visible_depth.h).
   DepthRange visible_depth(double computed, double floor, VisibleDepthScratch& scratch) const;
 
-  bool known() const { return known_; }  ///< otherwise there is no such bound: a face of no known normal
+  /// Otherwise there is no such bound: the master's vertices, or those of a face in view, may move by more than a small
+  /// part of the master's width.
+  bool known() const { return known_; }
   /// Whether a face is seen flush: elements with a force of any size may be others.
   bool flush() const { return flush_; }
 

@@ -83,7 +83,6 @@ std::int64_t multiples_until(double t, double interval, double end) {
 }
 
 Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
-  if (model_.size() == 0) throw BadInput("nothing can move: every body of the scene is welded");
   if (scene_.initial_state) check(*scene_.initial_state, scene_, model_.size());
   DifferentialEquation equation;
   equation.size = model_.size();

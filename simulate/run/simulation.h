@@ -63,8 +63,8 @@ class Simulation {
     double energy_at_start = 0;  ///< J
   };
 
-  /// Throws BadInput where no body can move, and where the initial state is that of another scene, or not before the
-  /// end.
+  /// For a scene in which some body can move. Throws BadInput where the initial state is that of another scene, or not
+  /// before the end.
   explicit Simulation(const Scene& scene);
 
   /// As it starts, at t = 0 or from the scene's initial state, or goes on. Throws BadInput where bodies of a pairing

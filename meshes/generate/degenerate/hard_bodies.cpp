@@ -146,15 +146,15 @@ TriangleMesh plate_stack(Index count, double thickness, double gap) {
   return mesh;
 }
 
-TriangleMesh block_with_touching_ridge(double rise) {
-  TriangleMesh tent;
-  tent.vertices = {{-0.5, 0, 0},     {0.5, 0, 0},       {-0.5, -0.5, rise}, {0.5, -0.5, rise},
-                   {0.5, 0.5, rise}, {-0.5, 0.5, rise}, {0, 0, 1}};
-  tent.faces = {{0, 1, 3}, {0, 3, 2}, {1, 0, 5}, {1, 5, 4}};
+TriangleMesh block_with_touching_keel(double rise) {
+  TriangleMesh upper;
+  upper.vertices = {{-0.5, 0, 0},     {0.5, 0, 0},       {-0.5, -0.5, rise}, {0.5, -0.5, rise},
+                    {0.5, 0.5, rise}, {-0.5, 0.5, rise}, {0, 0, 1}};
+  upper.faces = {{0, 1, 3}, {0, 3, 2}, {1, 0, 5}, {1, 5, 4}};
   constexpr std::array<Index, 6> kRim = {2, 3, 1, 4, 5, 0};
-  for (std::size_t i = 0; i < kRim.size(); ++i) tent.faces.push_back({kRim[i], kRim[(i + 1) % kRim.size()], 6});
-  TriangleMesh mesh = joined(generate::box({-2, -2, -1}, {2, 2, 0}), tent);
-  mesh.name = "block with touching ridge";
+  for (std::size_t i = 0; i < kRim.size(); ++i) upper.faces.push_back({kRim[i], kRim[(i + 1) % kRim.size()], 6});
+  TriangleMesh mesh = joined(generate::box({-2, -2, -1}, {2, 2, 0}), upper);
+  mesh.name = "block with touching keel";
   return mesh;
 }
 

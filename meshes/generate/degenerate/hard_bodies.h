@@ -54,10 +54,10 @@ TriangleMesh shrinking_cubes(Index count, int halvings);
 /// smaller side nothing of a plate is nearer than its other side. 8 faces a plate.
 TriangleMesh plate_stack(Index count, double thickness, double gap);
 
-/// Closed block four metres wide, its top in z = 0, and a closed tent upside down that touches it in a ridge on the x
-/// axis, from -1/2 to 1/2; from there the tent's two lower sides rise by `rise` within half a metre. However little the
-/// ridge is moved, it leaves the top or sinks beneath it. 22 faces.
-TriangleMesh block_with_touching_ridge(double rise);
+/// Closed block four metres wide, its top in z = 0, and a closed body upon it that touches it with a keel on the x
+/// axis, from -1/2 to 1/2; from there its two lower sides rise by `rise` within half a metre. However little the keel
+/// is moved, it leaves the top or sinks beneath it. 22 faces.
+TriangleMesh block_with_touching_keel(double rise);
 
 /// Chain of `links` closed tori along x, each through the hole of the one before and turned by a right angle against
 /// it. With tube_radius at most a quarter of ring_radius they do not touch. 2 segments tube_segments faces a link; with

@@ -15,7 +15,7 @@ namespace pcm::fast {
 namespace {
 
 /// An engine that sees a part of a face which the exact problem's lines surely do not meet has all of it too much.
-TEST(ViewError, OfAPartOfAFaceThatIsSurelyUnseenIsAllOfIt) {
+TEST(ViewError, OfAPartOfAFaceThatIsNotInViewIsAllOfIt) {
   const FaceGeometry face({Eigen::Vector3d(1, 2, 0), Eigen::Vector3d(-1, 2, 0), Eigen::Vector3d(1, -1, 0)});
   const MasterPrism prism(face);
   const FaceError face_error(face, Eigen::Vector3d::Zero());
@@ -38,7 +38,7 @@ TEST(ViewError, OfAPartOfAFaceThatIsSurelyUnseenIsAllOfIt) {
   EXPECT_LT((found.foot_Me - Eigen::Vector3d(2, 3, 0)).norm(), 1e-14);
 }
 
-/// A face of F, 2^-48 m wide, and one of E that lies 1 m beside it.
+/// A face of F, 2^-48 m wide, and one of E beside it.
 TEST(ViewError, IsNotKnownWhereTheMastersVerticesMayMoveByMoreThanAPartOfItsWidth) {
   const PreparedSurface slave = prepare_surface(generate::box({4, 1, -1}, {5, 2, 1}));
   const FaceGeometry needle({Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(2, 0x1p-48, 0)});
@@ -49,8 +49,9 @@ TEST(ViewError, IsNotKnownWhereTheMastersVerticesMayMoveByMoreThanAPartOfItsWidt
   SeenCorners corners;
   for (std::size_t k = 0; k < 3; ++k) corners.points[k] = prism.see(posed.face_Me(Side::E, 0)[k], work);
   for (const auto& [rounding, is_known] : {std::pair(0x1p-56, true), {0x1p-52, false}}) {
-    const Eigen::Vector3d rounding_Me(0, rounding, 0);  // In the face's plane, so that its normal is known.
+    const Eigen::Vector3d rounding_Me(0, rounding, 0);  // in the face's plane: its lines do not tilt
     const FaceError face_error(needle, rounding_Me);
+    ASSERT_TRUE(face_error.normal_known);
     const PrismError error(prism, face_error, Side::F, rounding_Me, rounding_Me);
     ViewScratch scratch;
     ViewError view(scratch, prism, error, {});

@@ -202,7 +202,7 @@ TEST(ClippedElements, FacesWhoseBarycentreIsTooDeepAreCountedAsInTheBarycentricS
   EXPECT_EQ(contact.too_deep, expected.too_deep);
 }
 
-TEST(ClippedElements, EndsOfARodWhoseAreaUnderflowsAreTooDeepAsTheirLinesTell) {
+TEST(ClippedElements, EndsOfARodThinnerThanTheLeastDetailAreTooDeepAsTheirLinesTell) {
   const TriangleMesh host = generate::box({4, 4, 4});
   for (const double width : {0x1p-360, 0x1p-520, 0x1p-600}) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -97,7 +97,7 @@ Rational swept_share(const Answer& answer, const Steps& steps, Side side, Index 
 }
 
 /// How often the other surface winds about all of a face that is not crossed; an open one counts an inner face once.
-Index uncrossed_share(const Answer& answer, const Steps& steps, Side side, Index face) {
+int uncrossed_share(const Answer& answer, const Steps& steps, Side side, Index face) {
   if (answer.scene.body(other(side)).closed)
     return steps.winding[index_of(side)][answer.scene.body(side).faces[face][0]];
   return steps.active[index_of(side)][face] ? 1 : 0;

@@ -97,8 +97,8 @@ TriangleMesh open_body(Draw& draw) {
   return mesh;
 }
 
-/// A box or an octahedron with corners anywhere on a lattice, at times two of them in one: it may wind about what it
-/// encloses several times, or less than no times.
+/// A box or an octahedron with corners anywhere on a lattice, at times another body beside it in one surface: it may
+/// wind about what it encloses several times, or less than no times.
 TriangleMesh folded_body(Draw& draw) {
   for (;;) {
     TriangleMesh mesh = draw.integer(0, 2) == 0 ? generate::box(Eigen::Vector3d(1, 1, 1)) : octahedron(1);
@@ -108,7 +108,7 @@ TriangleMesh folded_body(Draw& draw) {
   }
 }
 
-/// Small beside that, so that some lie wholly in what a body folded encloses.
+/// A quarter of the size, so that some lie wholly in what a folded body encloses.
 TriangleMesh small_body(Draw& draw) {
   TriangleMesh mesh = draw.integer(0, 1) == 0 ? generate::gridded_box(1.0, draw.integer(1, 2)) : lattice_body(draw);
   for (Eigen::Vector3d& x : mesh.vertices) x /= 4;

@@ -29,7 +29,7 @@ enum class Kind : std::uint8_t {
   near_lattice,  ///< the same, F moved by 1 to 8 ulps
   grids,         ///< gridded boxes upon each other at rational offsets
   open,          ///< containers, plates and boxes with faces missing, on a lattice or not
-  folded,        ///< tetrahedra, octahedra and boxes, most of which pass through themselves, on a lattice or not
+  folded,  ///< octahedra and boxes that mostly pass through themselves, some beside small ones, on a lattice or not
 };
 
 /// "Generic", "NearLattice" ...

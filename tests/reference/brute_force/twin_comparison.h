@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -24,11 +26,14 @@ struct Seen {
   int touching = 0;
   int elements = 0;
   int too_deep = 0;
+  int folded = 0;  ///< faces about which the other surface winds more than once, or less than no times
 
   void add(const Answer& twin) {
     touching += twin.touching ? 1 : 0;
     elements += twin.elements.empty() ? 0 : 1;
     too_deep += twin.too_deep > 0 ? 1 : 0;
+    const auto is_wound = [](const Share& share) { return share.perturbed < 0 || share.perturbed > 1; };
+    folded += std::ranges::any_of(twin.E.shares, is_wound) || std::ranges::any_of(twin.F.shares, is_wound) ? 1 : 0;
   }
 };
 
@@ -44,20 +49,27 @@ void compare_on_catalogue(const Compare& compare) {
   EXPECT_GE(seen.touching, 10);
 }
 
+/// Whether the other surface winds about less than no times all of some face that is not crossed.
+inline bool lies_in_a_pocket(const ActiveArea& active) {
+  for (std::size_t face = 0; face < active.shares.size(); ++face) {
+    const bool crossed = std::ranges::binary_search(active.intersected, static_cast<Index>(face));
+    if (!crossed && active.shares[face].perturbed < 0) return true;
+  }
+  return false;
+}
+
 /// A column that sticks out of that loop of a figure of eight which is wound about -1 times: faces that are not crossed
 /// lie in it, and are not active.
 template <class Compare>
 void compare_in_a_pocket(const Compare& compare) {
   const TriangleMesh column = generate::gridded_box({0.1, 0.1, 0.4}, {2, 2, 6});
   const TriangleMesh eight = degenerate::figure_of_eight();
+  const Eigen::Vector3d apart(0.17, 0.01, -0.25);
   for (const double angle : {0.0, 0.3}) {
     SCOPED_TRACE(angle);
-    Pose pose;
-    pose.A = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-    pose.r = pose.A * Eigen::Vector3d(0.17, 0.01, -0.25);
-    const Answer twin = compare(column, eight, pose);
-    EXPECT_TRUE(twin.touching);
-    EXPECT_LT(twin.E.perturbed_area, 0);
+    const Eigen::Matrix3d A = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    EXPECT_TRUE(lies_in_a_pocket(compare(column, eight, {A, A * apart}).E));
+    EXPECT_TRUE(lies_in_a_pocket(compare(eight, column, {A, -apart}).F));
   }
 }
 
@@ -85,6 +97,9 @@ void compare_on_trials(const Series& series, std::uint64_t seed, const Compare& 
   EXPECT_GE(seen.touching, count / 5);
   EXPECT_GE(seen.elements, count / 20);
   EXPECT_GE(seen.too_deep, 1);
+  if (std::get<Kind>(series) == Kind::folded) {
+    EXPECT_GE(seen.folded, count / 6);
+  }
 }
 
 }  // namespace pcm::brute_force

@@ -73,10 +73,10 @@ TriangleMesh box_with_slanting_bottom(double size, double top, double bottom, do
   return mesh;
 }
 
-/// Of the ridge, rounding makes what hides a strip of the top; in the exact problem it hides nothing.
-TEST(HardBounds, WhereRoundingSinksARidgeThatTouchesTheMasterHold) {
+/// Rounding turns the top against the keel, half of which then hides a strip of it; in the exact problem none does.
+TEST(HardBounds, WhereRoundingTiltsTheMasterAgainstAKeelThatTouchesItHold) {
   for (const double rise : {0x1p-20, 0x1p-40, 0x1p-48}) {
-    const TriangleMesh F = degenerate::block_with_touching_ridge(rise);
+    const TriangleMesh F = degenerate::block_with_touching_keel(rise);
     for (int i = 0; i < 3; ++i) {
       const Pose pose = turned(0.15 + 0.1 * i, {0, 0, 0});
       TriangleMesh E = generate::box({-4, -4, -0.25}, {4, 4, 3});

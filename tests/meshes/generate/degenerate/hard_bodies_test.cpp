@@ -33,7 +33,7 @@ TEST(HardBodies, AreFitForContact) {
   for (const TriangleMesh& mesh :
        {fan_tipped_spike(0x1p-20), needle(0x1p-20), open_box({1, 1, 0.5}), without_face(generate::box({1, 1, 1}), 3),
         folded_sheet(6, 0.125, 0.25), hollow_cube(0.5), pentagram(), figure_of_eight(), shrinking_cubes(4, 15),
-        plate_stack(8, 0x1p-3, 0x1p-7), block_with_touching_ridge(0x1p-48), torus_chain(3, 4, 1, 4, 4)}) {
+        plate_stack(8, 0x1p-3, 0x1p-7), block_with_touching_keel(0x1p-48), torus_chain(3, 4, 1, 4, 4)}) {
     EXPECT_NO_THROW(require_fit(mesh)) << mesh.name << '\n' << check(mesh).summary();
     EXPECT_EQ(test::flaw(mesh), "") << mesh.name;
   }
@@ -47,7 +47,7 @@ TEST(HardBodies, ClosedOnesHaveTheFacesPromised) {
   test::expect_closed(degenerate::figure_of_eight(), 16);
   test::expect_closed(degenerate::shrinking_cubes(4, 15), 48, 8);
   test::expect_closed(degenerate::plate_stack(8, 0x1p-3, 0x1p-7), 64, 16);
-  test::expect_closed(degenerate::block_with_touching_ridge(0x1p-48), 22, 4);
+  test::expect_closed(degenerate::block_with_touching_keel(0x1p-48), 22, 4);
   test::expect_closed(degenerate::torus_chain(3, 0.5, 0.125, 16, 8), 3 * 2 * 16 * 8, 0);
 }
 
