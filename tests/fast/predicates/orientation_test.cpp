@@ -271,6 +271,29 @@ TEST(Orientation, FilterAndExactStageAgreeWithRationals) {
       "nearly coplanar, scaled by 2^-330", 20000, [&] { return nearly_coplanar(0, -330); }, 1);
 }
 
+/// What the filter compares the determinant of such points with, `d` being the distances from the first of them.
+double bound_of_filter(const std::array<Eigen::Vector3d, 3>& d) {
+  const auto [b, c, x] = std::array{d[0].cwiseAbs().eval(), d[1].cwiseAbs().eval(), d[2].cwiseAbs().eval()};
+  const Eigen::Vector3d N(b[1] * c[2] + b[2] * c[1], b[2] * c[0] + b[0] * c[2], b[0] * c[1] + b[1] * c[0]);
+  return kFilterRelative * ((N.array() + kFilterUnderflow).matrix().dot(x) + kFilterUnderflow);
+}
+
+TEST(Orientation, BoundForAllPointsOfAnExtentIsNoLessThanThatOfAny) {
+  Doubles random(64);
+  SCOPED_TRACE("seed 64");
+  for (const double extent : {0x1p-320, 0x1p-200, 0.3, 1.0, 0x1p300}) {
+    const double sure = sure_determinant(extent);
+    const Eigen::Vector3d farthest = Eigen::Vector3d::Constant(extent);
+    EXPECT_GE(sure, bound_of_filter({farthest, farthest, farthest}));
+    EXPECT_LE(sure, (1 + 0x1p-39) * bound_of_filter({farthest, farthest, farthest}));
+    for (int i = 0; i < 200; ++i) {
+      std::array<Eigen::Vector3d, 3> d;
+      for (Eigen::Vector3d& to : d) to = extent * Doubles::point([&] { return random.unit(); });
+      EXPECT_GE(sure, bound_of_filter(d));
+    }
+  }
+}
+
 TEST(Orientation, ResultsDoNotChangeUnderScalingByPowersOfTwo) {
   Doubles doubles(31);
   WorkCounters work;
