@@ -189,6 +189,8 @@ Exit simulate(const SimulateOptions& options) {
   }
   Scene scene = parse_scene(text, options.scene);
   apply(options, scene);
+  if (std::ranges::all_of(scene.bodies, [](const Body& body) { return body.joint.type == JointType::weld; }))
+    throw BadInput(options.scene + ": nothing can move: every body is welded; give one of them another joint");
   if (options.compares) return compare_all(options, scene, text);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;

@@ -70,9 +70,6 @@ class SceneReader {
       for (const auto& [name, law] : root["laws"].items()) laws_[name] = law_from(law, pointer("/laws", name));
     if (root.contains("ground") && root["ground"].contains("surfaces")) read_surfaces(root["ground"], "/ground", -1);
     for (std::size_t i = 0; i < root["bodies"].size(); ++i) read_body(root["bodies"][i], pointer("/bodies", i));
-    if (std::all_of(scene_.bodies.begin(), scene_.bodies.end(),
-                    [](const Body& body) { return body.joint.type == JointType::weld; }))
-      json_.refuse("/bodies", "nothing can move: every body of the scene is welded; give one of them another joint");
     if (root.contains("pairings"))
       for (std::size_t i = 0; i < root["pairings"].size(); ++i)
         read_pairing(root["pairings"][i], pointer("/pairings", i));
