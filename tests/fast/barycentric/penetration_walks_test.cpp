@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "fast/surface/prepare_surface.h"
 #include "fast/surface/thickness.h"
 #include "tests/fast/engine_support.h"
