@@ -85,7 +85,7 @@ std::string path_table(const PathReport& report) {
       fmt::format("elastic force, {} scheme, mode {}: greatest {:.6g} N at {:.6f}\n\n", name(report.pairing.scheme()),
                   name(report.pairing.mode()), report.work.greatest_force, report.work.greatest_force_at.position());
   if (!walk.jumps.empty()) {
-    text += fmt::format("{:>10} {:>7} {:>10} {:>14}  {:<33} {:>9} {:>14}\n", "jump, N", "% of F", "N m", "at", "cause",
+    text += fmt::format("{:>10} {:>7} {:>10} {:>14}  {:<33} {:>9} {:>14}\n", "jump, N", "percent", "N m", "at", "cause",
                         "face", "slave face");
     std::vector<const ForceJump*> order;
     for (const ForceJump& jump : walk.jumps) order.push_back(&jump);

@@ -46,7 +46,9 @@ Rotation rotation_from(const Eigen::Matrix3d& A, bool orthonormalise) {
         "the first nine numbers are a reflection (their determinant is -1), not a rotation; one of the frames is "
         "left-handed, or a row or column has the wrong sign");
   if (!orthonormalise)
-    throw BadInput("the first nine numbers are not a rotation to 1e-9; give its rows with all their digits");
+    throw BadInput(
+        "the first nine numbers are not a rotation to 1e-9; give its rows with all their digits, or add "
+        "--orthonormalise");
   if (!(error <= kMatrixError))
     refuse_far("the first nine numbers are too far from a rotation to be orthonormalised", error, kMatrixError);
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -58,7 +60,9 @@ Rotation rotation_from_quaternion(double w, const Eigen::Vector3d& xyz, bool ort
   const double error = std::abs(q.squaredNorm() - 1);
   const bool is_unit = error <= kTolerance;
   if (!is_unit && !orthonormalise)
-    throw BadInput("the first four numbers are not a unit quaternion to 1e-9; give them with all their digits");
+    throw BadInput(
+        "the first four numbers are not a unit quaternion to 1e-9; give them with all their digits, or add "
+        "--orthonormalise");
   if (!(error <= kQuaternionError))
     refuse_far("the first four numbers are too far from a unit quaternion to be normalised", error, kQuaternionError);
   return {Eigen::Quaterniond(w, xyz[0], xyz[1], xyz[2]).normalized().toRotationMatrix(), is_unit ? 0 : error};

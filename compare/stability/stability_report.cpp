@@ -58,7 +58,8 @@ std::vector<std::string> findings(const StabilityReport& report) {
 const CurveStyle kError{"#0072b2", Marker::circle, false}, kFlippedError{"#0072b2", Marker::circle, true},
     kOfVertices{"#56b4e9", Marker::square, false}, kCondition{"#222222", Marker::diamond, false},
     kBound{"#d55e00", Marker::triangle, false}, kPublished2003{"#009e73", Marker::square, true},
-    kPublished2023{"#cc79a7", Marker::diamond, true}, kTorque{"#e69f00", Marker::triangle, false},
+    kPublished2023{"#cc79a7", Marker::diamond, true}, kForceRatio{"#777777", Marker::circle, false},
+    kBarycentricForceRatio{"#777777", Marker::triangle, true}, kTorque{"#e69f00", Marker::triangle, false},
     kArea{"#009e73", Marker::square, false}, kPenetration{"#cc79a7", Marker::diamond, false};
 
 /// What is greater says no more than that nothing is known; it is left out of plots.
@@ -121,14 +122,11 @@ LogPlot ratio_plot(const StabilityReport& report, Sweep sweep) {
   plot.title = "Error over condition";
   plot.x_title = title(sweep);
   plot.y_title = "median, settled poses";
-  CurveStyle barycentric = kError;
-  barycentric.dashed = true;
-  barycentric.marker = Marker::triangle;
-  ratio(plot, Scheme::barycentric, Quantity::force, "ratio, force, barycentric scheme", barycentric);
-  ratio(plot, Scheme::clipped, Quantity::force, "ratio, force, clipped scheme", kError);
-  ratio(plot, Scheme::clipped, Quantity::torque, "ratio, torque, clipped scheme", kTorque);
-  ratio(plot, Scheme::clipped, Quantity::area, "ratio, area", kArea);
-  ratio(plot, Scheme::clipped, Quantity::penetration, "ratio, penetration, clipped scheme", kPenetration);
+  ratio(plot, Scheme::barycentric, Quantity::force, "over condition: force, barycentric", kBarycentricForceRatio);
+  ratio(plot, Scheme::clipped, Quantity::force, "over condition: force, clipped", kForceRatio);
+  ratio(plot, Scheme::clipped, Quantity::torque, "over condition: torque, clipped", kTorque);
+  ratio(plot, Scheme::clipped, Quantity::area, "over condition: area", kArea);
+  ratio(plot, Scheme::clipped, Quantity::penetration, "over condition: penetration, clipped", kPenetration);
   keep_drawn(plot);
   return plot;
 }

@@ -3,7 +3,7 @@
 //
 // Guards the arrows between the parts of the project and, inside each, between its rooms: meshes is the ground floor;
 // fast and reference stand on it side by side, and the only header of the engine that the oracle may see is the one of
-// plain inputs; nothing includes compare.
+// plain inputs; only simulate, and tests, include anything of compare.
 
 #include <gtest/gtest.h>
 

@@ -21,6 +21,23 @@ TEST(Readme, ExampleIsTheOneTheTestsCompile) {
   EXPECT_NE(contents("README.md").find("```cpp\n" + example.substr(begin) + "```"), std::string::npos);
 }
 
+/// Lines of a function's body, without what they are indented by.
+std::string unindented(const std::string& lines) {
+  std::string result = lines.substr(lines.find_first_not_of(' '));
+  for (std::size_t at = result.find("\n  "); at != std::string::npos; at = result.find("\n  ", at + 1))
+    result.erase(at + 1, 2);
+  return result;
+}
+
+TEST(Readme, SurfaceFromArraysIsTheOneTheTestsRun) {
+  const std::string test = contents("tests/fast/engine/surface_from_arrays_test.cpp");
+  const std::size_t begin = test.find("  pcm::TriangleMesh"), end = test.find("  // clang-format on");
+  ASSERT_NE(begin, std::string::npos);
+  ASSERT_NE(end, std::string::npos);
+  EXPECT_NE(contents("README.md").find("```cpp\n" + unindented(test.substr(begin, end - begin)) + "```"),
+            std::string::npos);
+}
+
 /// The source without the lines that come before its first line of this kind.
 std::string from(const std::string& source, const std::string& first) {
   const std::size_t begin = source.find(first);
