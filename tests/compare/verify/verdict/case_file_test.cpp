@@ -158,7 +158,7 @@ TEST_F(CaseFiles, BadValuesAreRefusedByFileAndKey) {
     refused_with("law: \"" + std::string(key) + "\" is missing", [key](auto& json) { json["law"].erase(key); });
   refused_with("mode: type must be string", [](auto& json) { json["mode"] = 1; });
   refused_with("disagreements[0]: '[\"force\"]' is no pair of words",
-               [](auto& json) { json["disagreements"] = {nlohmann::ordered_json::array({"force"})}; });
+               [](auto& json) { json["disagreements"] = nlohmann::ordered_json::parse(R"([["force"]])"); });
   refused_with("disagreements[0]: ", [](auto& json) { json["disagreements"] = {{"force", "off", "by far"}}; });
   refused_with("disagreements[0]: ",
                [](auto& json) { json["disagreements"] = nlohmann::ordered_json::parse(R"([["force", 1]])"); });
