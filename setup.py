@@ -26,7 +26,9 @@ class BuildByCMake(build_ext):
                    *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, *options], check=True)
-        subprocess.run(["cmake", "--build", build, "--target", "pcm_python", "--parallel"], check=True)
+        # Make, told no number, would compile all files at once.
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(os.cpu_count() or 1)
+        subprocess.run(["cmake", "--build", build, "--target", "pcm_python", "--parallel", jobs], check=True)
 
 
 def version():

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -68,7 +69,12 @@ void evaluate_many(const fast::Pairing& pairing, const States& states, const Wan
   };
   std::vector<std::jthread> others;
   others.reserve(parts - 1);
-  for (std::size_t part = 1; part < parts; ++part) others.emplace_back(evaluate_part, part);
+  try {
+    while (others.size() + 1 < parts) others.emplace_back(evaluate_part, others.size() + 1);
+  } catch (const std::system_error&) {
+    // The system has no more threads: what is left is done by this one.
+  }
+  for (std::size_t part = others.size() + 1; part < parts; ++part) evaluate_part(part);
   evaluate_part(0);
   others.clear();  // waits for them
   // Parts lie in the order of the states, so the first failure is that of the first bad one.

@@ -89,15 +89,15 @@ fast::Contact evaluate(PooledPairing& self, const py::object& A, const py::objec
 }
 
 py::array_t<AnswerRow> evaluate_many_states(PooledPairing& self, const py::object& A, const py::object& r,
-                                            const py::object& v, const py::object& w, bool areas, bool force,
-                                            bool bound, bool statistics, int threads) {
+                                            const py::object& v, const py::object& w, bool polygons, bool areas,
+                                            bool force, bool bound, bool statistics, int threads) {
   const py::array_t<double> A_array = doubles(A, "A", {kAny, 3, 3});
   const py::ssize_t count = A_array.shape(0);
   const py::array_t<double> r_array = doubles(r, "r", {count, 3});
   const auto v_array = optional_doubles(v, "v", {count, 3}), w_array = optional_doubles(w, "w", {count, 3});
   const States states{static_cast<std::size_t>(count), A_array.data(), r_array.data(), data_or_null(v_array),
                       data_or_null(w_array)};
-  const Wanted wanted{false, areas, force, false, bound, statistics, false};
+  const Wanted wanted{polygons, areas, force, false, bound, statistics, false};
   py::array_t<AnswerRow> rows(count);
   AnswerRow* to = rows.mutable_data();
   const py::gil_scoped_release others_may_run;
@@ -141,13 +141,13 @@ void bind_pairing(py::module_& module) {
           "E,\n"
           "rad/s, are resolved in Me; None is 0. The rest says what is wanted; nothing else is computed. `elements`\n"
           "and `statistics` need the force and have it computed, so do `bound` and `tangent`.")
-      .def(
-          "evaluate_many", &evaluate_many_states, py::arg("A"), py::arg("r"), py::arg("v") = py::none(),
-          py::arg("w") = py::none(), py::kw_only(), py::arg("areas") = true, py::arg("force") = true,
-          py::arg("bound") = false, py::arg("statistics") = false, py::arg("threads") = 1,
-          "The answers at n states as a structured array of n rows, whose fields are those of Contact but for its\n"
-          "lists. A has shape (n, 3, 3), r, v and w (n, 3). Each row has the bits that `evaluate` gives, whatever the\n"
-          "number of threads. Raises BadInput for the first state that is bad, with its number.");
+      .def("evaluate_many", &evaluate_many_states, py::arg("A"), py::arg("r"), py::arg("v") = py::none(),
+           py::arg("w") = py::none(), py::kw_only(), py::arg("polygons") = false, py::arg("areas") = true,
+           py::arg("force") = true, py::arg("bound") = false, py::arg("statistics") = false, py::arg("threads") = 1,
+           "The answers at n states as a structured array of n rows, whose fields are those of Contact but for its\n"
+           "lists; what is not wanted is 0, `patches` where `polygons` are not. A has shape (n, 3, 3), r, v and w\n"
+           "(n, 3). Each row has the bits that `evaluate` gives, whatever the number of threads. Raises BadInput for\n"
+           "the first state that is bad, with its number.");
 }
 
 }  // namespace pcm::python

@@ -75,14 +75,15 @@ std::vector<double> still_instants(const std::string& text, double duration) {
 
 /// As of a scene file: what the options make of it must end some time.
 void require_few_steps(const SimulateOptions& options, const Scene& scene) {
-  const std::string option = options.greatest_step.empty() ? "--duration" : "--greatest-step";
+  const std::string duration = options.duration.empty() ? options.scene + ": duration" : "--duration";
+  const std::string option = options.greatest_step.empty() ? duration : "--greatest-step";
   if (scene.integrator.greatest_step < scene.duration / kMostSteps)
     throw BadInput(option + ": the scene would take more than 1e9 steps of no more than " +
                    fmt::format("{:g} s", scene.integrator.greatest_step));
   const double interval = std::min(scene.output.interval, scene.output.checkpoint_interval);
-  if (!options.duration.empty() && interval < scene.duration / kMostRecords)
-    throw BadInput(fmt::format(
-        "--duration: the scene's output, every {:g} s, would be recorded more than a million times", interval));
+  if (interval < scene.duration / kMostRecords)
+    throw BadInput(fmt::format("{}: the scene's output, every {:g} s, would be recorded more than a million times",
+                               duration, interval));
 }
 
 /// What the command line says goes before what the scene says.

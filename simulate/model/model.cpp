@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -219,6 +220,34 @@ Eigen::VectorXd Model::Data::y() const {
   return y;
 }
 
+namespace {
+
+/// Where to show a force: the centre of pressure of elements that press, and among them also where some pull.
+class CentreOfForce {
+ public:
+  void add(const fast::Element& e) {
+    by_force_.add(std::abs(e.normal_force), e.position_Me);
+    by_area_.add(e.area, e.position_Me);
+  }
+  /// Of one element at least.
+  Eigen::Vector3d place() const { return (by_force_.sum > 0 ? by_force_ : by_area_).mean(); }
+
+ private:
+  struct Mean {
+    double sum = 0;
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+
+    void add(double weight, const Eigen::Vector3d& x) {
+      sum += weight;
+      moment += weight * x;
+    }
+    Eigen::Vector3d mean() const { return moment / sum; }
+  };
+  Mean by_force_, by_area_;
+};
+
+}  // namespace
+
 void Model::Data::observe_contact(Index p, const fast::Contact& contact, Observation& observation) const {
   const ScenePairing& pairing = scene.pairings[static_cast<std::size_t>(p)];
   PairingObservation& result = observation.pairings[static_cast<std::size_t>(p)];
@@ -230,7 +259,9 @@ void Model::Data::observe_contact(Index p, const fast::Contact& contact, Observa
   const Pose& E = observation.surfaces_G[static_cast<std::size_t>(pairing.E)];
   result.force_G = E.A * contact.force_Me;
   const double share = pairing.mode == Mode::both ? 0.5 : 1;
+  CentreOfForce centre_Me;
   for (const fast::Element& e : contact.elements) {
+    centre_Me.add(e);
     result.normal_force += share * e.normal_force;
     result.tangential_force += share * e.tangential_force;
     observation.powers.damping +=
@@ -239,7 +270,7 @@ void Model::Data::observe_contact(Index p, const fast::Contact& contact, Observa
     observation.elements.push_back({p, e.master, e.master_face, e.slave_face, e.normal_force / e.area});
   }
   result.patch_area = share * contact.statistics.patch_area;
-  if (contact.element_count > 0) result.centre_of_pressure_G = E.A * contact.statistics.centre_of_pressure_Me + E.r;
+  if (!contact.elements.empty()) result.centre_of_force_G = E.A * centre_Me.place() + E.r;
 }
 
 double Model::Data::kinetic_energy() const {
@@ -301,6 +332,8 @@ Eigen::VectorXd Model::start() const {
 Eigen::VectorXd Model::normalised(const Eigen::VectorXd& y) const {
   Eigen::VectorXd result = y;
   for (std::size_t b = 0; b < data_->bodies.size(); ++b) {
+    if (const std::optional<double>& speed = data_->scene.bodies[b].joint.prescribed_speed)
+      result[data_->state.getNQ() + static_cast<int>(data_->bodies[b].getFirstUIndex(data_->state))] = *speed;
     if (!has_quaternion(data_->scene.bodies[b].joint.type)) continue;
     result.segment<4>(static_cast<int>(data_->bodies[b].getFirstQIndex(data_->state))).normalize();
   }

@@ -20,13 +20,14 @@ struct PairingObservation {
   bool nested = false;
   Index too_deep = 0;
   Index elements = 0;
-  double max_penetration = 0;                                      ///< m
-  double patch_area = 0;                                           ///< m^2
-  Eigen::Vector3d force_G = Eigen::Vector3d::Zero();               ///< on E's body, N
-  Eigen::Vector3d centre_of_pressure_G = Eigen::Vector3d::Zero();  ///< m; zero where nothing touches
-  double normal_force = 0;                                         ///< sum of F_n over elements, halved in mode both, N
-  double tangential_force = 0;                                     ///< sum of F_t likewise, N
-  Pose pose;                                                       ///< what the engine was asked, with `velocity`
+  double max_penetration = 0;                         ///< m
+  double patch_area = 0;                              ///< m^2
+  Eigen::Vector3d force_G = Eigen::Vector3d::Zero();  ///< on E's body, N
+  Eigen::Vector3d centre_of_force_G =
+      Eigen::Vector3d::Zero();  ///< mean place of its elements by |F_n|, else A_k, m; zero where there are none
+  double normal_force = 0;      ///< sum of F_n over elements, halved in mode both, N
+  double tangential_force = 0;  ///< sum of F_t likewise, N
+  Pose pose;                    ///< what the engine was asked, with `velocity`
   Velocity velocity;
 };
 
@@ -92,7 +93,7 @@ class Model {
   Eigen::Index size() const;                ///< of y
   Eigen::Index degrees_of_freedom() const;  ///< without prescribed ones
   Eigen::VectorXd start() const;            ///< at t = 0
-  /// The same state with quaternions of length 1.
+  /// The same state with quaternions of length 1, and joints as fast as they are prescribed to be.
   Eigen::VectorXd normalised(const Eigen::VectorXd& y) const;
 
   /// dy/dt. `not_here` where bodies are nested or deeper within one another than the law allows.

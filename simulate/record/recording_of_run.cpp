@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +33,7 @@ Frame frame_at(double t, const Eigen::VectorXd& y, Model& model, const std::opti
   for (std::size_t p = 0; p < now.pairings.size(); ++p) {
     const PairingObservation& pairing = now.pairings[p];
     if (pairing.elements > 0)
-      frame.contacts.push_back({static_cast<Index>(p), pairing.centre_of_pressure_G - origin_G, pairing.force_G});
+      frame.contacts.push_back({static_cast<Index>(p), pairing.centre_of_force_G - origin_G, pairing.force_G});
   }
   return frame;
 }
@@ -55,7 +57,8 @@ void add_forces(const Scene& scene, const NumberTable& table, std::vector<Series
 
 Recording recording_of_run(const std::filesystem::path& folder, const Scene& scene, Model& model) {
   Recording recording;
-  recording.title = scene.title.empty() ? folder.filename().string() : scene.title;
+  const std::filesystem::path& named = folder.has_filename() ? folder : folder.parent_path();
+  recording.title = scene.title.empty() ? named.filename().string() : scene.title;
   for (const SceneSurface& surface : scene.surfaces)
     recording.surfaces.push_back({surface.name, surface.surface.mesh(), surface.colour});
   for (std::size_t p = 0; p < scene.pairings.size(); ++p)
@@ -70,6 +73,8 @@ Recording recording_of_run(const std::filesystem::path& folder, const Scene& sce
         std::pair("bumpers", "bumpers'"), std::pair("lost_to_damping", "to damping"),
         std::pair("lost_to_friction", "to friction"), std::pair("lost_to_joints", "to joints")})
     recording.series.push_back(series_of(table, column, name, "J", "Energy"));
+  if (std::ranges::any_of(scene.bodies, [](const Body& body) { return body.joint.prescribed_speed.has_value(); }))
+    recording.series.push_back(series_of(table, "brought_by_motions", "by motions", "J", "Energy"));
   add_forces(scene, table, recording.series);
   const NumberTable steps = read_number_table(folder / "steps.csv");
   recording.series.push_back(series_of(steps, "size", "step", "s", "Step size"));

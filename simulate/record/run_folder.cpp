@@ -365,7 +365,8 @@ NumberTable read_number_table(const std::filesystem::path& file) {
   std::string line, word;
   std::getline(in, line);
   for (std::istringstream words(line); std::getline(words, word, ',');) table.columns.push_back(word);
-  for (int number = 2; std::getline(in, line); ++number) {
+  // A last line without an end was being written when the run was killed.
+  for (int number = 2; std::getline(in, line) && !in.eof(); ++number) {
     std::vector<double> row;
     for (std::istringstream words(line); std::getline(words, word, ',');) {
       const std::optional<double> value = parse_number(word);

@@ -25,11 +25,11 @@ const char* word(JacobianOf jacobian) {
 Json settings_of(const Scene& scene) {
   Json json{{"duration", scene.duration},
             {"method", name(scene.integrator.method)},
-            {"jacobian", word(scene.integrator.jacobian)},
             {"relative_tolerance", scene.integrator.relative_tolerance},
             {"absolute_tolerance", scene.integrator.absolute_tolerance},
             {"greatest_step", scene.integrator.greatest_step},
             {"spectrum_interval", scene.output.spectrum_interval}};
+  if (takes_jacobians(scene.integrator.method)) json["jacobian"] = word(scene.integrator.jacobian);
   for (const ScenePairing& pairing : scene.pairings) json["slip_velocities"].push_back(pairing.law.slip_velocity);
   if (scene.initial_state) {
     Json y = Json::array();

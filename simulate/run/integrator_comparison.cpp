@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulate/run/integrator_comparison.h"
 
-#include <algorithm>
+#include <fmt/core.h>
+
 #include <array>
 #include <optional>
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr std::array kTolerances = {1e-3, 1e-4, 1e-5, 1e-6};
 constexpr std::array kSlipVelocityFactors = {100.0, 10.0, 1.0, 0.1};
+/// Of relative ones: not all integrators take others.
+constexpr double kTolerancesBelow = 1;
 
 /// Those made of differences where nothing else is said.
 void set_integrator(Scene& scene, Method method, double tolerance, JacobianOf jacobian = JacobianOf::differences) {
@@ -21,12 +24,24 @@ void set_integrator(Scene& scene, Method method, double tolerance, JacobianOf ja
   scene.integrator.relative_tolerance = scene.integrator.absolute_tolerance = tolerance;
 }
 
+/// Of all laws with friction, which have to agree.
 double slip_velocity_of(const Scene& scene) {
-  const auto with_friction = std::find_if(scene.pairings.begin(), scene.pairings.end(),
-                                          [](const ScenePairing& pairing) { return pairing.law.friction > 0; });
-  if (with_friction == scene.pairings.end())
-    throw BadInput("integrators are compared over the slip velocity, and no law of this scene has friction");
-  return with_friction->law.slip_velocity;
+  std::optional<double> found;
+  for (const ScenePairing& pairing : scene.pairings) {
+    if (!(pairing.law.friction > 0)) continue;
+    const double slip_velocity = pairing.law.slip_velocity;
+    if (!(slip_velocity > 0))
+      throw BadInput(
+          "integrators are compared over the slip velocity, and a law with friction has none; give --slip-velocity");
+    if (slip_velocity != found.value_or(slip_velocity))
+      throw BadInput(fmt::format(
+          "integrators are compared over the slip velocity, and laws of this scene have {:g} and {:g} m/s; give all "
+          "laws one by --slip-velocity",
+          *found, slip_velocity));
+    found = slip_velocity;
+  }
+  if (!found) throw BadInput("integrators are compared over the slip velocity, and no law of this scene has friction");
+  return *found;
 }
 
 /// The state at the end.
@@ -100,9 +115,11 @@ IntegratorComparison compare_integrators(const Scene& scene,
     for (const double tolerance : kTolerances) result.by_tolerance.push_back(tried(scene, choice, tolerance, at_end));
     begin(choice.name() + " over the slip velocity");
     for (const double factor : kSlipVelocityFactors) {
+      const double tolerance = 0.1 * factor * result.slip_velocity;
+      if (!(tolerance < kTolerancesBelow)) continue;
       Scene changed = scene;
       set_slip_velocity(changed, factor * result.slip_velocity);
-      result.by_slip_velocity.push_back(tried(changed, choice, 0.1 * factor * result.slip_velocity, {}));
+      result.by_slip_velocity.push_back(tried(changed, choice, tolerance, {}));
     }
   }
   return result;

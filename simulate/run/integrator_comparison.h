@@ -33,7 +33,7 @@ struct IntegratorComparison {
   double reference_tolerance = 0;
   double reference_error = 0;                     ///< the difference between BDF's and ESDIRK's state at that tolerance
   std::vector<IntegratorTrial> by_tolerance;      ///< at the scene's slip velocity
-  std::vector<IntegratorTrial> by_slip_velocity;  ///< at a tolerance of a tenth of it, without errors
+  std::vector<IntegratorTrial> by_slip_velocity;  ///< at a tolerance of a tenth of it, where that is below 1; no errors
 };
 
 /// Relative and absolute, of the run that the others' errors are measured against.
@@ -44,7 +44,8 @@ void set_slip_velocity(Scene& scene, double slip_velocity);
 
 /// Those that take Jacobians with these made of differences, then of tangents. Tolerances from 1e-3 to 1e-6, and slip
 /// velocities from a hundred times the scene's down to a tenth of it, by powers of ten. `begin` is told what is begun.
-/// Throws BadInput where the scene has no friction, and IntegrationFailure where the reference can't be had.
+/// Throws BadInput, before any work, where the scene has no friction, or laws with friction have no slip velocity or
+/// not the same one; and IntegrationFailure where the reference can't be had.
 IntegratorComparison compare_integrators(const Scene& scene,
                                          const std::vector<std::pair<std::string, Method>>& integrators,
                                          const std::function<void(const std::string&)>& begin);

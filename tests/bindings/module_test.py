@@ -118,6 +118,13 @@ class Module(unittest.TestCase):
         self.assertEqual(rows[rows["touching"]].shape, (2,))
         self.assertEqual(len(pairing().evaluate_many(np.zeros((0, 3, 3)), np.zeros((0, 3)))), 0)
 
+    def test_patches_of_many_are_those_of_each_where_polygons_are_wanted(self):
+        patches = pairing().evaluate(IDENTITY, R).patches
+        self.assertGreater(patches, 0)
+        A, r = np.tile(IDENTITY, (2, 1, 1)), np.array([R, R])
+        self.assertEqual(list(pairing().evaluate_many(A, r, polygons=True)["patches"]), [patches, patches])
+        self.assertEqual(list(pairing().evaluate_many(A, r)["patches"]), [0, 0])
+
     def test_threads_share_a_pairing(self):
         shared = pairing()
         wanted = [shared.evaluate(IDENTITY, [0.01 * i, 0.1, 0.1]).force_Me for i in range(20)]

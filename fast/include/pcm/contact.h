@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -105,7 +106,9 @@ struct ForceBound {
 /// box in a plane see some of that, and the derivative by such a turn lacks it. Where roundings leave nothing of the
 /// angle between a penetration line and the slave face that it meets, that element's depth counts as constant, and so
 /// does a number of an element's place whose derivative is beyond all doubles (depths of 2^-1030 m and less).
-using Tangent = Eigen::Matrix<double, 6, 12>;
+///
+/// Of no alignment of its own: what a caller compiles with must not decide where answers have their members.
+using Tangent = Eigen::Matrix<double, 6, 12, Eigen::DontAlign>;
 
 /// The engine's answer for one pose. Lives in the workspace and is overwritten by the next evaluation. What was not
 /// wanted is empty, 0 or false: nothing but `touching` is known where only that was asked for.
@@ -141,5 +144,7 @@ struct Contact {
   /// Empties the answer and keeps its memory.
   void clear();
 };
+
+static_assert(alignof(Contact) == alignof(std::int64_t), "flags such as -mavx must not move the members of answers");
 
 }  // namespace pcm::fast

@@ -10,7 +10,8 @@
 namespace pcm::simbody {
 
 /// What a pairing does: force on E's body, N, then torque on it about Mf, N m, both in Me.
-using Load = Eigen::Matrix<double, 6, 1>;
+/// Of no alignment of its own, as fast::Tangent.
+using Load = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 
 /// A pairing's load to first order about a pose (A_0, r_0) and a velocity (v_0, w_0) of Mf seen from Me, resolved in
 /// Me:
@@ -23,7 +24,7 @@ struct LoadTangent {
   Pose pose;
   Velocity velocity;
   Load load = Load::Zero();
-  Eigen::Matrix<double, 6, 12> slope = Eigen::Matrix<double, 6, 12>::Zero();
+  fast::Tangent slope = fast::Tangent::Zero();
 
   /// The load by the tangent. For a rotation by phi, a is taken sin(phi) long, which is off by at most phi^3 / 6.
   Load at(const Pose& to, const Velocity& at_velocity) const;

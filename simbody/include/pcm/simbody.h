@@ -110,7 +110,8 @@ class ContactForces : public SimTK::Force::Custom {
   Velocity relative_velocity(const SimTK::State& state, Index pairing) const;
   /// All that the engine knows of one pairing there, elements and polygons if wanted.
   fast::Contact contact(const SimTK::State& state, Index pairing, const Wanted& wanted = {}) const;
-  /// Called with the pairings that touch or are nested, in their order, and their elements. Neither may be kept.
+  /// Called with the pairings that touch or are nested, in their order, and their elements. Neither may be kept, and
+  /// these contact forces must not be asked anything before it returns: it is called under their lock.
   using Visit =
       std::function<void(Index pairing, const Pose& pose, const Velocity& velocity, const fast::Contact& contact)>;
   void visit_elements(const SimTK::State& state, const Visit& visit) const;

@@ -37,7 +37,7 @@ TEST(Rotation, OneThatIsGoodEnoughIsTakenBitForBit) {
 TEST(Rotation, FewDigitsAreReplacedByTheNearestRotationOnRequestOnly) {
   for (const int digits : {3, 4, 6, 8}) {
     const Eigen::Matrix3d A = rounded(kTurned, digits);
-    expect_bad_input([&] { rotation_from(A, false); }, "not a rotation to 1e-9");
+    expect_bad_input([&] { rotation_from(A, false); }, "digits, or add --orthonormalise");
     const Rotation found = rotation_from(A, true);
     EXPECT_LE(fast::orthogonality_error(found.A), kRounding);
     EXPECT_GT(found.A.determinant(), 0);
@@ -75,7 +75,8 @@ TEST(Rotation, QuaternionsAreThoseOfTheTextbook) {
 
 TEST(Rotation, QuaternionsWithFewDigitsAreNormalisedOnRequest) {
   const Eigen::Vector3d xyz(0, 0, 0.7071);
-  expect_bad_input([&] { rotation_from_quaternion(0.7071, xyz, false); }, "unit quaternion to 1e-9");
+  expect_bad_input([&] { rotation_from_quaternion(0.7071, xyz, false); },
+                   "unit quaternion to 1e-9; give them with all their digits, or add --orthonormalise");
   const Rotation found = rotation_from_quaternion(0.7071, xyz, true);
   EXPECT_LE(fast::orthogonality_error(found.A), kRounding);
   EXPECT_DOUBLE_EQ(found.replaced_error, 1 - 2 * 0.7071 * 0.7071);

@@ -175,7 +175,7 @@ TEST(Observations, OfATurnedContactAreInGAndOnceInModeBoth) {
     const PairingObservation& pairing = now.pairings[0];
     const Eigen::Matrix3d R = AngleAxisd(0.8, Vector3d(1, 2, 2).normalized()).toRotationMatrix();
     EXPECT_LT((pairing.force_G - R * Vector3d(0, 0, -1000)).norm(), 1e-8);
-    EXPECT_LT((pairing.centre_of_pressure_G - R * Vector3d(0.1, 0.2, -5e-4)).norm(), 1e-8);
+    EXPECT_LT((pairing.centre_of_force_G - R * Vector3d(0.1, 0.2, -5e-4)).norm(), 1e-8);
     EXPECT_NEAR(pairing.normal_force, 1000, 1e-8);
     EXPECT_NEAR(pairing.patch_area, 1, 1e-9);
     EXPECT_GT(now.elements.size(), 1U);

@@ -116,6 +116,18 @@ TEST(Model, NormalisedStatesHaveQuaternionsOfLength1AndTheSamePlace) {
   EXPECT_EQ(unit[5], 7);
 }
 
+TEST(Model, NormalisedStatesOfPrescribedJointsHaveTheScenesSpeed) {
+  Model model = model_of(R"({"bodies": [
+    {"name": "free", "mass": 1, "inertia": [1, 1, 1], "centre_of_mass": [0, 0, 0]},
+    {"name": "car", "mass": 1, "inertia": [1, 1, 1], "centre_of_mass": [0, 0, 0],
+     "joint": {"type": "slider", "prescribed_speed": 8}}], "duration": 1})");
+  const Eigen::VectorXd y = model.start();
+  EXPECT_EQ(y[y.size() - 1], 8);
+  Eigen::VectorXd of_another_speed = y;
+  of_another_speed[y.size() - 1] = 3;
+  EXPECT_EQ(model.normalised(of_another_speed), y);
+}
+
 /// A block of 1 m and 10 kg that lies `depth` deep in the floor.
 std::string block_in_floor(const std::string& height, const std::string& law, const std::string& velocity) {
   return R"({"laws": {"law": )" + law + R"(},
@@ -140,6 +152,15 @@ TEST(Model, DampingAndFrictionTakeTheirPower) {
   EXPECT_NEAR(now.powers.damping, 100 * 0.01, 1e-8);
   EXPECT_NEAR(now.powers.friction, 550 * 0.3, 1e-6);
   EXPECT_NEAR(now.energies.elastic, 0.5, 1e-8);
+}
+
+TEST(Model, AForceThatPullsIsShownWhereItPulls) {
+  Model model =
+      model_of(block_in_floor("0.499", R"({"stiffness": 1e6, "damping": 1e5, "damping_mode": "full"})", "[0, 0, 1]"));
+  const PairingObservation pairing = model.observe(0, model.start()).pairings[0];
+  EXPECT_NEAR(pairing.normal_force, 1000 - 100000, 1e-6);
+  EXPECT_NEAR(pairing.centre_of_force_G.x(), 0.05, 1e-9);
+  EXPECT_NEAR(pairing.centre_of_force_G.y(), 0.02, 1e-9);
 }
 
 TEST(Model, AnswersNotHereWhereBodiesAreNestedOrTooDeep) {

@@ -53,6 +53,27 @@ TEST(IntegratorComparison, TriesEveryIntegratorOverToleranceAndSlipVelocity) {
   EXPECT_GT(all.by_slip_velocity[11].evaluations(), 20 * all.by_slip_velocity[3].evaluations());
 }
 
+TEST(IntegratorComparison, LeavesOutSlipVelocitiesWhoseToleranceWouldBe1) {
+  Scene scene = built_in_scene("creep");
+  scene.duration = 0.01;
+  set_slip_velocity(scene, 0.125);
+  const IntegratorComparison all =
+      compare_integrators(scene, {{"runge_kutta_merson", Method::runge_kutta_merson}}, [](const std::string&) {});
+  ASSERT_EQ(all.by_slip_velocity.size(), 3U);
+  EXPECT_EQ(all.by_slip_velocity[0].slip_velocity, 1.25);
+}
+
+TEST(IntegratorComparison, RefusesLawsWithoutOneSlipVelocityBeforeAnyWork) {
+  const auto no_work = [](const std::string& what) { ADD_FAILURE() << what; };
+  Scene scene = built_in_scene("creep");
+  scene.pairings.push_back(scene.pairings[0]);
+  scene.pairings[1].law.slip_velocity = 0.25;
+  const auto compared = [&] { compare_integrators(scene, {{"bdf", Method::bdf}}, no_work); };
+  expect_bad_input(compared, "laws of this scene have 0.001 and 0.25 m/s");
+  scene.pairings[1].law.slip_velocity = 0;
+  expect_bad_input(compared, "a law with friction has none; give --slip-velocity");
+}
+
 TEST(IntegratorComparison, OfBdfTangentsTakeFewerEvaluationsThanDifferencesAtEveryTolerance) {
   const IntegratorComparison& all = comparison();
   for (std::size_t i = 0; i < 4; ++i) {

@@ -393,5 +393,13 @@ TEST(NumberTable, RefusesWhatIsNoNumberNamingTheLine) {
   expect_bad_input([&] { read_number_table(file); }, ":3: 1 numbers, where the table has 2 columns");
 }
 
+TEST(NumberTable, LeavesOutALastLineThatWasBeingWritten) {
+  const fs::path file = empty_folder("table.csv");
+  for (const char* torn : {"3,4", "3,", "3", "3,-0."}) {
+    std::ofstream(file) << "a,b\n1,2\n" << torn;
+    EXPECT_EQ(read_number_table(file).rows, (std::vector<std::vector<double>>{{1, 2}})) << torn;
+  }
+}
+
 }  // namespace
 }  // namespace pcm::simulate
