@@ -16,6 +16,7 @@
 
 #include "compare/verify/run/trajectory.h"
 #include "simulate/record/recorded_run.h"
+#include "simulate/record/run_provenance.h"
 #include "simulate/scenes/read_scene.h"
 #include "tests/meshes/expect_bad_input.h"
 #include "tests/meshes/temporary_folder.h"
@@ -245,14 +246,25 @@ TEST(RecordedRun, BeginsAnUnfinishedRunOfAnotherBuildAnewAndSaysSo) {
 TEST(RecordedRun, RefusesTheFolderOfOtherSurfacesOrSettings) {
   const fs::path folder = stopped_run("other");
   std::string notice;
-  Scene longer = short_bubbles(), larger = short_bubbles(), by_tangents = short_bubbles();
+  Scene longer = short_bubbles(), larger = short_bubbles(), by_bdf = short_bubbles();
   longer.duration = 0.9;
-  by_tangents.integrator.jacobian = JacobianOf::tangents;
+  by_bdf.integrator.method = Method::bdf;
   TriangleMesh moved = larger.surfaces[1].surface.mesh();
   moved.vertices[0].x() += 1e-6;
   larger.surfaces[1].surface = fast::Surface(moved);
-  for (const Scene* scene : {&longer, &larger, &by_tangents})
+  for (const Scene* scene : {&longer, &larger, &by_bdf})
     expect_bad_input([&] { RecordedRun(*scene, "bubbles", folder, notice); }, "or of other surfaces or options");
+}
+
+TEST(RecordedRun, IsKnownByItsJacobiansWhereItsIntegratorTakesAny) {
+  Scene scene = short_bubbles();
+  scene.integrator.jacobian = JacobianOf::tangents;
+  scene.integrator.method = Method::adams;
+  EXPECT_FALSE(settings_of(scene).contains("jacobian"));
+  scene.integrator.method = Method::bdf;
+  EXPECT_EQ(settings_of(scene)["jacobian"], "tangents");
+  scene.integrator.jacobian = JacobianOf::differences;
+  EXPECT_EQ(settings_of(scene)["jacobian"], "differences");
 }
 
 TEST(RecordedRun, KeepsItsFolderFromOthersUntilItsEnd) {
