@@ -182,6 +182,8 @@ Joint SceneReader::joint_from(const Json& json, const std::string& at) const {
   }
   if (json.contains("in_parent")) joint.in_parent = placement_from(json["in_parent"], at + "/in_parent");
   if (json.contains("in_body")) joint.in_body = placement_from(json["in_body"], at + "/in_body");
+  read(json, "damping", joint.damping);
+  if (joint.damping > 0 && joint.type == JointType::weld) json_.refuse(at + "/damping", "a weld has no speed to damp");
   const int count = coordinate_count(joint.type);
   const auto numbers = [&](const char* key, std::vector<double>& values) {
     if (!json.contains(key)) return;
@@ -192,7 +194,6 @@ Joint SceneReader::joint_from(const Json& json, const std::string& at) const {
   };
   numbers("coordinates", joint.coordinates);
   numbers("speeds", joint.speeds);
-  read(json, "damping", joint.damping);
   if (json.contains("limits")) {
     for (std::size_t i = 0; i < json["limits"].size(); ++i) {
       const Json& limit = json["limits"][i];

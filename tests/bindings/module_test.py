@@ -118,6 +118,11 @@ class Module(unittest.TestCase):
         self.assertEqual(rows[rows["touching"]].shape, (2,))
         self.assertEqual(len(pairing().evaluate_many(np.zeros((0, 3, 3)), np.zeros((0, 3)))), 0)
 
+    def test_paths_that_are_no_utf_8_are_told(self):
+        with self.assertRaises(pcm.BadInput) as caught:
+            pcm.Surface.read(b"/there/is/no/b\xe9.obj")
+        self.assertIn("/there/is/no/b\\xe9.obj", str(caught.exception))
+
     def test_patches_of_many_are_those_of_each_where_polygons_are_wanted(self):
         patches = pairing().evaluate(IDENTITY, R).patches
         self.assertGreater(patches, 0)

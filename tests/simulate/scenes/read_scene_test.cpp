@@ -100,6 +100,8 @@ TEST(ReadScene, RefusesWithFileLineAndKey) {
       {"[1, 1, 1]", "[1, 1, 1, 0]", "block.json:12: bodies[1].inertia: it takes 3 or 6 numbers"},
       {R"("type": "pin")", R"("type": "hinge")",
        "block.json:13: bodies[1].joint.type: it must be one of: ball, free, gimbal, pin, slider, universal, weld"},
+      {R"("type": "pin")", R"("type": "weld", "damping": 2)",
+       "block.json:13: bodies[1].joint.damping: a weld has no speed to damp"},
       {R"("parent": "block")", R"("parent": "leg")", "block.json:13: bodies[1].joint.parent: no body before this one"},
       {"[0, 2, 0]", "[0, 0, 0]", "block.json:13: bodies[1].joint.in_parent.rotation.axis: it has no direction"},
       {"[0.1]", "[0.1, 0.2]", "block.json:14: bodies[1].joint.coordinates: this joint has 1 of them, not 2"},
