@@ -23,8 +23,8 @@ struct PairingObservation {
   double max_penetration = 0;                         ///< m
   double patch_area = 0;                              ///< m^2
   Eigen::Vector3d force_G = Eigen::Vector3d::Zero();  ///< on E's body, N
-  Eigen::Vector3d centre_of_force_G =
-      Eigen::Vector3d::Zero();  ///< mean place of its elements by |F_n|, else A_k, m; zero where there are none
+  /// Mean place of its elements by |F_n|, where that is 0 by A_k, m; zero where there are none.
+  Eigen::Vector3d centre_of_force_G = Eigen::Vector3d::Zero();
   double normal_force = 0;      ///< sum of F_n over elements, halved in mode both, N
   double tangential_force = 0;  ///< sum of F_t likewise, N
   Pose pose;                    ///< what the engine was asked, with `velocity`
