@@ -35,9 +35,9 @@ PYBIND11_MODULE(pcm, module) {
       "you\n"
       "can mend raises BadInput, a ValueError.";
   module.attr("__version__") = PCM_VERSION;
-  pybind11::register_exception<pcm::BadInput>(module, "BadInput", PyExc_ValueError).doc() =
+  pybind11::exception<pcm::BadInput>(module, "BadInput", PyExc_ValueError).doc() =
       "Input that you can mend: the text says what is wrong where.";
-  pybind11::register_exception_translator(&raise_bad_input);  // asked before the one that was registered with it
+  pybind11::register_exception_translator(&raise_bad_input);
   pcm::python::register_rows();
   pcm::python::bind_surface(module);
   pcm::python::bind_contact(module);
