@@ -170,10 +170,12 @@ Exit compare_all(const SimulateOptions& options, const Scene& scene, const std::
 
 /// The tables of a run, with what made them.
 void write_tables(const std::filesystem::path& folder, const std::string& tables, const SimulateOptions& options,
-                  const std::string& text, const Scene& scene, bool finished) {
+                  const std::string& text, RecordedRun& run, bool finished) {
+  const Scene& scene = run.simulation().scene();
+  const compare::ColumnUnits units = run_column_units(run.simulation().model().columns());
   compare::ReportFolder report(folder, kRunReport, question_of_run(options.scene, text, scene, finished));
   report.markdown("tables", "# " + (scene.title.empty() ? options.scene : scene.title) + "\n\n" + tables);
-  for (const char* table : {"steps", "series", "states", "spectrum"}) report.csv_there(table, run_column_units());
+  for (const char* table : {"steps", "series", "states", "spectrum"}) report.csv_there(table, units);
   report.finish();
 }
 
@@ -213,7 +215,7 @@ Exit simulate(const SimulateOptions& options) {
   const NotedTable cost = cost_table(options.scene, scene, run.kept()),
                    energies = energy_table(run.kept(), run.observe().energies);
   std::cout << on_screen(cost) << '\n' << on_screen(energies) << std::flush;
-  write_tables(folder, markdown(cost) + "\n" + markdown(energies), options, text, scene, finished);
+  write_tables(folder, markdown(cost) + "\n" + markdown(energies), options, text, run, finished);
   if (!failure.empty()) compare::complain(options.scene + ": " + failure + "; tables, page and stills end there");
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);

@@ -3,6 +3,7 @@
 #include "simulate/model/model.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -327,6 +328,20 @@ Eigen::Index Model::degrees_of_freedom() const {
 
 Eigen::VectorXd Model::start() const {
   return data_->y();
+}
+
+std::vector<StateColumn> Model::columns() const {
+  std::vector<StateColumn> all(static_cast<std::size_t>(size()));
+  const auto put = [&all](const std::vector<StateColumn>& columns, int at) {
+    std::copy(columns.begin(), columns.end(), all.begin() + at);
+  };
+  for (std::size_t b = 0; b < data_->bodies.size(); ++b) {
+    const Body& body = data_->scene.bodies[b];
+    if (body.joint.type == JointType::weld) continue;
+    put(coordinate_columns(body), data_->bodies[b].getFirstQIndex(data_->state));
+    put(speed_columns(body), data_->state.getNQ() + data_->bodies[b].getFirstUIndex(data_->state));
+  }
+  return all;
 }
 
 Eigen::VectorXd Model::normalised(const Eigen::VectorXd& y) const {

@@ -10,6 +10,7 @@
 #include "pcm/contact.h"
 #include "pcm/inputs.h"
 #include "simulate/integrators/integrator.h"
+#include "simulate/model/state_columns.h"
 #include "simulate/scenes/scene.h"
 
 namespace pcm::simulate {
@@ -90,9 +91,10 @@ class Model {
   Model(Model&&) noexcept;
   Model& operator=(Model&&) noexcept;
 
-  Eigen::Index size() const;                ///< of y
-  Eigen::Index degrees_of_freedom() const;  ///< without prescribed ones
-  Eigen::VectorXd start() const;            ///< at t = 0
+  Eigen::Index size() const;                 ///< of y
+  Eigen::Index degrees_of_freedom() const;   ///< without prescribed ones
+  Eigen::VectorXd start() const;             ///< at t = 0
+  std::vector<StateColumn> columns() const;  ///< what the components of y are
   /// The same state with quaternions of length 1, and joints as fast as they are prescribed to be.
   Eigen::VectorXd normalised(const Eigen::VectorXd& y) const;
 

@@ -40,7 +40,7 @@ RecordedRun::RecordedRun(const Scene& scene, const std::string& scene_text, cons
     simulation_.start();
     kept_.checkpoint = simulation_.checkpoint();
     t_found_ = kept_.checkpoint.t;
-    folder_.begin(simulation_.model().size());
+    folder_.begin(simulation_.model().columns());
     folder_.add_state(t_found_, kept_.checkpoint.y);
     folder_.keep(kept_);
   }

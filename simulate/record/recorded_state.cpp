@@ -24,7 +24,9 @@ InitialState recorded_state(const std::filesystem::path& folder, double t) {
   // t.
   if (std::abs(nearest[0] - t) > 2 * std::numeric_limits<double>::epsilon() * t)
     throw BadInput(fmt::format("{}: has no state at t = {} s; the nearest is at {} s", file.string(), t, nearest[0]));
-  return {nearest[0], Eigen::VectorXd::Map(nearest.data() + 1, static_cast<Eigen::Index>(nearest.size()) - 1)};
+  return {nearest[0],
+          Eigen::VectorXd::Map(nearest.data() + 1, static_cast<Eigen::Index>(nearest.size()) - 1),
+          {states.columns.begin() + 1, states.columns.end()}};
 }
 
 }  // namespace pcm::simulate

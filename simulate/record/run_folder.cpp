@@ -119,9 +119,9 @@ std::string series_header(const Scene& scene) {
   return header + "\n";
 }
 
-std::string states_header(Eigen::Index size) {
+std::string states_header(const std::vector<StateColumn>& columns) {
   std::string header = "t";
-  for (Eigen::Index i = 0; i < size; ++i) header += fmt::format(",y{}", i);
+  for (const StateColumn& column : columns) header += "," + column.name;
   return header + "\n";
 }
 
@@ -256,7 +256,7 @@ std::optional<KeptRun> RunFolder::open(std::string& notice) {
   return run;
 }
 
-void RunFolder::begin(Eigen::Index size) {
+void RunFolder::begin(const std::vector<StateColumn>& columns) {
   std::error_code ignored;
   std::filesystem::remove(folder_ / "checkpoint.json", ignored);
   remove_report();
@@ -266,7 +266,7 @@ void RunFolder::begin(Eigen::Index size) {
   write_text_file(folder_ / kTrajectoryIndex, trajectory_index());
   steps_ << "t,size,order,error_test_failures,nonlinear_failures,not_here,not_finite,elements,entered,left,too_deep\n";
   series_ << series_header(scene_);
-  states_ << states_header(size);
+  states_ << states_header(columns);
   spectrum_ << "t,size,least_real,greatest_imaginary,radius\n";
 }
 

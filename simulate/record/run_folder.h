@@ -65,8 +65,8 @@ class RunFolder {
   /// program (`notice` then says so). Throws BadInput where it is of another scene, of another build and finished, or
   /// damaged: that may be worth keeping.
   std::optional<KeptRun> open(std::string& notice);
-  /// Begins anew, with states of this size; whatever run was there is gone.
-  void begin(Eigen::Index size);
+  /// Begins anew, with states of these components; whatever run was there is gone.
+  void begin(const std::vector<StateColumn>& columns);
 
   void add_step(const SimulatedStep& step);
   /// A state at the output's interval.

@@ -93,24 +93,26 @@ Json question_of_comparison(const std::string& scene_name, const std::string& sc
   return question;
 }
 
-compare::ColumnUnits run_column_units() {
-  return {{"t", "s"},
-          {"size", "s"},
-          {"kinetic", "J"},
-          {"gravity", "J"},
-          {"elastic", "J"},
-          {"bumpers", "J"},
-          {"lost_to_damping", "J"},
-          {"lost_to_friction", "J"},
-          {"lost_to_joints", "J"},
-          {"brought_by_motions", "J"},
-          {"depth", "m"},
-          {"area", "m^2"},
-          {"normal_force", "N"},
-          {"tangential_force", "N"},
-          {"least_real", "1/s"},
-          {"greatest_imaginary", "1/s"},
-          {"radius", "1/s"}};
+compare::ColumnUnits run_column_units(const std::vector<StateColumn>& of_states) {
+  compare::ColumnUnits units{{"t", "s"},
+                             {"size", "s"},
+                             {"kinetic", "J"},
+                             {"gravity", "J"},
+                             {"elastic", "J"},
+                             {"bumpers", "J"},
+                             {"lost_to_damping", "J"},
+                             {"lost_to_friction", "J"},
+                             {"lost_to_joints", "J"},
+                             {"brought_by_motions", "J"},
+                             {"depth", "m"},
+                             {"area", "m^2"},
+                             {"normal_force", "N"},
+                             {"tangential_force", "N"},
+                             {"least_real", "1/s"},
+                             {"greatest_imaginary", "1/s"},
+                             {"radius", "1/s"}};
+  for (const StateColumn& column : of_states) units.push_back({column.name, column.unit});
+  return units;
 }
 
 }  // namespace pcm::simulate

@@ -26,7 +26,7 @@ nlohmann::ordered_json question_of_run(const std::string& scene_name, const std:
 nlohmann::ordered_json question_of_comparison(const std::string& scene_name, const std::string& scene_text,
                                               const Scene& scene, const IntegratorComparison& comparison);
 
-/// Of the columns of the tables that run_folder.h lists; coordinates and speeds are each in a unit of its own.
-compare::ColumnUnits run_column_units();
+/// Of the columns of the tables that run_folder.h lists, those of states given.
+compare::ColumnUnits run_column_units(const std::vector<StateColumn>& of_states);
 
 }  // namespace pcm::simulate

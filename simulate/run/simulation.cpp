@@ -59,10 +59,20 @@ void add_step(EnergyFlow& flow, double h, const Powers& begin, const Powers& mid
   flow.motions += integral(&Powers::motions);
 }
 
-void check(const InitialState& from, const Scene& scene, Eigen::Index size) {
-  if (from.y.size() != size)
-    throw BadInput("the state to start from has " + std::to_string(from.y.size()) + " numbers, this scene " +
-                   std::to_string(size) + ": it is of another scene");
+/// Throws BadInput where the states of this scene are not of these components.
+void check_columns(const InitialState& from, const std::vector<StateColumn>& own) {
+  const std::string other = ": it is of a scene with other bodies or joints";
+  const auto size = static_cast<std::size_t>(from.y.size());
+  if (size != own.size() || from.columns.size() != size)
+    throw BadInput("the state to start from has " + std::to_string(size) + " numbers, this scene " +
+                   std::to_string(own.size()) + other);
+  for (std::size_t i = 0; i < size; ++i)
+    if (from.columns[i] != own[i].name)
+      throw BadInput("the state to start from has '" + from.columns[i] + "' where this scene has '" + own[i].name +
+                     "'" + other);
+}
+
+void check(const InitialState& from, const Scene& scene) {
   if (!from.y.allFinite()) throw BadInput("the state to start from is not finite");
   if (!(from.t >= 0 && from.t < scene.duration))
     throw BadInput("the state to start from is not before the end of the scene, its duration");
@@ -83,7 +93,10 @@ std::int64_t multiples_until(double t, double interval, double end) {
 }
 
 Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
-  if (scene_.initial_state) check(*scene_.initial_state, scene_, model_.size());
+  if (scene_.initial_state) {
+    check_columns(*scene_.initial_state, model_.columns());
+    check(*scene_.initial_state, scene_);
+  }
   DifferentialEquation equation;
   equation.size = model_.size();
   equation.derivative = [this](double t, const Eigen::VectorXd& y, Eigen::VectorXd& dydt) {

@@ -120,6 +120,7 @@ struct OutputSettings {
 struct InitialState {
   double t = 0;  ///< s
   Eigen::VectorXd y;
+  std::vector<std::string> columns;  ///< names of y's components (StateColumn), by which another scene's are refused
 };
 
 struct Scene {

@@ -102,6 +102,12 @@ TEST(SimulateCommand, TellsWhatMadeItsTables) {
     "depth_0": "m", "area_0": "m^2", "normal_force_0": "N", "tangential_force_0": "N"})"));
   EXPECT_EQ(units_of("spectrum.csv"), nlohmann::json::parse(R"({"t": "s", "size": "s", "least_real": "1/s",
     "greatest_imaginary": "1/s", "radius": "1/s"})"));
+  const auto of_states = units_of("states.csv");
+  EXPECT_EQ(of_states.size(), 14U);
+  EXPECT_EQ(of_states["block.quaternion_w"], "1");
+  EXPECT_EQ(of_states["block.z"], "m");
+  EXPECT_EQ(of_states["block.omega_z"], "rad/s");
+  EXPECT_EQ(of_states["block.v_z"], "m/s");
   EXPECT_EQ(told["files"]["steps.csv"]["units"], nlohmann::json({{"t", "s"}, {"size", "s"}}));
 }
 

@@ -322,7 +322,7 @@ TEST(RecordedRun, KilledBeforeItsFirstCheckpointBeginsAnew) {
   ASSERT_TRUE(run_in(whole));
   {
     RunFolder folder(killed, "bubbles", scene);
-    folder.begin(Simulation(scene).model().size());
+    folder.begin(Simulation(scene).model().columns());
   }
   ASSERT_TRUE(fs::exists(killed / "scene.json"));
   ASSERT_FALSE(fs::exists(killed / "checkpoint.json"));

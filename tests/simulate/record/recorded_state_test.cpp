@@ -117,6 +117,11 @@ TEST_F(RecordedState, IsRefusedByAnotherSceneAndAtItsEnd) {
   InitialState longer = state;
   longer.y.conservativeResize(20);
   expect_bad_input([&] { Simulation{short_creep_from(longer)}; }, "has 20 numbers, this scene 13");
+  Scene renamed = short_creep_from(state);
+  renamed.bodies[0].name = "slab";
+  expect_bad_input([&] { Simulation{renamed}; },
+                   "has 'block.quaternion_w' where this scene has 'slab.quaternion_w': it is of a scene with other "
+                   "bodies or joints");
   Scene shorter = short_creep_from(state);
   shorter.duration = 0.4;
   expect_bad_input([&] { Simulation{shorter}; }, "is not before the end");
