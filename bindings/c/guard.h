@@ -26,7 +26,8 @@ T& given(T* pointer, const char* name) {
   return *pointer;
 }
 
-/// Writes the text into the caller's memory, where there is any, shortened at a character's border.
+/// Writes the text into the caller's memory, where there is any, as one line of UTF-8: with `?` for bytes that have no
+/// place there, and without its middle where it is too long.
 void write_error(pcm_error* error, std::string_view text) noexcept;
 
 /// Does it and tells what became of it; nothing is thrown.

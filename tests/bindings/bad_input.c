@@ -194,7 +194,7 @@ static void test_evaluations(void) {
   pcm_workspace_dispose(NULL);
 }
 
-// Longer than a pcm_error, of characters of three bytes: shortened between two of them.
+// Longer than a pcm_error, of characters of three bytes: without the middle, cut between two of them, with the reason.
 static void test_long_texts(void) {
   char path[4096] = "";
   for (int i = 0; i < 900; ++i) strcat(path, "\xe2\x82\xac");
@@ -202,7 +202,19 @@ static void test_long_texts(void) {
   pcm_surface* surface;
   EXPECT(pcm_surface_read(path, &surface, &error), PCM_BAD_INPUT, "\xe2\x82\xac");
   const size_t length = strlen(error.text);
-  EXPECT_TRUE(length > sizeof error.text - 4 && length < sizeof error.text && error.text[length - 1] == '\xac');
+  EXPECT_TRUE(length > sizeof error.text - 7 && length < sizeof error.text);
+  EXPECT_TRUE(strstr(error.text, "\xac [...] \xe2") != NULL);
+  EXPECT_TRUE(strstr(error.text, ".obj: ") != NULL && error.text[length - 1] != '\xac');
+}
+
+// A line end, and bytes that are no UTF-8: not begun, not ended, longer than needed, a surrogate, beyond the last.
+static void test_texts_that_are_no_line_of_utf8(void) {
+  pcm_surface* surface;
+  EXPECT(pcm_surface_read("a\nb\x80\xc3.obj", &surface, &error), PCM_BAD_INPUT, "a?b??.obj: ");
+  EXPECT(pcm_surface_read("\xc0\xaf\xe0\x80\xaf\xed\xa0\x80\xf4\x90\x80\x80.obj", &surface, &error), PCM_BAD_INPUT,
+         "????????????.obj: ");
+  EXPECT(pcm_surface_read("\xc3\xa4\xf0\x9f\x98\x80.obj", &surface, &error), PCM_BAD_INPUT,
+         "\xc3\xa4\xf0\x9f\x98\x80.obj: ");
 }
 
 int main(void) {
@@ -212,6 +224,7 @@ int main(void) {
   test_laws_and_pairings();
   test_evaluations();
   test_long_texts();
+  test_texts_that_are_no_line_of_utf8();
   printf("%d failures\n", failures);
   return failures == 0 ? 0 : 1;
 }

@@ -5,39 +5,21 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 
 #include "compare/io/characters_in.h"
+#include "meshes/base/utf8_character.h"
 
 namespace pcm::compare {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Whether XML 1.0 takes the character.
-bool is_xml_character(std::uint32_t code) {
-  if (code < 0x20) return code == '\t' || code == '\n' || code == '\r';
-  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return !is_surrogate && code != 0xFFFE && code != 0xFFFF && code <= 0x10FFFF;
-}
-
 /// How many bytes the character has that the text, which is not empty, begins with; 0 where these bytes are no UTF-8 or
-/// no character that XML takes.
+/// no character that XML 1.0 takes.
 std::size_t size_of_xml_character(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return std::uint32_t{static_cast<unsigned char>(text[k])}; };
-  const std::uint32_t first = byte(0);
-  if (first < 0x80) return is_xml_character(first) ? 1 : 0;
-  if (first < 0xC0 || first >= 0xF8) return 0;
-  const std::size_t size = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-  if (text.size() < size) return 0;
-  std::uint32_t code = first & (0x7FU >> size);
-  for (std::size_t k = 1; k < size; ++k) {
-    if ((byte(k) & 0xC0) != 0x80) return 0;
-    code = code << 6 | (byte(k) & 0x3F);
-  }
-  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};  // a smaller one takes fewer bytes
-  return code >= kLeast[size] && is_xml_character(code) ? size : 0;
+  const auto [code, size] = first_character(text);
+  const bool is_control = code < 0x20 && code != '\t' && code != '\n' && code != '\r';
+  return is_control || code == 0xFFFE || code == 0xFFFF ? 0 : size;
 }
 
 }  // namespace
