@@ -55,10 +55,7 @@ class OneStepSolver final : public Solver {
 
   bool interpolate(double t, Eigen::VectorXd& y) override {
     if (begin_.y.size() == 0) return false;
-    const double size = end_.t - begin_.t, part = (t - begin_.t) / size, rest = 1 - part;
-    const Eigen::VectorXd change = end_.y - begin_.y;
-    y = begin_.y + part * change +
-        part * rest * (rest * (size * begin_.dydt - change) - part * (size * end_.dydt - change));
+    y = cubic_between(begin_, end_, t);
     return true;
   }
 

@@ -6,15 +6,10 @@
 #include <memory>
 
 #include "simulate/integrators/counted_equation.h"
+#include "simulate/integrators/solution_point.h"
 #include "simulate/integrators/solver.h"
 
 namespace pcm::simulate {
-
-/// The solution at t, with its slope f(t, y).
-struct SolutionPoint {
-  double t = 0;
-  Eigen::VectorXd y, dydt;
-};
 
 /// Goes from one point of the solution to the next and estimates the error, knowing nothing of steps before. Answers
 /// other than `given` are those of the equation.

@@ -7,8 +7,8 @@
 #include <exception>
 #include <limits>
 
-#include "simulate/integrators/cubic_interpolant.h"
 #include "simulate/integrators/equation_system.h"
+#include "simulate/integrators/solution_point.h"
 #include "simulate/integrators/solver.h"
 
 namespace pcm::simulate {
@@ -121,7 +121,7 @@ class RungeKuttaMerson final : public Solver {
   SimTK::RungeKuttaMersonIntegrator integrator_;
   bool is_initialized_ = false;
   double least_step_ = 0;
-  StepEnd begin_, end_;  ///< of the last step
+  SolutionPoint begin_, end_;  ///< of the last step
   bool is_asked_ = false, is_stopped_ = false;
   double asked_t_ = 0;
   SimTK::Vector asked_y_, dydt_;

@@ -43,6 +43,8 @@ std::string cost_in_words(const KeptRun& run) {
         "Jacobians by tangents of the pairings: their {} columns asked no engine and are not among the "
         "evaluations.\n\n",
         work.linear_derivatives);
+  if (work.nonlinear_iterations > 0)
+    text += fmt::format("Iterations for the implicit equations: {}.\n", work.nonlinear_iterations);
   const Failures& failures = work.failures;
   return text +
          fmt::format(

@@ -101,6 +101,10 @@ TEST_F(RecordedState, CostIsThatOfTheTimeSimulatedFromIt) {
   EXPECT_NE(table.find("| 2 | 20 |"), std::string::npos) << table;
   EXPECT_EQ(table.find("LSODE"), std::string::npos) << "published rows are of the whole scene";
   EXPECT_EQ(table.find("tangents"), std::string::npos);
+  EXPECT_EQ(table.find("Iterations"), std::string::npos);
+  kept.cost.work.nonlinear_iterations = 208;
+  EXPECT_NE(cost_table("bubbles", scene, kept).notes.find("Iterations for the implicit equations: 208."),
+            std::string::npos);
   kept.cost.work.linear_derivatives = 26;
   EXPECT_NE(cost_table("bubbles", scene, kept).notes.find("their 26 columns asked no engine"), std::string::npos);
 }
