@@ -29,12 +29,19 @@ bool fits(const std::vector<py::ssize_t>& actual, const std::vector<py::ssize_t>
   return true;
 }
 
+/// Whether some numbers are hidden behind a mask, as NumPy's masked arrays have it: what is there is anything.
+bool is_masked(const py::handle& value) {
+  const bool is_plain = Py_TYPE(value.ptr()) == py::detail::npy_api::get().PyArray_Type_;
+  return !is_plain && py::isinstance<py::array>(value) && py::hasattr(value, "mask");
+}
+
 /// An array whose numbers are of one of these kinds (NumPy's dtype.kind) and which has this shape.
 py::array numbers(const py::handle& value, const char* name, std::string_view kinds, const char* kinds_text,
                   const std::vector<py::ssize_t>& shape) {
   const py::array array = py::array::ensure(value);
   if (!array || kinds.find(array.dtype().kind()) == std::string_view::npos)
     throw BadInput(std::string(name) + ": an array of " + kinds_text + " is wanted");
+  if (is_masked(value)) throw BadInput(std::string(name) + ": a masked array; fill in what it hides");
   const std::vector<py::ssize_t> actual(array.shape(), array.shape() + array.ndim());
   if (!fits(actual, shape))
     throw BadInput(std::string(name) + ": an array of shape " + shape_text(shape) + " is wanted, not " +

@@ -60,13 +60,14 @@ std::string scene_text(const std::string& name) {
 }
 
 /// From "T,T,...".
-std::vector<double> still_instants(const std::string& text, double duration) {
+std::vector<double> still_instants(const std::string& text, const Scene& scene) {
   std::vector<double> instants;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const double t = compare::nonnegative_number("--stills", text.substr(begin, end - begin));
-    const std::string flaw = flaw_of_instant(t, instants, duration);
+    const std::string flaw = flaw_of_instant(t, instants, scene.duration);
     if (!flaw.empty()) throw BadInput("--stills: " + flaw);
+    if (t < scene.begin()) throw BadInput(fmt::format("--stills: {} s is before the start, {} s", t, scene.begin()));
     instants.push_back(t);
     begin = end + 1;
   }
@@ -111,7 +112,7 @@ void apply(const SimulateOptions& options, Scene& scene) {
   if (options.from.empty() != options.at.empty()) throw BadInput("--from and --at go together");
   if (!options.from.empty())
     scene.initial_state = recorded_state(options.from, compare::nonnegative_number("--at", options.at));
-  if (options.stills) scene.output.stills = still_instants(*options.stills, scene.duration);
+  if (options.stills) scene.output.stills = still_instants(*options.stills, scene);
 }
 
 class ProgressLine {
@@ -219,7 +220,8 @@ Exit simulate(const SimulateOptions& options) {
   if (!failure.empty()) compare::complain(options.scene + ": " + failure + "; tables, page and stills end there");
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
-  // There is nothing to be seen of what the run has not reached, or does not as --duration and --at have it.
+  // There is nothing to be seen of what the run has not reached, or of the scene's stills does not as --duration and
+  // --at have it.
   std::erase_if(scene.output.stills, [&](double t) { return t < scene.begin() || t > run.kept().checkpoint.t; });
   const std::vector<std::filesystem::path> stills = write_stills(folder, recording, scene.output.stills);
   write_page(folder / "page.html", recording);

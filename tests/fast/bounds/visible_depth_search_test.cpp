@@ -16,11 +16,11 @@ namespace pcm::fast {
 namespace {
 
 using Point = std::array<double, 2>;
-using Corners = std::array<Point, 3>;
+using FlatCorners = std::array<Point, 3>;
 
 /// A slave face, counterclockwise in (s, t), with a depth that is linear there.
 struct Face {
-  Corners corners;
+  FlatCorners corners;
   LinearDepth depth;
   std::array<Index, 3> vertices;
   int facing = -1;
@@ -76,7 +76,7 @@ void expect_depth(const DepthRange& range, double depth) {
   EXPECT_NEAR(range.at_most, depth, 1e-11);
 }
 
-const Corners kAll{{{-4, -4}, {12, -4}, {-4, 12}}};
+const FlatCorners kAll{{{-4, -4}, {12, -4}, {-4, 12}}};
 constexpr double kFloor = 1;  // Depth of a face that all hiders below lie before.
 
 Face floor_everywhere() {

@@ -283,11 +283,11 @@ TEST(SimulateCommand, MakesNoStillOfWhatTheRunDidNotReach) {
 TEST(SimulateCommand, StartsFromARecordedState) {
   const Folder folder(block_over_floor("0.1")), from_it(block_over_floor("0.1"));
   EXPECT_EQ(folder.run().status, 0);
-  const Outcome outcome = from_it.run({"--from", folder.out, "--at", "0.15", "--stills", "0.1,0.2"});
+  const Outcome outcome = from_it.run({"--from", folder.out, "--at", "0.15", "--stills", "0.15,0.2"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(from_it.bytes("states.csv").find("\n0,"), std::string::npos);
   EXPECT_NE(from_it.bytes("states.csv").find("\n0.15,"), std::string::npos);
-  EXPECT_EQ(from_it.stills(), Names{"still_0.2.png"}) << "before the start there is nothing to be seen";
+  EXPECT_EQ(from_it.stills(), (Names{"still_0.15.png", "still_0.2.png"}));
 }
 
 TEST(SimulateCommand, RefusesToStartFromWhatIsNotRecorded) {
@@ -300,6 +300,7 @@ TEST(SimulateCommand, RefusesToStartFromWhatIsNotRecorded) {
       {{"--from", folder.out, "--at", "-1"}, "--at: -1 is negative"},
       {{"--from", folder.out, "--at", "0.2"}, "is not before the end"},
       {{"--from", folder.out + "x", "--at", "0.1"}, "states.csv: can't be read"},
+      {{"--from", folder.out, "--at", "0.15", "--stills", "0.1,0.2"}, "--stills: 0.1 s is before the start, 0.15 s"},
   };
   for (const auto& [options, message] : refusals) {
     SCOPED_TRACE(message);
