@@ -26,7 +26,7 @@ T& given(T* pointer, const char* name) {
   return *pointer;
 }
 
-/// Writes the text into the caller's memory, where there is any, as one line of UTF-8: with `?` for bytes that have no
+/// Writes the text into the caller's memory, where there is any, as one line of UTF-8: with `?` for what has no
 /// place there, and without its middle where it is too long.
 void write_error(pcm_error* error, std::string_view text) noexcept;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings/python/arrays.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -29,10 +30,18 @@ bool fits(const std::vector<py::ssize_t>& actual, const std::vector<py::ssize_t>
   return true;
 }
 
-/// Whether some numbers are hidden behind a mask, as NumPy's masked arrays have it: what is there is anything.
-bool is_masked(const py::handle& value) {
+/// Whether it is one of NumPy's masked arrays, which hide numbers that may be anything.
+bool is_masked_array(const py::handle& value) {
   const bool is_plain = Py_TYPE(value.ptr()) == py::detail::npy_api::get().PyArray_Type_;
-  return !is_plain && py::isinstance<py::array>(value) && py::hasattr(value, "mask");
+  return !is_plain && py::isinstance<py::array>(value) &&
+         py::isinstance(value, py::module_::import("numpy.ma").attr("MaskedArray"));
+}
+
+/// Itself, or one in the list or tuple that it is.
+bool holds_masked_array(const py::handle& value) {
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) return is_masked_array(value);
+  const auto items = py::reinterpret_borrow<py::sequence>(value);
+  return std::any_of(items.begin(), items.end(), [](const py::handle& item) { return is_masked_array(item); });
 }
 
 /// An array whose numbers are of one of these kinds (NumPy's dtype.kind) and which has this shape.
@@ -41,7 +50,8 @@ py::array numbers(const py::handle& value, const char* name, std::string_view ki
   const py::array array = py::array::ensure(value);
   if (!array || kinds.find(array.dtype().kind()) == std::string_view::npos)
     throw BadInput(std::string(name) + ": an array of " + kinds_text + " is wanted");
-  if (is_masked(value)) throw BadInput(std::string(name) + ": a masked array; fill in what it hides");
+  if (holds_masked_array(value))
+    throw BadInput(std::string(name) + ": a masked array; give it filled (numpy.ma.filled)");
   const std::vector<py::ssize_t> actual(array.shape(), array.shape() + array.ndim());
   if (!fits(actual, shape))
     throw BadInput(std::string(name) + ": an array of shape " + shape_text(shape) + " is wanted, not " +

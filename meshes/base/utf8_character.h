@@ -8,10 +8,10 @@
 
 namespace pcm {
 
-/// A character of UTF-8: its number, and how many bytes it has.
+/// A character of UTF-8.
 struct Utf8Character {
-  std::uint32_t code = 0;
-  std::size_t size = 0;  ///< 0: these bytes are none
+  std::uint32_t code = 0;  ///< its number in Unicode; 0 where there is none
+  std::size_t size = 0;    ///< bytes; 0 where there is none
 };
 
 /// The one that the text, which is not empty, begins with (RFC 3629: neither surrogates nor longer forms than needed).
@@ -31,6 +31,14 @@ inline Utf8Character first_character(std::string_view text) {
   const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (code < least || code > 0x10FFFF || is_surrogate) return {};
   return {code, size};
+}
+
+/// Whether a line of text has no place for it: no character at all, a control character, or what ends a line.
+inline bool has_no_place_in_a_line(const Utf8Character& character) {
+  const std::uint32_t code = character.code;
+  const bool is_control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+  const bool ends_line = code == 0x2028 || code == 0x2029;
+  return character.size == 0 || is_control || ends_line;
 }
 
 }  // namespace pcm

@@ -59,6 +59,10 @@ std::string scene_text(const std::string& name) {
   return read_text_file(name);
 }
 
+bool is_before_start(double t, const Scene& scene) {
+  return t < scene.begin() && !same_instant(t, scene.begin());
+}
+
 /// From "T,T,...".
 std::vector<double> still_instants(const std::string& text, const Scene& scene) {
   std::vector<double> instants;
@@ -67,7 +71,8 @@ std::vector<double> still_instants(const std::string& text, const Scene& scene) 
     const double t = compare::nonnegative_number("--stills", text.substr(begin, end - begin));
     const std::string flaw = flaw_of_instant(t, instants, scene.duration);
     if (!flaw.empty()) throw BadInput("--stills: " + flaw);
-    if (t < scene.begin()) throw BadInput(fmt::format("--stills: {} s is before the start, {} s", t, scene.begin()));
+    if (is_before_start(t, scene))
+      throw BadInput(fmt::format("--stills: {} s is before the start, {} s", t, scene.begin()));
     instants.push_back(t);
     begin = end + 1;
   }
@@ -220,9 +225,9 @@ Exit simulate(const SimulateOptions& options) {
   if (!failure.empty()) compare::complain(options.scene + ": " + failure + "; tables, page and stills end there");
   const Recording recording = recording_of_run(folder, scene, run.simulation().model());
   if (options.paraview) write_vtp_series(folder / "paraview", recording);
-  // There is nothing to be seen of what the run has not reached, or of the scene's stills does not as --duration and
-  // --at have it.
-  std::erase_if(scene.output.stills, [&](double t) { return t < scene.begin() || t > run.kept().checkpoint.t; });
+  // Of the scene's own stills those are left out that --from and --at start after, and --duration ends before.
+  std::erase_if(scene.output.stills,
+                [&](double t) { return is_before_start(t, scene) || t > run.kept().checkpoint.t; });
   const std::vector<std::filesystem::path> stills = write_stills(folder, recording, scene.output.stills);
   write_page(folder / "page.html", recording);
   std::cout << "\npage: " << (folder / "page.html").string() << '\n';
@@ -262,7 +267,7 @@ void add_simulate_command(CLI::App& program, compare::Run& run) {
   command->add_option("--duration", options->duration, "In s, in place of the scene's")->type_name("S");
   command
       ->add_option("--from", options->from,
-                   "Start from a state that a run of this scene, or of one with the same bodies and joints, has "
+                   "Start from a state that a run of this scene, or of one with the same moving bodies and joints, has "
                    "recorded in this folder")
       ->type_name("DIR");
   command->add_option("--at", options->at, "In s: which one; the run begins there, its duration counts from t = 0")

@@ -6,16 +6,31 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "meshes/base/utf8_character.h"
+
 namespace pcm::simulate {
 namespace {
 
 using Columns = std::vector<StateColumn>;
 
-/// What would end a cell or a line there does not belong in a column's name.
-std::string in_a_table(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == ',' || c == '"' || (c >= 0 && c < ' '); }, '_');
-  return name;
+/// A body's name with `%` and two hexadecimal digits for each byte of what would end a cell or a line, and of `%`:
+/// other names stay others.
+std::string in_a_table(std::string_view name) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string cell;
+  while (!name.empty()) {
+    const Utf8Character character = first_character(name);
+    const std::string_view bytes = name.substr(0, std::max<std::size_t>(character.size, 1));
+    const bool stays =
+        !has_no_place_in_a_line(character) && std::string_view(",\"%").find(bytes) == std::string_view::npos;
+    if (stays) cell += bytes;
+    for (std::size_t k = 0; k < bytes.size() && !stays; ++k) {
+      const auto byte = static_cast<unsigned char>(bytes[k]);
+      cell += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+    name.remove_prefix(bytes.size());
+  }
+  return cell;
 }
 
 void add(Columns& columns, const Body& body, std::initializer_list<std::string_view> names, const char* unit) {

@@ -11,7 +11,7 @@ namespace pcm::simulate {
 
 /// A component of a state, as tables name it.
 struct StateColumn {
-  std::string name;  ///< "arm.angle": without commas, quotes and control characters
+  std::string name;  ///< "arm.angle"; in a body's name `%2C` stands for a comma, and so on for what tables can't hold
   std::string unit;  ///< SI, "1" of a quaternion's parts
 };
 

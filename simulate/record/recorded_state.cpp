@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pcm/bad_input.h"
 #include "simulate/record/run_folder.h"
@@ -16,13 +15,12 @@ namespace pcm::simulate {
 InitialState recorded_state(const std::filesystem::path& folder, double t) {
   const std::filesystem::path file = folder / "states.csv";
   const NumberTable states = read_number_table(file);
+  if (states.columns.empty() || states.columns[0] != "t") throw BadInput(file.string() + ": is no table of states");
   if (states.rows.empty()) throw BadInput(file.string() + ": holds no state");
   const std::vector<double>& nearest =
       *std::min_element(states.rows.begin(), states.rows.end(),
                         [t](const auto& a, const auto& b) { return std::abs(a[0] - t) < std::abs(b[0] - t); });
-  // Times are products of a whole number and an interval as it was read, each rounded to half an ulp of its own; so is
-  // t.
-  if (std::abs(nearest[0] - t) > 2 * std::numeric_limits<double>::epsilon() * t)
+  if (!same_instant(nearest[0], t))
     throw BadInput(fmt::format("{}: has no state at t = {} s; the nearest is at {} s", file.string(), t, nearest[0]));
   return {nearest[0],
           Eigen::VectorXd::Map(nearest.data() + 1, static_cast<Eigen::Index>(nearest.size()) - 1),

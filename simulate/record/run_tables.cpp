@@ -44,7 +44,7 @@ std::string cost_in_words(const KeptRun& run) {
         "evaluations.\n\n",
         work.linear_derivatives);
   if (work.nonlinear_iterations > 0)
-    text += fmt::format("Iterations for the implicit equations: {}.\n", work.nonlinear_iterations);
+    text += fmt::format("Iterations for the implicit equations: {}.\n\n", work.nonlinear_iterations);
   const Failures& failures = work.failures;
   return text +
          fmt::format(

@@ -66,7 +66,7 @@ class Simulation {
   /// For a scene in which some body can move. Throws BadInput where the initial state is that of another scene, or not
   /// before the end.
   explicit Simulation(const Scene& scene);
-  Simulation(const Simulation&) = delete;  // its integrator's equation is its own
+  Simulation(const Simulation&) = delete;  // the integrator's equation holds `this`
   Simulation& operator=(const Simulation&) = delete;
 
   /// As it starts, at t = 0 or from the scene's initial state, or goes on. Throws BadInput where bodies of a pairing

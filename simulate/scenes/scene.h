@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -136,5 +138,11 @@ struct Scene {
 
   double begin() const { return initial_state ? initial_state->t : 0; }  ///< s
 };
+
+/// Whether two times, s, are the same product of a whole number and an interval: each is rounded by half an ulp, and so
+/// may be the interval as it was read.
+inline bool same_instant(double a, double b) {
+  return std::abs(a - b) <= 2 * std::numeric_limits<double>::epsilon() * std::abs(b);
+}
 
 }  // namespace pcm::simulate

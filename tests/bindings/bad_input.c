@@ -210,6 +210,7 @@ static void test_long_texts(void) {
 // A line end, and bytes that are no UTF-8: not begun, not ended, longer than needed, a surrogate, beyond the last.
 static void test_texts_that_are_no_line_of_utf8(void) {
   pcm_surface* surface;
+  EXPECT(pcm_surface_read("a\tb\x7f\xc2\x85\xe2\x80\xa8.obj", &surface, &error), PCM_BAD_INPUT, "a?b???.obj: ");
   EXPECT(pcm_surface_read("a\nb\x80\xc3.obj", &surface, &error), PCM_BAD_INPUT, "a?b??.obj: ");
   EXPECT(pcm_surface_read("\xc0\xaf\xe0\x80\xaf\xed\xa0\x80\xf4\x90\x80\x80.obj", &surface, &error), PCM_BAD_INPUT,
          "????????????.obj: ");

@@ -63,7 +63,10 @@ class Refusals(unittest.TestCase):
         evaluate = pairing().evaluate
         self.expect("A: an array of shape (3, 3) is wanted, not (9,)", evaluate, IDENTITY.ravel(), R)
         self.expect("r: an array of shape (3,) is wanted, not (2,)", evaluate, IDENTITY, [0, 0])
-        self.expect("r: a masked array", evaluate, IDENTITY, np.ma.masked_array([0.0, 0, 0], [0, 1, 0]))
+        masked = np.ma.masked_array([0.0, 0, 0], [0, 1, 0])
+        self.expect("r: a masked array; give it filled", evaluate, IDENTITY, masked)
+        self.expect("A: a masked array", evaluate, [masked, masked, masked], R)
+        self.expect("A: a masked array", evaluate, (masked, [0, 1, 0], [0, 0, 1]), R)
         self.expect("A: an array of numbers", evaluate, None, R)
         self.expect("finite", evaluate, IDENTITY, [NAN, 0, 0])
         self.expect("finite", evaluate, IDENTITY, R, [NAN, 0, 0])

@@ -104,10 +104,10 @@ TEST(SimulateCommand, TellsWhatMadeItsTables) {
     "greatest_imaginary": "1/s", "radius": "1/s"})"));
   const auto of_states = units_of("states.csv");
   EXPECT_EQ(of_states.size(), 14U);
-  EXPECT_EQ(of_states["block.quaternion_w"], "1");
-  EXPECT_EQ(of_states["block.z"], "m");
-  EXPECT_EQ(of_states["block.omega_z"], "rad/s");
-  EXPECT_EQ(of_states["block.v_z"], "m/s");
+  EXPECT_EQ(of_states.at("block.quaternion_w"), "1");
+  EXPECT_EQ(of_states.at("block.z"), "m");
+  EXPECT_EQ(of_states.at("block.omega_z"), "rad/s");
+  EXPECT_EQ(of_states.at("block.v_z"), "m/s");
   EXPECT_EQ(told["files"]["steps.csv"]["units"], nlohmann::json({{"t", "s"}, {"size", "s"}}));
 }
 
@@ -288,6 +288,18 @@ TEST(SimulateCommand, StartsFromARecordedState) {
   EXPECT_EQ(from_it.bytes("states.csv").find("\n0,"), std::string::npos);
   EXPECT_NE(from_it.bytes("states.csv").find("\n0.15,"), std::string::npos);
   EXPECT_EQ(from_it.stills(), (Names{"still_0.15.png", "still_0.2.png"}));
+}
+
+TEST(SimulateCommand, StartsAndMakesAStillWhereTheRecordedTimeIsRounded) {
+  ASSERT_LT(0.15, 3 * 0.05);
+  std::string text = block_over_floor("0.1");
+  text.insert(text.rfind('}'), R"(, "output": {"interval": 0.05, "stills": [0.1, 0.15]})");
+  const Folder folder(text), by_scene(text), by_option(text);
+  EXPECT_EQ(folder.run().status, 0);
+  EXPECT_EQ(by_scene.run({"--from", folder.out, "--at", "0.15"}).status, 0);
+  EXPECT_EQ(by_scene.stills(), Names{"still_0.15.png"});
+  EXPECT_EQ(by_option.run({"--from", folder.out, "--at", "0.15", "--stills", "0.15"}).status, 0);
+  EXPECT_EQ(by_option.stills(), Names{"still_0.15.png"});
 }
 
 TEST(SimulateCommand, RefusesToStartFromWhatIsNotRecorded) {

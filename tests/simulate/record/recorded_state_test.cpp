@@ -114,18 +114,26 @@ TEST_F(RecordedState, IsRefusedWhereThereIsNone) {
                    "states.csv: has no state at t = 0.25 s; the nearest is at 0.");
   expect_bad_input([&] { recorded_state(whole, 0.6); }, "the nearest is at 0.5 s");
   expect_bad_input([&] { recorded_state(temporary.path("nowhere"), 0); }, "states.csv: can't be read");
+  for (const char* text : {"\n\n", "", "time,y\n0,1\n"}) {
+    std::ofstream(whole / "states.csv") << text;
+    expect_bad_input([&] { recorded_state(whole, 0); }, "states.csv: is no table of states");
+  }
 }
 
 TEST_F(RecordedState, IsRefusedByAnotherSceneAndAtItsEnd) {
   const InitialState state = recorded_state(whole, 0.4);
   InitialState longer = state;
   longer.y.conservativeResize(20);
+  longer.columns.resize(20);
   expect_bad_input([&] { Simulation{short_creep_from(longer)}; }, "has 20 numbers, this scene 13");
   Scene renamed = short_creep_from(state);
   renamed.bodies[0].name = "slab";
   expect_bad_input([&] { Simulation{renamed}; },
-                   "has 'block.quaternion_w' where this scene has 'slab.quaternion_w': it is of a scene with other "
-                   "bodies or joints");
+                   "has 'block.quaternion_w' where this scene has 'slab.quaternion_w': it is of a scene whose bodies, "
+                   "their order or their joints are others");
+  InitialState last = state;
+  last.columns.back() = "block.rate";
+  expect_bad_input([&] { Simulation{short_creep_from(last)}; }, "has 'block.rate' where this scene has 'block.v_z'");
   Scene shorter = short_creep_from(state);
   shorter.duration = 0.4;
   expect_bad_input([&] { Simulation{shorter}; }, "is not before the end");

@@ -48,8 +48,9 @@ enum {
   PCM_INTERNAL_ERROR = 4,  ///< a bug of ours
 };
 
-/// Why a call failed, as one line of UTF-8 that ends in a zero byte: `?` stands for bytes of a path that have no place
-/// there, ` [...] ` for the middle of what is too long. Empty where the call did not fail. Wherever a pcm_error is passed it may be NULL.
+/// Why a call failed, as one line of UTF-8 that ends in a zero byte: `?` stands for bytes that are no UTF-8 and for
+/// control characters, ` [...] ` for the middle of what is too long. Empty where the call did not fail. Wherever a
+/// pcm_error is passed it may be NULL.
 typedef struct pcm_error {
   char text[1024];
 } pcm_error;
