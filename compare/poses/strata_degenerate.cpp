@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "compare/poses/exact_arithmetic.h"
+#include "compare/poses/rotation.h"
 #include "compare/poses/rounded_vertices.h"
 #include "compare/poses/strata.h"
 
@@ -248,17 +249,54 @@ Attempt stacked(const FeaturePair& pair, PoseRandom& random) {
 // Coordinates that fill all 53 bits make most differences round; some feature of a large surface then still fits.
 constexpr int kMostAttempts = 256;
 
-/// Off by up to 2^-33 in each entry: A^T A - I stays below 1e-9.
-void drift(Eigen::Matrix3d& A, PoseRandom& random) {
+/// More than the engine takes, so that what is left of it often comes close to that.
+constexpr double kGreatestDrift = 0x1p-30;
+
+/// In each entry another drift, up to the greatest.
+Eigen::Matrix3d draw_drift(PoseRandom& random, double greatest) {
+  Eigen::Matrix3d D;
   for (int k = 0; k < 9; ++k) {
-    const double step = random.log_uniform(0x1p-52, 0x1p-33);
-    A(k / 3, k % 3) += random.coin() ? step : -step;
+    const double step = random.log_uniform(0x1p-52, greatest);
+    D(k / 3, k % 3) = random.coin() ? step : -step;
   }
+  return D;
+}
+
+/// Off by that, or by a half or a quarter of it, so that the engine still takes it: max |A^T A - I| is at most 1e-9.
+Eigen::Matrix3d drifted(const Eigen::Matrix3d& A, Eigen::Matrix3d D) {
+  while (!is_rotation(A + D)) D *= 0.5;
+  return A + D;
+}
+
+/// Coplanar faces whose coordinate along their axis the drift only stretches, by the same amount at every vertex.
+Attempt drifted_coplanar_faces(const FeaturePair& pair, PoseRandom& random) {
+  if (pair.E.axis_faces.empty() || pair.F.axis_faces.empty()) return std::nullopt;
+  const AxisFace& on_E = pair.E.axis_faces[random.below(pair.E.axis_faces.size())];
+  const AxisFace& on_F = pair.F.axis_faces[random.below(pair.F.axis_faces.size())];
+  const int sign = on_E.sign * on_F.sign * (random.coin() ? 1 : -1);
+  const Eigen::Matrix3d exact = cube_rotation(on_F.axis, on_E.axis, sign, random);
+  Eigen::Matrix3d D = draw_drift(random, kGreatestDrift);
+  for (int j = 0; j < 3; ++j)
+    if (j != on_F.axis) D(on_E.axis, j) = 0;
+  WatchedArithmetic unwatched;
+  const Eigen::Vector3d x_E = point_on_face(pair.E, on_E.face, random, unwatched);
+  const Eigen::Vector3d x_F = point_on_face(pair.F, on_F.face, random, unwatched);
+  DrawnPose drawn;
+  drawn.pose.A = drifted(exact, D);
+  drawn.pose.r = x_E - ordered_product(drawn.pose.A, x_F);
+  WatchedArithmetic arithmetic;
+  const double height = drawn.pose.A(on_E.axis, on_F.axis) *
+                        vertex(pair.F, pair.F.mesh.faces[static_cast<std::size_t>(on_F.face)][0])[on_F.axis];
+  drawn.pose.r[on_E.axis] =
+      arithmetic.plus(vertex(pair.E, pair.E.mesh.faces[static_cast<std::size_t>(on_E.face)][0])[on_E.axis], -height);
+  drawn.construction = "drifted, coplanar faces";
+  drawn.exact = arithmetic.exact();
+  return drawn.exact ? Attempt(drawn) : std::nullopt;
 }
 
 Attempt drifted_onto_feature(const FeaturePair& pair, PoseRandom& random) {
-  Eigen::Matrix3d A = draw_rotation(random);
-  drift(A, random);
+  const Eigen::Matrix3d exact = draw_rotation(random);
+  const Eigen::Matrix3d A = drifted(exact, draw_drift(random, kGreatestDrift));
   const Eigen::Vector3d x_F = draw_vertex(pair.F, random);
   WatchedArithmetic arithmetic;
   switch (random.below(3)) {
@@ -278,10 +316,12 @@ Attempt drifted_onto_feature(const FeaturePair& pair, PoseRandom& random) {
 }  // namespace
 
 DrawnPose draw_drifted(const FeaturePair& pair, PoseRandom& random) {
+  const bool coplanar = random.below(4) == 0;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt)
-    if (const Attempt drawn = drifted_onto_feature(pair, random)) return *drawn;
+    if (const Attempt drawn = coplanar ? drifted_coplanar_faces(pair, random) : drifted_onto_feature(pair, random))
+      return *drawn;
   DrawnPose nearly = draw_degenerate(pair, random);
-  drift(nearly.pose.A, random);
+  nearly.pose.A = drifted(nearly.pose.A, draw_drift(random, kGreatestDrift));
   nearly.construction = "drifted";
   nearly.exact = false;
   return nearly;
@@ -314,7 +354,7 @@ void move_by_ulps(const FeaturePair& pair, PoseRandom& random, DrawnPose& drawn)
     double& r = drawn.pose.r[j];
     r += steps * ulp_of(own_ulps && r != 0 ? r : std::max(std::abs(r), scale));
   }
-  if (random.below(4) == 0) drift(drawn.pose.A, random);
+  if (random.below(4) == 0) drawn.pose.A = drifted(drawn.pose.A, draw_drift(random, 0x1p-33));
   drawn.exact = false;
 }
 

@@ -56,12 +56,12 @@ std::string option_of(std::string_view key) {
 void leave_out_extreme(const ContactLaw& law, VerificationPlan& plan, std::vector<std::string>& notices) {
   const auto extreme = std::find(plan.strata.begin(), plan.strata.end(), Stratum::extreme);
   if (extreme == plan.strata.end()) return;
-  for (const auto& [key, x] : numbers_of(law)) {
-    if (is_zero_infinite_or_between(x, kLeastOfExtreme, kGreatestOfExtreme)) continue;
+  for (const LawNumber& number : numbers_of(law)) {
+    if (is_zero_infinite_or_between(number.value, kLeastOfExtreme, kGreatestOfExtreme)) continue;
     const std::string why = fmt::format(
         "stratum extreme: with {} of {:g} forces leave the range of doubles; from 2^-40 to 2^40 (9e-13 to 1e12) they "
         "do not",
-        option_of(key), x);
+        option_of(number.key), number.value);
     if (plan.strata_named) throw BadInput(why);
     notices.push_back(why + "; the stratum is left out");
     plan.strata.erase(extreme);

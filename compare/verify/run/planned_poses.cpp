@@ -90,9 +90,14 @@ void PlannedPoses::prepare_pairings() {
       held_pairings_[i].usual.push_back(held(pair.E, pair.F));
       for (const auto& [mesh_E, mesh_F] : pair.variants) held_pairings_[i].usual.push_back(held(mesh_E, mesh_F));
       if (!pair.motion.empty()) return;
-      if (wants_extreme && pair.for_hard_strata && !pair.made_to_hurt && pair.faces() <= kMostExtremeFaces) {
-        for (std::size_t k = 0; k < kExtremes; ++k) {
-          const auto [mesh_E, mesh_F] = extreme_meshes(pair.E, pair.F, k);
+      if (wants_extreme && pair.for_hard_strata && pair.faces() <= kMostExtremeFaces) {
+        // Of a family each pair is taken to one extreme after the other.
+        const std::size_t count = std::max(kExtremes, pair.variants.size() + 1);
+        for (std::size_t k = 0; k < count; ++k) {
+          const std::size_t variant = k % (pair.variants.size() + 1);
+          const TriangleMesh& of_E = variant == 0 ? pair.E : pair.variants[variant - 1][0];
+          const TriangleMesh& of_F = variant == 0 ? pair.F : pair.variants[variant - 1][1];
+          const auto [mesh_E, mesh_F] = extreme_meshes(of_E, of_F, k % kExtremes);
           held_pairings_[i].extreme.push_back(held(mesh_E, mesh_F));
         }
       }

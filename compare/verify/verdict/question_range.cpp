@@ -13,11 +13,14 @@
 namespace pcm::compare {
 
 std::vector<LawNumber> numbers_of(const ContactLaw& law) {
+  const auto threshold = [](std::string_view key, double value) {
+    return LawNumber{key, value, kLeastThreshold, kGreatestThreshold};
+  };
   std::vector<LawNumber> numbers{{"damping", law.damping},
-                                 {"transition_depth", law.transition_depth},
+                                 threshold("transition_depth", law.transition_depth),
                                  {"friction", law.friction},
-                                 {"slip_velocity", law.slip_velocity},
-                                 {"max_penetration", law.max_penetration}};
+                                 threshold("slip_velocity", law.slip_velocity),
+                                 threshold("max_penetration", law.max_penetration)};
   if (law.layers) {
     numbers.push_back({"stiffness_E", law.layers->c_E});
     numbers.push_back({"stiffness_F", law.layers->c_F});
@@ -33,12 +36,14 @@ bool is_zero_infinite_or_between(double x, double least, double greatest) {
 
 void require_in_range(const ContactLaw& law, std::string (*name)(std::string_view key)) {
   fast::require_valid(law);
-  for (const auto& [key, x] : numbers_of(law)) {
-    if (is_zero_infinite_or_between(x, kLeastOfLaw, kGreatestOfLaw)) continue;
+  for (const LawNumber& number : numbers_of(law)) {
+    if (is_zero_infinite_or_between(number.value, number.least, number.greatest)) continue;
     throw BadInput(
-        fmt::format("{}: {} is so {} that the verdict's bounds need not hold; from 2^-200 to 2^200 (6e-61 to 2e60) "
+        fmt::format("{}: {} is so {} that the verdict's bounds need not hold; from 2^{} to 2^{} ({:.0e} to {:.0e}) "
                     "they do",
-                    name == nullptr ? std::string(key) : name(key), x, x < 1 ? "small" : "large"));
+                    name == nullptr ? std::string(number.key) : name(number.key), number.value,
+                    number.value < 1 ? "small" : "large", std::ilogb(number.least), std::ilogb(number.greatest),
+                    number.least, number.greatest));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "compare/poses/strata.h"
+#include "fast/base/geometry.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/round.h"
 #include "pcm/check.h"
@@ -93,6 +94,42 @@ TEST(StratumExtreme, DriftedRotationsBringAVertexExactlyOntoAFeature) {
     EXPECT_TRUE(meets) << i;
   }
   EXPECT_GE(exact, 10);
+}
+
+TEST(StratumExtreme, DriftedRotationsAreOffByUpToWhatTheEngineTakes) {
+  const TriangleMesh cube = generate::box({1, 1, 1});
+  const FeaturePair pair(cube, cube);
+  double greatest = 0;
+  int drifted = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    const DrawnPose drawn = draw_pose(Stratum::extreme, pair, PoseRandom(5, 6, 7, i));
+    if (!drawn.construction.starts_with("drifted")) continue;
+    ++drifted;
+    const double error = fast::orthogonality_error(drawn.pose.A);
+    EXPECT_LE(error, 1e-9) << i;
+    greatest = std::max(greatest, error);
+  }
+  EXPECT_GE(drifted, 60);
+  EXPECT_GE(greatest, 9e-10);
+}
+
+TEST(StratumExtreme, DriftedFacesLieExactlyInOnePlaneAllTheSame) {
+  const TriangleMesh cube = generate::box({1, 1, 1});
+  const FeaturePair pair(cube, cube);
+  int coplanar = 0;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    const DrawnPose drawn = draw_pose(Stratum::extreme, pair, PoseRandom(5, 6, 7, i));
+    if (drawn.construction != "drifted, coplanar faces") continue;
+    ++coplanar;
+    int four_in_a_plane = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double height : {-0.5, 0.5})
+        four_in_a_plane += std::count_if(cube.vertices.begin(), cube.vertices.end(), [&](const Eigen::Vector3d& x) {
+                             return (ordered_product(drawn.pose.A, x) + drawn.pose.r)[axis] == height;
+                           }) == 4;
+    EXPECT_GE(four_in_a_plane, 1) << i;
+  }
+  EXPECT_GE(coplanar, 10);
 }
 
 }  // namespace

@@ -2,24 +2,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/compare/verify/routes/held_altered.h"
 
+#include <memory>
 #include <vector>
 
+#include "compare/poses/extreme_meshes.h"
 #include "compare/verify/routes/held_pairing.h"
 #include "compare/verify/routes/state_draw.h"
 #include "tests/compare/small_pair.h"
 
 namespace pcm::compare {
 
+namespace {
+
+std::vector<std::unique_ptr<HeldPairing>> extreme_pairings(const SurfacePair& pair, const HeldPairing::Modes& modes) {
+  std::vector<std::unique_ptr<HeldPairing>> held;
+  for (std::size_t k = 0; k < kExtremes; ++k) {
+    const auto [E, F] = extreme_meshes(pair.E, pair.F, k);
+    held.push_back(std::make_unique<HeldPairing>(E, F, ContactLaw{}, modes));
+  }
+  return held;
+}
+
+/// The small pair as the stratum takes it; in extreme one extreme after the other.
+const HeldPairing& pairing_for(Stratum stratum, std::size_t number) {
+  static const SurfacePair pair = small_pair();
+  static const HeldPairing::Modes modes{Mode::E, Mode::F, Mode::both};
+  static const HeldPairing usual(pair.E, pair.F, ContactLaw{}, modes);
+  static const HeldPairing nested(*nested_meshes(pair.E, pair.F), ContactLaw{}, modes);
+  static const std::vector<std::unique_ptr<HeldPairing>> extreme = extreme_pairings(pair, modes);
+  if (stratum == Stratum::nested) return nested;
+  return stratum == Stratum::extreme ? *extreme[number % kExtremes] : usual;
+}
+
+}  // namespace
+
 Held hold_altered(const AlteringSeam& seam, Stratum stratum, Scheme scheme, int enough, int most_poses) {
-  const SurfacePair pair = small_pair();
-  static const HeldPairing usual(pair.E, pair.F, ContactLaw{}, HeldPairing::Modes{Mode::E, Mode::F, Mode::both});
-  static const HeldPairing nested(*nested_meshes(pair.E, pair.F), ContactLaw{},
-                                  HeldPairing::Modes{Mode::E, Mode::F, Mode::both});
-  const HeldPairing& pairing = stratum == Stratum::nested ? nested : usual;
   fast::Workspace workspace;
   Held held;
   for (int i = 0; i < most_poses && held.altered < enough; ++i) {
     const auto number = static_cast<std::uint64_t>(i);
+    const HeldPairing& pairing = pairing_for(stratum, number);
     const DrawnPose drawn = draw_pose(stratum, pairing.features(), PoseRandom(kSeed, 0, 0, number));
     const HeldPairing::State state =
         draw_state(pairing, stratum, drawn, scheme, PoseRandom(kSeed, 0, 0, number, Purpose::law),

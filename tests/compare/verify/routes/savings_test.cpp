@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "compare/contact/contact_json.h"
+#include "compare/poses/extreme_meshes.h"
 #include "compare/poses/pairs.h"
 #include "compare/poses/strata.h"
 #include "fast/base/geometry.h"
@@ -69,9 +71,14 @@ struct Bodies {
   TriangleMesh E, F;
 };
 
-/// The bodies as the stratum takes them: for nested made fit, none where they can't be.
-std::optional<NestedMeshes> meshes_for(Stratum stratum, const Bodies& bodies) {
+/// The bodies as the stratum takes them: for nested made fit, none where they can't be; for extreme one extreme after
+/// the other.
+std::optional<NestedMeshes> meshes_for(Stratum stratum, const Bodies& bodies, std::size_t number) {
   if (stratum == Stratum::nested) return nested_meshes(bodies.E, bodies.F);
+  if (stratum == Stratum::extreme) {
+    auto [E, F] = extreme_meshes(bodies.E, bodies.F, number % kExtremes);
+    return NestedMeshes{std::move(E), std::move(F), {}, Side::E};
+  }
   return NestedMeshes{bodies.E, bodies.F, {}, Side::E};
 }
 
@@ -86,11 +93,11 @@ TEST_P(SavingsOverStrata, EachSwitchedOffChangesNoBitOfAnyAnswer) {
   fast::Workspace one, other;
   int touching = 0, looked_at = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const std::optional<NestedMeshes> bodies = meshes_for(GetParam(), pairs[p]);
-    if (!bodies) continue;
-    const FeaturePair features(*bodies);
-    const fast::Surface E(bodies->E), F(bodies->F);
     for (std::size_t pose = 0; pose < 12; ++pose) {
+      const std::optional<NestedMeshes> bodies = meshes_for(GetParam(), pairs[p], 12 * p + pose);
+      if (!bodies) continue;
+      const FeaturePair features(*bodies);
+      const fast::Surface E(bodies->E), F(bodies->F);
       const DrawnPose drawn =
           draw_pose(GetParam(), features, PoseRandom(31, static_cast<std::uint64_t>(GetParam()), p, pose));
       const ContactLaw law = verification_law(pose, bodies->E, bodies->F);
@@ -127,10 +134,10 @@ TEST_P(SavingsOverStrata, OracleLiftsFacesNearAndEverywhereWithTheSameBits) {
                                      {generate::rectangle(1, 1, 2, 2), generate::torus(0.5, 0.25, 6, 4)}}};
   std::size_t near_pairs = 0, all_pairs = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const std::optional<NestedMeshes> bodies = meshes_for(GetParam(), pairs[p]);
-    if (!bodies) continue;
-    const FeaturePair features(*bodies);
-    for (std::size_t pose = 0; pose < 4; ++pose) {
+    for (std::size_t pose = 0; pose < 6; ++pose) {
+      const std::optional<NestedMeshes> bodies = meshes_for(GetParam(), pairs[p], 6 * p + pose);
+      if (!bodies) continue;
+      const FeaturePair features(*bodies);
       const DrawnPose drawn =
           draw_pose(GetParam(), features, PoseRandom(33, static_cast<std::uint64_t>(GetParam()), p, pose));
       const ContactLaw law = verification_law(pose, bodies->E, bodies->F);

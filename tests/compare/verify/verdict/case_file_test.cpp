@@ -11,8 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/poses/extreme_meshes.h"
 #include "compare/poses/strata.h"
 #include "compare/verify/routes/held_pairing.h"
+#include "compare/verify/routes/state_draw.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 #include "pcm/write_obj.h"
@@ -76,6 +78,29 @@ TEST_F(CaseFiles, ReadBackBitForBitWithMeshesInline) {
   const Case read = read_case(folder_ / "case.json");
   expect_same_question(read, written);
   EXPECT_EQ(read.disagreements, written.disagreements);
+}
+
+// Thresholds are drawn at depths and speeds of the bodies, be they 2^-240 m large.
+TEST_F(CaseFiles, OfExtremeQuestionsReadBackBitForBit) {
+  const SurfacePair pair = small_pair();
+  for (std::uint64_t i = 0; i < 4 * kExtremes; ++i) {
+    SCOPED_TRACE(i);
+    const auto [E, F] = extreme_meshes(pair.E, pair.F, i % kExtremes);
+    const HeldPairing held(E, F, ContactLaw{}, Mode::both);
+    const DrawnPose drawn = draw_pose(Stratum::extreme, held.features(), PoseRandom(1, 5, 0, i));
+    const HeldPairing::State state =
+        draw_state(held, Stratum::extreme, drawn, i % 2 == 0 ? Scheme::barycentric : Scheme::clipped,
+                   PoseRandom(1, 5, 0, i, Purpose::law), PoseRandom(1, 5, 0, i, Purpose::velocity));
+    Case written;
+    written.E = E;
+    written.F = F;
+    written.pose = state.pose;
+    written.velocity = state.velocity;
+    written.law = state.law;
+    written.scheme = state.scheme;
+    write_text_file(folder_ / "case.json", format_case(written, {}, {}));
+    expect_same_question(read_case(folder_ / "case.json"), written);
+  }
 }
 
 TEST_F(CaseFiles, ReadBackBitForBitWithMeshesByPathAndRefuseChangedOnes) {
