@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 #include "pcm/triangle_mesh.h"
 
@@ -21,6 +22,10 @@ TriangleMesh keel();
 
 /// Tetrahedron with its upper edge on the y axis from -1 to 1 and its lower edge below the x axis in z = -1.
 TriangleMesh ridge();
+
+/// The surface of a union of unit cubes, each given by its corner of least coordinates. Cubes must not meet in an edge
+/// or a vertex alone: the surface would not be a manifold there.
+TriangleMesh union_of_cubes(const std::vector<std::array<int, 3>>& corners);
 
 /// Both surfaces as components of one.
 TriangleMesh joined(TriangleMesh first, const TriangleMesh& second);

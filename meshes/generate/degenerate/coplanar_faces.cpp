@@ -28,6 +28,13 @@ Case turned_about_z(Case original, std::string name, std::string shows) {
   return original;
 }
 
+Case turned_upside_down(Case original, std::string name, std::string shows) {
+  original.name = std::move(name);
+  original.shows = std::move(shows);
+  original.A << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  return original;
+}
+
 Case with_F(Case original, TriangleMesh mesh_F) {
   original.F = std::move(mesh_F);
   return original;
@@ -54,6 +61,10 @@ std::vector<Case> coplanar_faces() {
              generate::box({0, 0, 0}, {1, 1, 1})),
       turned_about_z(copies("", "", centred, {0, 0, 2}, 0), "stacked_boxes_quarter_turn",
                      "opposite faces coincide, their diagonals cross"),
+      turned_upside_down(copies("", "", centred, {0, 0, 2}, 0), "stacked_boxes_half_turn",
+                         "opposite faces coincide, F turned by 180 degrees about x"),
+      copies("grids_a_third_apart", "faces in a grid on such faces, moved by a third of their spacing",
+             generate::gridded_box(6, 2), {1, 2, 6}, 0),
       copies("stacked_boxes_tiny", "opposite faces coincide, size 2^-99", placed(cube, tiny, 0), {0, 0, 2 * tiny}, 0),
       copies("stacked_boxes_huge", "opposite faces coincide, size 2^101", placed(cube, huge, 0), {0, 0, 2 * huge}, 0),
       copies("stacked_boxes_far", "opposite faces coincide, 2^40 from the origin", placed(cube, 1, far), {0, 0, 2}, 0),
@@ -71,6 +82,9 @@ std::vector<Case> coplanar_faces() {
       with_F(copies("sliver_flush", "F is a box of aspect 2^27 with one end in the plane of E's flank",
                     generate::box({0, 0, 0}, {4, 4, 2}), {3.5, 1, 2}, std::ldexp(1.0, -28)),
              generate::box({1, std::ldexp(1.0, -27), 1})),
+      with_F(copies("needle", "F is a box of aspect 2^50 stuck into E", generate::box({0, 0, 0}, {4, 4, 2}), {3, 1, 2},
+                    std::ldexp(1.0, -51)),
+             generate::box({1, std::ldexp(1.0, -50), 1})),
   };
 }
 

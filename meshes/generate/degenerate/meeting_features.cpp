@@ -5,6 +5,20 @@
 #include "meshes/generate/degenerate/catalogue.h"
 
 namespace pcm::degenerate {
+namespace {
+
+/// Two arms along x, one above the other, joined at x = 1.
+TriangleMesh clamp() {
+  std::vector<std::array<int, 3>> cubes;
+  for (const int j : {1, 2}) {
+    cubes.push_back({1, j, 1});
+    for (int i = 1; i < 6; ++i)
+      for (const int k : {0, 2}) cubes.push_back({i, j, k});
+  }
+  return union_of_cubes(cubes);
+}
+
+}  // namespace
 
 std::vector<Case> meeting_features() {
   // The block's top, z = 2, is split along the diagonal from (0, 0) to (4, 4).
@@ -44,6 +58,14 @@ std::vector<Case> meeting_features() {
                    1.0 / 12, {0, 0, -0.5}),
       shifted_pair("penetration_line_through_edge", "a barycentre's normal line meets F in an edge", funnel, keel(),
                    1.0 / 3, {0, 0, -0.5}),
+      shifted_pair("penetration_line_through_sheets",
+                   "a barycentre's normal line leaves F, enters it again and leaves it",
+                   generate::box({0.25, 0.375, -8}, {6.25, 6.375, 2.5}), clamp(), 17, {0, 0, 0}),
+      // Barycentres of the top: (4, 2) and (2, 4).
+      shifted_pair("penetration_line_in_face", "a barycentre's normal line lies in the plane of a face of F, inside it",
+                   generate::box({0, 0, -4}, {6, 6, 0}), generate::box({4, 0.5, -1}, {5.5, 3.5, 1}), 4.5, {0, 0, 0}),
+      shifted_pair("penetration_line_along_edge", "a barycentre's normal line runs along an edge of F",
+                   generate::box({0, 0, -4}, {6, 6, 0}), generate::box({4, 2, -1}, {5, 3, 1}), 1, {0, 0, 0}),
   };
 }
 

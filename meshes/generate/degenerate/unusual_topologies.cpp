@@ -19,6 +19,15 @@ Case pierced_by_rectangle(std::string name, std::string shows, const Eigen::Vect
   return result;
 }
 
+/// Five by three metres and one metre thick, with two square holes.
+TriangleMesh plate_with_two_holes() {
+  std::vector<std::array<int, 3>> cubes;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (j != 1 || i % 2 == 0) cubes.push_back({i, j, 0});
+  return union_of_cubes(cubes);
+}
+
 }  // namespace
 
 std::vector<Case> unusual_topologies() {
@@ -49,6 +58,10 @@ std::vector<Case> unusual_topologies() {
       shifted_pair("ring_on_plate", "a patch in the shape of a ring", plate, square_ring, 2, {0, 0, 0.5}),
       shifted_pair("ring_resting_on_plate", "a closed chain of edges in the plane of a face", plate, square_ring, 0,
                    {0, 0, 1}),
+      shifted_pair("holed_plate_in_plate", "a patch with two holes", generate::box({-1, -1, -1}, {6, 4, 0}),
+                   plate_with_two_holes(), 6.5, {0, 0, -0.5}),
+      shifted_pair("holed_plate_resting_on_plate", "a face of E touched in an area with two holes",
+                   generate::box({-1, -1, -1}, {6, 4, 0}), plate_with_two_holes(), 0),
       shifted_pair("two_pins_under_plate", "two patches on one face of E, F of two components",
                    generate::box({-4, -4, 0}, {4, 4, 1}), pins, 1),
       pierced_by_rectangle("open_border_inside_patch", "an open surface ends inside E", {3, 1, 1}),

@@ -59,6 +59,10 @@ const std::map<std::string, Kinds>& reasons() {
        {vertex_on_edge, edge_along_edge, edge_across_edge, barycentre_on_face, line_through_edge, line_in_face}},
       {"penetration_line_through_vertex", {line_through_vertex}},
       {"penetration_line_through_edge", {line_through_edge}},
+      {"penetration_line_through_sheets", kNothing},
+      // In the plane of F's face x = 4 it passes through that face's diagonal in (4, 2, 0) and its lower border.
+      {"penetration_line_in_face", {line_through_edge, line_in_face}},
+      {"penetration_line_along_edge", {line_through_vertex}},
 
       {"stacked_boxes", kSameFaces},
       // Both diagonals lie on the line x = y, from (0, 0) to (2, 2) and from (1, 1) to (3, 3). The barycentres of
@@ -71,6 +75,12 @@ const std::map<std::string, Kinds>& reasons() {
       // A barycentre (1/3, -1/3) lies on the other diagonal, y = -x.
       {"stacked_boxes_quarter_turn",
        {vertex_on_vertex, edge_along_edge, edge_across_edge, edge_in_face, coplanar_faces, line_through_edge}},
+      // The same about x.
+      {"stacked_boxes_half_turn",
+       {vertex_on_vertex, edge_along_edge, edge_across_edge, edge_in_face, coplanar_faces, line_through_edge}},
+      // E's barycentres are thirds into its squares of 3 m, as F's vertices are: (-2, -1), (1, 2) and so on.
+      {"grids_a_third_apart",
+       {vertex_on_face, edge_across_edge, edge_in_face, coplanar_faces, barycentre_on_face, line_through_vertex}},
       {"stacked_boxes_tiny", kSameFaces},
       {"stacked_boxes_huge", kSameFaces},
       {"stacked_boxes_far", kSameFaces},
@@ -90,6 +100,7 @@ const std::map<std::string, Kinds>& reasons() {
       // From the long flanks' barycentres at x = 11/3, z = 11/6 lines pass through the diagonals z = x / 2 of E's.
       {"sliver_flush",
        {vertex_on_face, edge_across_edge, edge_in_face, coplanar_faces, barycentre_on_face, line_through_edge}},
+      {"needle", kNothing},
 
       {"nested_box", kNothing},
       {"nested_in_box", kNothing},
@@ -103,6 +114,11 @@ const std::map<std::string, Kinds>& reasons() {
       {"ring_on_plate", kNothing},
       // Two of the ring's four lower edges cross the plate's diagonal, in (1, 1, 0) and (-1, -1, 0).
       {"ring_resting_on_plate", {vertex_on_face, edge_across_edge, edge_in_face}},
+      // E's barycentres (11/3, 2/3) and (4/3, 7/3) lie above the diagonals of F's squares, F's (4/3, 2/3) and
+      // (11/3, 7/3) below E's diagonal, 7 (y + 1) = 5 (x + 1).
+      {"holed_plate_in_plate", {line_through_edge}},
+      {"holed_plate_resting_on_plate",
+       {vertex_on_face, edge_across_edge, edge_in_face, coplanar_faces, barycentre_on_face, line_through_edge}},
       // Each flank of a pin, from z = -1 to 1/2, has a barycentre in z = 0, the plane of E's lower face, and its line
       // there.
       {"two_pins_under_plate", {barycentre_on_face, line_through_edge, line_in_face}},

@@ -96,7 +96,7 @@ TEST(DegenerateCatalogue, SurfacesAreSoundAndNamesUnique) {
     EXPECT_EQ(pair.A.determinant(), 1);
     EXPECT_FALSE(pair.volume && (is_open(pair.E) || is_open(pair.F)));
   }
-  EXPECT_GE(names.size(), 45u);
+  EXPECT_GE(names.size(), 53u);
 }
 
 TEST(DegenerateCatalogue, PosesRoundNothingWhereSaid) {
@@ -113,7 +113,8 @@ TEST(DegenerateCatalogue, PosesRoundNothingWhereSaid) {
 
 TEST(DegenerateCatalogue, VolumesWorkedOutByHandAgreeWithSampling) {
   for (const Case& pair : degenerate::catalogue()) {
-    if (!pair.volume) continue;
+    // Between the needle's sides there are two doubles: samples would lie on them.
+    if (!pair.volume || pair.name == "needle") continue;
     SCOPED_TRACE(pair.name);
     // Samples of bodies 2^40 from the origin would lie on faces after rounding; E is brought back first.
     TriangleMesh E = pair.E, F = F_in_Me(pair);
@@ -133,7 +134,9 @@ TEST(DegenerateCatalogue, MeetingFeaturesAndCoplanarFacesHaveVanishingDeterminan
   for (Case& pair : degenerate::coplanar_faces()) cases.push_back(std::move(pair));
   for (const Case& pair : cases) {
     // These are hard for other reasons.
-    if (!pair.exactly_representable || pair.name == "sliver" || pair.name.starts_with("penetration_line")) continue;
+    if (!pair.exactly_representable || pair.name == "sliver" || pair.name == "needle" ||
+        pair.name.starts_with("penetration_line"))
+      continue;
     SCOPED_TRACE(pair.name);
     const TriangleMesh F = F_in_Me(pair);
     int vanishing = 0;
