@@ -27,6 +27,7 @@ struct LawNumber {
 };
 std::vector<LawNumber> numbers_of(const ContactLaw& law);
 
+/// Whether a law's number is 0, infinite or within these limits.
 bool is_zero_infinite_or_between(double x, double least, double greatest);
 
 /// Throws BadInput where the engine refuses the law, or where one of its numbers is out of range; that is called by
