@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "meshes/base/utf8_character.h"
+#include "pcm/utf8_character.h"
 
 namespace pcm::c {
 

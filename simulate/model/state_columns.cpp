@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "meshes/base/utf8_character.h"
+#include "pcm/utf8_character.h"
 
 namespace pcm::simulate {
 namespace {

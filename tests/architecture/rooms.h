@@ -24,6 +24,7 @@ inline const std::vector<Part>& parts() {
        {"base", "exact", "validity", "files", "generate"},
        {{"triangle_mesh.h", "base"},
         {"bad_input.h", "base"},
+        {"utf8_character.h", "base"},
         {"check.h", "validity"},
         {"read_mesh.h", "files"},
         {"write_obj.h", "files"}}},

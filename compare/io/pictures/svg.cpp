@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "compare/io/characters_in.h"
-#include "meshes/base/utf8_character.h"
+#include "pcm/utf8_character.h"
 
 namespace pcm::compare {
 namespace {

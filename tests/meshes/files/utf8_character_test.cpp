@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshes/base/utf8_character.h"
+#include "pcm/utf8_character.h"
 
 #include <gtest/gtest.h>
 
