@@ -520,7 +520,7 @@ TEST(SimulateCommand, TellsThatTheDiskIsFull) {
     SCOPED_TRACE(file);
     const Folder folder(block_over_floor("0.1"));
     fs::create_directories(folder.out);
-    FolderLock{folder.out};  // of an earlier run, so that the file counts as that run's
+    { const FolderLock lock(folder.out); }  // of an earlier run, so that the file counts as that run's
     fs::create_symlink("/dev/full", fs::path(folder.out) / file);
     const Outcome outcome = folder.run({"--stills", "0"});
     EXPECT_EQ(outcome.status, 2);
