@@ -104,6 +104,16 @@ const FeatureEdge& draw_edge(const SurfaceFeatures& surface, PoseRandom& random)
   return surface.edges[random.below(surface.edges.size())];
 }
 
+/// Of a surface that has one.
+const AxisFace& draw_axis_face(const SurfaceFeatures& surface, PoseRandom& random) {
+  return surface.axis_faces[random.below(surface.axis_faces.size())];
+}
+
+/// The coordinate along its axis, the same at all of the face's points.
+double height_of(const SurfaceFeatures& surface, const AxisFace& face) {
+  return vertex(surface, surface.mesh.faces[static_cast<std::size_t>(face.face)][0])[face.axis];
+}
+
 Index draw_face(const SurfaceFeatures& surface, PoseRandom& random) {
   return static_cast<Index>(random.below(surface.mesh.faces.size()));
 }
@@ -169,7 +179,7 @@ Attempt edge_across_edge(const FeaturePair& pair, PoseRandom& random) {
 /// An edge of F that keeps one coordinate is laid into an axis-aligned face of E.
 Attempt edge_in_face(const FeaturePair& pair, PoseRandom& random) {
   if (pair.E.axis_faces.empty()) return std::nullopt;
-  const AxisFace& face = pair.E.axis_faces[random.below(pair.E.axis_faces.size())];
+  const AxisFace& face = draw_axis_face(pair.E, random);
   const FeatureEdge& edge = draw_edge(pair.F, random);
   const auto axis = static_cast<int>(random.below(3));
   if (vertex(pair.F, edge.ends[0])[axis] != vertex(pair.F, edge.ends[1])[axis]) return std::nullopt;
@@ -182,8 +192,8 @@ Attempt edge_in_face(const FeaturePair& pair, PoseRandom& random) {
 /// Two axis-aligned faces in one plane, sharing a point: normals opposed (a resting body) or equal (flush flanks).
 Attempt coplanar_faces(const FeaturePair& pair, PoseRandom& random) {
   if (pair.E.axis_faces.empty() || pair.F.axis_faces.empty()) return std::nullopt;
-  const AxisFace& on_E = pair.E.axis_faces[random.below(pair.E.axis_faces.size())];
-  const AxisFace& on_F = pair.F.axis_faces[random.below(pair.F.axis_faces.size())];
+  const AxisFace& on_E = draw_axis_face(pair.E, random);
+  const AxisFace& on_F = draw_axis_face(pair.F, random);
   const bool opposed = random.below(4) != 0;
   const int sign = on_E.sign * on_F.sign * (opposed ? -1 : 1);
   WatchedArithmetic arithmetic;
@@ -271,8 +281,8 @@ Eigen::Matrix3d drifted(const Eigen::Matrix3d& A, Eigen::Matrix3d D) {
 /// Coplanar faces whose coordinate along their axis the drift only stretches, by the same amount at every vertex.
 Attempt drifted_coplanar_faces(const FeaturePair& pair, PoseRandom& random) {
   if (pair.E.axis_faces.empty() || pair.F.axis_faces.empty()) return std::nullopt;
-  const AxisFace& on_E = pair.E.axis_faces[random.below(pair.E.axis_faces.size())];
-  const AxisFace& on_F = pair.F.axis_faces[random.below(pair.F.axis_faces.size())];
+  const AxisFace& on_E = draw_axis_face(pair.E, random);
+  const AxisFace& on_F = draw_axis_face(pair.F, random);
   const int sign = on_E.sign * on_F.sign * (random.coin() ? 1 : -1);
   const Eigen::Matrix3d exact = cube_rotation(on_F.axis, on_E.axis, sign, random);
   Eigen::Matrix3d D = draw_drift(random, kGreatestDrift);
@@ -285,10 +295,8 @@ Attempt drifted_coplanar_faces(const FeaturePair& pair, PoseRandom& random) {
   drawn.pose.A = drifted(exact, D);
   drawn.pose.r = x_E - ordered_product(drawn.pose.A, x_F);
   WatchedArithmetic arithmetic;
-  const double height = drawn.pose.A(on_E.axis, on_F.axis) *
-                        vertex(pair.F, pair.F.mesh.faces[static_cast<std::size_t>(on_F.face)][0])[on_F.axis];
-  drawn.pose.r[on_E.axis] =
-      arithmetic.plus(vertex(pair.E, pair.E.mesh.faces[static_cast<std::size_t>(on_E.face)][0])[on_E.axis], -height);
+  const double height_F = drawn.pose.A(on_E.axis, on_F.axis) * height_of(pair.F, on_F);
+  drawn.pose.r[on_E.axis] = arithmetic.plus(height_of(pair.E, on_E), -height_F);
   drawn.construction = "drifted, coplanar faces";
   drawn.exact = arithmetic.exact();
   return drawn.exact ? Attempt(drawn) : std::nullopt;

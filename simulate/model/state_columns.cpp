@@ -3,7 +3,6 @@
 #include "simulate/model/state_columns.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string_view>
 
 #include "pcm/utf8_character.h"
@@ -33,62 +32,51 @@ std::string in_a_table(std::string_view name) {
   return cell;
 }
 
-void add(Columns& columns, const Body& body, std::initializer_list<std::string_view> names, const char* unit) {
-  for (const std::string_view name : names) columns.push_back({in_a_table(body.name) + "." + std::string(name), unit});
+/// Of a joint: coordinates beside their speeds, by name and unit.
+struct JointColumns {
+  Columns coordinates, speeds;
+};
+
+JointColumns columns_of(JointType type) {
+  switch (type) {
+    case JointType::weld:
+      return {};
+    case JointType::pin:
+      return {{{"angle", "rad"}}, {{"rate", "rad/s"}}};
+    case JointType::slider:
+      return {{{"displacement", "m"}}, {{"speed", "m/s"}}};
+    case JointType::universal:
+      return {{{"angle_x", "rad"}, {"angle_y", "rad"}}, {{"rate_x", "rad/s"}, {"rate_y", "rad/s"}}};
+    case JointType::gimbal:
+      return {{{"angle_x", "rad"}, {"angle_y", "rad"}, {"angle_z", "rad"}},
+              {{"rate_x", "rad/s"}, {"rate_y", "rad/s"}, {"rate_z", "rad/s"}}};
+    case JointType::ball:
+    case JointType::free:
+      break;
+  }
+  JointColumns columns{{{"quaternion_w", "1"}, {"quaternion_x", "1"}, {"quaternion_y", "1"}, {"quaternion_z", "1"}},
+                       {{"omega_x", "rad/s"}, {"omega_y", "rad/s"}, {"omega_z", "rad/s"}}};
+  if (type == JointType::ball) return columns;
+  for (const char* axis : {"x", "y", "z"}) {
+    columns.coordinates.push_back({axis, "m"});
+    columns.speeds.push_back({std::string("v_") + axis, "m/s"});
+  }
+  return columns;
+}
+
+Columns of_body(const Body& body, Columns columns) {
+  for (StateColumn& column : columns) column.name = in_a_table(body.name) + "." + column.name;
+  return columns;
 }
 
 }  // namespace
 
 Columns coordinate_columns(const Body& body) {
-  Columns columns;
-  switch (body.joint.type) {
-    case JointType::weld:
-      break;
-    case JointType::pin:
-      add(columns, body, {"angle"}, "rad");
-      break;
-    case JointType::slider:
-      add(columns, body, {"displacement"}, "m");
-      break;
-    case JointType::universal:
-      add(columns, body, {"angle_x", "angle_y"}, "rad");
-      break;
-    case JointType::gimbal:
-      add(columns, body, {"angle_x", "angle_y", "angle_z"}, "rad");
-      break;
-    case JointType::free:
-    case JointType::ball:
-      add(columns, body, {"quaternion_w", "quaternion_x", "quaternion_y", "quaternion_z"}, "1");
-      break;
-  }
-  if (body.joint.type == JointType::free) add(columns, body, {"x", "y", "z"}, "m");
-  return columns;
+  return of_body(body, columns_of(body.joint.type).coordinates);
 }
 
 Columns speed_columns(const Body& body) {
-  Columns columns;
-  switch (body.joint.type) {
-    case JointType::weld:
-      break;
-    case JointType::pin:
-      add(columns, body, {"rate"}, "rad/s");
-      break;
-    case JointType::slider:
-      add(columns, body, {"speed"}, "m/s");
-      break;
-    case JointType::universal:
-      add(columns, body, {"rate_x", "rate_y"}, "rad/s");
-      break;
-    case JointType::gimbal:
-      add(columns, body, {"rate_x", "rate_y", "rate_z"}, "rad/s");
-      break;
-    case JointType::free:
-    case JointType::ball:
-      add(columns, body, {"omega_x", "omega_y", "omega_z"}, "rad/s");
-      break;
-  }
-  if (body.joint.type == JointType::free) add(columns, body, {"v_x", "v_y", "v_z"}, "m/s");
-  return columns;
+  return of_body(body, columns_of(body.joint.type).speeds);
 }
 
 }  // namespace pcm::simulate

@@ -92,12 +92,10 @@ void PlannedPoses::prepare_pairings() {
       if (!pair.motion.empty()) return;
       if (wants_extreme && pair.for_hard_strata && pair.faces() <= kMostExtremeFaces) {
         // Of a family each pair is taken to one extreme after the other.
-        const std::size_t count = std::max(kExtremes, pair.variants.size() + 1);
-        for (std::size_t k = 0; k < count; ++k) {
-          const std::size_t variant = k % (pair.variants.size() + 1);
-          const TriangleMesh& of_E = variant == 0 ? pair.E : pair.variants[variant - 1][0];
-          const TriangleMesh& of_F = variant == 0 ? pair.F : pair.variants[variant - 1][1];
-          const auto [mesh_E, mesh_F] = extreme_meshes(of_E, of_F, k % kExtremes);
+        const std::vector<std::unique_ptr<HeldPairing>>& family = held_pairings_[i].usual;
+        for (std::size_t k = 0; k < std::max(kExtremes, family.size()); ++k) {
+          const FeaturePair& of = family[k % family.size()]->features();
+          const auto [mesh_E, mesh_F] = extreme_meshes(of.E.mesh, of.F.mesh, k % kExtremes);
           held_pairings_[i].extreme.push_back(held(mesh_E, mesh_F));
         }
       }

@@ -21,17 +21,11 @@ Case copies(std::string name, std::string shows, const TriangleMesh& mesh, const
   return shifted_pair(std::move(name), std::move(shows), mesh, mesh, volume, r);
 }
 
-Case turned_about_z(Case original, std::string name, std::string shows) {
+/// F turned about an axis by a multiple of a right angle.
+Case turned(Case original, const Eigen::Matrix3d& A, std::string name, std::string shows) {
   original.name = std::move(name);
   original.shows = std::move(shows);
-  original.A << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  return original;
-}
-
-Case turned_upside_down(Case original, std::string name, std::string shows) {
-  original.name = std::move(name);
-  original.shows = std::move(shows);
-  original.A << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  original.A = A;
   return original;
 }
 
@@ -45,6 +39,9 @@ Case with_F(Case original, TriangleMesh mesh_F) {
 std::vector<Case> coplanar_faces() {
   const TriangleMesh cube = generate::box({0, 0, 0}, {2, 2, 2});
   const TriangleMesh centred = generate::box({2, 2, 2});
+  Eigen::Matrix3d quarter_turn, half_turn;  // about z, about x
+  quarter_turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  half_turn << 1, 0, 0, 0, -1, 0, 0, 0, -1;
   const double tiny = std::ldexp(1.0, -100), huge = std::ldexp(1.0, 100), far = std::ldexp(1.0, 40);
 
   Case less_than_an_ulp =
@@ -59,10 +56,10 @@ std::vector<Case> coplanar_faces() {
       with_F(copies("small_box_on_large", "a face of F lies in the interior of an opposite face of E",
                     generate::box({0, 0, 0}, {4, 4, 2}), {2.5, 0.5, 2}, 0),
              generate::box({0, 0, 0}, {1, 1, 1})),
-      turned_about_z(copies("", "", centred, {0, 0, 2}, 0), "stacked_boxes_quarter_turn",
-                     "opposite faces coincide, their diagonals cross"),
-      turned_upside_down(copies("", "", centred, {0, 0, 2}, 0), "stacked_boxes_half_turn",
-                         "opposite faces coincide, F turned by 180 degrees about x"),
+      turned(copies("", "", centred, {0, 0, 2}, 0), quarter_turn, "stacked_boxes_quarter_turn",
+             "opposite faces coincide, their diagonals cross"),
+      turned(copies("", "", centred, {0, 0, 2}, 0), half_turn, "stacked_boxes_half_turn",
+             "opposite faces coincide, F turned by 180 degrees about x"),
       copies("grids_a_third_apart", "faces in a grid on such faces, moved by a third of their spacing",
              generate::gridded_box(6, 2), {1, 2, 6}, 0),
       copies("stacked_boxes_tiny", "opposite faces coincide, size 2^-99", placed(cube, tiny, 0), {0, 0, 2 * tiny}, 0),
@@ -73,8 +70,8 @@ std::vector<Case> coplanar_faces() {
              generate::box({0, 0, 0}, {1, 1, 2})),
       copies("identical_boxes", "the same body twice", cube, {0, 0, 0}, 8),
       copies("identical_tetrahedra", "the same body twice, no two faces parallel", ridge(), {0, 0, 0}, 2.0 / 3),
-      turned_about_z(copies("", "", centred, {0, 0, 0}, 8), "identical_boxes_quarter_turn",
-                     "the same body twice, diagonals crossing"),
+      turned(copies("", "", centred, {0, 0, 0}, 8), quarter_turn, "identical_boxes_quarter_turn",
+             "the same body twice, diagonals crossing"),
       less_than_an_ulp,
       with_F(copies("sliver", "F is a box of aspect 2^27 stuck into E", generate::box({0, 0, 0}, {4, 4, 2}), {3, 1, 2},
                     std::ldexp(1.0, -28)),

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "compare/poses/strata.h"
 #include "fast/base/geometry.h"
@@ -77,59 +81,59 @@ TEST(ExtremeMeshes, ZerosBecomeDenormalsOfEitherSignAndMinusZero) {
   EXPECT_TRUE(positive && negative && minus_zero);
 }
 
+/// Those of so many poses of a cube against itself whose construction begins with these words.
+std::vector<DrawnPose> poses_constructed(std::string_view words, std::uint64_t of, const TriangleMesh& cube) {
+  const FeaturePair pair(cube, cube);
+  std::vector<DrawnPose> poses;
+  for (std::uint64_t i = 0; i < of; ++i) {
+    DrawnPose drawn = draw_pose(Stratum::extreme, pair, PoseRandom(5, 6, 7, i));
+    if (drawn.construction.starts_with(words)) poses.push_back(std::move(drawn));
+  }
+  return poses;
+}
+
 TEST(StratumExtreme, DriftedRotationsBringAVertexExactlyOntoAFeature) {
   const TriangleMesh cube = generate::box({1, 1, 1});
-  const FeaturePair pair(cube, cube);
   int exact = 0;
-  for (std::uint64_t i = 0; i < 400; ++i) {
-    const DrawnPose drawn = draw_pose(Stratum::extreme, pair, PoseRandom(5, 6, 7, i));
-    if (drawn.construction != "drifted, vertex on vertex" || !drawn.exact) continue;
-    ++exact;
+  for (const DrawnPose& drawn : poses_constructed("drifted, vertex on vertex", 400, cube)) {
+    if (!drawn.exact) continue;
+    SCOPED_TRACE(exact++);
     EXPECT_NE(Eigen::Matrix3d(drawn.pose.A.transpose() * drawn.pose.A), Eigen::Matrix3d::Identity());
     bool meets = false;
     for (const Eigen::Vector3d& x : cube.vertices) {
       const Eigen::Vector3d x_Me = ordered_product(drawn.pose.A, x) + drawn.pose.r;
       for (const Eigen::Vector3d& y : cube.vertices) meets = meets || x_Me == y;
     }
-    EXPECT_TRUE(meets) << i;
+    EXPECT_TRUE(meets);
   }
   EXPECT_GE(exact, 10);
 }
 
 TEST(StratumExtreme, DriftedRotationsAreOffByUpToWhatTheEngineTakes) {
-  const TriangleMesh cube = generate::box({1, 1, 1});
-  const FeaturePair pair(cube, cube);
+  const std::vector<DrawnPose> drifted = poses_constructed("drifted", 400, generate::box({1, 1, 1}));
   double greatest = 0;
-  int drifted = 0;
-  for (std::uint64_t i = 0; i < 400; ++i) {
-    const DrawnPose drawn = draw_pose(Stratum::extreme, pair, PoseRandom(5, 6, 7, i));
-    if (!drawn.construction.starts_with("drifted")) continue;
-    ++drifted;
+  for (const DrawnPose& drawn : drifted) {
     const double error = fast::orthogonality_error(drawn.pose.A);
-    EXPECT_LE(error, 1e-9) << i;
+    EXPECT_LE(error, 1e-9);
     greatest = std::max(greatest, error);
   }
-  EXPECT_GE(drifted, 60);
+  EXPECT_GE(drifted.size(), 60U);
   EXPECT_GE(greatest, 9e-10);
 }
 
 TEST(StratumExtreme, DriftedFacesLieExactlyInOnePlaneAllTheSame) {
   const TriangleMesh cube = generate::box({1, 1, 1});
-  const FeaturePair pair(cube, cube);
-  int coplanar = 0;
-  for (std::uint64_t i = 0; i < 600; ++i) {
-    const DrawnPose drawn = draw_pose(Stratum::extreme, pair, PoseRandom(5, 6, 7, i));
-    if (drawn.construction != "drifted, coplanar faces") continue;
-    ++coplanar;
+  const std::vector<DrawnPose> coplanar = poses_constructed("drifted, coplanar faces", 600, cube);
+  for (const DrawnPose& drawn : coplanar) {
     int four_in_a_plane = 0;
     for (int axis = 0; axis < 3; ++axis)
       for (const double height : {-0.5, 0.5})
         four_in_a_plane += std::count_if(cube.vertices.begin(), cube.vertices.end(), [&](const Eigen::Vector3d& x) {
                              return (ordered_product(drawn.pose.A, x) + drawn.pose.r)[axis] == height;
                            }) == 4;
-    EXPECT_GE(four_in_a_plane, 1) << i;
+    EXPECT_GE(four_in_a_plane, 1);
   }
-  EXPECT_GE(coplanar, 10);
+  EXPECT_GE(coplanar.size(), 10U);
 }
 
 }  // namespace

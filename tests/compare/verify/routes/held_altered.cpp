@@ -14,24 +14,30 @@ namespace pcm::compare {
 
 namespace {
 
-std::vector<std::unique_ptr<HeldPairing>> extreme_pairings(const SurfacePair& pair, const HeldPairing::Modes& modes) {
+const HeldPairing::Modes kAllModes{Mode::E, Mode::F, Mode::both};
+
+std::vector<std::unique_ptr<HeldPairing>> extreme_pairings(const SurfacePair& pair) {
   std::vector<std::unique_ptr<HeldPairing>> held;
   for (std::size_t k = 0; k < kExtremes; ++k) {
     const auto [E, F] = extreme_meshes(pair.E, pair.F, k);
-    held.push_back(std::make_unique<HeldPairing>(E, F, ContactLaw{}, modes));
+    held.push_back(std::make_unique<HeldPairing>(E, F, ContactLaw{}, kAllModes));
   }
   return held;
 }
 
-/// The small pair as the stratum takes it; in extreme one extreme after the other.
+/// The small pair as the stratum takes it, prepared when it is first asked for; in extreme one extreme after the other.
 const HeldPairing& pairing_for(Stratum stratum, std::size_t number) {
   static const SurfacePair pair = small_pair();
-  static const HeldPairing::Modes modes{Mode::E, Mode::F, Mode::both};
-  static const HeldPairing usual(pair.E, pair.F, ContactLaw{}, modes);
-  static const HeldPairing nested(*nested_meshes(pair.E, pair.F), ContactLaw{}, modes);
-  static const std::vector<std::unique_ptr<HeldPairing>> extreme = extreme_pairings(pair, modes);
-  if (stratum == Stratum::nested) return nested;
-  return stratum == Stratum::extreme ? *extreme[number % kExtremes] : usual;
+  if (stratum == Stratum::nested) {
+    static const HeldPairing nested(*nested_meshes(pair.E, pair.F), ContactLaw{}, kAllModes);
+    return nested;
+  }
+  if (stratum == Stratum::extreme) {
+    static const std::vector<std::unique_ptr<HeldPairing>> extreme = extreme_pairings(pair);
+    return *extreme[number % kExtremes];
+  }
+  static const HeldPairing usual(pair.E, pair.F, ContactLaw{}, kAllModes);
+  return usual;
 }
 
 }  // namespace
