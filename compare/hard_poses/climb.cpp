@@ -2,39 +2,95 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/hard_poses/climb.h"
 
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "compare/hard_poses/neighbour.h"
+#include "compare/verify/routes/state_draw.h"
+#include "pcm/bad_input.h"
+
 namespace pcm::compare {
 namespace {
 
-constexpr int kStarts = 64, kNeighbours = 384;
+constexpr std::uint64_t kStarts = 64;
+constexpr int kNeighbours = 384;
 
-/// Moved along one axis by up to `share` of the size, or turned by an angle of up to twice that: what is gained in the
-/// roundings of the one is kept while the other changes.
-Pose neighbour(const Pose& pose, double share, double size, PoseRandom& random) {
-  Pose near = pose;
-  if (random.coin()) {
-    near.r[static_cast<Eigen::Index>(random.below(3))] += share * size * random.uniform(-1, 1);
-    return near;
+constexpr std::array kStartsFrom = {Stratum::generic, Stratum::grazing, Stratum::degenerate, Stratum::near_degenerate,
+                                    Stratum::adversarial};
+
+/// None, -1, where engine or oracle refuses; infinite where either breaks down.
+double hardness_or_none(Goal goal, const HardState& hard, fast::Workspace& workspace) {
+  try {
+    return hardness(goal, *hard.held, hard.mode, hard.state, workspace);
+  } catch (const BadInput&) {
+    return -1;
+  } catch (const std::exception&) {
+    return std::numeric_limits<double>::infinity();
   }
-  const Eigen::Vector3d turn = random.direction() * (share * random.uniform());
-  const Eigen::Matrix3d R = ordered_rotation(1, turn.x(), turn.y(), turn.z());
-  for (int j = 0; j < 3; ++j) near.A.col(j) = ordered_product(R, pose.A.col(j));
-  return near;
+}
+
+/// What broke down while a law was drawn is asked itself.
+HardState broken_down(const HardState& from, const DrawFailure& failure) {
+  HardState hard = from;
+  hard.state = failure.state();
+  hard.mode = 0;
+  while (hard.mode_asked() != Mode::both) ++hard.mode;
+  return hard;
+}
+
+HardState draw_start(Goal goal, const HardState& surfaces, std::uint64_t number, PoseRandom& random) {
+  const Stratum stratum = kStartsFrom[number % kStartsFrom.size()];
+  const std::uint64_t seed = random.bits();
+  const auto stream = [seed](Purpose purpose) { return PoseRandom(seed, 0, 0, 0, purpose); };
+  HardState start = surfaces;
+  start.mode = random.below(3);
+  const DrawnPose drawn = draw_pose(stratum, surfaces.held->features(), stream(Purpose::pose));
+  start.state.pose = drawn.pose;
+  if (!depends_on_law(goal)) return start;
+  try {
+    start.state = draw_state(*surfaces.held, stratum, drawn, surfaces.state.scheme, stream(Purpose::law),
+                             stream(Purpose::velocity));
+  } catch (const DrawFailure& failure) {
+    return broken_down(surfaces, failure);
+  }
+  return start;
 }
 
 }  // namespace
 
-HardPose climb(const HeldPairing& held, PoseRandom random, fast::Workspace& workspace) {
-  HardPose hardest;
-  const auto take_unless_easier = [&](const Pose& pose) {
-    const ErrorOverBound there = error_over_bound(held, pose, workspace);
-    if (!there.flipped && there.ratio >= hardest.ratio) hardest = {pose, there.ratio};
-  };
-  const double size = held.features().size();
-  for (int i = 0; i < kStarts; ++i)
-    take_unless_easier(detail::draw_overlapping(held.features(), 1e-6, 0.5, random).pose);
-  for (int i = 0; i < kNeighbours; ++i)
-    take_unless_easier(neighbour(hardest.pose, random.log_uniform(0x1p-52, 0x1p-4), size, random));
-  return hardest;
+Climb climb_from(Goal goal, const HardState& start, PoseRandom random, fast::Workspace& workspace) {
+  const double begun_at = hardness_or_none(goal, start, workspace);
+  Climb climbed{start, begun_at, begun_at};
+  for (int i = 0; i < kNeighbours && !std::isinf(climbed.reached); ++i) {
+    HardState near;
+    try {
+      near = neighbour(climbed.hardest, goal, random);
+    } catch (const BadInput&) {
+      continue;
+    } catch (const DrawFailure& failure) {
+      near = broken_down(climbed.hardest, failure);
+    }
+    const double reached = hardness_or_none(goal, near, workspace);
+    if (reached < climbed.reached) continue;
+    climbed.hardest = std::move(near);
+    climbed.reached = reached;
+  }
+  return climbed;
+}
+
+Climb climb(Goal goal, const HardState& surfaces, PoseRandom random, fast::Workspace& workspace) {
+  HardState hardest = surfaces;
+  double greatest = -1;
+  for (std::uint64_t i = 0; i < kStarts; ++i) {
+    HardState start = draw_start(goal, surfaces, i, random);
+    const double there = hardness_or_none(goal, start, workspace);
+    if (i > 0 && there <= greatest) continue;
+    hardest = std::move(start);
+    greatest = there;
+  }
+  return climb_from(goal, hardest, random, workspace);
 }
 
 }  // namespace pcm::compare

@@ -2,28 +2,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compare/hard_poses/error_over_bound.h"
-#include "compare/random/random.h"
+#include "compare/hard_poses/hard_state.h"
+#include "compare/hard_poses/hardness.h"
 
-/// Poses that are searched for, because they bring the engine's error near to its own bound. The stratum adversarial
-/// searches for the least margins of decisions instead.
+/// States that are searched for, because they are hard for the engine.
 namespace pcm::compare {
 
-/// A pose and the error over its bound there.
-struct HardPose {
-  Pose pose;
-  double ratio = 0;
+/// Where a climb ended.
+struct Climb {
+  HardState hardest;
+  double begun_at = 0;  ///< hardness where it began
+  double reached = 0;
 };
 
-/// Draws 64 poses as the stratum generic does and climbs from the hardest of them: 384 times a neighbour is drawn,
-/// moved along an axis by up to 2^-52 to 2^-4 of the smaller body's size or turned by as much, and taken unless it is
-/// easier. So scales from roundings to features are tried alike, and where the ratio does not change the climb walks
-/// on.
+/// Draws 64 states, each of the strata generic, grazing, degenerate, near-degenerate and adversarial in turn, in any of
+/// three modes, with a law and a velocity of their own where these have a part in the goal; then climbs from the
+/// hardest. Where nothing that is drawn is hard at all, the first is where the climb begins.
 ///
-/// Poses whose bound says `flipped` are left alone: their bound is what one element more or less would change, and is
-/// used up wherever that comes true. A pure function of the pairing and the random numbers, by correctly rounded
-/// operations only. Where nothing that is drawn carries a force, the ratio is 0.
-/// Cost: 448 questions to engine and oracle each, 0.03 to 0.3 s for bodies of some dozen faces.
-HardPose climb(const HeldPairing& held, PoseRandom random, fast::Workspace& workspace);
+/// A pure function of the surfaces and the random numbers, by correctly rounded operations only.
+/// Cost: 448 questions to the engine, and to the oracle where the goal asks it: 0.02 to 2 s for bodies of some dozen
+/// faces.
+Climb climb(Goal goal, const HardState& surfaces, PoseRandom random, fast::Workspace& workspace);
+
+/// From a given state: 384 times a neighbour (neighbour.h) is drawn, and taken unless it is easier, or engine or oracle
+/// refuses it. Where hardness does not change the climb walks on. Whatever else they throw is as hard as can be, and
+/// ends the climb.
+Climb climb_from(Goal goal, const HardState& start, PoseRandom random, fast::Workspace& workspace);
 
 }  // namespace pcm::compare

@@ -44,14 +44,15 @@ class FaceBound {
     // Of both faces, one is F's.
     const Eigen::Vector3d rounding_Me = rounding_of(posed_, problem_.pose, bound_.master(), face_) +
                                         rounding_of(posed_, problem_.pose, slave, element.slave_face);
-    error.penetration = depth_error(geometry_, error_, posed_.face_Me(slave, element.slave_face), rounding_Me);
+    const double off = depth_error(geometry_, error_, posed_.face_Me(slave, element.slave_face), rounding_Me);
     const VerifiedLine line = follow(element.slave_face);
     const double depth = DepthBelow(geometry_, posed_.face_Me(slave, element.slave_face)).value();
     const bool decided = line.finding == VerifiedLine::Finding::element &&
-                         !bound_.undecided().is_undecided.contains(face_) &&
-                         element.penetration > 2 * error.penetration;
+                         !bound_.undecided().is_undecided.contains(face_) && depth > 2 * off;
+    // Where the depth is surely clamped, u_k is max_penetration, in both problems.
+    error.penetration = depth - 2 * off > problem_.law.max_penetration ? 0 : off;
     if (decided) {
-      bound_.note_depth(depth - kSafetyFactor * error.penetration, depth + kSafetyFactor * error.penetration);
+      bound_.note_depth(depth - kSafetyFactor * off, depth + kSafetyFactor * off);
       bound_.add(force_error(problem_, element, error));
     } else {
       bound_.add_whole_force(element);

@@ -16,9 +16,25 @@ constexpr double u = kUnitRoundoff;
 /// The layers' stiffness (12) carries up to 3 roundings; given c_l or a rigid body it is exact.
 constexpr double kStiffnessRoundings = 3;
 
+// With V = A u: faded, A is min(A, V / u_d), which is off by no more than the greater of both errors.
+Uncertain faded_area(const ContactLaw& law, const Uncertain& area, const Uncertain& depth, double volume_error) {
+  if (law.transition_depth == 0 || depth.size - 2 * depth.error >= law.transition_depth) return area;
+  const Uncertain fade{std::min(1.0, depth.size / law.transition_depth),
+                       std::min(1.0, depth.error / law.transition_depth)};
+  return {area.size * fade.size, std::min(area.error * std::min(1.0, fade.greatest()) + area.size * fade.error,
+                                          std::max(area.error, volume_error / law.transition_depth))};
+}
+
+// What is damped: |v_n|, or in the mode `compression` max(v_n, 0), which a body that surely parts has exactly.
+Uncertain damped_velocity(const ContactLaw& law, double v_n, double v_n_error) {
+  if (law.damping_mode != DampingMode::compression || v_n >= 0) return {std::abs(v_n), v_n_error};
+  return {0, std::max(v_n + v_n_error, 0.0)};
+}
+
 }  // namespace
 
-// (14), (15), (18). With V = A u: faded, A is min(A, V / u_d), which is off by no more than the greater of both errors.
+// (14), (15), (18), the last a maximum, which never widens an error. Where the sum before it is surely negative, by
+// twice the error, for it is worked out here with roundings of its own, F_n is 0 exactly.
 Uncertain normal_force_error(const ForceProblem& problem, const Element& element, const ElementError& error,
                              double v_n_error) {
   const ContactLaw& law = problem.law;
@@ -33,23 +49,17 @@ Uncertain normal_force_error(const ForceProblem& problem, const Element& element
                                (kUnderflow * (1 + area.greatest())) * depth.greatest() + kUnderflow;
   double damping = 0, damping_error = 0;
   if (law.damping > 0) {
-    // Damping stays as it is where it cannot be felt: (18) and the mode `compression` are maxima, which never widen an
-    // error.
-    const Uncertain v_n{std::abs(element.normal_velocity), v_n_error};
-    Uncertain faded = area;
-    if (law.transition_depth > 0 && depth.size - 2 * depth.error < law.transition_depth) {
-      const Uncertain fade{std::min(1.0, depth.size / law.transition_depth),
-                           std::min(1.0, depth.error / law.transition_depth)};
-      faded.size = area.size * fade.size;
-      faded.error = std::min(area.error * std::min(1.0, fade.greatest()) + area.size * fade.error,
-                             std::max(area.error, volume_error / law.transition_depth));
-    }
+    const Uncertain v_n = damped_velocity(law, element.normal_velocity, v_n_error);
+    const Uncertain faded = faded_area(law, area, depth, volume_error);
     damping = (law.damping * faded.size) * v_n.size;
     damping_error = (law.damping * faded.error) * v_n.greatest() + (law.damping * faded.size) * v_n.error +
                     (5 * u * law.damping * faded.greatest()) * v_n.greatest() +
                     kUnderflow * (v_n.greatest() + law.damping * (1 + area.greatest()) * v_n.greatest()) + kUnderflow;
   }
-  return {std::abs(element.normal_force), elastic_error + damping_error + u * (elastic + damping)};
+  const double force_error = elastic_error + damping_error + u * (elastic + damping);
+  const bool pulls =
+      law.damping_mode != DampingMode::full && element.normal_velocity < 0 && elastic - damping < -2 * force_error;
+  return {std::abs(element.normal_force), pulls ? 0 : force_error};
 }
 
 // Friction (20), (21) as one vector: T = mu P h(s), P = max(F_n, 0), h(s) = phi(|s|) s / |s|, |h| <= 1, phi(v) = 1 from

@@ -20,7 +20,7 @@ namespace {
 
 /// Whether the options ask for a table whose problems and laws are its own.
 bool asks_for_problems_of_its_own(const VerifyOptions& options) {
-  return options.known_answers || options.error_budget || options.audits || options.stability;
+  return options.known_answers || options.error_budget || options.audits || options.stability || options.search;
 }
 
 }  // namespace
@@ -92,7 +92,11 @@ std::string footer() {
       "are counted.\n"
       "Known answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each\n"
       "case are written to --out. Stability: 1 when an error exceeds the engine's own bound or an answer is not\n"
-      "finite; tables and a plot a sweep are written to --out.\n"
+      "finite; tables and a plot a sweep are written to --out. Search: 1 when engine and oracle part where a climb "
+      "ends;\n"
+      "tables are written to --out, and case files of the hardest states to its folder `hardest`, to replay by --case "
+      "or\n"
+      "to climb on from by --from.\n"
       "A run with --out may be killed and goes on where it was; half a second's work is lost, some seconds' in runs "
       "over\n"
       "all pairs and strata. Any number of processes may share in it: start the same command once more, on another\n"
@@ -111,6 +115,8 @@ std::string footer() {
       "  pcm verify --error-budget --out budget\n"
       "  pcm verify --audits --out audits\n"
       "  pcm verify --stability --out stability\n"
+      "  pcm verify --search --poses 2000 --out search\n"
+      "  pcm verify --search --from search/hardest --seed 2 --out further\n"
       "  pcm verify --trajectory bubbles/trajectory/trajectory.json --out results\n"
       "  pcm verify --case results/case_cube-cube_degenerate_17_both.json",
       kMostFindings);
@@ -165,12 +171,27 @@ void add_other_problems(CLI::App& command, VerifyOptions& options) {
                     "depth and mesh size, in both schemes and of the published algorithms (minutes)")
           ->excludes(known, budget, audits)
           ->excludes("--poses", "--strata", "--pair", "--mode", "--scheme", "--engine", "--case");
+  CLI::Option* search =
+      command
+          .add_flag(
+              "--search", options.search,
+              "Instead: climb to states that are hard for the engine, --poses of them (default: one for each goal, "
+              "scheme and pair), from states drawn for small pairs or given by --pair (2000 faces at most), over poses, velocities, laws, "
+              "modes and vertices of small surfaces; minutes, and with --out it goes on where it was ended")
+          ->excludes(known, budget, audits, stability)
+          ->excludes("--strata", "--mode", "--engine", "--case");
+  command
+      .add_option("--from", options.from,
+                  "With --search: climb from these case files, or from all of a folder, in their schemes")
+      ->type_name("FILE|DIR")
+      ->needs(search)
+      ->excludes("--pair", "--scheme");
   command
       .add_option("--trajectory", options.trajectory,
                   "Hold the poses of this recorded trajectory (trajectory/trajectory.json of a folder of `pcm "
                   "simulate`) instead of random ones")
       ->type_name("FILE")
-      ->excludes(known, budget, audits, stability)
+      ->excludes(known, budget, audits, stability, search)
       ->excludes("--seed", "--strata", "--pair", "--engine", "--case");
   command.add_flag("--quick", options.quick,
                    "Known answers or error budget on coarser meshes only, audits in coarser steps, stability at fewer "
@@ -182,7 +203,7 @@ void require_consistent(const VerifyOptions& options) {
   const bool problems_of_its_own = asks_for_problems_of_its_own(options);
   if (options.law.any() && (problems_of_its_own || options.case_file || options.trajectory))
     throw BadInput("the options of the force law go with random poses; all else has laws of its own");
-  if (options.quick && !problems_of_its_own)
+  if (options.quick && (!problems_of_its_own || options.search))
     throw BadInput("--quick goes with --known-answers, --error-budget, --audits or --stability");
   if (options.part || !options.merge.empty()) {
     if (asks_for_other_tables(options) || options.case_file)

@@ -34,6 +34,8 @@ struct VerifyOptions {
   bool error_budget = false;
   bool audits = false;
   bool stability = false;
+  bool search = false;
+  std::vector<std::string> from;
   bool quick = false;
 };
 

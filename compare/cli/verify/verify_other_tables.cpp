@@ -13,6 +13,7 @@
 #include "compare/cli/verify/verify_error_budget.h"
 #include "compare/cli/verify/verify_known_answers.h"
 #include "compare/cli/verify/verify_run.h"
+#include "compare/cli/verify/verify_search.h"
 #include "compare/cli/verify/verify_stability.h"
 #include "compare/io/tables/report_folder.h"
 #include "pcm/bad_input.h"
@@ -85,6 +86,7 @@ Exit stability(const VerifyOptions& options) {
 
 Exit verify_other_tables(const VerifyOptions& options) {
   if (options.audits) return audits(options);
+  if (options.search) return verify_search(options);
   if (options.stability) return stability(options);
   if (options.error_budget) return error_budget(options);
   if (options.known_answers) return known_answers(options);

@@ -102,7 +102,8 @@ std::vector<SurfacePair> pairs_of(const VerifyOptions& options, const std::vecto
 
 }  // namespace
 
-Interruptible::Interruptible(std::int64_t poses) : poses_(poses), terminal_(isatty(STDERR_FILENO) != 0) {}
+Interruptible::Interruptible(std::int64_t whole, const char* what)
+    : whole_(whole), what_(what), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Interruptible::~Interruptible() {
   if (terminal_) std::cerr << '\n';
@@ -113,8 +114,8 @@ bool Interruptible::interrupted() const {
 }
 
 void Interruptible::show(std::int64_t done) const {
-  if (terminal_ && (done % 16 == 0 || done == poses_))
-    std::cerr << fmt::format("\r{} of {} poses", done, poses_) << std::flush;
+  if (terminal_ && (done % 16 == 0 || done == whole_))
+    std::cerr << fmt::format("\r{} of {} {}", done, whole_, what_) << std::flush;
 }
 
 int number_of_jobs(const VerifyOptions& options) {

@@ -19,7 +19,8 @@ namespace pcm::compare {
 /// While it lives the first interrupt is only noted, and progress is shown on a terminal.
 class Interruptible {
  public:
-  explicit Interruptible(std::int64_t poses);
+  /// `what` is counted.
+  explicit Interruptible(std::int64_t whole, const char* what = "poses");
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
   ~Interruptible();
@@ -29,7 +30,8 @@ class Interruptible {
 
  private:
   NotedInterrupt interrupt_;
-  std::int64_t poses_;
+  std::int64_t whole_;
+  const char* what_;
   bool terminal_;
 };
 

@@ -264,14 +264,16 @@ bool remove_case_files(const std::filesystem::path& folder) {
   return !files.empty();
 }
 
+Case case_from_text(const std::string& text, const std::filesystem::path& folder) {
+  const Json json = strict_json(text, kNoCase);
+  if (!json.is_object() || !json.contains("format") || json["format"] != "pcm case 1")
+    throw BadInput(std::string(kNoCase) + " (\"format\": \"pcm case 1\" is missing)");
+  return case_from(json, folder);
+}
+
 Case read_case(const std::filesystem::path& path) {
   const std::string text = read_text_file(path);
-  return within(path.string(), [&] {
-    const Json json = strict_json(text, kNoCase);
-    if (!json.is_object() || !json.contains("format") || json["format"] != "pcm case 1")
-      throw BadInput(std::string(kNoCase) + " (\"format\": \"pcm case 1\" is missing)");
-    return case_from(json, path.parent_path());
-  });
+  return within(path.string(), [&] { return case_from_text(text, path.parent_path()); });
 }
 
 }  // namespace pcm::compare

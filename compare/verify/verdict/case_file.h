@@ -54,5 +54,7 @@ bool remove_case_files(const std::filesystem::path& folder);
 /// Reads a case file. Throws BadInput naming the file and what is wrong with it: not JSON, a key missing or of the
 /// wrong type, a number that is none, a mesh file missing (paths are relative to the case file) or changed since.
 Case read_case(const std::filesystem::path& path);
+/// The same of a file's text; paths are relative to the folder.
+Case case_from_text(const std::string& text, const std::filesystem::path& folder);
 
 }  // namespace pcm::compare

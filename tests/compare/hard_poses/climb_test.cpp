@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcm authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for poses at which the engine's error is greatest over its bound: what it finds is harder by far than what
-// is drawn, and never harder than the bound allows.
+// The search for states that are hard: what it finds is harder by far than what is drawn, and never harder than the
+// bound allows.
 #include "compare/hard_poses/climb.h"
 
 #include <gtest/gtest.h>
@@ -13,57 +13,84 @@
 #include <string>
 #include <vector>
 
+#include "compare/hard_poses/neighbour.h"
 #include "compare/io/names.h"
+#include "compare/verify/routes/state_draw.h"
 #include "fast/base/geometry.h"
 #include "tests/compare/hard_poses/corpus.h"
 
 namespace pcm::compare::hard_poses_test {
 namespace {
 
-class HardPoses : public testing::TestWithParam<Scheme> {};
-
-TEST_P(HardPoses, AClimbIsAFunctionOfItsRandomNumbersAndEndsAtARotation) {
-  const CorpusPairs pairs;
-  const HeldPairing& held = pairs.held("cube-cube", GetParam());
-  fast::Workspace workspace, fresh;
-  const HardPose first = climb(held, PoseRandom(1, 0, 0, 0), workspace);
-  climb(held, PoseRandom(1, 0, 0, 1), workspace);
-  const HardPose again = climb(held, PoseRandom(1, 0, 0, 0), workspace),
-                 alone = climb(held, PoseRandom(1, 0, 0, 0), fresh);
-  for (const HardPose& other : {again, alone}) {
-    EXPECT_EQ(other.pose.A, first.pose.A);
-    EXPECT_EQ(other.pose.r, first.pose.r);
-    EXPECT_EQ(other.ratio, first.ratio);
-  }
-  EXPECT_GT(first.ratio, 0);
-  EXPECT_EQ(error_over_bound(held, first.pose, workspace).ratio, first.ratio);
-  EXPECT_LE(fast::orthogonality_error(first.pose.A), 1e-10);
+HardState surfaces_of(const SurfacePair& pair, Scheme scheme) {
+  return {held_in_all_modes(pair.E, pair.F, {}, scheme), 0, {{}, {}, {}, scheme, {}}};
 }
 
-/// So many poses of each of some pairs, the hardest first.
-std::vector<double> ratios(Scheme scheme, const std::function<double(const HeldPairing&, std::uint64_t)>& ratio_of) {
+std::string text_of(const HardState& hard) {
+  return format_case(as_case(hard, "here"), {}, {});
+}
+
+class HardPoses : public testing::TestWithParam<Scheme> {};
+
+TEST_P(HardPoses, AClimbToAnyGoalIsAFunctionOfItsRandomNumbersAndEndsWhereItSays) {
+  const CorpusPairs pairs;
+  const HardState surfaces = surfaces_of(pairs.surfaces("cube-cube"), GetParam());
+  fast::Workspace workspace;
+  for (const Goal goal : kGoals) {
+    SCOPED_TRACE(name(goal));
+    fast::Workspace fresh;
+    const Climb first = climb(goal, surfaces, PoseRandom(1, 0, 0, 0), workspace),
+                other = climb(goal, surfaces, PoseRandom(1, 0, 0, 1), workspace),
+                again = climb(goal, surfaces, PoseRandom(1, 0, 0, 0), workspace),
+                alone = climb(goal, surfaces, PoseRandom(1, 0, 0, 0), fresh);
+    EXPECT_NE(text_of(other.hardest), text_of(first.hardest));
+    for (const Climb& same : {again, alone}) {
+      EXPECT_EQ(text_of(same.hardest), text_of(first.hardest));
+      EXPECT_EQ(same.begun_at, first.begun_at);
+      EXPECT_EQ(same.reached, first.reached);
+    }
+    EXPECT_GT(first.reached, 0);
+    EXPECT_GE(first.reached, first.begun_at);
+    const HardState& end = first.hardest;
+    EXPECT_EQ(hardness(goal, *end.held, end.mode, end.state, workspace), first.reached);
+    EXPECT_LE(fast::orthogonality_error(end.state.pose.A), 1e-10);
+    EXPECT_EQ(end.state.scheme, GetParam());
+  }
+}
+
+/// So many states of each of some pairs, the hardest first.
+std::vector<double> ratios(Scheme scheme, const std::function<double(const HardState&, std::uint64_t)>& ratio_of) {
   const CorpusPairs pairs;
   std::vector<double> found;
-  for (const char* pair : {"cube-cube", "slab-gridded cube", "wedges", "small icospheres"})
-    for (std::uint64_t i = 0; i < 50; ++i) found.push_back(ratio_of(pairs.held(pair, scheme), i));
+  for (const char* pair : {"cube-cube", "slab-gridded cube", "wedges", "small icospheres"}) {
+    const HardState surfaces = surfaces_of(pairs.surfaces(pair), scheme);
+    for (std::uint64_t i = 0; i < 50; ++i) found.push_back(ratio_of(surfaces, i));
+  }
   std::ranges::sort(found, std::greater());
   return found;
 }
 
+/// Of the next generic state, under a law and with a velocity drawn for it, that is not flipped and carries a force.
+double ratio_of_generic(const HardState& surfaces, std::uint64_t& next, fast::Workspace& workspace) {
+  for (;;) {
+    const std::uint64_t i = next++;
+    const auto stream = [i](Purpose purpose) { return PoseRandom(1, 0, 2, i, purpose); };
+    const DrawnPose drawn = draw_pose(Stratum::generic, surfaces.held->features(), stream(Purpose::pose));
+    const HeldPairing::State state = draw_state(*surfaces.held, Stratum::generic, drawn, surfaces.state.scheme,
+                                                stream(Purpose::law), stream(Purpose::velocity));
+    const double ratio = hardness(Goal::error_over_bound, *surfaces.held, i % 3, state, workspace);
+    if (ratio > 0) return ratio;
+  }
+}
+
 TEST_P(HardPoses, TheHundredHardestUseUpTwiceAsMuchOfTheirBoundsAsTheHundredHardestGenericOnes) {
   fast::Workspace workspace;
-  const std::vector<double> searched = ratios(GetParam(), [&](const HeldPairing& held, std::uint64_t i) {
-    return climb(held, PoseRandom(1, 0, 1, i), workspace).ratio;
+  const std::vector<double> searched = ratios(GetParam(), [&](const HardState& surfaces, std::uint64_t i) {
+    return climb(Goal::error_over_bound, surfaces, PoseRandom(1, 0, 1, i), workspace).reached;
   });
-  // Of the generic ones, too, only those that are not flipped and carry a force.
   std::map<const HeldPairing*, std::uint64_t> next;
-  const std::vector<double> drawn = ratios(GetParam(), [&](const HeldPairing& held, std::uint64_t) {
-    ErrorOverBound found;
-    do
-      found = error_over_bound(
-          held, draw_pose(Stratum::generic, held.features(), PoseRandom(1, 0, 2, next[&held]++)).pose, workspace);
-    while (found.flipped || found.ratio == 0);
-    return found.ratio;
+  const std::vector<double> drawn = ratios(GetParam(), [&](const HardState& surfaces, std::uint64_t) {
+    return ratio_of_generic(surfaces, next[surfaces.held.get()], workspace);
   });
   // Each of them beside the generic one of its rank.
   double least = searched[0] / drawn[0];

@@ -3,65 +3,99 @@
 #include "tests/compare/hard_poses/corpus.h"
 
 #include <algorithm>
+#include <array>
 
 #include "compare/io/json/json_file.h"
 #include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
 
 namespace pcm::compare::hard_poses_test {
+namespace {
 
-const std::vector<std::string>& searched_pairs() {
-  static const std::vector<std::string> names{"cube-cube",        "slab-gridded cube",  "wedges",
-                                              "small icospheres", "lattice tetrahedra", "spike-thin plate",
-                                              "thin plate-spike", "cube-tray",          "beam-folded sheet"};
-  return names;
+Json moved_json(const std::vector<MovedVertex>& moved) {
+  Json json = Json::array();
+  for (const MovedVertex& v : moved)
+    json.push_back(Json::array({std::string(name(v.side)), v.vertex, vector_json(v.x)}));
+  return json;
 }
 
-CorpusPairs::CorpusPairs() {
+std::vector<MovedVertex> moved_from(const Json& json) {
+  std::vector<MovedVertex> moved;
+  for (const Json& v : json)
+    moved.push_back({v.at(0) == "E" ? Side::E : Side::F, v.at(1).get<Index>(), vector_from(v.at(2))});
+  return moved;
+}
+
+}  // namespace
+
+CorpusPairs::CorpusPairs()
+    : names_{"cube-cube",        "slab-gridded cube", "wedges",    "small icospheres", "lattice tetrahedra",
+             "spike-thin plate", "thin plate-spike",  "cube-tray", "beam-folded sheet"} {
   std::vector<std::string> missing;
-  for (const SurfacePair& pair : built_in_pairs("", missing)) {
-    if (std::ranges::find(searched_pairs(), pair.name) == searched_pairs().end()) continue;
-    for (const Scheme scheme : {Scheme::barycentric, Scheme::clipped})
-      held_[{pair.name, scheme}] = std::make_unique<HeldPairing>(pair.E, pair.F, ContactLaw{}, Mode::E, scheme);
-  }
+  for (SurfacePair& pair : built_in_pairs("", missing))
+    if (std::ranges::find(names_, pair.name) != names_.end()) pairs_.emplace(pair.name, std::move(pair));
 }
 
-const HeldPairing& CorpusPairs::held(const std::string& pair, Scheme scheme) const {
-  return *held_.at({pair, scheme});
+HardState CorpusPairs::hard(const CorpusState& state) const {
+  const SurfacePair& pair = surfaces(state.pair);
+  TriangleMesh E = pair.E, F = pair.F;
+  for (const MovedVertex& v : state.moved)
+    (v.side == Side::E ? E : F).vertices.at(static_cast<std::size_t>(v.vertex)) = v.x;
+  HardState hard{held_in_all_modes(E, F, state.state.law, state.state.scheme), 0, state.state};
+  while (hard.mode_asked() != state.mode) ++hard.mode;
+  return hard;
 }
 
-std::string corpus_text(const std::vector<CorpusPose>& poses) {
+std::vector<MovedVertex> moved_vertices(const SurfacePair& pair, const HardState& hard) {
+  std::vector<MovedVertex> moved;
+  const auto add = [&moved](Side side, const TriangleMesh& own, const TriangleMesh& now) {
+    for (std::size_t v = 0; v < own.vertices.size(); ++v)
+      if (own.vertices[v] != now.vertices[v]) moved.push_back({side, static_cast<Index>(v), now.vertices[v]});
+  };
+  add(Side::E, pair.E, hard.held->features().E.mesh);
+  add(Side::F, pair.F, hard.held->features().F.mesh);
+  return moved;
+}
+
+std::string corpus_text(const std::vector<CorpusState>& states) {
   std::string text = "[\n";
-  for (const CorpusPose& pose : poses) {
+  for (const CorpusState& hard : states) {
     Json json;
-    json["pair"] = pose.pair;
-    json["scheme"] = std::string(name(pose.scheme));
-    json["hard_for"] = pose.hard_for;
-    json["A"] = matrix_json(pose.pose.A);
-    json["r"] = vector_json(pose.pose.r);
-    json["force"] = vector_json(pose.true_force_Me);
-    json["torque"] = vector_json(pose.true_torque_Me);
-    json["margin"] = hexadecimal(pose.margin);
-    json["error_over_bound"] = hexadecimal(pose.error_over_bound);
-    text += json_line(json) + (&pose == &poses.back() ? "\n" : ",\n");
+    json["goal"] = std::string(name(hard.goal));
+    json["hardness"] = hexadecimal(hard.hardness);
+    json["pair"] = hard.pair;
+    json["moved"] = moved_json(hard.moved);
+    json["mode"] = std::string(name(hard.mode));
+    json["scheme"] = std::string(name(hard.state.scheme));
+    json["A"] = matrix_json(hard.state.pose.A);
+    json["r"] = vector_json(hard.state.pose.r);
+    json["v"] = vector_json(hard.state.velocity.v);
+    json["w"] = vector_json(hard.state.velocity.w);
+    json["law"] = law_json(hard.state.law);
+    json["force"] = vector_json(hard.true_force_Me);
+    json["torque"] = vector_json(hard.true_torque_Me);
+    text += json_line(json) + (&hard == &states.back() ? "\n" : ",\n");
   }
   return text + "]\n";
 }
 
-std::vector<CorpusPose> corpus_from(const std::string& text) {
-  std::vector<CorpusPose> poses;
+std::vector<CorpusState> corpus_from(const std::string& text) {
+  std::vector<CorpusState> states;
   for (const Json& json : Json::parse(text)) {
-    CorpusPose& pose = poses.emplace_back();
-    pose.pair = json.at("pair");
-    pose.scheme = scheme_from(json.at("scheme"));
-    pose.hard_for = json.at("hard_for");
-    pose.pose = {matrix_from(json.at("A")), vector_from(json.at("r"))};
-    pose.true_force_Me = vector_from(json.at("force"));
-    pose.true_torque_Me = vector_from(json.at("torque"));
-    pose.margin = number_from(json.at("margin"));
-    pose.error_over_bound = number_from(json.at("error_over_bound"));
+    CorpusState& hard = states.emplace_back();
+    hard.goal = goal_named(json.at("goal").get<std::string>()).value();
+    hard.hardness = number_from(json.at("hardness"));
+    hard.pair = json.at("pair");
+    hard.moved = moved_from(json.at("moved"));
+    hard.mode = mode_from(json.at("mode"));
+    hard.state.scheme = scheme_from(json.at("scheme"));
+    hard.state.pose = {matrix_from(json.at("A")), vector_from(json.at("r"))};
+    hard.state.velocity = {vector_from(json.at("v")), vector_from(json.at("w"))};
+    hard.state.law = law_from(json.at("law"));
+    hard.true_force_Me = vector_from(json.at("force"));
+    hard.true_torque_Me = vector_from(json.at("torque"));
   }
-  return poses;
+  return states;
 }
 
 }  // namespace pcm::compare::hard_poses_test

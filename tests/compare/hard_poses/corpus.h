@@ -3,43 +3,55 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "compare/hard_poses/goal.h"
+#include "compare/hard_poses/hard_state.h"
 #include "compare/poses/pairs.h"
-#include "compare/verify/routes/held_pairing.h"
 
-/// The hardest poses that were found, each with the true answer beside it (corpus.json, made by write_hard_poses).
+/// The hardest states that were found, each with the true answer beside it (corpus.json, made by write_hard_poses).
 namespace pcm::compare::hard_poses_test {
 
-/// A pose of a built-in pair at rest, E the master, under ContactLaw's defaults.
-struct CorpusPose {
-  std::string pair;
-  Scheme scheme = Scheme::barycentric;
-  std::string hard_for;  ///< "bound": a climb ended there; "margins": of the stratum adversarial
-  Pose pose;
-  Eigen::Vector3d true_force_Me = Eigen::Vector3d::Zero();   ///< of the exact problem, correctly rounded, N
-  Eigen::Vector3d true_torque_Me = Eigen::Vector3d::Zero();  ///< N m
-  double margin = 0;                                         ///< the least of any decision (least_margins.h)
-  double error_over_bound = 0;                               ///< of the force
+/// A vertex that a climb has moved.
+struct MovedVertex {
+  Side side = Side::E;
+  Index vertex = 0;
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();  ///< in the frame of its marker, m
 };
 
-/// The names of the pairs that are searched, small ones of each kind.
-const std::vector<std::string>& searched_pairs();
+/// A state of a built-in pair, the hardest or nearly so that climbs to the goal have found.
+struct CorpusState {
+  std::string pair;
+  std::vector<MovedVertex> moved;
+  Mode mode = Mode::E;
+  HeldPairing::State state;
+  Goal goal = Goal::margins;
+  double hardness = 0;
+  Eigen::Vector3d true_force_Me = Eigen::Vector3d::Zero();   ///< of the exact problem, correctly rounded, N
+  Eigen::Vector3d true_torque_Me = Eigen::Vector3d::Zero();  ///< N m
+};
 
-/// These pairs, ready to be asked.
+/// The pairs that are searched, small ones of each kind, by their names.
 class CorpusPairs {
  public:
   CorpusPairs();
-  const HeldPairing& held(const std::string& pair, Scheme scheme) const;
+
+  const std::vector<std::string>& names() const { return names_; }
+  const SurfacePair& surfaces(const std::string& pair) const { return pairs_.at(pair); }
+  /// As it is asked, with its vertices moved.
+  HardState hard(const CorpusState& state) const;
 
  private:
-  std::map<std::pair<std::string, Scheme>, std::unique_ptr<HeldPairing>> held_;
+  std::vector<std::string> names_;
+  std::map<std::string, SurfacePair> pairs_;
 };
 
-/// One pose a line, all numbers hexadecimal.
-std::string corpus_text(const std::vector<CorpusPose>& poses);
-std::vector<CorpusPose> corpus_from(const std::string& text);
+/// The vertices of a state that are not the pair's own.
+std::vector<MovedVertex> moved_vertices(const SurfacePair& pair, const HardState& hard);
+
+/// One state a line, all numbers hexadecimal.
+std::string corpus_text(const std::vector<CorpusState>& states);
+std::vector<CorpusState> corpus_from(const std::string& text);
 
 }  // namespace pcm::compare::hard_poses_test

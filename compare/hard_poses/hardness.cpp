@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The pcm authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/hard_poses/hardness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compare/hard_poses/least_margin.h"
+#include "compare/verify/routes/wanted_presets.h"
+
+namespace pcm::compare {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double steps(const fast::WorkCounters& work) {
+  return static_cast<double>(work.node_pairs + work.face_rows + work.predicates + work.elements + work.lines +
+                             work.searches());
+}
+
+double greatest_part(const Eigen::Vector3d& subj, const Eigen::Vector3d& truth, const Eigen::Vector3d& bound) {
+  double greatest = 0;
+  for (int j = 0; j < 3; ++j) {
+    const double error = std::abs(subj[j] - truth[j]);
+    const double part = error == 0 ? 0 : error / bound[j];
+    greatest = std::isnan(part) ? kInfinity : std::max(greatest, part);
+  }
+  return greatest;
+}
+
+double bound_over_error(const fast::Contact& subj, const Eigen::Vector3d& true_force_Me) {
+  if (subj.elements.empty()) return 0;
+  double forces = 0;
+  for (const fast::Element& e : subj.elements) forces += e.force_Me.stableNorm();
+  const double error = std::max((subj.force_Me - true_force_Me).stableNorm(), 0x1p-53 * forces);
+  const double bound = subj.bound->force_Me.stableNorm();
+  if (std::isnan(error) || std::isnan(bound)) return kInfinity;
+  return error > 0 && std::isfinite(bound) ? bound / error : 0;
+}
+
+}  // namespace
+
+double hardness(Goal goal, const HeldPairing& held, std::size_t mode, const HeldPairing::State& state,
+                fast::Workspace& workspace) {
+  if (goal == Goal::margins) return 1 / least_margin(held.features(), state.pose);
+  const fast::Pairing& as_held = held.engine(mode);
+  const fast::Pairing engine(as_held.surface_E(), as_held.surface_F(), state.law, as_held.mode(), state.scheme);
+  if (!depends_on_law(goal)) {
+    const fast::WorkCounters work = fast::evaluate(engine, state.pose, state.velocity, {}, workspace).work;
+    return goal == Goal::work ? steps(work) : static_cast<double>(work.exact_predicates);
+  }
+  Wanted wanted = kForceOnly;
+  wanted.bound = wanted.elements = true;
+  const fast::Contact& subj = fast::evaluate(engine, state.pose, state.velocity, wanted, workspace);
+  if (subj.bound->flipped) return 0;
+  reference::Inquiry inquiry(held.oracle(), state.pose, state.velocity, kForceOnly, state.law, state.scheme);
+  const reference::Answer truth = inquiry.answer(reference::Problem::exact, engine.mode());
+  if (goal == Goal::bound_over_error) return bound_over_error(subj, truth.force_Me);
+  return std::max(greatest_part(subj.force_Me, truth.force_Me, subj.bound->force_Me),
+                  greatest_part(subj.torque_Me, truth.torque_Me, subj.bound->torque_Me));
+}
+
+}  // namespace pcm::compare
