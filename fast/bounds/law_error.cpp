@@ -57,8 +57,8 @@ Uncertain normal_force_error(const ForceProblem& problem, const Element& element
                     kUnderflow * (v_n.greatest() + law.damping * (1 + area.greatest()) * v_n.greatest()) + kUnderflow;
   }
   const double force_error = elastic_error + damping_error + u * (elastic + damping);
-  const bool pulls =
-      law.damping_mode != DampingMode::full && element.normal_velocity < 0 && elastic - damping < -2 * force_error;
+  const bool pulls = law.damping_mode == DampingMode::no_tension && element.normal_velocity < 0 &&
+                     elastic - damping < -2 * force_error;
   return {std::abs(element.normal_force), pulls ? 0 : force_error};
 }
 
