@@ -164,7 +164,7 @@ class MasterView {
   /// whichever side of that they lie. They hide no more than a strip does, but may be all that ends there.
   Hiders find_hiders(Index slave_face, const std::vector<SeenPoint>& part, double strip, bool slivers = false) const;
   /// Whether the hider begins at an edge of the slave face to hide the face beyond it, which is level with the hider
-  /// but not with the slave face.
+  /// but not in its plane, while the slave face is either not level with it or in its plane.
   bool hides_level_face_beyond(Index slave_face, const NearFace& hider, double strip) const;
   /// The lines at which the face begins to hide something of the slave face, rather than end: no more than `most` each.
   void add_folds(Index slave_face, const NearFace& hider, double strip, double most, Hiders& hiders) const;

@@ -277,10 +277,11 @@ double MasterView::area_about_depth(Index slave_face, double depth, double error
   return no_more(area_near_zero(part, error), greatest_area());
 }
 
-// Both faces at such an edge touch the hider with it, exactly: from it on the slave's sheet is hidden. Moved one way
-// the hider covers some of the slave face, as fast as the two meet; moved the other way the face beyond comes to light,
-// as fast as it and the hider meet: more than 1 / kLevel times as fast as they move. The oracle's derivative is of the
-// latter; one that leaves out what begins to be seen, and moves the edge with its face, is as right.
+// Both faces at such an edge touch the hider with it, exactly, or the slave face lies in the hider's plane and counts
+// as before it: from that edge on the slave's sheet is hidden. Moved one way the hider covers some of the slave face,
+// as fast as the two meet, or all of it at once; moved the other way the face beyond comes to light, as fast as it and
+// the hider meet: more than 1 / kLevel times as fast as they move. The oracle's derivative is of the latter; one that
+// leaves out what begins to be seen, and moves the edge with its face, is as right.
 bool MasterView::hides_level_face_beyond(Index slave_face, const NearFace& hider, double strip) const {
   const Side slave = opposite(master_);
   const DepthField of_hider = depth_field(hider.side, hider.face, strip);
@@ -288,15 +289,16 @@ bool MasterView::hides_level_face_beyond(Index slave_face, const NearFace& hider
   const SeenFace seen_slave = seen(slave, slave_face), seen_hider = seen(hider.side, hider.face);
   const Triangle& corners = faces_.surface(slave).mesh.faces[static_cast<std::size_t>(slave_face)];
   const auto above_hider = [&](const SeenPoint& x) { return std::abs(x.z() - of_hider.at(x)); };
-  const auto touches_with_an_edge = [&](Index face) {
-    return faces_.corners_by_plane(hider.side, hider.face, slave, face).on == 2;
+  const auto corners_on_hider = [&](Index face) {
+    return faces_.corners_by_plane(hider.side, hider.face, slave, face).on;
   };
-  if (!touches_with_an_edge(slave_face)) return false;
+  const bool is_flush = corners_on_hider(slave_face) == 3;
+  if (!is_flush && corners_on_hider(slave_face) != 2) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     const SeenPoint &from = seen_slave[k], &to = seen_slave[(k + 1) % 3], &apex = seen_slave[(k + 2) % 3];
     const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
     for (const Index beyond : faces_.surface(slave).faces_at({low, high})) {
-      if (beyond == slave_face || (hider.side == slave && hider.face == beyond) || !touches_with_an_edge(beyond))
+      if (beyond == slave_face || (hider.side == slave && hider.face == beyond) || corners_on_hider(beyond) != 2)
         continue;
       const DepthField of_beyond = depth_field(slave, beyond, strip);
       if (!std::isfinite(of_beyond.error) || !(of_beyond.normal.z() > 0)) continue;
@@ -308,7 +310,8 @@ bool MasterView::hides_level_face_beyond(Index slave_face, const NearFace& hider
         most = std::max(most, of_beyond.at(x) - of_hider.at(x));
         depth = std::max(depth, std::abs(x.z()));
       }
-      if (most - least <= kLevel * depth + error && above_hider(apex) > kLevel * depth + error) return true;
+      if (most - least > kLevel * depth + error) continue;
+      if (is_flush || above_hider(apex) > kLevel * depth + error) return true;
     }
   }
   return false;

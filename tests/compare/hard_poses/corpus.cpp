@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/compare/hard_poses/corpus.h"
 
-#include <algorithm>
 #include <array>
 
+#include "compare/hard_poses/search.h"
 #include "compare/io/json/json_file.h"
 #include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
@@ -31,9 +31,7 @@ std::vector<MovedVertex> moved_from(const Json& json) {
 CorpusPairs::CorpusPairs()
     : names_{"cube-cube",        "slab-gridded cube", "wedges",    "small icospheres", "lattice tetrahedra",
              "spike-thin plate", "thin plate-spike",  "cube-tray", "beam-folded sheet"} {
-  std::vector<std::string> missing;
-  for (SurfacePair& pair : built_in_pairs("", missing))
-    if (std::ranges::find(names_, pair.name) != names_.end()) pairs_.emplace(pair.name, std::move(pair));
+  for (SurfacePair& pair : searched_pairs()) pairs_.emplace(pair.name, std::move(pair));
 }
 
 HardState CorpusPairs::hard(const CorpusState& state) const {

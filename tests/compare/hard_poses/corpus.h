@@ -32,11 +32,12 @@ struct CorpusState {
   Eigen::Vector3d true_torque_Me = Eigen::Vector3d::Zero();  ///< N m
 };
 
-/// The pairs that are searched, small ones of each kind, by their names.
+/// All pairs that are searched, by their names.
 class CorpusPairs {
  public:
   CorpusPairs();
 
+  /// Those of the corpus, small ones of each kind.
   const std::vector<std::string>& names() const { return names_; }
   const SurfacePair& surfaces(const std::string& pair) const { return pairs_.at(pair); }
   /// As it is asked, with its vertices moved.
