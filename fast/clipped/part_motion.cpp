@@ -30,7 +30,14 @@ bool may_have_edge_on_border(const ProjectedFace& f) {
   return any;
 }
 
-/// The integrals over what is seen, and how they change as the slave moves.
+/// Where a part's centre of pressure is.
+struct Centre {
+  double s, t;
+};
+
+/// The integrals over what is seen, and how they change as the slave moves: of 1, of the clamped depth, and of that
+/// times s and t reckoned from the centre of pressure. A part that is small beside its master is far from p0, and
+/// lengths from there to the part, squared, would be rounded.
 enum Integral { kOne, kDepths, kSDepths, kTDepths, kIntegrals };
 using IntegralSlopes = std::array<MotionSlope, kIntegrals>;
 
@@ -48,8 +55,9 @@ MotionSlope of_quotient(const MotionSlope& a, double b, const MotionSlope& by_b,
   return {(a.by_position - quotient * by_b.by_position) / b, (a.by_rotation - quotient * by_b.by_rotation) / b};
 }
 
-/// Integrals over polygons of what Moments leaves out: s, t and their products.
+/// Integrals over polygons of what Moments leaves out: s, t and their products, reckoned from a centre.
 struct PlaceMoments {
+  Centre centre;
   double s = 0, t = 0, ss = 0, st = 0, tt = 0;
 
   void add(const ConvexPolygon& polygon) {
@@ -57,15 +65,24 @@ struct PlaceMoments {
   }
   void add(const PrismPoint& a, const PrismPoint& b, const PrismPoint& c) {
     const double area = 0.5 * cross_st(a, b, c), third = area / 3, twelfth = area / 12;
-    const double sum_s = (a[kS] + b[kS]) + c[kS], sum_t = (a[kT] + b[kT]) + c[kT];
-    const auto product = [&](int x, int y) { return (a[x] * a[y] + b[x] * b[y]) + c[x] * c[y]; };
+    using Three = std::array<double, 3>;
+    const Three at_s{a[kS] - centre.s, b[kS] - centre.s, c[kS] - centre.s};
+    const Three at_t{a[kT] - centre.t, b[kT] - centre.t, c[kT] - centre.t};
+    const double sum_s = (at_s[0] + at_s[1]) + at_s[2], sum_t = (at_t[0] + at_t[1]) + at_t[2];
+    const auto product = [](const Three& x, const Three& y) { return (x[0] * y[0] + x[1] * y[1]) + x[2] * y[2]; };
     s += third * sum_s;
     t += third * sum_t;
-    ss += twelfth * (sum_s * sum_s + product(kS, kS));
-    st += twelfth * (sum_s * sum_t + product(kS, kT));
-    tt += twelfth * (sum_t * sum_t + product(kT, kT));
+    ss += twelfth * (sum_s * sum_s + product(at_s, at_s));
+    st += twelfth * (sum_s * sum_t + product(at_s, at_t));
+    tt += twelfth * (sum_t * sum_t + product(at_t, at_t));
   }
 };
+
+/// The corner p0 where that is not known.
+Centre centre_of_pressure(const Moments& m) {
+  const Centre centre{m.s_depth / m.depth, m.t_depth / m.depth};
+  return std::isfinite(centre.s + centre.t) ? centre : Centre{0, 0};
+}
 
 class PartSlopes {
  public:
@@ -73,7 +90,9 @@ class PartSlopes {
       : part_(part),
         scratch_(scratch),
         depth_f_(depth_of(part.f)),
-        p0_arm_Me_(part.prism.p0_Me() - part.posed.placement.r_Me),
+        centre_(centre_of_pressure(part.moments)),
+        centre_arm_Me_((part.prism.p0_Me() - part.posed.placement.r_Me) +
+                       (centre_.s * part.prism.edge_s_Me() + centre_.t * part.prism.edge_t_Me())),
         may_have_edge_on_border_(may_have_edge_on_border(part.f)) {
     add_inside();
     scratch.cuts.clear();
@@ -105,10 +124,10 @@ class PartSlopes {
     return part_.prism.uncertainty(part_.f.corners, part_.posed.placement.max_coordinate);
   }
 
-  /// X - r of the point X at (s, t) and a depth; `one` times that.
+  /// X - r of the point X at (s, t) from the centre and a depth; `one` times that.
   Vector3d arm_Me(double one, double s, double t, double depth) const {
     const MasterPrism& prism = part_.prism;
-    return (one * p0_arm_Me_ + s * prism.edge_s_Me()) + (t * prism.edge_t_Me() - depth * prism.face().n_Me);
+    return (one * centre_arm_Me_ + s * prism.edge_s_Me()) + (t * prism.edge_t_Me() - depth * prism.face().n_Me);
   }
 
   /// What lies at that depth exactly counts as clamped: its depth has slope 0.
@@ -118,7 +137,7 @@ class PartSlopes {
   /// Where the depth is not clamped it grows as f moves.
   void add_inside() {
     Moments m;
-    PlaceMoments p;
+    PlaceMoments p{centre_};
     if (any_clamped()) {
       for (const ConvexPolygon& piece : part_.pieces) add_shallow(piece, m, p);
     } else {
@@ -126,8 +145,8 @@ class PartSlopes {
       for (const ConvexPolygon& piece : part_.pieces) p.add(piece);
     }
     add_inside(kDepths, m.area, arm_Me(m.area, p.s, p.t, m.depth));
-    add_inside(kSDepths, p.s, arm_Me(p.s, p.ss, p.st, m.s_depth));
-    add_inside(kTDepths, p.t, arm_Me(p.t, p.st, p.tt, m.t_depth));
+    add_inside(kSDepths, p.s, arm_Me(p.s, p.ss, p.st, m.s_depth - centre_.s * m.depth));
+    add_inside(kTDepths, p.t, arm_Me(p.t, p.st, p.tt, m.t_depth - centre_.t * m.depth));
   }
   void add_inside(Integral integral, double weight, const Vector3d& weighted_arm_Me) {
     const Vector3d& g = depth_f_.by_motion_Me;
@@ -344,6 +363,7 @@ class PartSlopes {
     add_part((1 - share) * V, between, depth, b, depth_b);
   }
 
+  /// At (s, t) from the centre.
   Integrands integrands(double s, double t, double depth) const {
     const double clamped = std::min(depth, part_.most);
     return {1, clamped, s * clamped, t * clamped};
@@ -351,11 +371,12 @@ class PartSlopes {
 
   /// By Simpson's rule, exact for products of three linear functions.
   void add_part(const Vector3d& V, const PrismPoint& a, double depth_a, const PrismPoint& b, double depth_b) {
-    const Integrands at_a = integrands(a[kS], a[kT], a[kDepth]), at_b = integrands(b[kS], b[kT], b[kDepth]);
-    const Integrands between = integrands(0.5 * (a[kS] + b[kS]), 0.5 * (a[kT] + b[kT]), 0.5 * (a[kDepth] + b[kDepth]));
+    const double a_s = a[kS] - centre_.s, a_t = a[kT] - centre_.t, b_s = b[kS] - centre_.s, b_t = b[kT] - centre_.t;
+    const Integrands at_a = integrands(a_s, a_t, a[kDepth]), at_b = integrands(b_s, b_t, b[kDepth]);
+    const Integrands between = integrands(0.5 * (a_s + b_s), 0.5 * (a_t + b_t), 0.5 * (a[kDepth] + b[kDepth]));
     const Vector3d V_6 = V / 6;
-    const Vector3d moment_a = arm_Me(1, a[kS], a[kT], depth_a).cross(V_6);
-    const Vector3d moment_b = arm_Me(1, b[kS], b[kT], depth_b).cross(V_6);
+    const Vector3d moment_a = arm_Me(1, a_s, a_t, depth_a).cross(V_6);
+    const Vector3d moment_b = arm_Me(1, b_s, b_t, depth_b).cross(V_6);
     for (std::size_t i = 0; i < kIntegrals; ++i) {
       const double weight_a = at_a[i] + 2 * between[i], weight_b = at_b[i] + 2 * between[i];
       sums_[i].by_position += (weight_a + weight_b) * V_6;
@@ -366,7 +387,8 @@ class PartSlopes {
   const SeenPart& part_;
   PartMotionScratch& scratch_;
   FaceDepth depth_f_;
-  Vector3d p0_arm_Me_;  ///< p0 - r
+  Centre centre_;
+  Vector3d centre_arm_Me_;  ///< X - r at the centre, in the master's plane
   bool may_have_edge_on_border_;
   IntegralSlopes sums_;
 };
@@ -381,8 +403,8 @@ ElementMotion motion_of_part(const SeenPart& part, PartMotionScratch& scratch) {
   ElementMotion motion;
   motion.area = {twice_area * by[kOne].by_position, twice_area * by[kOne].by_rotation};
   motion.depth = of_quotient(by[kDepths], m.area, by[kOne], m.depth / m.area);
-  motion.s = of_quotient(by[kSDepths], m.depth, by[kDepths], m.s_depth / m.depth);
-  motion.t = of_quotient(by[kTDepths], m.depth, by[kDepths], m.t_depth / m.depth);
+  motion.s = {by[kSDepths].by_position / m.depth, by[kSDepths].by_rotation / m.depth};
+  motion.t = {by[kTDepths].by_position / m.depth, by[kTDepths].by_rotation / m.depth};
   for (MotionSlope* const slope : {&motion.area, &motion.depth, &motion.s, &motion.t})
     if (!is_finite(*slope)) *slope = {};
   motion.edge_s_Me = part.prism.edge_s_Me();
