@@ -11,7 +11,7 @@ namespace pcm::compare {
 /// Where a climb ended.
 struct Climb {
   HardState hardest;
-  double begun_at = 0;  ///< hardness where it began
+  double begun_at = 0;  ///< hardness where it began; -1 where engine or oracle refuses that
   double reached = 0;
 };
 

@@ -13,7 +13,7 @@ struct Words {
 };
 
 constexpr std::array kWords = {
-    Words{Goal::margins, "margins", "1 over the least margin of a decision"},
+    Words{Goal::margins, "margins", "1 over the least margin of a face and a vertex, or of two edges"},
     Words{Goal::exact_decisions, "exact-decisions", "decisions that floating point leaves open"},
     Words{Goal::error_over_bound, "error-over-bound", "error over bound, of a component of force or torque"},
     Words{Goal::bound_over_error, "bound-over-error", "bound over error, of the force"},
@@ -32,11 +32,6 @@ std::string_view name(Goal goal) {
 
 std::string_view measure(Goal goal) {
   return words(goal).measure;
-}
-
-std::optional<Goal> goal_named(std::string_view word) {
-  const auto* const found = std::ranges::find(kWords, word, &Words::name);
-  return found == kWords.end() ? std::nullopt : std::optional(found->goal);
 }
 
 bool depends_on_law(Goal goal) {

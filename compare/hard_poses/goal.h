@@ -4,14 +4,13 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace pcm::compare {
 
 /// What a search for hard states climbs to.
 enum class Goal : std::uint8_t {
-  margins,           ///< decisions near a tie, and none of them one
+  margins,           ///< orientations near a tie, and none of them one
   exact_decisions,   ///< as many decisions as can be that floating point leaves open
   error_over_bound,  ///< the engine's error of force or torque as near to its own bound as can be
   bound_over_error,  ///< the bound on the force as far above its error as can be
@@ -23,7 +22,6 @@ inline constexpr std::array kGoals = {Goal::margins, Goal::exact_decisions, Goal
 
 /// A word for tables and names of files, e.g. "error-over-bound".
 std::string_view name(Goal goal);
-std::optional<Goal> goal_named(std::string_view word);
 
 /// What the measure of a goal is, in words (hardness.h).
 std::string_view measure(Goal goal);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "compare/hard_poses/least_margin.h"
+#include "compare/verify/bounds/element_law.h"
 #include "compare/verify/routes/wanted_presets.h"
 
 namespace pcm::compare {
@@ -29,10 +30,25 @@ double greatest_part(const Eigen::Vector3d& subj, const Eigen::Vector3d& truth, 
   return greatest;
 }
 
-double bound_over_error(const fast::Contact& subj, const Eigen::Vector3d& true_force_Me) {
-  if (subj.elements.empty()) return 0;
+double area(const TriangleMesh& mesh, Index face) {
+  const Triangle& corners = mesh.faces[static_cast<std::size_t>(face)];
+  const auto at = [&](std::size_t k) { return mesh.vertices[static_cast<std::size_t>(corners[k])]; };
+  return 0.5 * ordered_cross(at(1) - at(0), at(2) - at(0)).stableNorm();
+}
+
+/// The forces of all elements if each had all of its master face, N.
+double forces_of_whole_faces(const HeldPairing& held, const ContactLaw& law, const fast::Contact& subj) {
   double forces = 0;
-  for (const fast::Element& e : subj.elements) forces += e.force_Me.stableNorm();
+  for (const fast::Element& e : subj.elements) {
+    const FeaturePair& features = held.features();
+    const TriangleMesh& mesh = e.master == Side::E ? features.E.mesh : features.F.mesh;
+    forces += greatest_force(law, area(mesh, e.master_face), e.penetration,
+                             std::hypot(e.normal_velocity, e.tangential_velocity));
+  }
+  return forces;
+}
+
+double bound_over_error(const fast::Contact& subj, const Eigen::Vector3d& true_force_Me, double forces) {
   const double error = std::max((subj.force_Me - true_force_Me).stableNorm(), 0x1p-53 * forces);
   const double bound = subj.bound->force_Me.stableNorm();
   if (std::isnan(error) || std::isnan(bound)) return kInfinity;
@@ -56,7 +72,8 @@ double hardness(Goal goal, const HeldPairing& held, std::size_t mode, const Held
   if (subj.bound->flipped) return 0;
   reference::Inquiry inquiry(held.oracle(), state.pose, state.velocity, kForceOnly, state.law, state.scheme);
   const reference::Answer truth = inquiry.answer(reference::Problem::exact, engine.mode());
-  if (goal == Goal::bound_over_error) return bound_over_error(subj, truth.force_Me);
+  if (goal == Goal::bound_over_error)
+    return bound_over_error(subj, truth.force_Me, forces_of_whole_faces(held, state.law, subj));
   return std::max(greatest_part(subj.force_Me, truth.force_Me, subj.bound->force_Me),
                   greatest_part(subj.torque_Me, truth.torque_Me, subj.bound->torque_Me));
 }

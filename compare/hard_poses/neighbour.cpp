@@ -13,6 +13,7 @@
 namespace pcm::compare {
 namespace {
 
+/// Of surfaces whose vertices are moved.
 constexpr std::size_t kMostFacesMoved = 200;
 
 double& a_component(Eigen::Vector3d& x, PoseRandom& random) {
@@ -99,9 +100,9 @@ HardState neighbour(const HardState& from, Goal goal, PoseRandom& random) {
     move(near, share, random);
   else if (eighth == 3)
     move_a_vertex(near, share, random);
-  else if (eighth == 4)
+  else if (eighth == 4 && goal != Goal::margins)
     change_the_mode(near, random);
-  else if (eighth == 5 || !depends_on_law(goal))
+  else if (eighth <= 5 || !depends_on_law(goal))
     turn(near, share, random);
   else
     change_law_or_velocity(near, share, random);

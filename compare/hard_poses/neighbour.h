@@ -14,7 +14,7 @@ namespace pcm::compare {
 /// - three eighths: F moved along an axis of Me by up to s sizes of the smaller body; an eighth: turned by up to s rad;
 /// - an eighth: one vertex of either surface moved along an axis of its frame by up to s sizes of that surface, where
 ///   both together have at most 200 faces, else F is moved;
-/// - an eighth: another mode;
+/// - an eighth: another mode, but for margins, which have none: there F is turned;
 /// - two eighths, where law and velocity have a part in the goal, else F is turned: a component of the velocity changed
 ///   by up to s sizes a second (rad/s), a number of the law that is neither 0 nor infinite by up to s of itself, or in
 ///   one of eight of these all of the law drawn anew for the pose (state_draw.h).

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "compare/io/names.h"
+#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
@@ -20,9 +21,10 @@ namespace {
 /// Where random numbers are told from those of the strata and of stability, which take less.
 constexpr std::uint64_t kFirstStream = 3000;
 
-constexpr std::size_t kMostFaces = 200;
+/// Of built-in pairs.
+constexpr std::size_t kMostFacesBuiltIn = 200;
 
-/// Where a climb begins, and under which name.
+/// Where a climb begins: of a pair or of a case.
 struct Place {
   std::string name;
   HardState begun;
@@ -35,25 +37,32 @@ std::size_t number_of_places(const SearchPlan& plan) {
 Place place(const SearchPlan& plan, std::size_t number) {
   if (!plan.cases.empty()) {
     const Case& posed = plan.cases[number];
-    return {fmt::format("{}/case {}", name(posed.scheme), number + 1), hard_state(posed)};
+    return {fmt::format("case {}", number + 1), hard_state(posed)};
   }
   const Scheme scheme = plan.schemes[number % plan.schemes.size()];
   const SurfacePair& pair = plan.pairs[number / plan.schemes.size()];
-  return {fmt::format("{}/{}", name(scheme), pair.name),
-          {held_in_all_modes(pair.E, pair.F, {}, scheme), 0, {{}, {}, {}, scheme, {}}}};
+  return {pair.name, {held_in_all_modes(pair.E, pair.F, {}, scheme), 0, {{}, {}, {}, scheme, {}}}};
 }
 
 Goal goal_of(std::uint64_t number) {
   return kGoals[number % kGoals.size()];
 }
 
-std::vector<std::array<std::string, 2>> disagreements_at(const HardState& hard, fast::Workspace& workspace,
-                                                         const EngineSeam& seam) {
-  std::vector<std::array<std::string, 2>> all;
-  for (const PoseOutcome& outcome : hard.held->hold(hard.state, workspace, seam))
-    for (std::array<std::string, 2>& words : in_words(outcome.disagreements))
-      if (std::ranges::find(all, words) == all.end()) all.push_back(std::move(words));
-  return all;
+/// The state as a case, with what disagrees there: in its own mode, or else in the first that has a disagreement.
+Case held_case(HardState hard, std::string origin, fast::Workspace& workspace, const EngineSeam& seam) {
+  const std::vector<PoseOutcome> outcomes = hard.held->hold(hard.state, workspace, seam);
+  const auto disagrees = [](const PoseOutcome& outcome) { return !outcome.disagreements.empty(); };
+  if (const auto first = std::ranges::find_if(outcomes, disagrees);
+      first != outcomes.end() && !disagrees(outcomes[hard.mode]))
+    hard.mode = static_cast<std::size_t>(first - outcomes.begin());
+  Case posed = as_case(hard, std::move(origin));
+  posed.disagreements = in_words(outcomes[hard.mode].disagreements);
+  return posed;
+}
+
+/// Without where that case came from in its turn.
+std::string origin_of(const Case& posed) {
+  return posed.origin.substr(0, posed.origin.find(", from "));
 }
 
 Climbed climb_number(const SearchPlan& plan, std::uint64_t number, const EngineSeam& seam, fast::Workspace& workspace) {
@@ -64,23 +73,39 @@ Climbed climb_number(const SearchPlan& plan, std::uint64_t number, const EngineS
   const PoseRandom random(plan.seed, kFirstStream + static_cast<std::uint64_t>(goal), 0, of_goal);
   const Climb climbed =
       plan.cases.empty() ? climb(goal, from.begun, random, workspace) : climb_from(goal, from.begun, random, workspace);
-  Climbed found{fmt::format("{}/{}/{}", name(goal), from.name, number), goal, climbed.begun_at, climbed.reached, {}};
-  found.hardest = as_case(climbed.hardest, fmt::format("seed {}, {}", plan.seed, found.name));
-  if (!plan.cases.empty()) found.hardest.origin += ", from " + plan.cases[place_number].origin;
-  found.hardest.disagreements = disagreements_at(climbed.hardest, workspace, seam);
+  Climbed found;
+  found.name = fmt::format("{}/{}/{}/{}", name(goal), name(from.begun.state.scheme), from.name, number);
+  found.from = from.name;
+  found.goal = goal;
+  found.begun_at = climbed.begun_at;
+  found.reached = climbed.reached;
+  std::string origin = fmt::format("seed {}, {}", plan.seed, found.name);
+  if (!plan.cases.empty()) origin += ", from " + origin_of(plan.cases[place_number]);
+  found.hardest = held_case(climbed.hardest, std::move(origin), workspace, seam);
   return found;
 }
 
 nlohmann::ordered_json kept_climb(const Climbed& found) {
   return {{"name", found.name},
+          {"from", found.from},
           {"begun_at", kept_number(found.begun_at)},
           {"reached", kept_number(found.reached)},
           {"hardest", format_case(found.hardest, {}, {})}};
 }
 
-Climbed climb_from_kept(Goal goal, const nlohmann::ordered_json& kept) {
-  return {kept.at("name").get<std::string>(), goal, number_from_kept(kept.at("begun_at")),
-          number_from_kept(kept.at("reached")), case_from_text(kept.at("hardest").get<std::string>(), {})};
+/// Throws BadInput where it is none.
+Climbed climb_from_kept(std::uint64_t number, const nlohmann::ordered_json& kept) {
+  try {
+    return {kept.at("name").get<std::string>(),
+            kept.at("from").get<std::string>(),
+            goal_of(number),
+            number_from_kept(kept.at("begun_at")),
+            number_from_kept(kept.at("reached")),
+            case_from_text(kept.at("hardest").get<std::string>(), {})};
+  } catch (const std::exception& error) {
+    throw BadInput(fmt::format("climb {} is kept, and damaged ({}); remove search.kept, and all are climbed again",
+                               number, error.what()));
+  }
 }
 
 }  // namespace
@@ -88,7 +113,7 @@ Climbed climb_from_kept(Goal goal, const nlohmann::ordered_json& kept) {
 std::vector<SurfacePair> searched_pairs() {
   std::vector<std::string> missing;
   std::vector<SurfacePair> pairs = built_in_pairs({}, missing);
-  std::erase_if(pairs, [](const SurfacePair& pair) { return !pair.for_hard_strata || pair.faces() > kMostFaces; });
+  std::erase_if(pairs, [](const SurfacePair& pair) { return !pair.for_hard_strata || pair.faces() > kMostFacesBuiltIn; });
   return pairs;
 }
 
@@ -115,7 +140,7 @@ SearchReport search(const SearchPlan& plan, int jobs, KeptValues& kept, const st
       const nlohmann::ordered_json found = kept.get(fmt::format("seed {}, climb {}", plan.seed, i), [&] {
         return kept_climb(climb_number(plan, number, seam, workspaces.local()));
       });
-      climbs[static_cast<std::size_t>(i)] = climb_from_kept(goal_of(number), found);
+      climbs[static_cast<std::size_t>(i)] = climb_from_kept(number, found);
       progress(++done);
     });
   });

@@ -34,10 +34,11 @@ std::int64_t climbs_of(const SearchPlan& plan);
 /// A climb, and what became of the state in which it ended.
 struct Climbed {
   std::string name;  ///< of the climb: goal, scheme, where it began, its number
+  std::string from;  ///< the pair or the case
   Goal goal = Goal::margins;
-  double begun_at = 0;  ///< hardness (hardness.h)
+  double begun_at = 0;  ///< hardness (hardness.h); -1 where engine or oracle refuses that state
   double reached = 0;
-  Case hardest;  ///< with its disagreements
+  Case hardest;  ///< with its disagreements; in the first mode that has any
 };
 
 struct SearchReport {

@@ -28,6 +28,7 @@ std::vector<const Climbed*> climbs_to(const SearchReport& report, Goal goal, Sch
 }
 
 TableCell hardness_cell(double x) {
+  if (x < 0) return empty_cell();
   return {fmt::format("{:.3g}", x), x};
 }
 
@@ -95,12 +96,12 @@ std::vector<const Climbed*> hardest_climbs(const SearchReport& report, std::size
 Table hardest_table(const std::vector<const Climbed*>& hardest) {
   Table table;
   table.columns = {{"goal", "goal", false}, {"scheme", "scheme", false}, {"mode", "mode", false},
-                   {"E", "E", false},       {"F", "F", false},           {"begun at", "begun_at"},
-                   {"reached", "reached"},  {"case", "case", false}};
+                   {"from", "from", false}, {"begun at", "begun_at"},    {"reached", "reached"},
+                   {"case", "case", false}};
   for (const Climbed* climbed : hardest) {
     const Case& posed = climbed->hardest;
     table.rows.push_back({std::string(name(climbed->goal)), std::string(name(posed.scheme)),
-                          std::string(name(posed.mode)), posed.E.name, posed.F.name, hardness_cell(climbed->begun_at),
+                          std::string(name(posed.mode)), climbed->from, hardness_cell(climbed->begun_at),
                           hardness_cell(climbed->reached), case_file_name(climbed->name)});
   }
   return table;

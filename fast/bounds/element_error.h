@@ -15,7 +15,7 @@ namespace pcm::fast {
 /// it.
 struct ElementError {
   double area = 0;         ///< of A_k, m^2
-  double penetration = 0;  ///< of u_k, m; barycentric scheme: before clamping, which never widens an error
+  double penetration = 0;  ///< of u_k, m; before clamping, which never widens it, but 0 where u_k is surely clamped
   double mean = 0;         ///< u_k itself, where areas may pass, m
   /// Of A_k u_k, m^3, where that is known better than A_k and u_k say.
   double volume = std::numeric_limits<double>::infinity();

@@ -148,13 +148,18 @@ class Border {
   }
   /// Whether a linear function that is 0 on the way rises over h by more than roundings of depths.
   bool rises_over(const ProjectedFace& h, const Slope& slope) const {
-    double low = 0, high = 0, depth = std::max(std::abs(a_[kDepth]), std::abs(b_[kDepth]));
+    double low = 0, high = 0;
     for (const PrismPoint& corner : h.corners) {
       low = std::min(low, slope.along(corner - a_));
       high = std::max(high, slope.along(corner - a_));
-      depth = std::max(depth, std::abs(corner[kDepth]));
     }
-    return high - low > kLevel * depth;
+    return high - low > kLevel * greatest_depth(h);
+  }
+  /// On the way and at the corners of h.
+  double greatest_depth(const ProjectedFace& h) const {
+    double depth = std::max(std::abs(a_[kDepth]), std::abs(b_[kDepth]));
+    for (const PrismPoint& corner : h.corners) depth = std::max(depth, std::abs(corner[kDepth]));
+    return depth;
   }
   PrismPoint at(double share) const { return a_ + share * way_; }
   double share_of(const PrismPoint& x) const { return (x[wider_] - a_[wider_]) / way_[wider_]; }
@@ -192,7 +197,8 @@ class Border {
   /// Where a linear function is 0 that is positive where h hides f, `at_a` its value there.
   std::optional<PartOnLine> on_level(const ProjectedFace& h, int kind, double at_a, const Slope& slope,
                                      const Uncertainty& uncertainty) const {
-    const double error = std::abs(slope.per_s) * uncertainty.s + std::abs(slope.per_t) * uncertainty.t;
+    const double error = std::abs(slope.per_s) * uncertainty.s + std::abs(slope.per_t) * uncertainty.t +
+                         2 * kHeightError * greatest_depth(h);  // of the depths of both faces
     if (!(slope.to_the_right(way_) > 0) || !(std::abs(at_a) <= error) || !(std::abs(at_a + slope.along(way_)) <= error))
       return {};
     if (!rises_over(h, slope)) return {};

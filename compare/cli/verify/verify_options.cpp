@@ -92,12 +92,11 @@ std::string footer() {
       "are counted.\n"
       "Known answers, error budget and audits: 1 when any row is out of its bounds; the tables and a page for each\n"
       "case are written to --out. Stability: 1 when an error exceeds the engine's own bound or an answer is not\n"
-      "finite; tables and a plot a sweep are written to --out. Search: 1 when engine and oracle part where a climb "
-      "ends;\n"
-      "tables are written to --out, and case files of the hardest states to its folder `hardest`, to replay by --case "
-      "or\n"
-      "to climb on from by --from.\n"
-      "A run with --out may be killed and goes on where it was; half a second's work is lost, some seconds' in runs "
+      "finite; tables and a plot a sweep are written to --out. Search: 1 when engine and oracle part where a climb\n"
+      "ends; tables are written to --out, and case files of the hardest states to its folder `hardest`, to replay by\n"
+      "--case or to climb on from by --from.\n"
+      "A run of poses with --out may be killed and goes on where it was; half a second's work is lost, some seconds' "
+      "in runs "
       "over\n"
       "all pairs and strata. Any number of processes may share in it: start the same command once more, on another\n"
       "machine that has the folder too, or by mpirun.\n"
@@ -175,14 +174,17 @@ void add_other_problems(CLI::App& command, VerifyOptions& options) {
       command
           .add_flag(
               "--search", options.search,
-              "Instead: climb to states that are hard for the engine, --poses of them (default: one for each goal, "
-              "scheme and pair), from states drawn for small pairs or given by --pair (2000 faces at most), over poses, velocities, laws, "
+              "Instead: climb to states that are hard for the engine, --poses climbs (default: one for each goal, "
+              "scheme and pair, or for each goal and case), from states drawn for small pairs or given by --pair (2000 "
+              "faces at most), over poses, velocities, laws, "
               "modes and vertices of small surfaces; minutes, and with --out it goes on where it was ended")
           ->excludes(known, budget, audits, stability)
           ->excludes("--strata", "--mode", "--engine", "--case");
   command
-      .add_option("--from", options.from,
-                  "With --search: climb from these case files, or from all of a folder, in their schemes")
+      .add_option(
+          "--from", options.from,
+          "With --search: climb from these case files, or from all of a folder, in their schemes; the way by which F "
+          "came there is left out")
       ->type_name("FILE|DIR")
       ->needs(search)
       ->excludes("--pair", "--scheme");

@@ -35,13 +35,17 @@ constexpr std::size_t kHardest = 10;
 
 constexpr const char* kCases = "hardest";
 
-/// Of both surfaces together: every decision about them is looked at for its margin.
-constexpr std::size_t kMostFaces = 2000;
+/// Of both surfaces together: the margins of all their orientations are looked at.
+constexpr std::size_t kMostFacesAsked = 2000;
+
+/// All of them are held in memory, each with its surfaces.
+constexpr std::uint64_t kMostClimbs = 100'000;
 
 void require_small(const std::string& what, const TriangleMesh& E, const TriangleMesh& F) {
   const std::size_t faces = E.faces.size() + F.faces.size();
-  if (faces > kMostFaces)
-    throw BadInput(fmt::format("--search: {} has {} faces, {} at most; take coarser surfaces", what, faces, kMostFaces));
+  if (faces > kMostFacesAsked)
+    throw BadInput(
+        fmt::format("--search: {} has {} faces, {} at most; take coarser surfaces", what, faces, kMostFacesAsked));
 }
 
 /// The file, or the case files of the folder by their names.
@@ -49,7 +53,9 @@ std::vector<fs::path> case_files(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return {path};
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path, error))
+  fs::directory_iterator entries(path, error);
+  if (error) throw BadInput("--from " + path.string() + ": can't be read: " + error.message());
+  for (const fs::directory_entry& entry : entries)
     if (const std::string name = entry.path().filename().string(); name.starts_with("case_") && name.ends_with(".json"))
       files.push_back(entry.path());
   if (files.empty()) throw BadInput("--from " + path.string() + ": no case file (case_....json) in this folder");
@@ -57,13 +63,22 @@ std::vector<fs::path> case_files(const fs::path& path) {
   return files;
 }
 
+/// Where cases are written those that are there are removed.
+void refuse_own_cases(const fs::path& file, const VerifyOptions& options) {
+  std::error_code error;
+  if (options.out && fs::equivalent(file.parent_path(), fs::path(*options.out) / kCases, error))
+    throw BadInput("--from " + file.string() + ": --out " + *options.out +
+                   " would remove it; choose another folder for what is found");
+}
+
 SearchPlan search_plan(const VerifyOptions& options) {
   SearchPlan plan;
   plan.seed = seed_of(options);
-  if (options.poses) plan.climbs = static_cast<std::int64_t>(whole_number("--poses", *options.poses, 1, 1'000'000'000));
+  if (options.poses) plan.climbs = static_cast<std::int64_t>(whole_number("--poses", *options.poses, 1, kMostClimbs));
   if (options.scheme && *options.scheme != "both") plan.schemes = {scheme_named(*options.scheme)};
   for (const std::string& from : options.from)
     for (const fs::path& file : case_files(from)) {
+      refuse_own_cases(file, options);
       plan.cases.push_back(read_case(file));
       require_small(file.string(), plan.cases.back().E, plan.cases.back().F);
     }

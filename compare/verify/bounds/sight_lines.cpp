@@ -300,6 +300,9 @@ bool MasterView::hides_level_face_beyond(Index slave_face, const NearFace& hider
     for (const Index beyond : faces_.surface(slave).faces_at({low, high})) {
       if (beyond == slave_face || (hider.side == slave && hider.face == beyond) || corners_on_hider(beyond) != 2)
         continue;
+      if (side_parts(slave, beyond, hider.side, hider.face, strip) ||
+          side_parts(hider.side, hider.face, slave, beyond, strip))
+        continue;
       const DepthField of_beyond = depth_field(slave, beyond, strip);
       if (!std::isfinite(of_beyond.error) || !(of_beyond.normal.z() > 0)) continue;
       const double error = of_hider.error_between(of_beyond) + of_beyond.error_between(of_hider);
@@ -310,7 +313,7 @@ bool MasterView::hides_level_face_beyond(Index slave_face, const NearFace& hider
         most = std::max(most, of_beyond.at(x) - of_hider.at(x));
         depth = std::max(depth, std::abs(x.z()));
       }
-      if (most - least > kLevel * depth + error) continue;
+      if (most - least > kLevel * depth + error || most + error <= 0) continue;
       if (is_flush || above_hider(apex) > kLevel * depth + error) return true;
     }
   }

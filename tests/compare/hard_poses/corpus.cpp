@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/compare/hard_poses/corpus.h"
 
+#include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "compare/hard_poses/search.h"
 #include "compare/io/json/json_file.h"
@@ -24,6 +26,12 @@ std::vector<MovedVertex> moved_from(const Json& json) {
   for (const Json& v : json)
     moved.push_back({v.at(0) == "E" ? Side::E : Side::F, v.at(1).get<Index>(), vector_from(v.at(2))});
   return moved;
+}
+
+Goal goal_named(const std::string& word) {
+  const auto* const goal = std::ranges::find_if(kGoals, [&](Goal one) { return name(one) == word; });
+  if (goal == kGoals.end()) throw std::runtime_error(word + " is no goal");
+  return *goal;
 }
 
 }  // namespace
@@ -81,7 +89,7 @@ std::vector<CorpusState> corpus_from(const std::string& text) {
   std::vector<CorpusState> states;
   for (const Json& json : Json::parse(text)) {
     CorpusState& hard = states.emplace_back();
-    hard.goal = goal_named(json.at("goal").get<std::string>()).value();
+    hard.goal = goal_named(json.at("goal").get<std::string>());
     hard.hardness = number_from(json.at("hardness"));
     hard.pair = json.at("pair");
     hard.moved = moved_from(json.at("moved"));

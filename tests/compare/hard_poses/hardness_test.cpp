@@ -92,13 +92,5 @@ TEST_F(HardnessOfCubes, LawsHaveAPartInErrorsAndBoundsOnly) {
     EXPECT_NE(measure(goal, 0.9375, law), measure(goal, 0.9375)) << name(goal);
 }
 
-TEST(Goals, HaveNamesThatReadBack) {
-  for (const Goal goal : kGoals) {
-    EXPECT_EQ(goal_named(name(goal)), goal);
-    EXPECT_FALSE(measure(goal).empty());
-  }
-  EXPECT_EQ(goal_named("margin"), std::nullopt);
-}
-
 }  // namespace
 }  // namespace pcm::compare

@@ -11,6 +11,7 @@
 #include "compare/io/names.h"
 #include "compare/verify/run/held_again.h"
 #include "meshes/files/text_file.h"
+#include "pcm/bad_input.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
@@ -82,6 +83,17 @@ TEST(Search, GoesOnWhereItWasStoppedAndClimbsNothingTwice) {
   EXPECT_EQ(kept.size(), 5U);
 }
 
+TEST(Search, AKeptClimbThatIsDamagedIsRefused) {
+  const TemporaryFolder scratch;
+  const nlohmann::ordered_json identity{{"format", "test"}};
+  for (const char* damaged :
+       {"5", "{}", R"({"name":"a","from":"b","begun_at":"0x0p+0","reached":"0x0p+0","hardest":"?"})"}) {
+    write_text_file(scratch.path("kept"), identity.dump() + "\n[\"seed 3, climb 0\"," + damaged + "]\n");
+    KeptValues kept(scratch.path("kept"), identity);
+    EXPECT_THROW(searched(plan_of_cubes(1), kept), BadInput) << damaged;
+  }
+}
+
 TEST(Search, BeginsAtCasesWhereItIsGivenAny) {
   SearchPlan plan = plan_of_cubes(10);
   const SearchReport first = searched(plan);
@@ -102,13 +114,13 @@ TEST(Search, BeginsAtCasesWhereItIsGivenAny) {
   }
 }
 
-/// An engine whose greatest penetration is too small by a millionth.
+/// An engine whose greatest penetration is too small by a millionth where E is the master.
 class Shallower : public EngineSeam {
  public:
   const fast::Contact& evaluate(const fast::Pairing& pairing, const Pose& pose, const Velocity& velocity,
                                 const Ask& ask, fast::Workspace& workspace) const override {
     altered_ = EngineSeam::evaluate(pairing, pose, velocity, ask, workspace);
-    altered_.max_penetration *= 1 - 1e-6;
+    if (pairing.mode() == Mode::E) altered_.max_penetration *= 1 - 1e-6;
     return altered_;
   }
 
@@ -117,9 +129,14 @@ class Shallower : public EngineSeam {
 };
 thread_local fast::Contact Shallower::altered_;
 
-TEST(Search, AnEngineThatIsWrongWhereAClimbEndsIsToldOf) {
+TEST(Search, AnEngineThatIsWrongInOneModeWhereAClimbEndsIsToldOfAndTheCaseShowsIt) {
   const SearchReport report = searched(plan_of_cubes(10), 2, Shallower());
   EXPECT_GT(report.disagreeing(), 0);
+  for (const Climbed& climbed : report.climbs) {
+    if (climbed.hardest.disagreements.empty()) continue;
+    EXPECT_EQ(climbed.hardest.mode, Mode::E);
+    EXPECT_EQ(in_words(held_again(climbed.hardest, Shallower()).disagreements), climbed.hardest.disagreements);
+  }
   EXPECT_TRUE(search_verdict(report).starts_with("NOT verified: 10 climbs, ")) << search_verdict(report);
   EXPECT_NE(search_summary(report).find("penetration: "), std::string::npos) << search_summary(report);
 }

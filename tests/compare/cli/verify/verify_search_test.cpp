@@ -51,6 +51,11 @@ TEST(VerifySearch, PrintsAndWritesTablesAndCasesThatReplayAndAreClimbedFrom) {
     EXPECT_EQ(replayed.status, 0) << replayed.err;
   }
 
+  const Outcome own = run_pcm({"verify", "--search", "--from", cases, "--poses", "1", "--out", out});
+  EXPECT_EQ(own.status, 2);
+  EXPECT_NE(own.err.find("would remove it"), std::string::npos) << own.err;
+  EXPECT_EQ(files_in(cases).size(), 5U);
+
   const Outcome further = run_pcm({"verify", "--search", "--from", cases, "--poses", "3"});
   EXPECT_EQ(further.status, 0) << further.err;
   EXPECT_EQ(lines_of(further.out).back(), "verified: 3 climbs, 0 disagreements");
@@ -90,6 +95,7 @@ TEST(VerifySearch, WhatItWouldNotHeedOrCannotReadIsRefused) {
   expect_refused({"--search", "--from", empty}, "no case file");
   expect_refused({"--search", "--from", scratch.path("none.json")}, "none.json");
   expect_refused({"--search", "--poses", "0"}, "--poses");
+  expect_refused({"--search", "--poses", "100001"}, "--poses");
   expect_refused({"--search", "--mode", "E"}, "--search");
   expect_refused({"--search", "--strata", "generic"}, "--search");
   expect_refused({"--search", "--stability"}, "--search");

@@ -111,7 +111,9 @@ TEST_P(LawCertainty, BodiesThatWouldPullHaveNoForceAndNoBound) {
   expect_holds(law, parting_);
   if (GetParam() == Scheme::clipped) return;  // slivers beside the elements may press
   EXPECT_LE(asked(law, parting_).bound->force_Me.norm(), 0x1p-1000);
-  EXPECT_GT(asked(damped(DampingMode::full), parting_).bound->force_Me.norm(), 0x1p-30);
+  // More than a sum of forces of 2^29 N is rounded by.
+  EXPECT_GT(asked(damped(DampingMode::full), parting_).bound->force_Me.norm(), 0x1p-20);
+  EXPECT_GT(asked(law, approaching_).bound->force_Me.norm(), 0x1p-20);
 }
 
 TEST_P(LawCertainty, WherePullingIsARoundingAwayTheBoundKeepsIt) {

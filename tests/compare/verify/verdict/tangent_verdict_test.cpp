@@ -261,6 +261,30 @@ TEST(ClippedTangentVerdict, PassesTheEnginesWhereAHiddenFaceIsNearlyLevelWithWha
   EXPECT_FALSE(pair.is_flagged());
 }
 
+/// A face of the slave in the plane of the sheet that hides it, to the bit, where the sheet's other face is nearly
+/// level with both but lies beside the master: nothing of that comes to light, and the verdict demands as much as ever.
+TEST(ClippedTangentVerdict, DemandsNoLessWhereTheNearlyLevelFaceIsNotOverTheFlushOne) {
+  PosedPair pair;
+  pair.E.vertices = {{0, 0, -1}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  pair.E.faces = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                  {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  const double z = -0.125;
+  pair.F.vertices = {{-1, -1, z},   {4, -1, z},     {-1, 4, z},  {4, 4, z + 0x1p-31},
+                     {.25, .25, z}, {.625, .25, z}, {.25, .5, z}};
+  pair.F.faces = {{0, 2, 1}, {1, 2, 3}, {4, 6, 5}};
+  ContactLaw law;
+  law.stiffness = 1;
+  const HeldPairing held(pair.E, pair.F, law, Mode::E, Scheme::clipped);
+  fast::Workspace workspace;
+  const fast::Contact& subj = fast::evaluate(held.engine(), Pose{}, {}, {}, workspace);
+  reference::Inquiry inquiry(held.oracle(), Pose{});
+  const fast::Tangent allowed =
+      allowed_errors(held.question({}, {}), subj.elements, inquiry.answer(reference::Problem::rounded, Mode::E),
+                     inquiry.tangent(reference::Problem::rounded, Mode::E));
+  EXPECT_GT(subj.element_count, 0);
+  EXPECT_LT(allowed.topLeftCorner(3, 3).maxCoeff(), 1e-6);
+}
+
 /// A wall stands upright as the master sees it, and leans over the face beside it by roundings, or not: what that face
 /// is seen of ends at the wall's line in the master's plane, or at their common edge (`pcm verify`, seed 2026,
 /// degenerate pose 12779 of the lattice tetrahedra).
