@@ -49,6 +49,7 @@ double forces_of_whole_faces(const HeldPairing& held, const ContactLaw& law, con
 }
 
 double bound_over_error(const fast::Contact& subj, const Eigen::Vector3d& true_force_Me, double forces) {
+  if (subj.elements.empty()) return 0;
   const double error = std::max((subj.force_Me - true_force_Me).stableNorm(), 0x1p-53 * forces);
   const double bound = subj.bound->force_Me.stableNorm();
   if (std::isnan(error) || std::isnan(bound)) return kInfinity;
