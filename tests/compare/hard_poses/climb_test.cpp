@@ -53,7 +53,7 @@ TEST_P(HardPoses, AClimbToAnyGoalIsAFunctionOfItsRandomNumbersAndEndsWhereItSays
     EXPECT_GE(first.reached, first.begun_at);
     const HardState& end = first.hardest;
     EXPECT_EQ(hardness(goal, *end.held, end.mode, end.state, workspace), first.reached);
-    EXPECT_LE(fast::orthogonality_error(end.state.pose.A), 1e-9)  // near-degenerate poses are as far off;
+    EXPECT_LE(fast::orthogonality_error(end.state.pose.A), 1e-9);  // near-degenerate poses are as far off
     EXPECT_EQ(end.state.scheme, GetParam());
   }
 }
