@@ -10,6 +10,7 @@
 #include "fast/clipped/cut_stretches.h"
 #include "fast/clipped/placed_face.h"
 #include "fast/clipped/seen_edge.h"
+#include "fast/predicates/orientation.h"
 
 namespace pcm::fast {
 
@@ -161,6 +162,17 @@ class Border {
     for (const PrismPoint& corner : h.corners) depth = std::max(depth, std::abs(corner[kDepth]));
     return depth;
   }
+  /// Of depths on the way and at the corners of h, m: a height N . (x - p0) is off by kFilterRelative of what its terms
+  /// add up to, which is no more than sqrt(3) |N| |x - p0|.
+  double depth_error(const ProjectedFace& h) const {
+    const double edge_s = seen_.prism.edge_s_Me().norm(), edge_t = seen_.prism.edge_t_Me().norm();
+    const auto distance = [&](const PrismPoint& x) {
+      return std::abs(x[kS]) * edge_s + std::abs(x[kT]) * edge_t + std::abs(x[kDepth]);
+    };
+    double farthest = std::max(distance(a_), distance(b_));
+    for (const PrismPoint& corner : h.corners) farthest = std::max(farthest, distance(corner));
+    return 1.75 * kFilterRelative * farthest;
+  }
   PrismPoint at(double share) const { return a_ + share * way_; }
   double share_of(const PrismPoint& x) const { return (x[wider_] - a_[wider_]) / way_[wider_]; }
 
@@ -197,8 +209,8 @@ class Border {
   /// Where a linear function is 0 that is positive where h hides f, `at_a` its value there.
   std::optional<PartOnLine> on_level(const ProjectedFace& h, int kind, double at_a, const Slope& slope,
                                      const Uncertainty& uncertainty) const {
-    const double error = std::abs(slope.per_s) * uncertainty.s + std::abs(slope.per_t) * uncertainty.t +
-                         2 * kHeightError * greatest_depth(h);  // of the depths of both faces
+    const double error =
+        std::abs(slope.per_s) * uncertainty.s + std::abs(slope.per_t) * uncertainty.t + 2 * depth_error(h);
     if (!(slope.to_the_right(way_) > 0) || !(std::abs(at_a) <= error) || !(std::abs(at_a + slope.along(way_)) <= error))
       return {};
     if (!rises_over(h, slope)) return {};
