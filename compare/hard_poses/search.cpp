@@ -113,7 +113,8 @@ Climbed climb_from_kept(std::uint64_t number, const nlohmann::ordered_json& kept
 std::vector<SurfacePair> searched_pairs() {
   std::vector<std::string> missing;
   std::vector<SurfacePair> pairs = built_in_pairs({}, missing);
-  std::erase_if(pairs, [](const SurfacePair& pair) { return !pair.for_hard_strata || pair.faces() > kMostFacesBuiltIn; });
+  std::erase_if(pairs,
+                [](const SurfacePair& pair) { return !pair.for_hard_strata || pair.faces() > kMostFacesBuiltIn; });
   return pairs;
 }
 
