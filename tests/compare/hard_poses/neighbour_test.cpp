@@ -11,6 +11,7 @@
 #include "compare/io/json/question_json.h"
 #include "meshes/generate/boxes.h"
 #include "meshes/generate/round.h"
+#include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
