@@ -35,8 +35,7 @@ double hardness_or_none(Goal goal, const HardState& hard, fast::Workspace& works
 HardState broken_down(const HardState& from, const DrawFailure& failure) {
   HardState hard = from;
   hard.state = failure.state();
-  hard.mode = 0;
-  while (hard.mode_asked() != Mode::both) ++hard.mode;
+  hard.ask_in(Mode::both);
   return hard;
 }
 

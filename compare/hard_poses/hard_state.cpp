@@ -6,11 +6,15 @@
 
 namespace pcm::compare {
 
+HardState hard_state(const TriangleMesh& E, const TriangleMesh& F, Scheme scheme) {
+  return {held_in_all_modes(E, F, {}, scheme), 0, {{}, {}, {}, scheme, {}}};
+}
+
 HardState hard_state(const Case& posed) {
   HardState hard{held_in_all_modes(posed.E, posed.F, posed.law, posed.scheme),
                  0,
                  {posed.pose, posed.velocity, posed.law, posed.scheme, {}}};
-  while (hard.mode_asked() != posed.mode) ++hard.mode;
+  hard.ask_in(posed.mode);
   return hard;
 }
 

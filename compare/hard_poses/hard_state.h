@@ -18,6 +18,9 @@ struct HardState {
   HeldPairing::State state;
 
   Mode mode_asked() const { return held->engine(mode).mode(); }
+  void ask_in(Mode asked) {
+    for (mode = 0; mode_asked() != asked;) ++mode;
+  }
 };
 
 /// Throws BadInput where a mesh is unfit for contact.
@@ -26,6 +29,9 @@ inline std::shared_ptr<const HeldPairing> held_in_all_modes(const TriangleMesh& 
   return std::make_shared<const HeldPairing>(E, F, law, HeldPairing::Modes{Mode::E, Mode::F, Mode::both}, scheme);
 }
 
+/// At rest in the same place, under the default law: for climbs, which draw the rest. Throws BadInput where a mesh is
+/// unfit for contact.
+HardState hard_state(const TriangleMesh& E, const TriangleMesh& F, Scheme scheme);
 /// Of a case, without the way on which F came there. Throws BadInput where a mesh is unfit for contact.
 HardState hard_state(const Case& posed);
 /// With the surfaces inline, for a climb may have moved their vertices.

@@ -30,19 +30,13 @@ double greatest_part(const Eigen::Vector3d& subj, const Eigen::Vector3d& truth, 
   return greatest;
 }
 
-double area(const TriangleMesh& mesh, Index face) {
-  const Triangle& corners = mesh.faces[static_cast<std::size_t>(face)];
-  const auto at = [&](std::size_t k) { return mesh.vertices[static_cast<std::size_t>(corners[k])]; };
-  return 0.5 * ordered_cross(at(1) - at(0), at(2) - at(0)).stableNorm();
-}
-
 /// The forces of all elements if each had all of its master face, N.
 double forces_of_whole_faces(const HeldPairing& held, const ContactLaw& law, const fast::Contact& subj) {
   double forces = 0;
   for (const fast::Element& e : subj.elements) {
     const FeaturePair& features = held.features();
-    const TriangleMesh& mesh = e.master == Side::E ? features.E.mesh : features.F.mesh;
-    forces += greatest_force(law, area(mesh, e.master_face), e.penetration,
+    const SurfaceFeatures& master = e.master == Side::E ? features.E : features.F;
+    forces += greatest_force(law, 0.5 * master.face_normal(e.master_face).stableNorm(), e.penetration,
                              std::hypot(e.normal_velocity, e.tangential_velocity));
   }
   return forces;

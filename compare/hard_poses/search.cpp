@@ -41,7 +41,7 @@ Place place(const SearchPlan& plan, std::size_t number) {
   }
   const Scheme scheme = plan.schemes[number % plan.schemes.size()];
   const SurfacePair& pair = plan.pairs[number / plan.schemes.size()];
-  return {pair.name, {held_in_all_modes(pair.E, pair.F, {}, scheme), 0, {{}, {}, {}, scheme, {}}}};
+  return {pair.name, hard_state(pair.E, pair.F, scheme)};
 }
 
 Goal goal_of(std::uint64_t number) {

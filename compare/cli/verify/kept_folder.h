@@ -13,12 +13,19 @@
 namespace pcm::compare {
 
 /// What this program has worked out for a command's tables in the folder, to go on from; without a folder nothing is
-/// kept. The file is called TABLES.kept.
+/// kept, and what is of another question is begun anew. The file is called TABLES.kept.
+inline KeptValues kept_values(const std::optional<std::filesystem::path>& folder, const std::string& tables,
+                              const nlohmann::ordered_json& question) {
+  if (!folder) return {};
+  nlohmann::ordered_json identity{{"format", "pcm kept values 1"}, {"program", program_hash()}};
+  identity.update(question);
+  return {*folder / (tables + ".kept"), identity};
+}
 inline KeptValues kept_values(const std::optional<std::filesystem::path>& folder, const std::string& tables,
                               Extent extent) {
-  if (!folder) return {};
-  return {*folder / (tables + ".kept"),
-          {{"format", "pcm kept values 1"}, {"program", program_hash()}, {"quick", extent == Extent::quick}}};
+  nlohmann::ordered_json question;
+  question["quick"] = extent == Extent::quick;
+  return kept_values(folder, tables, question);
 }
 
 }  // namespace pcm::compare

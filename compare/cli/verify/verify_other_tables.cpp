@@ -82,11 +82,19 @@ Exit stability(const VerifyOptions& options) {
   return verify_stability(extent_of(options), seed, number_of_jobs(options), folder);
 }
 
+Exit search(const VerifyOptions& options) {
+  const SearchPlan plan = search_plan(options);
+  const int jobs = number_of_jobs(options);
+  const std::optional<fs::path> folder =
+      own_folder(options, "search", {"search.md", "search.tex", "search.csv", "search.json", "hardest.csv"});
+  return verify_search(plan, jobs, folder);
+}
+
 }  // namespace
 
 Exit verify_other_tables(const VerifyOptions& options) {
   if (options.audits) return audits(options);
-  if (options.search) return verify_search(options);
+  if (options.search) return search(options);
   if (options.stability) return stability(options);
   if (options.error_budget) return error_budget(options);
   if (options.known_answers) return known_answers(options);

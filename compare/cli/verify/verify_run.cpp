@@ -82,14 +82,8 @@ void note_warnings(const std::vector<SurfacePair>& pairs, std::vector<std::strin
 /// Those of the command line, or else the built-in ones of these strata.
 std::vector<SurfacePair> pairs_of(const VerifyOptions& options, const std::vector<Stratum>& strata,
                                   std::vector<std::string>& notices) {
-  std::vector<SurfacePair> pairs;
-  for (const std::vector<std::string>& files : options.pairs)
-    pairs.push_back(pair_from_files(files.at(0), files.at(1)));
-  note_warnings(pairs, notices);
-  if (!pairs.empty()) {
-    tell_apart(pairs);
-    return pairs;
-  }
+  std::vector<SurfacePair> pairs = pairs_named(options, notices);
+  if (!pairs.empty()) return pairs;
   std::vector<std::string> missing;
   const bool wants_trajectory = std::find(strata.begin(), strata.end(), Stratum::trajectory) != strata.end();
   if (!wants_trajectory || strata.size() > 1) pairs = built_in_pairs(installed_real_surfaces(), missing);
@@ -127,6 +121,20 @@ std::uint64_t seed_of(const VerifyOptions& options) {
   return whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
 }
 
+std::vector<SurfacePair> pairs_named(const VerifyOptions& options, std::vector<std::string>& notices) {
+  std::vector<SurfacePair> pairs;
+  for (const std::vector<std::string>& files : options.pairs)
+    pairs.push_back(pair_from_files(files.at(0), files.at(1)));
+  note_warnings(pairs, notices);
+  tell_apart(pairs);
+  return pairs;
+}
+
+std::vector<Scheme> schemes_of(const VerifyOptions& options) {
+  if (options.scheme && *options.scheme != "both") return {scheme_named(*options.scheme)};
+  return {Scheme::barycentric, Scheme::clipped};
+}
+
 JobPart part_of(const VerifyOptions& options) {
   if (!options.merge.empty()) return kNoPart;
   if (!options.part) return {};
@@ -143,8 +151,7 @@ VerificationPlan plan_from(const VerifyOptions& options, std::vector<std::string
   if (options.poses) plan.poses = number_of_poses(*options.poses);
   plan.seed = seed_of(options);
   plan.modes = modes_named(options.mode.value_or("both"));
-  plan.schemes = options.scheme && *options.scheme != "both" ? std::vector{scheme_named(*options.scheme)}
-                                                             : std::vector{Scheme::barycentric, Scheme::clipped};
+  plan.schemes = schemes_of(options);
   plan.schemes_named = options.scheme.has_value();
   plan.strata_named = !options.strata.empty();
   plan.pairs_named = !options.pairs.empty();

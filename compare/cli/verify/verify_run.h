@@ -38,6 +38,13 @@ class Interruptible {
 int number_of_jobs(const VerifyOptions& options);
 std::uint64_t seed_of(const VerifyOptions& options);
 
+/// The pairs that --pair names. `notices` gets lines on what is odd about them. Throws BadInput where a file is no
+/// surface, or one that is unfit for contact.
+std::vector<SurfacePair> pairs_named(const VerifyOptions& options, std::vector<std::string>& notices);
+
+/// The one that --scheme names, or both.
+std::vector<Scheme> schemes_of(const VerifyOptions& options);
+
 /// What --part or --merge say.
 JobPart part_of(const VerifyOptions& options);
 

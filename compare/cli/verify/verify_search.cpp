@@ -12,13 +12,11 @@
 #include <set>
 #include <utility>
 
-#include "compare/cli/frame/surface_warnings.h"
+#include "compare/cli/verify/kept_folder.h"
 #include "compare/cli/verify/verify_run.h"
 #include "compare/hard_poses/search_report.h"
 #include "compare/io/create_folder.h"
-#include "compare/io/json/question_json.h"
 #include "compare/io/names.h"
-#include "compare/io/provenance/program_hash.h"
 #include "compare/io/provenance/sha256.h"
 #include "compare/io/tables/report_folder.h"
 #include "compare/verify/run/held_again.h"
@@ -48,18 +46,12 @@ void require_small(const std::string& what, const TriangleMesh& E, const Triangl
         fmt::format("--search: {} has {} faces, {} at most; take coarser surfaces", what, faces, kMostFacesAsked));
 }
 
-/// The file, or the case files of the folder by their names.
+/// The file, or the case files of the folder.
 std::vector<fs::path> case_files(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return {path};
-  std::vector<fs::path> files;
-  fs::directory_iterator entries(path, error);
-  if (error) throw BadInput("--from " + path.string() + ": can't be read: " + error.message());
-  for (const fs::directory_entry& entry : entries)
-    if (const std::string name = entry.path().filename().string(); name.starts_with("case_") && name.ends_with(".json"))
-      files.push_back(entry.path());
+  std::vector<fs::path> files = case_files_in(path);
   if (files.empty()) throw BadInput("--from " + path.string() + ": no case file (case_....json) in this folder");
-  std::ranges::sort(files);
   return files;
 }
 
@@ -69,28 +61,6 @@ void refuse_own_cases(const fs::path& file, const VerifyOptions& options) {
   if (options.out && fs::equivalent(file.parent_path(), fs::path(*options.out) / kCases, error))
     throw BadInput("--from " + file.string() + ": --out " + *options.out +
                    " would remove it; choose another folder for what is found");
-}
-
-SearchPlan search_plan(const VerifyOptions& options) {
-  SearchPlan plan;
-  plan.seed = seed_of(options);
-  if (options.poses) plan.climbs = static_cast<std::int64_t>(whole_number("--poses", *options.poses, 1, kMostClimbs));
-  if (options.scheme && *options.scheme != "both") plan.schemes = {scheme_named(*options.scheme)};
-  for (const std::string& from : options.from)
-    for (const fs::path& file : case_files(from)) {
-      refuse_own_cases(file, options);
-      plan.cases.push_back(read_case(file));
-      require_small(file.string(), plan.cases.back().E, plan.cases.back().F);
-    }
-  for (const std::vector<std::string>& files : options.pairs) {
-    plan.pairs.push_back(pair_from_files(files.at(0), files.at(1)));
-    require_small(plan.pairs.back().name, plan.pairs.back().E, plan.pairs.back().F);
-    for (const TriangleMesh* mesh : {&plan.pairs.back().E, &plan.pairs.back().F})
-      if (const std::string warning = require_fit_or_warn(*mesh); !warning.empty()) complain(warning);
-  }
-  if (plan.pairs.empty()) plan.pairs = searched_pairs();
-  tell_apart(plan.pairs);
-  return plan;
 }
 
 /// Where climbs begin: a search that is kept goes on where it was as long as that is the same.
@@ -105,12 +75,6 @@ nlohmann::ordered_json places_of(const SearchPlan& plan) {
   for (const SurfacePair& pair : plan.pairs)
     question["pairs"].push_back({{"name", pair.name}, {"surfaces", {sha256(pair.E), sha256(pair.F)}}});
   return question;
-}
-
-KeptValues kept_climbs(const std::optional<fs::path>& folder, const SearchPlan& plan) {
-  if (!folder) return {};
-  return {*folder / "search.kept",
-          {{"format", "pcm kept values 1"}, {"program", program_hash()}, {"places", places_of(plan)}}};
 }
 
 void write_cases(const fs::path& folder, const SearchReport& report, const std::vector<const Climbed*>& hardest) {
@@ -145,13 +109,27 @@ void write_tables(const fs::path& path, const SearchPlan& plan, const SearchRepo
 
 }  // namespace
 
-Exit verify_search(const VerifyOptions& options) {
-  const SearchPlan plan = search_plan(options);
-  const int jobs = number_of_jobs(options);
-  const std::optional<fs::path> folder = prepared_folder(options);
-  if (folder)
-    refuse_files_of_others(*folder, "search", {"search.md", "search.tex", "search.csv", "search.json", "hardest.csv"});
-  KeptValues kept = kept_climbs(folder, plan);
+SearchPlan search_plan(const VerifyOptions& options) {
+  SearchPlan plan;
+  plan.seed = seed_of(options);
+  if (options.poses) plan.climbs = static_cast<std::int64_t>(whole_number("--poses", *options.poses, 1, kMostClimbs));
+  plan.schemes = schemes_of(options);
+  for (const std::string& from : options.from)
+    for (const fs::path& file : case_files(from)) {
+      refuse_own_cases(file, options);
+      plan.cases.push_back(read_case(file));
+      require_small(file.string(), plan.cases.back().E, plan.cases.back().F);
+    }
+  std::vector<std::string> notices;
+  plan.pairs = pairs_named(options, notices);
+  for (const SurfacePair& pair : plan.pairs) require_small(pair.name, pair.E, pair.F);
+  for (const std::string& notice : notices) complain(notice);
+  if (plan.pairs.empty()) plan.pairs = searched_pairs();
+  return plan;
+}
+
+Exit verify_search(const SearchPlan& plan, int jobs, const std::optional<fs::path>& folder) {
+  KeptValues kept = kept_values(folder, "search", places_of(plan));
   if (kept.size() > 0) complain(fmt::format("--out {}: continued, {} climbs are kept", folder->string(), kept.size()));
   SearchReport report;
   {

@@ -250,12 +250,21 @@ bool is_of_a_run(const std::filesystem::path& file) {
 
 }  // namespace
 
-bool remove_case_files(const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> case_files_in(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::directory_iterator entries(folder, error);
+  if (error) throw BadInput(folder.string() + ": can't be read: " + error.message());
   std::vector<std::filesystem::path> files;
-  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
-    if (const std::string name = entry.path().filename().string();
-        name.starts_with("case_") && name.ends_with(".json") && is_of_a_run(entry.path()))
+  for (const std::filesystem::directory_entry& entry : entries)
+    if (const std::string name = entry.path().filename().string(); name.starts_with("case_") && name.ends_with(".json"))
       files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool remove_case_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files = case_files_in(folder);
+  std::erase_if(files, [](const std::filesystem::path& file) { return !is_of_a_run(file); });
   for (const std::filesystem::path& file : files) {
     std::error_code error;
     std::filesystem::remove(file, error);

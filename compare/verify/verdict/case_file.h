@@ -47,6 +47,8 @@ std::string format_case(const Case& posed, const nlohmann::ordered_json& engine,
 
 /// What the case file of a pose is called, by the pose's name.
 std::string case_file_name(std::string pose);
+/// The case files of a folder by their names. Throws BadInput where it can't be read.
+std::vector<std::filesystem::path> case_files_in(const std::filesystem::path& folder);
 /// Removes the case files of runs from a folder, not those under other names; says whether there were any. Throws
 /// BadInput where one can't be removed.
 bool remove_case_files(const std::filesystem::path& folder);

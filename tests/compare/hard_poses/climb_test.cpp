@@ -24,7 +24,7 @@ namespace pcm::compare::hard_poses_test {
 namespace {
 
 HardState surfaces_of(const SurfacePair& pair, Scheme scheme) {
-  return {held_in_all_modes(pair.E, pair.F, {}, scheme), 0, {{}, {}, {}, scheme, {}}};
+  return hard_state(pair.E, pair.F, scheme);
 }
 
 std::string text_of(const HardState& hard) {

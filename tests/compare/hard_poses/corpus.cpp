@@ -48,7 +48,7 @@ HardState CorpusPairs::hard(const CorpusState& state) const {
   for (const MovedVertex& v : state.moved)
     (v.side == Side::E ? E : F).vertices.at(static_cast<std::size_t>(v.vertex)) = v.x;
   HardState hard{held_in_all_modes(E, F, state.state.law, state.state.scheme), 0, state.state};
-  while (hard.mode_asked() != state.mode) ++hard.mode;
+  hard.ask_in(state.mode);
   return hard;
 }
 

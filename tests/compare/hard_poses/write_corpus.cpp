@@ -29,7 +29,7 @@ CorpusState corpus_state(const SurfacePair& pair, Goal goal, const Climb& climbe
 }
 
 std::vector<CorpusState> hardest_of(const SurfacePair& pair, Goal goal, Scheme scheme) {
-  const HardState surfaces{held_in_all_modes(pair.E, pair.F, {}, scheme), 0, {{}, {}, {}, scheme, {}}};
+  const HardState surfaces = hard_state(pair.E, pair.F, scheme);
   std::vector<CorpusState> found(kClimbs);
   oneapi::tbb::parallel_for(std::uint64_t{0}, kClimbs, [&](std::uint64_t i) {
     fast::Workspace workspace;
