@@ -114,10 +114,10 @@ class PairList {
   }
   /// `pair_of(number)` gives its pairs, without a part in the strata that are not hard.
   template <class PairOf>
-  void add_family(std::string name, const PairOf& pair_of) {
+  void add_family(const std::string& name, const PairOf& pair_of) {
     constexpr std::uint64_t kPairs = 48;
     auto [first_E, first_F] = pair_of(0);
-    add_hurting(std::move(name), std::move(first_E), std::move(first_F), 0);
+    add_hurting(name, std::move(first_E), std::move(first_F), 0);
     for (std::uint64_t number = 1; number < kPairs; ++number) pairs.back().variants.push_back(pair_of(number));
   }
   void add_files(std::string name, const std::filesystem::path& file_E, const std::filesystem::path& file_F,

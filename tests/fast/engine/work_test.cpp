@@ -136,7 +136,8 @@ SceneCounters work_of_falling_boxes() {
   for (int b = 1; b < 12; ++b) {
     BodyState& state = states[static_cast<std::size_t>(b)];
     state.pose.A = compare::rotation_of({7, b % 3, 1, b % 5 - 2});
-    state.pose.r = {0.75 * (b % 4) - 1.5, 0.875 * (b / 4) - 1, 0.625 + 0.0625 * b};
+    const int row = b / 4, column = b % 4;
+    state.pose.r = {0.75 * column - 1.5, 0.875 * row - 1, 0.625 + 0.0625 * b};
     state.velocity.v = {0, 0, -1};
   }
   SceneCounters total;
