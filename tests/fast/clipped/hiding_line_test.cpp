@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fast/posed/posed_pair.h"
-#include "fast/surface/prepared_surface.h"
+#include "fast/surface/prepare_surface.h"
 #include "tests/fast/exact_draw.h"
 
 namespace pcm::fast::hiding_line_test {
