@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <string_view>
+#include <utility>
 
 #include "bindings/python/bind.h"
 #include "bindings/python/rows.h"
@@ -15,7 +16,7 @@ namespace {
 /// Sets Python's error. A text may hold a path as the user gave it, in bytes that are no UTF-8: written as \xNN.
 void raise_bad_input(std::exception_ptr thrown) {
   try {
-    if (thrown) std::rethrow_exception(thrown);
+    if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const pcm::BadInput& bad) {
     const std::string_view text = bad.what();
     const auto decoded = pybind11::reinterpret_steal<pybind11::object>(
