@@ -195,6 +195,7 @@ void hold_motion(const AnsweredState& state, const std::vector<MovingPose>& befo
   };
   // Each step as an implicit integrator takes it: the load, then difference quotients over velocity and place.
   for (const MovingPose& earlier : before) {
+    if (!is_pose_for_scenes(earlier.pose)) continue;
     const TwoBodies bodies(earlier.pose, earlier.velocity, turn, false);
     arrive(bodies);
     ask_at(bodies.E, bodies.F);

@@ -29,6 +29,10 @@ constexpr std::int64_t kGeneralShare = 50;
 /// In a plan that has both schemes one pose in this many is answered in the clipped one.
 constexpr std::int64_t kClippedShare = 3;
 
+/// A recorded pose is come to from this many states before it: a pairing's memory follows short steps from the fourth
+/// in a row on.
+constexpr std::size_t kRecordedBefore = 6;
+
 /// A whole cut into portions in the ratio of their weights: each is the difference of two rounded-down running sums.
 class Portions {
  public:
@@ -81,7 +85,7 @@ void PlannedPoses::prepare_pairings() {
   const bool wants_nested = wants(Stratum::nested), wants_extreme = wants(Stratum::extreme);
   oneapi::tbb::parallel_for(std::size_t{0}, plan_.pairs.size(), [&](std::size_t i) {
     const SurfacePair& pair = plan_.pairs[i];
-    if (!plan_.recorded.empty() && plan_.recorded[i].states.empty()) return;
+    if (!plan_.recorded.empty() && plan_.recorded[i].chosen.empty()) return;
     const HeldPairing::Modes& modes = plan_.recorded.empty() ? plan_.modes : plan_.recorded[i].modes;
     try {
       const auto held = [&](const TriangleMesh& mesh_E, const TriangleMesh& mesh_F) {
@@ -183,14 +187,14 @@ void PlannedPoses::add_recorded_cells() {
   std::size_t without = 0;
   for (std::size_t k = 0; k < plan_.pairs.size(); ++k) {
     const RecordedPoses& recorded = plan_.recorded[k];
-    const std::int64_t n = std::ssize(recorded.states);
+    const std::int64_t n = std::ssize(recorded.chosen);
     for (const Mode mode : recorded.modes)
       if (n > 0) cells_.push_back({k, Stratum::trajectory, recorded.scheme, mode, 0, n});
     if (n > 0) continue;
     ++without;
     omissions_.push_back("pair " + plan_.pairs[k].name + " gets no pose: " +
-                         (recorded.in_file == 0 ? "none is recorded, for it never touched"
-                                                : fmt::format("{} poses are too few", plan_.poses)));
+                         (recorded.states.empty() ? "none is recorded, for it never touched"
+                                                  : fmt::format("{} poses are too few", plan_.poses)));
   }
   if (cells_.empty()) throw BadInput("no pose is recorded");
   if (without > 0) without_poses_ = fmt::format("{} of {} pairs", without, plan_.pairs.size());
@@ -252,7 +256,18 @@ const HeldPairing& PlannedPoses::held_pairing(const PlannedCell& cell, std::int6
 }
 
 const RecordedState* PlannedPoses::recorded(const PlannedCell& cell, std::int64_t pose) const {
-  return plan_.recorded.empty() ? nullptr : &plan_.recorded[cell.pair].states[static_cast<std::size_t>(pose)];
+  if (plan_.recorded.empty()) return nullptr;
+  const RecordedPoses& poses = plan_.recorded[cell.pair];
+  return &poses.states[poses.chosen[static_cast<std::size_t>(pose)]];
+}
+
+std::vector<MovingPose> PlannedPoses::recorded_before(const PlannedCell& cell, std::int64_t pose) const {
+  const RecordedPoses& poses = plan_.recorded[cell.pair];
+  const std::size_t at = poses.chosen[static_cast<std::size_t>(pose)];
+  std::vector<MovingPose> before;
+  for (std::size_t i = at - std::min(at, kRecordedBefore); i < at; ++i)
+    before.push_back({poses.states[i].pose, poses.states[i].velocity});
+  return before;
 }
 
 PoseRandom PlannedPoses::random_of(const PlannedCell& cell, std::int64_t pose, Purpose purpose) const {
@@ -271,7 +286,7 @@ DrawnPose PlannedPoses::draw(const PlannedCell& cell, std::int64_t pose) const {
 
 HeldPairing::State PlannedPoses::asked(const PlannedCell& cell, std::int64_t pose) const {
   if (const RecordedState* const state = recorded(cell, pose))
-    return {state->pose, state->velocity, plan_.pairs[cell.pair].law, cell.scheme, {}};
+    return {state->pose, state->velocity, plan_.pairs[cell.pair].law, cell.scheme, recorded_before(cell, pose)};
   if (cell.stratum == Stratum::trajectory) {
     DrawnPose drawn = draw(cell, pose);
     return {drawn.pose, drawn.velocity, plan_.pairs[cell.pair].law, cell.scheme, std::move(drawn.before)};

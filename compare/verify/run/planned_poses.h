@@ -79,6 +79,8 @@ class PlannedPoses {
   void say_what_gets_no_pose(const Fit& fit);
   /// None where poses are drawn.
   const RecordedState* recorded(const PlannedCell& cell, std::int64_t pose) const;
+  /// The recorded states from which a scene is led to a recorded pose, in the order of time.
+  std::vector<MovingPose> recorded_before(const PlannedCell& cell, std::int64_t pose) const;
   PoseRandom random_of(const PlannedCell& cell, std::int64_t pose, Purpose purpose) const;
   std::string origin(const PlannedCell& cell, std::int64_t pose) const;
 

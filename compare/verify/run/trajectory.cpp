@@ -106,17 +106,14 @@ std::vector<RecordedState> read_states(const fs::path& file) {
 }
 
 /// Of all that are recorded, one pairing after the other, those at even distances: so each pairing keeps its share.
-void keep_evenly(std::vector<RecordedPoses>& pairings, std::int64_t all, std::int64_t kept) {
+void choose_evenly(std::vector<RecordedPoses>& pairings, std::int64_t all, std::int64_t number) {
   std::int64_t seen = 0, next = 0;
-  for (RecordedPoses& pairing : pairings) {
-    std::vector<RecordedState> states;
-    for (const RecordedState& state : pairing.states)
-      if (seen++ == next * all / kept) {
-        states.push_back(state);
+  for (RecordedPoses& pairing : pairings)
+    for (std::size_t i = 0; i < pairing.states.size(); ++i)
+      if (seen++ == next * all / number) {
+        pairing.chosen.push_back(i);
         ++next;
       }
-    pairing.states = std::move(states);
-  }
 }
 
 /// The values that `of` takes over all pairings, in the order of the enumeration.
@@ -138,14 +135,13 @@ VerificationPlan read_trajectory(const fs::path& file, const TrajectoryChoice& c
   std::int64_t all = 0;
   for (RecordedPoses& pairing : plan.recorded) {
     pairing.states = read_states(pairing.file);
-    pairing.in_file = std::ssize(pairing.states);
-    all += pairing.in_file;
+    all += std::ssize(pairing.states);
     if (choice.modes) pairing.modes = *choice.modes;
     pairing.scheme = choice.scheme.value_or(pairing.scheme);
   }
   if (all == 0) throw BadInput(file.string() + ": no pairing has a pose; its bodies never touched");
   plan.poses = std::min(all, choice.poses.value_or(all));
-  keep_evenly(plan.recorded, all, plan.poses);
+  choose_evenly(plan.recorded, all, plan.poses);
   plan.strata = {Stratum::trajectory};
   plan.modes = choice.modes.value_or(
       taken(std::array{Mode::E, Mode::F, Mode::both}, plan.recorded,

@@ -24,8 +24,8 @@ struct RecordedPoses {
   HeldPairing::Modes modes;  ///< every pose is answered in each; as many for every pair of a plan
   Scheme scheme = Scheme::barycentric;
   std::filesystem::path file;
-  std::int64_t in_file = 0;  ///< how many poses the file has
-  std::vector<RecordedState> states;
+  std::vector<RecordedState> states;  ///< all that the file has, in the order of time
+  std::vector<std::size_t> chosen;    ///< those of them that are asked about, ascending
 };
 
 /// What a run is; the same plan gives the same tables, whatever the number of threads.

@@ -266,7 +266,7 @@ std::vector<Pair> pairs_that_hide() {
   const TriangleMesh cross =
       joined(generate::box({-1, -0.25, -0.25}, {1, 0.25, 0.25}), generate::box({-0.3, -0.8, -0.2}, {0.2, 0.9, 0.35}));
   TriangleMesh tilted = generate::box({-0.2, -0.4, -0.15}, {0.3, 0.5, 0.25});
-  for (Vector3d& x : tilted.vertices) x = turned(0.4, {}).A * x;
+  for (Vector3d& x : tilted.vertices) x = turned(0.4, Vector3d::Zero()).A * x;
   const TriangleMesh tangled = joined(generate::box({-0.6, -0.2, -0.2}, {0.6, 0.2, 0.2}), tilted);
   return {{"bubbles", generate::bubble(), generate::bubble(), turned(0.8, {0.13, 0.04, 0.12})},
           {"cross within cross", cross, cross, turned(0.9, {0.11, 0.07, 0.17})},
@@ -342,7 +342,7 @@ TEST(ClippedTangent, OfABoxOnTheDiagonalOfAPlateIsThatOfTheBoxHoweverBothAreTurn
   const TriangleMesh box = generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1});
   for (int i = 0; i < 40; ++i) {
     TriangleMesh plate = generate::box({-2, -2, -1}, {2, 2, 0});
-    Pose pose = turned(0.1 * i, {});
+    Pose pose = turned(0.1 * i, Vector3d::Zero());
     for (Vector3d& x : plate.vertices) x = pose.A * x;
     const double along = 0.1 + 0.02 * i;
     pose.r = pose.A * Vector3d(along, along, -0.0625);

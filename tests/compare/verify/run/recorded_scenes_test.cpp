@@ -22,6 +22,7 @@
 #include "pcm/check.h"
 #include "tests/compare/small_pair.h"
 #include "tests/compare/verify/routes/altering_seam.h"
+#include "tests/compare/verify/run/repeats_an_answer.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
@@ -132,26 +133,6 @@ TEST(RecordedScenes, HoldsAPoseAloneAsAmongTheOthers) {
     EXPECT_EQ(other.disagreeing, 0);
   }
 }
-
-/// A scene that goes on well for some questions and then repeats an answer: no route but `motion` asks one so often.
-class RepeatsAnAnswer final : public EngineSeam {
- public:
-  const fast::Contact& evaluate_in(fast::Scene& scene, fast::Workspace& workspace) const override {
-    constexpr int kWell = 8;
-    int& asked = asked_[&scene];
-    const fast::Contact& answer = EngineSeam::evaluate_in(scene, workspace);
-    if (asked++ < kWell) answers_[&scene] = answer;
-    if (asked <= kWell) return answer;
-    altered_ = answers_[&scene];
-    altered_.work = answer.work;
-    return altered_;
-  }
-
- private:
-  mutable std::map<const fast::Scene*, int> asked_;
-  mutable std::map<const fast::Scene*, fast::Contact> answers_;
-  mutable fast::Contact altered_;
-};
 
 TEST(RecordedScenes, ASceneThatAnswersAsAnEarlierStepIsFlagged) {
   // Scenes live one after the other, often at one address: a seam a pose.

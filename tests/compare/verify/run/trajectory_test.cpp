@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "compare/poses/poses_file.h"
+#include "compare/verify/run/held_again.h"
 #include "compare/verify/run/run_chunks.h"
 #include "compare/verify/run/run_identity.h"
 #include "compare/verify/run/run_verdict.h"
 #include "compare/verify/tables/verification_table.h"
 #include "meshes/files/text_file.h"
 #include "tests/compare/tiny_trajectory.h"
+#include "tests/compare/verify/run/repeats_an_answer.h"
 
 namespace pcm::compare::trajectory_test {
 namespace {
@@ -22,6 +24,14 @@ namespace {
 void run_all(Verification& run, int jobs) {
   run_all(
       run, jobs, [] { return false; }, [](std::int64_t) {});
+}
+
+/// The second body goes up by 0.01 a line.
+std::string poses_on_the_way(int number) {
+  std::string text;
+  for (int i = 0; i < number; ++i)
+    text += "1 0 0  0 1 0  0 0 1   0.8 0.13 0.0" + std::to_string(i) + "   0 0 0  0 0 0\n";
+  return text;
 }
 
 /// A second pairing, the other way round, in the clipped scheme with the second body as master: six poses.
@@ -36,14 +46,12 @@ void add_pairing(const TinyTrajectory& trajectory) {
     pairing["poses"] = "1.poses";
     json["pairings"].push_back(pairing);
   });
-  std::string text;
-  for (int i = 0; i < 6; ++i) text += "1 0 0  0 1 0  0 0 1   0.8 0.13 0.0" + std::to_string(i) + "   0 0 0  0 0 0\n";
-  trajectory.folder().write("1.poses", text);
+  trajectory.folder().write("1.poses", poses_on_the_way(6));
 }
 
 std::vector<std::int64_t> lines_of(const RecordedPoses& recorded) {
   std::vector<std::int64_t> lines;
-  for (const RecordedState& state : recorded.states) lines.push_back(state.line);
+  for (const std::size_t i : recorded.chosen) lines.push_back(recorded.states[i].line);
   return lines;
 }
 
@@ -78,6 +86,47 @@ TEST(Trajectory, IsAskedBitForBitWithLawModeAndSchemeOfItsPairing) {
   EXPECT_EQ(run.poses().pose_name(second, 0), "brick-block/trajectory/1/E/clipped");
   EXPECT_EQ(run.poses().asked(second, 0).law.friction, 0.5);
   EXPECT_EQ(run.poses().asked(second, 0).scheme, Scheme::clipped);
+}
+
+TEST(Trajectory, EachPoseComesWithTheSixStatesRecordedBeforeItAlsoWhereFewAreAsked) {
+  const TinyTrajectory trajectory;
+  trajectory.folder().write("0.poses", poses_on_the_way(9));
+  const auto heights_before = [](const Verification& run, std::int64_t pose) {
+    std::vector<double> heights;
+    for (const MovingPose& state : run.poses().asked(run.cells()[0], pose).before) heights.push_back(state.pose.r.z());
+    return heights;
+  };
+  const Verification all(read_trajectory(trajectory.file()));
+  EXPECT_TRUE(heights_before(all, 0).empty());
+  EXPECT_EQ(heights_before(all, 2), (std::vector{0.0, 0.01}));
+  EXPECT_EQ(heights_before(all, 8), (std::vector{0.02, 0.03, 0.04, 0.05, 0.06, 0.07}));
+  const Verification three(read_trajectory(trajectory.file(), {3, {}, {}}));
+  EXPECT_TRUE(heights_before(three, 0).empty());
+  EXPECT_EQ(heights_before(three, 1), (std::vector{0.0, 0.01, 0.02}));
+  EXPECT_EQ(heights_before(three, 2), (std::vector{0.0, 0.01, 0.02, 0.03, 0.04, 0.05}));
+}
+
+TEST(Trajectory, ASceneThatAnswersAsAnEarlierStepIsFlaggedAndItsCaseReplays) {
+  const TinyTrajectory trajectory;
+  trajectory.folder().write("0.poses", poses_on_the_way(9));
+  const RepeatsAnAnswer seam;
+  const Verification run(read_trajectory(trajectory.file()));
+  const Case posed = run.poses().as_case(run.cells()[0], 8);
+  EXPECT_EQ(posed.before.size(), 6U);
+  const std::vector<Disagreement> found = held_again(posed, seam).disagreements;
+  ASSERT_FALSE(found.empty());
+  EXPECT_TRUE(found.front().text.starts_with("motion: ")) << found.front().text;
+  EXPECT_TRUE(held_again(posed).disagreements.empty());
+}
+
+TEST(Trajectory, StatesBeforeThatNoSceneTakesAreLeftOut) {
+  const TinyTrajectory trajectory;
+  // Off orthogonal by 5e-10: a pose for the engine, and none for a scene.
+  trajectory.folder().write("0.poses",
+                            "1 5e-10 0  0 1 0  0 0 1   0.8 0.13 0.05   0 0 0  0 0 0\n" + poses_on_the_way(2));
+  Verification run(read_trajectory(trajectory.file()));
+  run_all(run, 1);
+  EXPECT_EQ(verdict_line(run), "verified: 3 poses, 3 touching, 0 disagreements");
 }
 
 TEST(Trajectory, OfPairingsInDifferentModesEachPoseIsAskedOnce) {
