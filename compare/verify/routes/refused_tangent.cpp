@@ -7,6 +7,7 @@
 #include "compare/verify/routes/refusal.h"
 #include "compare/verify/routes/two_bodies.h"
 #include "compare/verify/routes/wanted_presets.h"
+#include "compare/verify/verdict/tangent_verdict.h"
 
 namespace pcm::compare {
 namespace {
@@ -59,7 +60,7 @@ ContactLaw weakened(const ContactLaw& law) {
 }
 
 void hold_beyond_doubles(const fast::Tangent& under_weakened_law, Checks& checks) {
-  constexpr double kLeast = 0x1p-10 * kWeakening * std::numeric_limits<double>::max();
+  constexpr double kLeast = kWeakening * std::numeric_limits<double>::max() / kGreatestOnTheWay;
   const double greatest = under_weakened_law.lpNorm<Eigen::Infinity>();
   if (greatest < kLeast)
     checks.add(Kind::tangent, "refused, though its greatest entry under a law 2^-128 times as strong is {}", greatest);

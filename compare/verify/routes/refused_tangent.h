@@ -22,10 +22,8 @@ void hold_refusal(const EngineSeam& seam, const fast::Pairing& pairing, const Po
 /// bit where nothing underflows.
 ContactLaw weakened(const ContactLaw& law);
 
-/// Holds that a tangent under the weakened law would be beyond all doubles under the law itself. The engine refuses
-/// also where nothing but a sum on the way is beyond them; how much greater than what comes of it such a sum may be
-/// depends on what cancels, and is not derived: the greatest entry may be 2^10 times too small for a refusal. Where
-/// more cancels this speaks up, and somebody has to look.
+/// Holds that a tangent under the weakened law, or a sum on the way to it (kGreatestOnTheWay), would be beyond all
+/// doubles under the law itself.
 void hold_beyond_doubles(const fast::Tangent& under_weakened_law, Checks& checks);
 
 }  // namespace pcm::compare

@@ -17,7 +17,13 @@ namespace pcm::compare {
 fast::Tangent allowed_errors(const Question& question, const std::vector<fast::Element>& found,
                              const reference::Answer& true_rounded, const reference::Tangent& truth);
 
-/// Whether a tangent off by no more than that may be beyond all doubles: the engine may refuse it then.
+/// How much greater a sum on the way to a tangent may be than the greatest entry that comes of it: the engine refuses
+/// the tangent where such a sum is beyond all doubles. It depends on what cancels, and is not derived: where more does,
+/// a refusal counts as a disagreement, and somebody has to look.
+inline constexpr double kGreatestOnTheWay = 0x1p10;
+
+/// Whether a tangent off by no more than that may be beyond all doubles, or a sum on the way to it: the engine may
+/// refuse it then.
 bool may_overflow(const reference::Tangent& truth, const fast::Tangent& allowed);
 
 /// Holds the engine's tangent against the oracle's, every entry within what is allowed; widths are told block by block.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -19,6 +20,7 @@
 #include "compare/poses/rounded_vertices.h"
 #include "compare/verify/bounds/element_law.h"
 #include "compare/verify/routes/held_pairing.h"
+#include "compare/verify/routes/refused_tangent.h"
 #include "compare/verify/routes/state_draw.h"
 #include "compare/verify/routes/wanted_presets.h"
 #include "compare/verify/run/verify.h"
@@ -377,6 +379,33 @@ TEST(Seam, TangentThatIsNotBeyondAllDoublesMayNotBeRefused) {
       held.hold(wedges.state, workspace, RefusingSeam(wedges.law.stiffness)).front().disagreements;
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front().kind, Kind::tangent);
+}
+
+/// A block of some 2^243 m, sunk into a greater one whose origin is far away (`pcm verify`, seed 2030, extreme pose
+/// 8449 of sunken blocks): what the torque's derivatives by the spin are summed of cancels in part.
+TEST(Seam, TangentMayBeRefusedWhereOnlyASumOnTheWayIsBeyondAllDoubles) {
+  TriangleMesh block = generate::box({-0.75, -0.75, -0.125}, {0.75, 0.75, 0.125});
+  TriangleMesh greater = generate::box({-2, -2.125, -0.625}, {2, 2, 0.625});
+  for (TriangleMesh* const mesh : {&block, &greater})
+    for (Eigen::Vector3d& x : mesh->vertices) x *= 0x1p243;
+  HeldPairing::State state;
+  state.pose.r = {0x1.6p243, 0x1.cp243, 0x1.7p242};
+  state.velocity.v = {-0x1.4p200, 0x1.4p201, -0x1p238};
+  state.law.stiffness = 0x1p16;
+  state.law.damping = 0x1p10;
+  state.law.friction = 0x1.ep-1;
+  state.law.slip_velocity = 0x1.8p201;
+  fast::Workspace workspace;
+  const auto evaluate = [&](const ContactLaw& law) {
+    const fast::Pairing pairing(fast::Surface{block}, fast::Surface{greater}, law, Mode::both);
+    return fast::evaluate(pairing, state.pose, state.velocity, kForceAndTangent, workspace);
+  };
+  const double greatest = evaluate(weakened(state.law)).tangent->lpNorm<Eigen::Infinity>();
+  const double to_three_eighths = 0.375 * std::numeric_limits<double>::max() / greatest * 0x1p-128;
+  for (double* parameter : {&state.law.stiffness, &state.law.damping}) *parameter *= to_three_eighths;
+  EXPECT_THROW(evaluate(state.law), BadInput);
+  const HeldPairing held(block, greater, state.law, Mode::both, Scheme::barycentric);
+  EXPECT_TRUE(held.hold(state, workspace).front().disagreements.empty());
 }
 
 TEST(Seam, OracleThatAnswersOtherwiseAfreshIsFlagged) {

@@ -386,9 +386,9 @@ TEST(ClippedTangentVerdict, MayBeRefusedWhereWhatIsAllowedReachesBeyondAllDouble
   reference::Tangent truth;
   fast::Tangent allowed = fast::Tangent::Constant(1);
   EXPECT_FALSE(may_overflow(truth, allowed));
-  truth.slope(3, 9) = -kMost;
+  truth.slope(3, 9) = -kMost / kGreatestOnTheWay;
   EXPECT_FALSE(may_overflow(truth, allowed));
-  allowed(3, 9) = kMost / 2;
+  allowed(3, 9) = kMost / kGreatestOnTheWay / 2;
   EXPECT_TRUE(may_overflow(truth, allowed));
   truth.slope(3, 9) = 0;
   EXPECT_FALSE(may_overflow(truth, allowed));
