@@ -25,21 +25,22 @@ Place draw_place(PoseRandom& random, std::uint64_t off, std::uint64_t generic) {
   return random.coin() ? Place::at : Place::near;
 }
 
+/// Those at, near and between which thresholds keep their limits.
 std::vector<double> usable(std::span<const double> figures) {
-  std::vector<double> positive;
-  std::copy_if(figures.begin(), figures.end(), std::back_inserter(positive),
-               [](double x) { return x > 0 && std::isfinite(x); });
-  return positive;
+  std::vector<double> inside;
+  std::copy_if(figures.begin(), figures.end(), std::back_inserter(inside),
+               [](double x) { return x > kLeastDrawnThreshold && x < kGreatestDrawnThreshold; });
+  return inside;
 }
 
 double draw_one_of(PoseRandom& random, const std::vector<double>& figures) {
   return figures[random.below(figures.size())];
 }
 
-/// 1 to 4 ulps beside the figure, and still positive and finite.
+/// 1 to 4 ulps beside the figure.
 double draw_near(PoseRandom& random, double figure) {
   const std::uint64_t ulps = 1 + random.below(4);
-  const double towards = random.coin() ? std::numeric_limits<double>::max() : std::numeric_limits<double>::denorm_min();
+  const double towards = random.coin() ? kGreatestDrawnThreshold : kLeastDrawnThreshold;
   for (std::uint64_t k = 0; k < ulps; ++k) figure = std::nextafter(figure, towards);
   return figure;
 }
