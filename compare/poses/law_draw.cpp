@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "compare/poses/law_thresholds.h"
+
 namespace pcm::compare {
 namespace {
 
@@ -29,7 +31,7 @@ Place draw_place(PoseRandom& random, std::uint64_t off, std::uint64_t generic) {
 std::vector<double> usable(std::span<const double> figures) {
   std::vector<double> inside;
   std::copy_if(figures.begin(), figures.end(), std::back_inserter(inside),
-               [](double x) { return x > kLeastDrawnThreshold && x < kGreatestDrawnThreshold; });
+               [](double x) { return x > kLeastThreshold && x < kGreatestThreshold; });
   return inside;
 }
 
@@ -40,7 +42,7 @@ double draw_one_of(PoseRandom& random, const std::vector<double>& figures) {
 /// 1 to 4 ulps beside the figure.
 double draw_near(PoseRandom& random, double figure) {
   const std::uint64_t ulps = 1 + random.below(4);
-  const double towards = random.coin() ? kGreatestDrawnThreshold : kLeastDrawnThreshold;
+  const double towards = random.coin() ? kGreatestThreshold : kLeastThreshold;
   for (std::uint64_t k = 0; k < ulps; ++k) figure = std::nextafter(figure, towards);
   return figure;
 }

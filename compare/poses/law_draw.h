@@ -15,12 +15,8 @@
 /// of elements depend on their positions, these on layers and on max_penetration. Callers who want thresholds exactly
 /// at an element's figures work these out between the steps; `draw_law` takes all steps with the figures of one law.
 ///
-/// Figures outside the limits of thresholds count as not handed in.
+/// Figures outside the limits of thresholds (law_thresholds.h) count as not handed in.
 namespace pcm::compare {
-
-/// Limits of drawn depths, m, and velocities, m/s, that are neither 0 nor infinite: those between which the verdict's
-/// bounds hold. Bodies that meet by a denormal depth lie outside.
-inline constexpr double kLeastDrawnThreshold = 0x1p-400, kGreatestDrawnThreshold = 0x1p400;
 
 /// A law without thresholds: no transition depth, no slip velocity, no greatest penetration.
 ///

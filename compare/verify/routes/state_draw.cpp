@@ -5,13 +5,9 @@
 #include <vector>
 
 #include "compare/poses/law_draw.h"
-#include "compare/verify/verdict/question_range.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
-
-static_assert(kLeastDrawnThreshold >= kLeastThreshold && kGreatestDrawnThreshold <= kGreatestThreshold);
-
 namespace {
 
 struct Figures {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "compare/poses/law_thresholds.h"
 #include "fast/base/geometry.h"
 #include "fast/force/law_parameters.h"
 #include "pcm/bad_input.h"

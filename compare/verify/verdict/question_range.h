@@ -15,9 +15,6 @@ namespace pcm::compare {
 /// with an area and a depth, or velocities: they hold as long as none of these products leaves the range of normal
 /// doubles. Within these limits there is room for areas times depths from 2^-600 to 2^600.
 inline constexpr double kLeastFactor = 0x1p-200, kGreatestFactor = 0x1p200;
-/// Depths and velocities of the law are compared with those of elements and divide them. Bodies of 2^-240 m have such
-/// depths; a factor divided by a threshold stays from 2^-600 to 2^600.
-inline constexpr double kLeastThreshold = 0x1p-400, kGreatestThreshold = 0x1p400;
 
 /// A number of a law, with the key that files give it by, and what the verdict's bounds take beside 0 and infinity.
 struct LawNumber {

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/poses/law_thresholds.h"
 #include "compare/verify/verdict/question_range.h"
 #include "fast/force/law_parameters.h"
 #include "meshes/generate/boxes.h"
