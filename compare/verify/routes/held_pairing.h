@@ -57,6 +57,10 @@ class HeldPairing {
 
   /// Of mode number k.
   const fast::Pairing& engine(std::size_t k = 0) const { return engines_[k]; }
+  /// Of the same surfaces, under another law.
+  fast::Pairing engine(const ContactLaw& law, Mode mode, Scheme scheme) const {
+    return {engine().surface_E(), engine().surface_F(), law, mode, scheme};
+  }
   /// Of the first mode.
   const reference::Oracle& oracle() const { return oracle_; }
 
