@@ -30,10 +30,11 @@ struct FaceView {
 
 /// Scratch memory of look_through.
 struct FaceViewScratch {
-  std::vector<Index> own_listed;  ///< other faces of the master near the prism
-  std::vector<Index> open;        ///< of the search for faces
-  std::vector<Index> over;        ///< listed faces of the slave that some line may meet
-  std::vector<Index> entered;     ///< faces of the slave that the lines certainly enter
+  std::vector<Index> own_listed;          ///< other faces of the master near the prism
+  FastClearArray<PrismPoint> own_sights;  ///< by vertex of the master: of those faces
+  std::vector<Index> open;                ///< of the search for faces
+  std::vector<Index> over;                ///< listed faces of the slave that some line may meet
+  std::vector<Index> entered;             ///< faces of the slave that the lines certainly enter
 };
 
 /// Looks through the prism of a master face. `nested`: a component of one surface lies in the other without crossing,
@@ -55,7 +56,9 @@ enum class OwnFacesBefore : std::uint8_t {
 OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,
                                 double deepest);
 
-/// The corners of another face of the master.
-SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, Index face);
+/// The corners of another face of the master. `sights`: by vertex, of those that the prism has seen; those of this face
+/// are added. Faces of one sheet share them, and in the master's own plane each takes exact numbers.
+SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, Index face,
+                            FastClearArray<PrismPoint>& sights);
 
 }  // namespace pcm::fast

@@ -7,81 +7,15 @@
 #include <limits>
 
 #include "fast/base/geometry.h"
-#include "fast/base/number_vector.h"
 
 namespace pcm::fast {
 
 namespace {
 
-double size_of(const std::array<Eigen::Vector3d, 3>& p) {
-  return (p[1] - p[0]).cwiseAbs().maxCoeff();
-}
-
 /// The terms of N = (p1 - p0) x (p2 - p0) taken absolutely.
 Eigen::Vector3d magnitude_of_normal(const std::array<Eigen::Vector3d, 3>& p) {
   const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
   return cross_of_magnitudes(a, b).array() + kFilterUnderflow;
-}
-
-/// A power of two such that scaling everything by 2^k scales what is made of exact numbers in that unit exactly, too:
-/// their limbs have 64 bits. `size` is a length of the face.
-double unit_for(double size) {
-  const int exponent = std::ilogb(size) % 64;
-  return std::ldexp(1, exponent < 0 ? -exponent : 64 - exponent);
-}
-
-/// `value`, or where that is 0 and the number of the given sign that it stands for is not, the number next to 0.
-double keeping_sign(double value, double sign) {
-  return value == 0 && sign != 0 ? std::copysign(std::numeric_limits<double>::denorm_min(), sign) : value;
-}
-
-/// N . (x - p0), exactly, in the cube of a unit.
-Dyadic exact_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x, double unit) {
-  const auto from_p0 = [&](const Eigen::Vector3d& point) {
-    const Eigen::Vector3d to = unit * point, from = unit * p[0];
-    return difference<Dyadic>(to.data(), from.data());
-  };
-  return dot(cross(from_p0(p[1]), from_p0(p[2])), from_p0(x));
-}
-
-/// N . (x - p0) to a few ulps of itself, but where it underflows, 0 only where it is 0: exact but for the last step.
-double rounded_height(const std::array<Eigen::Vector3d, 3>& p, const Eigen::Vector3d& x) {
-  const double unit = unit_for(size_of(p));
-  const Dyadic height = exact_height(p, x, unit);
-  if (height.sign() == 0) return 0;
-  // In the cube of the unit it may be beyond what a double holds.
-  const int top = height.top();
-  return keeping_sign(std::ldexp(height.approximate(-top), 64 * top - 3 * std::ilogb(unit)), height.sign());
-}
-
-/// N . (x_k - p0) = value[k] 2^exponent, the greatest of the values between 2^-64 and 1, but where all are 0.
-struct ScaledHeights {
-  std::array<double, 3> value{};
-  int exponent = 0;
-
-  ScaledHeights(const std::array<Eigen::Vector3d, 3>& p, const std::array<Eigen::Vector3d, 3>& x) {
-    const double unit = unit_for(size_of(p));
-    const std::array<Dyadic, 3> heights{exact_height(p, x[0], unit), exact_height(p, x[1], unit),
-                                        exact_height(p, x[2], unit)};
-    int top = std::numeric_limits<int>::min();
-    for (const Dyadic& height : heights) {
-      if (height.sign() != 0) top = std::max(top, height.top());
-    }
-    if (top == std::numeric_limits<int>::min()) return;
-    for (std::size_t k = 0; k < 3; ++k) value[k] = heights[k].approximate(-top);
-    exponent = 64 * top - 3 * std::ilogb(unit);
-  }
-};
-
-/// N to a few ulps of itself, component by component.
-Eigen::Vector3d exact_normal(const std::array<Eigen::Vector3d, 3>& p, double size) {
-  const double unit = unit_for(size);
-  const auto from_p0 = [&](const Eigen::Vector3d& point) {
-    const Eigen::Vector3d to = unit * point, from = unit * p[0];
-    return difference<Dyadic>(to.data(), from.data());
-  };
-  const NumberVector<Dyadic> N = cross(from_p0(p[1]), from_p0(p[2]));
-  return Eigen::Vector3d(N.x.approximate(), N.y.approximate(), N.z.approximate()) / (unit * unit);
 }
 
 /// A face is a needle where |N| is less than this part of the product of two sides. Each component of N is off by at
@@ -92,15 +26,15 @@ double product_of_sides(const std::array<Eigen::Vector3d, 3>& p) {
   return (p[1] - p[0]).lpNorm<1>() * (p[2] - p[0]).lpNorm<1>();
 }
 
-/// `height`, N . (x - p0), exactly where it would not be sure to kHeightError of itself. It is the determinant of
+/// Whether a height that was computed as N . (x - p0) is sure to kHeightError of itself. It is the determinant of
 /// orient3d(p0, p1, p2, x), term by term, and so is the bound of its error, kFilterRelative of the magnitude.
-double sure_height(double height, const Eigen::Vector3d& N_magnitude, const std::array<Eigen::Vector3d, 3>& p,
-                   const Eigen::Vector3d& x, WorkCounters& work) {
-  const double magnitude = N_magnitude.dot((x - p[0]).cwiseAbs());
+bool is_sure(double height, const Eigen::Vector3d& N_magnitude, const Eigen::Vector3d& p0, const Eigen::Vector3d& x,
+             WorkCounters& work) {
+  const double magnitude = N_magnitude.dot((x - p0).cwiseAbs());
   ++work.predicates;
-  if (std::abs(height) > kExactHeight * (magnitude + kFilterUnderflow)) return height;
+  if (std::abs(height) > kExactHeight * (magnitude + kFilterUnderflow)) return true;
   ++work.exact_predicates;
-  return rounded_height(p, x);
+  return false;
 }
 
 }  // namespace
@@ -136,10 +70,15 @@ MasterPrism::MasterPrism(const FaceGeometry& face)
   N_magnitude_ = magnitude_of_normal(p);
 }
 
+const ExactPlane& MasterPrism::exact_plane() const {
+  if (!exact_plane_) exact_plane_.emplace(face_.points_Me);
+  return *exact_plane_;
+}
+
 PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) const {
   PrismPoint point = products(x_Me);
   const double height = point[kDepth];
-  const double sure = sure_height(height, N_magnitude_, face_.points_Me, x_Me, work);
+  const double sure = is_sure(height, N_magnitude_, p0_Me(), x_Me, work) ? height : exact_plane().height(x_Me);
   // Stored as a whole: a number of it alone would have to reach memory before the point could be read.
   point = point.cwiseProduct(PrismPoint(1, 1, 1, -inverse_twice_area_));
   if (sure != height || point[kDepth] == 0) point[kDepth] = keeping_sign(-sure * inverse_twice_area_, -sure);
@@ -148,7 +87,7 @@ PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) con
 
 int MasterPrism::scale_depths(const std::array<Eigen::Vector3d, 3>& points_Me,
                               std::array<PrismPoint, 3>& corners) const {
-  const ScaledHeights heights(face_.points_Me, points_Me);
+  const ScaledHeights heights = exact_plane().heights(points_Me);
   const int area_exponent = std::ilogb(inverse_twice_area_);
   const double mantissa = std::ldexp(inverse_twice_area_, -area_exponent);
   const int exponent = heights.exponent + area_exponent;
@@ -215,12 +154,13 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
 
 double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work) {
   const Eigen::Vector3d N = (f[1] - f[0]).cross(f[2] - f[0]);
-  return sure_height(N.dot(x - f[0]), magnitude_of_normal(f), f, x, work);
+  const double height = N.dot(x - f[0]);
+  return is_sure(height, magnitude_of_normal(f), f[0], x, work) ? height : ExactPlane(f).height(x);
 }
 
 std::array<double, 3> scaled_heights_over(const std::array<Eigen::Vector3d, 3>& f,
                                           const std::array<Eigen::Vector3d, 3>& points) {
-  return ScaledHeights(f, points).value;
+  return ExactPlane(f).heights(points).value;
 }
 
 }  // namespace pcm::fast

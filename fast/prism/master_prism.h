@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "fast/base/box_tree.h"
 #include "fast/base/geometry.h"
 #include "fast/predicates/orientation.h"
 #include "fast/prism/convex_polygon.h"
+#include "fast/prism/exact_plane.h"
 #include "pcm/triangle_mesh.h"
 #include "pcm/work_counters.h"
 
@@ -117,6 +119,8 @@ class MasterPrism {
     return (x + y) + z;
   }
 
+  const ExactPlane& exact_plane() const;
+
   FaceGeometry face_;
   Eigen::Vector3d edge_s_Me_;
   Eigen::Vector3d edge_t_Me_;
@@ -128,6 +132,7 @@ class MasterPrism {
   double inverse_twice_area_;    ///< 1 / m^2
   double length_s_, length_t_;   ///< of the sides from p0, m
   double tilt_;
+  mutable std::optional<ExactPlane> exact_plane_;  ///< once a height was not sure
 };
 
 /// A master prism in the frame of a surface's tree: half spaces direction . x >= offset.

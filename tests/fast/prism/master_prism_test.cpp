@@ -160,6 +160,25 @@ TEST(MasterPrism, DepthsThatUnderflowAreScaledSoThatTheirRatiosAreSure) {
   EXPECT_GE(scaled, 1000);
 }
 
+// What is exact of its plane is computed but once.
+TEST(MasterPrism, SeesEachPointAsIfItHadSeenNoOther) {
+  Doubles random(157);
+  WorkCounters work;
+  for (int trial = 0; trial < 50; ++trial) {
+    const FacePoints f = draw_face(random);
+    const MasterPrism prism(face_with_sure_normal(f));
+    for (int k = 0; k <= 60; ++k) {
+      const Eigen::Vector3d x = draw_point_near(f, k, random);
+      ASSERT_EQ(prism.see(x, work), MasterPrism(prism.face()).see(x, work)) << "2^-" << k;
+    }
+    const FacePoints points{draw_point_near(f, 40, random), draw_point_near(f, 50, random), f[2]};
+    std::array<PrismPoint, 3> corners, alone;
+    ASSERT_EQ(prism.scale_depths(points, corners), MasterPrism(prism.face()).scale_depths(points, alone));
+    for (std::size_t k = 0; k < 3; ++k) ASSERT_EQ(corners[k][kDepth], alone[k][kDepth]);
+  }
+  EXPECT_GE(work.exact_predicates, 1000);
+}
+
 // What compare/verify/bounds/master_view.h's bounds rest on, and fast/clipped/visible_parts.h's.
 TEST(MasterPrism, SeesPointsTo24RoundingsOfTheirDistanceTimesTheSkewOfTheFaceHoweverNarrowItIs) {
   Doubles random(154);
