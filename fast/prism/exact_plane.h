@@ -24,10 +24,9 @@ struct ScaledHeights {
 };
 
 /// The plane of a face (p0, p1, p2) in exact numbers: tells heights over it, N . (x - p0) with N = (p1 - p0) x (p2 -
-/// p0). N is computed but once: it takes twice as long as a height with it.
+/// p0), all of them 0 where N is. N, most of the work, is computed but once.
 class ExactPlane {
  public:
-  /// p1 must not be p0.
   explicit ExactPlane(const std::array<Eigen::Vector3d, 3>& p);
 
   /// To a few ulps of itself, but where it underflows; 0 only where it is 0: exact but for the last step. m^3
