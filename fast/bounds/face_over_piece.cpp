@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/bounds/face_over_piece.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,8 +19,6 @@ PrismPositionError border_error(const FaceEnclosure& face) {
   return {face.position_error.s + face.cut_error.s, face.position_error.t + face.cut_error.t, 0};
 }
 
-}  // namespace
-
 UncertainFunction inside_of_side(const FaceEnclosure& face, std::size_t k) {
   const PrismPoint& a = face.corners[k];
   const PrismPoint& b = face.corners[(k + 1) % 3];
@@ -29,15 +28,21 @@ UncertainFunction inside_of_side(const FaceEnclosure& face, std::size_t k) {
   return {-side_t, a[kS], side_s, a[kT], 0, std::abs(side_t) * off.s + std::abs(side_s) * off.t + roundings};
 }
 
-bool lies_outside(const FaceEnclosure& face, const ConvexPolygon& piece) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (inside_of_side(face, k).sign_over(piece) == Sign::negative) return true;
-  }
-  return false;
+}  // namespace
+
+FaceOverPieces::FaceOverPieces(const FaceEnclosure& face)
+    : enclosure(&face),
+      inside{inside_of_side(face, 0), inside_of_side(face, 1), inside_of_side(face, 2)},
+      depth(face.depth, face.depth_error) {}
+
+bool lies_outside(const FaceOverPieces& face, const ConvexPolygon& piece) {
+  return std::any_of(face.inside.begin(), face.inside.end(),
+                     [&piece](const UncertainFunction& inside) { return inside.sign_over(piece) == Sign::negative; });
 }
 
-bool side_may_meet(const FaceEnclosure& face, std::size_t k, const ConvexPolygon& piece) {
-  if (inside_of_side(face, k).sign_over(piece) != Sign::unsure) return false;
+bool side_may_meet(const FaceOverPieces& over_pieces, std::size_t k, const ConvexPolygon& piece) {
+  if (over_pieces.inside[k].sign_over(piece) != Sign::unsure) return false;
+  const FaceEnclosure& face = *over_pieces.enclosure;
   const PrismPoint& a = face.corners[k];
   const PrismPoint& b = face.corners[(k + 1) % 3];
   const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
@@ -60,12 +65,8 @@ bool leaves_master_alone(const FaceEnclosure& face, std::size_t k) {
   return false;
 }
 
-UncertainFunction depth_of(const FaceEnclosure& face) {
-  return UncertainFunction(face.depth, face.depth_error);
-}
-
-bool lies_deep(const FaceEnclosure& face, const ConvexPolygon& points) {
-  return face.only_hangs || depth_of(face).sign_over(points) == Sign::positive;
+bool lies_deep(const FaceOverPieces& face, const ConvexPolygon& points) {
+  return face.enclosure->only_hangs || face.depth.sign_over(points) == Sign::positive;
 }
 
 UncertainFunction depth_beyond(const FaceEnclosure& f, const FaceEnclosure& g) {
@@ -105,25 +106,22 @@ bool surely_beside(const FaceEnclosure& g, std::size_t k, const FaceEnclosure& f
   return false;
 }
 
-Sign sign_within(const FaceEnclosure& face, const PrismPoint& x) {
+Sign sign_within(const FaceOverPieces& face, const PrismPoint& x) {
   Sign sign = Sign::positive;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Sign of_side = inside_of_side(face, k).sign_at(x);
+  for (const UncertainFunction& inside : face.inside) {
+    const Sign of_side = inside.sign_at(x);
     if (of_side == Sign::negative) return of_side;
     if (of_side == Sign::unsure) sign = of_side;
   }
   return sign;
 }
 
-ConvexPolygon part_covered(const FaceEnclosure& face) {
+ConvexPolygon part_covered(const FaceOverPieces& face) {
   ConvexPolygon part;
   part.add({1, 0, 0, 0});
   part.add({0, 1, 0, 0});
   part.add({0, 0, 1, 0});
-  for (std::size_t k = 0; k < 3; ++k) {
-    const UncertainFunction side = inside_of_side(face, k);
-    keep_above(part, side, 1, -side.parted_at());
-  }
+  for (const UncertainFunction& inside : face.inside) keep_above(part, inside, 1, -inside.parted_at());
   return part;
 }
 

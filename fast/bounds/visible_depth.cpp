@@ -61,13 +61,13 @@ class Search {
   static CertainOrder order_of(Other& other, const FaceEnclosure& f);
   /// `for_certain`: whether it is asked if it is seen for certain; else only if it is hidden.
   Outcome examine(const Piece& piece, bool for_certain);
-  void weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& other);
-  bool is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f);
+  void weigh(const ConvexPolygon& polygon, const FaceOverPieces& f, Other& other);
+  bool is_hidden(const ConvexPolygon& polygon, const FaceOverPieces& f);
   void leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f);
-  std::optional<std::size_t> side_that_borders(const FaceEnclosure& g, const ConvexPolygon& polygon,
+  std::optional<std::size_t> side_that_borders(const FaceOverPieces& g, const ConvexPolygon& polygon,
                                                const FaceEnclosure& f) const;
-  std::optional<bool> is_covered(const PrismPoint& x, const FaceEnclosure& f) const;
-  Outcome examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f, bool for_certain);
+  std::optional<bool> is_covered(const PrismPoint& x, const FaceOverPieces& f) const;
+  Outcome examine_borders(const ConvexPolygon& polygon, const FaceOverPieces& f, bool for_certain);
   /// False where the function's sign is as unsure on every part of the piece, or is sure.
   bool part_along(const UncertainFunction& function, const ConvexPolygon& polygon) {
     const bool parts = function.parts(polygon);
@@ -115,9 +115,9 @@ VisibleDepthScratch::Piece pop_deepest(std::vector<VisibleDepthScratch::Piece>& 
 
 void Search::push(const ConvexPolygon& polygon, std::size_t carrier, std::vector<Piece>& heap) {
   if (polygon.count == 0) return;
-  const FaceEnclosure& f = *scratch_.carriers[carrier].face;
-  const double over_piece = depth_of(f).greatest_over(polygon);
-  const double deepest = over_piece < f.greatest ? over_piece : f.greatest;  // No number where that overflows.
+  const FaceOverPieces& f = *scratch_.carriers[carrier].face;
+  const double over_piece = f.depth.greatest_over(polygon), greatest = f.enclosure->greatest;
+  const double deepest = over_piece < greatest ? over_piece : greatest;  // No number where that overflows.
   if (!(deepest <= floor_)) push_deepest(heap, {polygon, carrier, deepest});
 }
 
@@ -126,13 +126,15 @@ void Search::start() {
   scratch_.others.clear();
   scratch_.pieces.clear();
   scratch_.unsettled.clear();
-  for (const FaceInView& sight : sights_) {
-    const FaceEnclosure& f = sight.enclosure;
-    if (!sight.may_carry || f.greatest <= floor_) continue;
-    scratch_.carriers.push_back({&f, false, 0, 0});
+  scratch_.faces.clear();
+  for (const FaceInView& sight : sights_) scratch_.faces.emplace_back(sight.enclosure);
+  for (std::size_t i = 0; i < sights_.size(); ++i) {
+    const FaceEnclosure& f = sights_[i].enclosure;
+    if (!sights_[i].may_carry || f.greatest <= floor_) continue;
+    scratch_.carriers.push_back({&scratch_.faces[i], false, 0, 0});
     const std::size_t carrier = scratch_.carriers.size() - 1;
     if (f.facing != 0) {
-      push(part_covered(f), carrier, scratch_.pieces);
+      push(part_covered(scratch_.faces[i]), carrier, scratch_.pieces);
     } else {
       push_deepest(scratch_.pieces, {ConvexPolygon(), carrier, f.greatest});
     }
@@ -142,10 +144,10 @@ void Search::start() {
 void Search::find_others(Carrier& carrier) {
   carrier.has_others = true;
   carrier.first = scratch_.others.size();
-  for (const FaceInView& sight : sights_) {
-    const FaceEnclosure& g = sight.enclosure;
-    if (&g != carrier.face && !carrier.face->box.common(g.box).empty())
-      scratch_.others.push_back({&g, g.facing == 0, CertainOrder::unsure});
+  for (const FaceOverPieces& other : scratch_.faces) {
+    const FaceEnclosure& g = *other.enclosure;
+    if (&other != carrier.face && !carrier.face->enclosure->box.common(g.box).empty())
+      scratch_.others.push_back({&other, g.facing == 0, CertainOrder::unsure});
   }
   carrier.last = scratch_.others.size();
 }
@@ -153,7 +155,7 @@ void Search::find_others(Carrier& carrier) {
 CertainOrder Search::order_of(Other& other, const FaceEnclosure& f) {
   if (!other.compared) {
     other.compared = true;
-    const FaceEnclosure& g = *other.face;
+    const FaceEnclosure& g = *other.face->enclosure;
     const bool apart = greatest_overlap(f, g, f.box.common(g.box)) == 0;
     other.order = apart ? CertainOrder::after : certain_order(g, f);
   }
@@ -161,8 +163,8 @@ CertainOrder Search::order_of(Other& other, const FaceEnclosure& f) {
 }
 
 // Whatever may lie before f is either among the hiders or stands against its being seen.
-void Search::weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& other) {
-  const FaceEnclosure& g = *other.face;
+void Search::weigh(const ConvexPolygon& polygon, const FaceOverPieces& f, Other& other) {
+  const FaceEnclosure& g = *other.face->enclosure;
   if (other.order == CertainOrder::after) return;
   if (box_.common(g.box).empty()) return;
   if (g.facing == 0) {
@@ -172,31 +174,31 @@ void Search::weigh(const ConvexPolygon& polygon, const FaceEnclosure& f, Other& 
     hopeless_ = hopeless_ || !parts;
     return;
   }
-  if (lies_outside(g, polygon)) return;
-  const UncertainFunction depth = depth_of(g), beyond = depth_beyond(f, g);
+  if (lies_outside(*other.face, polygon)) return;
+  const UncertainFunction &depth = other.face->depth, beyond = depth_beyond(*f.enclosure, g);
   const Sign below = g.only_hangs ? Sign::positive : depth.sign_over(polygon);
   Sign before = beyond.sign_over(polygon);
   if (below == Sign::negative || before == Sign::negative) return;
   if (before == Sign::unsure) {
-    const CertainOrder order = order_of(other, f);
+    const CertainOrder order = order_of(other, *f.enclosure);
     if (order == CertainOrder::after) return;
     if (order == CertainOrder::before) before = Sign::positive;
   }
   if (below == Sign::positive && before == Sign::positive) {
-    scratch_.hiders.push_back(&g);
+    scratch_.hiders.push_back(other.face);
     return;
   }
   bool parts = false;
   if (before == Sign::unsure) parts = part_along(beyond, polygon);
   if (below == Sign::unsure) parts = part_along(depth, polygon) || parts;
-  for (std::size_t k = 0; k < 3; ++k) parts = part_along(inside_of_side(g, k), polygon) || parts;
+  for (const UncertainFunction& inside : other.face->inside) parts = part_along(inside, polygon) || parts;
   doubted_ = true;
   hopeless_ = hopeless_ || !parts;
 }
 
 // Without those whose common border meets the piece, until it meets none.
 void Search::leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f) {
-  std::vector<const FaceEnclosure*>& covering = scratch_.covering;
+  std::vector<const FaceOverPieces*>& covering = scratch_.covering;
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i < covering.size();) {
@@ -205,7 +207,7 @@ void Search::leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosu
         ++i;
         continue;
       }
-      const bool parts = part_along(inside_of_side(*covering[i], *side), polygon);
+      const bool parts = part_along(covering[i]->inside[*side], polygon);
       covering.erase(covering.begin() + static_cast<std::ptrdiff_t>(i));
       changed = doubted_ = true;
       hopeless_ = hopeless_ || !parts;
@@ -213,23 +215,24 @@ void Search::leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosu
   }
 }
 
-std::optional<std::size_t> Search::side_that_borders(const FaceEnclosure& g, const ConvexPolygon& polygon,
+std::optional<std::size_t> Search::side_that_borders(const FaceOverPieces& over_pieces, const ConvexPolygon& polygon,
                                                      const FaceEnclosure& f) const {
-  const std::vector<const FaceEnclosure*>& covering = scratch_.covering;
+  const FaceEnclosure& g = *over_pieces.enclosure;
+  const std::vector<const FaceOverPieces*>& covering = scratch_.covering;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!side_may_meet(g, k, polygon) || leaves_master_alone(g, k) || surely_beside(g, k, f)) continue;
-    if (std::none_of(covering.begin(), covering.end(), [&](const FaceEnclosure* h) { return goes_on(g, k, *h); }))
-      return k;
+    if (!side_may_meet(over_pieces, k, polygon) || leaves_master_alone(g, k) || surely_beside(g, k, f)) continue;
+    const auto is_beyond = [&](const FaceOverPieces* h) { return goes_on(g, k, *h->enclosure); };
+    if (std::none_of(covering.begin(), covering.end(), is_beyond)) return k;
   }
   return std::nullopt;
 }
 
 /// Whether a point of f is covered, where nothing is unsure there.
-std::optional<bool> Search::is_covered(const PrismPoint& x, const FaceEnclosure& f) const {
+std::optional<bool> Search::is_covered(const PrismPoint& x, const FaceOverPieces& f) const {
   // Above the master's plane position errors may be greater.
-  if (depth_of(f).sign_at(x) == Sign::negative || sign_within(f, x) != Sign::positive) return std::nullopt;
+  if (f.depth.sign_at(x) == Sign::negative || sign_within(f, x) != Sign::positive) return std::nullopt;
   bool certain = true;
-  for (const FaceEnclosure* const g : scratch_.covering) {
+  for (const FaceOverPieces* const g : scratch_.covering) {
     const Sign sign = sign_within(*g, x);
     if (sign == Sign::positive) return true;
     certain = certain && sign == Sign::negative;
@@ -240,9 +243,9 @@ std::optional<bool> Search::is_covered(const PrismPoint& x, const FaceEnclosure&
 // How many of the hiders lie over a point is the same all over the piece, as far as f covers it: no outer side of
 // theirs passes there, but for those that are f's own or lie beside f. So one point of f decides. Where the piece lies
 // along f's border, that point is looked for beside the piece.
-bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
+bool Search::is_hidden(const ConvexPolygon& polygon, const FaceOverPieces& f) {
   scratch_.covering = scratch_.hiders;
-  leave_out_bordering(polygon, f);
+  leave_out_bordering(polygon, *f.enclosure);
   if (scratch_.covering.empty()) return false;
   const PrismPoint centre = centre_of(polygon);
   for (int i = -1; i < polygon.count; ++i) {
@@ -254,8 +257,8 @@ bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
     const PrismPoint x = centre + share * inwards;
     ConvexPolygon piece_and_point = polygon;  // No polygon, but only its points count.
     piece_and_point.add(x);
-    const auto is_parted = [&](const FaceEnclosure* g) {
-      return !lies_deep(*g, piece_and_point) || side_that_borders(*g, piece_and_point, f);
+    const auto is_parted = [&](const FaceOverPieces* g) {
+      return !lies_deep(*g, piece_and_point) || side_that_borders(*g, piece_and_point, *f.enclosure);
     };
     if (std::any_of(scratch_.covering.begin(), scratch_.covering.end(), is_parted)) break;
     if (const std::optional<bool> covered = is_covered(x, f)) return *covered;
@@ -265,7 +268,7 @@ bool Search::is_hidden(const ConvexPolygon& polygon, const FaceEnclosure& f) {
 }
 
 // What lies within the uncertainty of a border is not seen for certain, however it is parted.
-Search::Outcome Search::examine_borders(const ConvexPolygon& polygon, const FaceEnclosure& f, bool for_certain) {
+Search::Outcome Search::examine_borders(const ConvexPolygon& polygon, const FaceOverPieces& f, bool for_certain) {
   Outcome outcome = Outcome::visible;
   const auto look_at = [&](const UncertainFunction& side) {
     if (side.sign_over(polygon) == Sign::positive) return;
@@ -275,9 +278,9 @@ Search::Outcome Search::examine_borders(const ConvexPolygon& polygon, const Face
       outcome = Outcome::open;
     }
   };
-  for (std::size_t k = 0; k < 3; ++k) look_at(inside_of_side(f, k));
+  for (const UncertainFunction& inside : f.inside) look_at(inside);
   if (!for_certain) return outcome;
-  for (const UncertainFunction& side : sides_of_master(leant_weights_, f)) look_at(side);
+  for (const UncertainFunction& side : sides_of_master(leant_weights_, *f.enclosure)) look_at(side);
   return outcome;
 }
 
@@ -285,8 +288,8 @@ Search::Outcome Search::examine(const Piece& piece, bool for_certain) {
   doubted_ = hopeless_ = false;
   cut_.reset();
   Carrier& carrier = scratch_.carriers[piece.carrier];
-  const FaceEnclosure& f = *carrier.face;
-  if (f.facing == 0) return Outcome::never_certain;
+  const FaceOverPieces& f = *carrier.face;
+  if (f.enclosure->facing == 0) return Outcome::never_certain;
   if (lies_outside(f, piece.polygon)) return Outcome::hidden;
   const Outcome at_borders = examine_borders(piece.polygon, f, for_certain);  // To be parted along these first.
   if (!carrier.has_others) find_others(carrier);
@@ -321,13 +324,13 @@ void Search::part(const Piece& piece, std::vector<Piece>& heap) {
 
 /// Whether the piece can't tell more than errors of its depth do.
 bool Search::is_close(const Piece& piece, const DepthRange& range) const {
-  const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
-  return piece.deepest - std::max(range.at_least, floor_) <= 8 * depth_of(f).parted_at();
+  const UncertainFunction& depth = scratch_.carriers[piece.carrier].face->depth;
+  return piece.deepest - std::max(range.at_least, floor_) <= 8 * depth.parted_at();
 }
 
 /// Of a piece that is visible: some of it is seen for certain as deep.
 double Search::sure_depth(const Piece& piece) const {
-  const UncertainFunction depth = depth_of(*scratch_.carriers[piece.carrier].face);
+  const UncertainFunction& depth = scratch_.carriers[piece.carrier].face->depth;
   return std::max(depth.over(piece.polygon).high - depth.parted_at(), 0.0);
 }
 
@@ -337,9 +340,9 @@ VisibleDepthScratch::Piece Search::within_borders(const Piece& piece) const {
   const auto keep_inside = [&inner](const UncertainFunction& side) {
     if (inner.polygon.count < ConvexPolygon::kCapacity) keep_above(inner.polygon, side, 1, side.parted_at());
   };
-  const FaceEnclosure& f = *scratch_.carriers[piece.carrier].face;
-  for (std::size_t k = 0; k < 3; ++k) keep_inside(inside_of_side(f, k));
-  for (const UncertainFunction& side : sides_of_master(leant_weights_, f)) keep_inside(side);
+  const FaceOverPieces& f = *scratch_.carriers[piece.carrier].face;
+  for (const UncertainFunction& inside : f.inside) keep_inside(inside);
+  for (const UncertainFunction& side : sides_of_master(leant_weights_, *f.enclosure)) keep_inside(side);
   return inner;
 }
 
@@ -348,7 +351,7 @@ bool Search::find_within_borders(DepthRange& range) {
   if (scratch_.pieces.empty()) return false;
   DepthRange found = range;
   for (const Piece& piece : scratch_.pieces) {
-    if (piece.deepest <= found.at_least || scratch_.carriers[piece.carrier].face->facing == 0) continue;
+    if (piece.deepest <= found.at_least || scratch_.carriers[piece.carrier].face->enclosure->facing == 0) continue;
     const Piece inner = within_borders(piece);
     if (inner.polygon.empty() || examine(inner, true) != Outcome::visible) continue;
     found.at_least = std::max(found.at_least, sure_depth(inner));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fast/bounds/face_enclosure.h"
+#include "fast/bounds/face_over_piece.h"
 
 namespace pcm::fast {
 
@@ -21,13 +22,13 @@ struct DepthRange {
 struct VisibleDepthScratch {
   /// A slave face that may be seen, and which of `others` may cover some of it.
   struct Carrier {
-    const FaceEnclosure* face;
+    const FaceOverPieces* face;
     bool has_others;
     std::size_t first, last;
   };
   /// `after`: it certainly hides nothing of the carrier.
   struct Other {
-    const FaceEnclosure* face;
+    const FaceOverPieces* face;
     bool compared;
     CertainOrder order;
   };
@@ -37,12 +38,13 @@ struct VisibleDepthScratch {
     std::size_t carrier;
     double deepest;  ///< the carrier is nowhere deeper on it, m
   };
+  std::vector<FaceOverPieces> faces;  ///< by sight
   std::vector<Carrier> carriers;
   std::vector<Other> others;
-  std::vector<Piece> pieces;                   ///< a heap: where a face may be seen for certain
-  std::vector<Piece> unsettled;                ///< a heap: where it may be seen, but not for certain
-  std::vector<const FaceEnclosure*> hiders;    ///< certainly before the carrier wherever they cover the piece at hand
-  std::vector<const FaceEnclosure*> covering;  ///< those of them whose common border does not meet it
+  std::vector<Piece> pieces;                    ///< a heap: where a face may be seen for certain
+  std::vector<Piece> unsettled;                 ///< a heap: where it may be seen, but not for certain
+  std::vector<const FaceOverPieces*> hiders;    ///< certainly before the carrier wherever they cover the piece at hand
+  std::vector<const FaceOverPieces*> covering;  ///< those of them whose common border does not meet it
 };
 
 /// Bounds the depth of the deepest point that a master face sees in the exact problem, from what its lines may meet.
