@@ -55,7 +55,7 @@ double bound_over_error(const fast::Contact& subj, const Eigen::Vector3d& true_f
 double hardness(Goal goal, const HeldPairing& held, std::size_t mode, const HeldPairing::State& state,
                 fast::Workspace& workspace) {
   if (goal == Goal::margins) return 1 / least_margin(held.features(), state.pose);
-  const fast::Pairing engine = held.engine(state.law, held.engine(mode).mode(), state.scheme);
+  const fast::Pairing engine = held.engine_under(state.law, held.engine(mode).mode(), state.scheme);
   if (!depends_on_law(goal)) {
     const fast::WorkCounters work = fast::evaluate(engine, state.pose, state.velocity, {}, workspace).work;
     return goal == Goal::work ? steps(work) : static_cast<double>(work.exact_predicates);

@@ -40,13 +40,12 @@ bool lies_outside(const FaceOverPieces& face, const ConvexPolygon& piece) {
                      [&piece](const UncertainFunction& inside) { return inside.sign_over(piece) == Sign::negative; });
 }
 
-bool side_may_meet(const FaceOverPieces& over_pieces, std::size_t k, const ConvexPolygon& piece) {
-  if (over_pieces.inside[k].sign_over(piece) != Sign::unsure) return false;
-  const FaceEnclosure& face = *over_pieces.enclosure;
-  const PrismPoint& a = face.corners[k];
-  const PrismPoint& b = face.corners[(k + 1) % 3];
+bool side_may_meet(const FaceOverPieces& face, std::size_t k, const ConvexPolygon& piece) {
+  if (face.inside[k].sign_over(piece) != Sign::unsure) return false;
+  const PrismPoint& a = face.enclosure->corners[k];
+  const PrismPoint& b = face.enclosure->corners[(k + 1) % 3];
   const double side_s = b[kS] - a[kS], side_t = b[kT] - a[kT];
-  const PrismPositionError off = border_error(face);
+  const PrismPositionError off = border_error(*face.enclosure);
   const double error = std::abs(side_s) * off.s + std::abs(side_t) * off.t;
   return UncertainFunction(side_s, a[kS], side_t, a[kT], 0, error).sign_over(piece) != Sign::negative &&
          UncertainFunction(-side_s, b[kS], -side_t, b[kT], 0, error).sign_over(piece) != Sign::negative;

@@ -10,16 +10,18 @@
 #include "fast/prism/convex_polygon.h"
 
 /// What is certain, in the rounded problem and in the exact one, of a face of which only the enclosure is known, over a
-/// convex piece of the master. Faces are counterclockwise in (s, t): their facing is sure.
+/// convex piece of the master. Faces are counterclockwise in (s, t), their facing sure, but where it says otherwise.
 namespace pcm::fast {
 
-/// A face and the functions that pieces are looked at with, made once for many of them.
+/// A face and the functions that pieces are looked at with, made once for many of them. Where the face's facing is not
+/// sure they tell nothing: its depth is off by any amount.
 struct FaceOverPieces {
   const FaceEnclosure* enclosure;
-  /// Positive on the inner side of side k. The engine reckons it from either end.
+  /// Positive on the inner side of side k of a counterclockwise face. The engine reckons it from either end.
   std::array<UncertainFunction, 3> inside;
   UncertainFunction depth;
 
+  /// The enclosure must outlive this.
   explicit FaceOverPieces(const FaceEnclosure& face);
 };
 

@@ -58,14 +58,14 @@ class Search {
 
   void start();
   void find_others(Carrier& carrier);
-  static CertainOrder order_of(Other& other, const FaceEnclosure& f);
+  static CertainOrder order_of(Other& other, const FaceOverPieces& f);
   /// `for_certain`: whether it is asked if it is seen for certain; else only if it is hidden.
   Outcome examine(const Piece& piece, bool for_certain);
   void weigh(const ConvexPolygon& polygon, const FaceOverPieces& f, Other& other);
   bool is_hidden(const ConvexPolygon& polygon, const FaceOverPieces& f);
-  void leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f);
+  void leave_out_bordering(const ConvexPolygon& polygon, const FaceOverPieces& f);
   std::optional<std::size_t> side_that_borders(const FaceOverPieces& g, const ConvexPolygon& polygon,
-                                               const FaceEnclosure& f) const;
+                                               const FaceOverPieces& f) const;
   std::optional<bool> is_covered(const PrismPoint& x, const FaceOverPieces& f) const;
   Outcome examine_borders(const ConvexPolygon& polygon, const FaceOverPieces& f, bool for_certain);
   /// False where the function's sign is as unsure on every part of the piece, or is sure.
@@ -152,10 +152,10 @@ void Search::find_others(Carrier& carrier) {
   carrier.last = scratch_.others.size();
 }
 
-CertainOrder Search::order_of(Other& other, const FaceEnclosure& f) {
+CertainOrder Search::order_of(Other& other, const FaceOverPieces& carrier) {
   if (!other.compared) {
     other.compared = true;
-    const FaceEnclosure& g = *other.face->enclosure;
+    const FaceEnclosure &g = *other.face->enclosure, &f = *carrier.enclosure;
     const bool apart = greatest_overlap(f, g, f.box.common(g.box)) == 0;
     other.order = apart ? CertainOrder::after : certain_order(g, f);
   }
@@ -164,40 +164,40 @@ CertainOrder Search::order_of(Other& other, const FaceEnclosure& f) {
 
 // Whatever may lie before f is either among the hiders or stands against its being seen.
 void Search::weigh(const ConvexPolygon& polygon, const FaceOverPieces& f, Other& other) {
-  const FaceEnclosure& g = *other.face->enclosure;
+  const FaceOverPieces& g = *other.face;
   if (other.order == CertainOrder::after) return;
-  if (box_.common(g.box).empty()) return;
-  if (g.facing == 0) {
+  if (box_.common(g.enclosure->box).empty()) return;
+  if (g.enclosure->facing == 0) {
     bool parts = false;
-    for (const UncertainFunction& side : sides_of(g.box)) parts = part_along(side, polygon) || parts;
+    for (const UncertainFunction& side : sides_of(g.enclosure->box)) parts = part_along(side, polygon) || parts;
     doubted_ = true;
     hopeless_ = hopeless_ || !parts;
     return;
   }
-  if (lies_outside(*other.face, polygon)) return;
-  const UncertainFunction &depth = other.face->depth, beyond = depth_beyond(*f.enclosure, g);
-  const Sign below = g.only_hangs ? Sign::positive : depth.sign_over(polygon);
+  if (lies_outside(g, polygon)) return;
+  const UncertainFunction beyond = depth_beyond(*f.enclosure, *g.enclosure);
+  const Sign below = g.enclosure->only_hangs ? Sign::positive : g.depth.sign_over(polygon);
   Sign before = beyond.sign_over(polygon);
   if (below == Sign::negative || before == Sign::negative) return;
   if (before == Sign::unsure) {
-    const CertainOrder order = order_of(other, *f.enclosure);
+    const CertainOrder order = order_of(other, f);
     if (order == CertainOrder::after) return;
     if (order == CertainOrder::before) before = Sign::positive;
   }
   if (below == Sign::positive && before == Sign::positive) {
-    scratch_.hiders.push_back(other.face);
+    scratch_.hiders.push_back(&g);
     return;
   }
   bool parts = false;
   if (before == Sign::unsure) parts = part_along(beyond, polygon);
-  if (below == Sign::unsure) parts = part_along(depth, polygon) || parts;
-  for (const UncertainFunction& inside : other.face->inside) parts = part_along(inside, polygon) || parts;
+  if (below == Sign::unsure) parts = part_along(g.depth, polygon) || parts;
+  for (const UncertainFunction& inside : g.inside) parts = part_along(inside, polygon) || parts;
   doubted_ = true;
   hopeless_ = hopeless_ || !parts;
 }
 
 // Without those whose common border meets the piece, until it meets none.
-void Search::leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosure& f) {
+void Search::leave_out_bordering(const ConvexPolygon& polygon, const FaceOverPieces& f) {
   std::vector<const FaceOverPieces*>& covering = scratch_.covering;
   for (bool changed = true; changed;) {
     changed = false;
@@ -215,13 +215,14 @@ void Search::leave_out_bordering(const ConvexPolygon& polygon, const FaceEnclosu
   }
 }
 
-std::optional<std::size_t> Search::side_that_borders(const FaceOverPieces& over_pieces, const ConvexPolygon& polygon,
-                                                     const FaceEnclosure& f) const {
-  const FaceEnclosure& g = *over_pieces.enclosure;
+std::optional<std::size_t> Search::side_that_borders(const FaceOverPieces& g, const ConvexPolygon& polygon,
+                                                     const FaceOverPieces& f) const {
   const std::vector<const FaceOverPieces*>& covering = scratch_.covering;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!side_may_meet(over_pieces, k, polygon) || leaves_master_alone(g, k) || surely_beside(g, k, f)) continue;
-    const auto is_beyond = [&](const FaceOverPieces* h) { return goes_on(g, k, *h->enclosure); };
+    if (!side_may_meet(g, k, polygon) || leaves_master_alone(*g.enclosure, k) ||
+        surely_beside(*g.enclosure, k, *f.enclosure))
+      continue;
+    const auto is_beyond = [&](const FaceOverPieces* h) { return goes_on(*g.enclosure, k, *h->enclosure); };
     if (std::none_of(covering.begin(), covering.end(), is_beyond)) return k;
   }
   return std::nullopt;
@@ -245,7 +246,7 @@ std::optional<bool> Search::is_covered(const PrismPoint& x, const FaceOverPieces
 // along f's border, that point is looked for beside the piece.
 bool Search::is_hidden(const ConvexPolygon& polygon, const FaceOverPieces& f) {
   scratch_.covering = scratch_.hiders;
-  leave_out_bordering(polygon, *f.enclosure);
+  leave_out_bordering(polygon, f);
   if (scratch_.covering.empty()) return false;
   const PrismPoint centre = centre_of(polygon);
   for (int i = -1; i < polygon.count; ++i) {
@@ -258,7 +259,7 @@ bool Search::is_hidden(const ConvexPolygon& polygon, const FaceOverPieces& f) {
     ConvexPolygon piece_and_point = polygon;  // No polygon, but only its points count.
     piece_and_point.add(x);
     const auto is_parted = [&](const FaceOverPieces* g) {
-      return !lies_deep(*g, piece_and_point) || side_that_borders(*g, piece_and_point, *f.enclosure);
+      return !lies_deep(*g, piece_and_point) || side_that_borders(*g, piece_and_point, f);
     };
     if (std::any_of(scratch_.covering.begin(), scratch_.covering.end(), is_parted)) break;
     if (const std::optional<bool> covered = is_covered(x, f)) return *covered;

@@ -49,7 +49,7 @@ bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& 
   return true;
 }
 
-/// Looks at a vertex that was not looked at yet.
+/// Looks at a vertex, unless it was looked at.
 void see_vertex(PosedPair& posed, Side side, Index v, const MasterPrism& prism, FastClearArray<PrismPoint>& sights) {
   if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(side, v), posed.work));
 }

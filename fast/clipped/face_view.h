@@ -56,8 +56,9 @@ enum class OwnFacesBefore : std::uint8_t {
 OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,
                                 double deepest);
 
-/// The corners of another face of the master. `sights`: by vertex, of those that the prism has seen; those of this face
-/// are added. Faces of one sheet share them, and in the master's own plane each takes exact numbers.
+/// The corners of another face of the master. `sights`: by vertex of the master, started for this prism, what it has
+/// seen; what it sees here is added. Faces of one sheet share vertices, and in the master's own plane each takes exact
+/// numbers.
 SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, Index face,
                             FastClearArray<PrismPoint>& sights);
 

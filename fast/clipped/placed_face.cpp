@@ -18,15 +18,16 @@ PlacedFace placed_face(PosedPair& posed, Side master, const MasterPrism& prism, 
 }
 
 std::array<double, 3> heights_over(const PlacedFace& f, const PlacedFace& g, WorkCounters& work) {
+  SurePlane plane(f.points_Me);
   std::array<double, 3> heights;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& shared = f.projected.vertices;
     const bool is_corner = f.projected.of_master == g.projected.of_master &&
                            std::find(shared.begin(), shared.end(), g.projected.vertices[k]) != shared.end();
-    heights[k] = is_corner ? 0 : height_over(f.points_Me, g.points_Me[k], work);
+    heights[k] = is_corner ? 0 : plane.height(g.points_Me[k], work);
   }
   const double greatest = std::max({std::abs(heights[0]), std::abs(heights[1]), std::abs(heights[2])});
-  if (greatest > 0 && greatest < kUnderflown) return scaled_heights_over(f.points_Me, g.points_Me);
+  if (greatest > 0 && greatest < kUnderflown) return plane.scaled_heights(g.points_Me).value;
   return heights;
 }
 

@@ -17,7 +17,7 @@ double unit_for(double size) {
   return std::ldexp(1, exponent < 0 ? -exponent : 64 - exponent);
 }
 
-/// x - p0, `p0` in the unit, x not.
+/// x - p0 times the unit, which p0 is multiplied by already.
 NumberVector<Dyadic> from_p0(const Eigen::Vector3d& p0, double unit, const Eigen::Vector3d& x) {
   const Eigen::Vector3d to = unit * x;
   return difference<Dyadic>(to.data(), p0.data());
@@ -40,7 +40,7 @@ Dyadic ExactPlane::exact_height(const Eigen::Vector3d& x) const {
 double ExactPlane::height(const Eigen::Vector3d& x) const {
   const Dyadic height = exact_height(x);
   if (height.sign() == 0) return 0;
-  // In the cube of the unit it may be beyond what a double holds.
+  // Times the cube of the unit it may be beyond what a double holds.
   const int top = height.top();
   return keeping_sign(std::ldexp(height.approximate(-top), 64 * top - 3 * std::ilogb(unit_)), height.sign());
 }

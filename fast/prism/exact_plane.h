@@ -34,11 +34,11 @@ class ExactPlane {
   ScaledHeights heights(const std::array<Eigen::Vector3d, 3>& x) const;
 
  private:
-  /// In the cube of the unit.
+  /// Times the cube of the unit.
   Dyadic exact_height(const Eigen::Vector3d& x) const;
 
-  double unit_;
-  Eigen::Vector3d p0_;  ///< in the unit, as N is in its square
+  double unit_;         ///< a power of two that lengths are multiplied by, 1 / m
+  Eigen::Vector3d p0_;  ///< so multiplied; N by its square
   NumberVector<Dyadic> N_;
 };
 

@@ -12,29 +12,12 @@ namespace pcm::fast {
 
 namespace {
 
-/// The terms of N = (p1 - p0) x (p2 - p0) taken absolutely.
-Eigen::Vector3d magnitude_of_normal(const std::array<Eigen::Vector3d, 3>& p) {
-  const Eigen::Vector3d a = (p[1] - p[0]).cwiseAbs(), b = (p[2] - p[0]).cwiseAbs();
-  return cross_of_magnitudes(a, b).array() + kFilterUnderflow;
-}
-
 /// A face is a needle where |N| is less than this part of the product of two sides. Each component of N is off by at
 /// most 4 u of what its terms add up to, so |N| by 4 u of that product.
 constexpr double kNeedle = 0x1p-16;
 
 double product_of_sides(const std::array<Eigen::Vector3d, 3>& p) {
   return (p[1] - p[0]).lpNorm<1>() * (p[2] - p[0]).lpNorm<1>();
-}
-
-/// Whether a height that was computed as N . (x - p0) is sure to kHeightError of itself. It is the determinant of
-/// orient3d(p0, p1, p2, x), term by term, and so is the bound of its error, kFilterRelative of the magnitude.
-bool is_sure(double height, const Eigen::Vector3d& N_magnitude, const Eigen::Vector3d& p0, const Eigen::Vector3d& x,
-             WorkCounters& work) {
-  const double magnitude = N_magnitude.dot((x - p0).cwiseAbs());
-  ++work.predicates;
-  if (std::abs(height) > kExactHeight * (magnitude + kFilterUnderflow)) return true;
-  ++work.exact_predicates;
-  return false;
 }
 
 }  // namespace
@@ -55,7 +38,8 @@ MasterPrism::MasterPrism(const FaceGeometry& face)
       length_s_(length(edge_s_Me_)),
       length_t_(length(edge_t_Me_)),
       // 4 u for the roundings of n itself, twice all of it to be safe; a needle's normal is no worse than others'.
-      tilt_(8 * 0x1p-53 * (1 + std::min(product_of_sides(face.points_Me) * inverse_twice_area_, 1 / kNeedle))) {
+      tilt_(8 * 0x1p-53 * (1 + std::min(product_of_sides(face.points_Me) * inverse_twice_area_, 1 / kNeedle))),
+      plane_(face.points_Me) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d side = face.points_Me[(k + 1) % 3] - face.points_Me[k];
     inward_Me_[k] = inverse_twice_area_ * face.n_Me.cross(side);
@@ -67,18 +51,12 @@ MasterPrism::MasterPrism(const FaceGeometry& face)
     gradient_[k] = {inward_Me_[1][i], inward_Me_[2][i], inward_Me_[0][i], face.N_Me[i]};
     origin_[k] = {p[1][i], p[2][i], p[0][i], p[0][i]};
   }
-  N_magnitude_ = magnitude_of_normal(p);
-}
-
-const ExactPlane& MasterPrism::exact_plane() const {
-  if (!exact_plane_) exact_plane_.emplace(face_.points_Me);
-  return *exact_plane_;
 }
 
 PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) const {
   PrismPoint point = products(x_Me);
   const double height = point[kDepth];
-  const double sure = is_sure(height, N_magnitude_, p0_Me(), x_Me, work) ? height : exact_plane().height(x_Me);
+  const double sure = plane_.sure_height(height, x_Me, work);
   // Stored as a whole: a number of it alone would have to reach memory before the point could be read.
   point = point.cwiseProduct(PrismPoint(1, 1, 1, -inverse_twice_area_));
   if (sure != height || point[kDepth] == 0) point[kDepth] = keeping_sign(-sure * inverse_twice_area_, -sure);
@@ -87,7 +65,7 @@ PrismPoint MasterPrism::see(const Eigen::Vector3d& x_Me, WorkCounters& work) con
 
 int MasterPrism::scale_depths(const std::array<Eigen::Vector3d, 3>& points_Me,
                               std::array<PrismPoint, 3>& corners) const {
-  const ScaledHeights heights = exact_plane().heights(points_Me);
+  const ScaledHeights heights = plane_.scaled_heights(points_Me);
   const int area_exponent = std::ilogb(inverse_twice_area_);
   const double mantissa = std::ldexp(inverse_twice_area_, -area_exponent);
   const int exponent = heights.exponent + area_exponent;
@@ -150,17 +128,6 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
     face.high_t = std::max(face.high_t, seen[i][kT]);
   }
   return true;
-}
-
-double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work) {
-  const Eigen::Vector3d N = (f[1] - f[0]).cross(f[2] - f[0]);
-  const double height = N.dot(x - f[0]);
-  return is_sure(height, magnitude_of_normal(f), f[0], x, work) ? height : ExactPlane(f).height(x);
-}
-
-std::array<double, 3> scaled_heights_over(const std::array<Eigen::Vector3d, 3>& f,
-                                          const std::array<Eigen::Vector3d, 3>& points) {
-  return ExactPlane(f).heights(points).value;
 }
 
 }  // namespace pcm::fast

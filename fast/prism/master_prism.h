@@ -6,38 +6,23 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "fast/base/box_tree.h"
 #include "fast/base/geometry.h"
-#include "fast/predicates/orientation.h"
 #include "fast/prism/convex_polygon.h"
-#include "fast/prism/exact_plane.h"
+#include "fast/prism/sure_plane.h"
 #include "pcm/triangle_mesh.h"
 #include "pcm/work_counters.h"
 
 namespace pcm::fast {
-
-/// A vertex's height over the plane of a face, N . (x - p0), places lines: where a face passes through the master's
-/// plane, and where two faces pass through each other. It is computed exactly where it is less than this part of what
-/// its terms add up to, so it is always sure to this part of itself, besides a few ulps. Between corners at heights a >
-/// 0 > -b the line lies at a / (a + b) of the way, which is off by at most half of that part, however flat the faces
-/// lie to each other: where they meet at an angle whose sine is greater than about kExactHeight, by what roundings of
-/// the corners' places make, over that sine; where they lie flatter, by no more than kHeightError of the face's size.
-/// Of faces in no special place one height in some 2^12 is computed exactly.
-inline constexpr double kExactHeight = 0x1p-12;
-inline constexpr double kHeightError = kFilterRelative / kExactHeight;
-
-/// Numbers so small are sure to no part of themselves where they are products, for an ulp of a number that underflows
-/// is all of it: heights, m^3, and depths, m. Only their signs are right then.
-inline constexpr double kUnderflown = kFilterUnderflow;
 
 /// A face with N to a few ulps of itself also where it is a needle: there the cross product of rounded differences
 /// loses its digits, and with them the direction of the penetration lines, so it is computed exactly.
 FaceGeometry face_with_sure_normal(const std::array<Eigen::Vector3d, 3>& points_Me);
 
 /// The penetration lines of all points of a master face: a prism over the face, along -n (PCM section 6, clipped
-/// scheme). Turns points into the face's coordinates. Scaling all lengths by 2^k changes no weight.
+/// scheme). Turns points into the face's coordinates. Scaling all lengths by 2^k changes no weight. For one thread, as
+/// SurePlane is.
 class MasterPrism {
  public:
   /// Only for faces of area > 0, their normals sure.
@@ -119,8 +104,6 @@ class MasterPrism {
     return (x + y) + z;
   }
 
-  const ExactPlane& exact_plane() const;
-
   FaceGeometry face_;
   Eigen::Vector3d edge_s_Me_;
   Eigen::Vector3d edge_t_Me_;
@@ -128,11 +111,10 @@ class MasterPrism {
   std::array<double, 3> inward_length_;       ///< of these, 1 / m
   // By component: what the three weights and the height are gradient . (x - origin) with.
   std::array<PrismPoint, 3> gradient_, origin_;
-  Eigen::Vector3d N_magnitude_;  ///< N with every term taken absolutely, m^2
-  double inverse_twice_area_;    ///< 1 / m^2
-  double length_s_, length_t_;   ///< of the sides from p0, m
+  double inverse_twice_area_;   ///< 1 / m^2
+  double length_s_, length_t_;  ///< of the sides from p0, m
   double tilt_;
-  mutable std::optional<ExactPlane> exact_plane_;  ///< once a height was not sure
+  mutable SurePlane plane_;
 };
 
 /// A master prism in the frame of a surface's tree: half spaces direction . x >= offset.
@@ -193,13 +175,5 @@ struct ProjectedFace {
 /// 2^depth_exponent. False where no line meets it: seen edgewise, beside the master face or above it.
 bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPoint, 3>& corners, ProjectedFace& face,
                   int depth_exponent = 0);
-
-/// ((f1 - f0) x (f2 - f0)) . (x - f0): positive where x is above the plane of f, 0 where it lies in it, exactly; off by
-/// no more than kHeightError of itself, besides a few ulps, where it is no less than kUnderflown.
-double height_over(const std::array<Eigen::Vector3d, 3>& f, const Eigen::Vector3d& x, WorkCounters& work);
-
-/// The heights of three points over the plane of f, the same multiple of each, so that the greatest does not underflow.
-std::array<double, 3> scaled_heights_over(const std::array<Eigen::Vector3d, 3>& f,
-                                          const std::array<Eigen::Vector3d, 3>& points);
 
 }  // namespace pcm::fast

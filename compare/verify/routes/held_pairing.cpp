@@ -86,7 +86,7 @@ std::vector<PoseOutcome> HeldPairing::hold(const State& state, fast::Workspace& 
   }
   for (const fast::Pairing& engine : engines_) {
     if (inquiry) {
-      const fast::Pairing asked = this->engine(state.law, engine.mode(), state.scheme);
+      const fast::Pairing asked = engine_under(state.law, engine.mode(), state.scheme);
       outcomes.push_back(hold(asked, *inquiry, state, workspace, seam));
       continue;
     }
@@ -169,7 +169,7 @@ PoseOutcome HeldPairing::hold(const fast::Pairing& engine, reference::Inquiry& i
 Checks HeldPairing::hold_weak_tangent(const fast::Pairing& engine, const State& state, fast::Workspace& workspace,
                                       const EngineSeam& seam) const {
   const ContactLaw weak = weakened(state.law);
-  const fast::Pairing asked = this->engine(weak, engine.mode(), engine.scheme());
+  const fast::Pairing asked = engine_under(weak, engine.mode(), engine.scheme());
   Wanted wanted;
   wanted.tangent = true;
   const fast::Contact& subj = seam.evaluate(asked, state.pose, state.velocity, {Route::tangent, wanted, {}}, workspace);

@@ -57,8 +57,8 @@ class HeldPairing {
 
   /// Of mode number k.
   const fast::Pairing& engine(std::size_t k = 0) const { return engines_[k]; }
-  /// Of the same surfaces, under another law.
-  fast::Pairing engine(const ContactLaw& law, Mode mode, Scheme scheme) const {
+  /// Of the same surfaces, under another law, mode and scheme.
+  fast::Pairing engine_under(const ContactLaw& law, Mode mode, Scheme scheme) const {
     return {engine().surface_E(), engine().surface_F(), law, mode, scheme};
   }
   /// Of the first mode.

@@ -18,7 +18,7 @@ struct Figures {
 /// Of the elements under the state's law; none where the engine refuses.
 Figures figures_at(const EngineSeam& seam, const HeldPairing& held, const HeldPairing::State& state) {
   Wanted elements{.polygons = false, .areas = false, .force = true, .elements = true};
-  const fast::Pairing pairing = held.engine(state.law, Mode::both, state.scheme);
+  const fast::Pairing pairing = held.engine_under(state.law, Mode::both, state.scheme);
   fast::Workspace workspace;
   Figures figures;
   try {

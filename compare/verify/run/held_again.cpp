@@ -17,7 +17,7 @@ std::string case_file_text(const HeldPairing& held, const Case& posed, fast::Wor
   const Wanted everything;
   nlohmann::ordered_json engine, oracle;
   try {
-    const fast::Pairing pairing = held.engine(posed.law, posed.mode, posed.scheme);
+    const fast::Pairing pairing = held.engine_under(posed.law, posed.mode, posed.scheme);
     engine = decided(fast::evaluate(pairing, posed.pose, posed.velocity, everything, workspace));
     reference::Inquiry inquiry(held.oracle(), posed.pose, posed.velocity, everything, posed.law, posed.scheme);
     oracle = decided(inquiry.answer(reference::Problem::rounded, posed.mode));

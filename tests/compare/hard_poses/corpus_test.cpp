@@ -61,7 +61,7 @@ TEST_F(HardPosesCorpus, EngineIsWithinItsBoundOfTheStoredTruth) {
     const CorpusState& stored = states_[i];
     SCOPED_TRACE(name_of(stored, i));
     const HardState hard = pairs_.hard(stored);
-    const fast::Pairing engine = hard.held->engine(stored.state.law, stored.mode, stored.state.scheme);
+    const fast::Pairing engine = hard.held->engine_under(stored.state.law, stored.mode, stored.state.scheme);
     const fast::Contact& subj = fast::evaluate(engine, stored.state.pose, stored.state.velocity, wanted, workspace_);
     for (int j = 0; j < 3; ++j) {
       EXPECT_LE(std::abs(subj.force_Me[j] - stored.true_force_Me[j]), subj.bound->force_Me[j]);

@@ -142,7 +142,7 @@ TEST_F(HidingLine, IsTheEdgeOfAFaceOffATiltedFByUlpsWhereItLiesBeforeItExactly) 
     const std::array<Vector3d, 3> h{on_f(0.125, 0.25, ulps() * 0x1p-53), on_f(0.875, 0.25, ulps() * 0x1p-53),
                                     on_f(0.5, 0.75, rise)};
     WorkCounters work;
-    const double first = height_over(f, h[0], work) * rise, second = height_over(f, h[1], work) * rise;
+    const double first = SurePlane(f).height(h[0], work) * rise, second = SurePlane(f).height(h[1], work) * rise;
     if (first < 0 || second < 0 || (first == 0 && second == 0))
       continue;  // it passes through f, or its edge lies in it
     clear();

@@ -50,7 +50,7 @@ TEST(HeightOver, IsSureToKHeightErrorOfItselfHoweverNearThePlane) {
       const FacePoints f = draw_face(random);
       const Eigen::Vector3d x = draw_point_near(f, k, random);
       const mpq_class exact = exact_height(f, x);
-      EXPECT_LE(relative_error(height_over(f, x, work), exact), kHeightError + 0x1p-50) << "2^-" << k;
+      EXPECT_LE(relative_error(SurePlane(f).height(x, work), exact), kHeightError + 0x1p-50) << "2^-" << k;
       // The depth's factor 1 / |N| is off by some ulps as well.
       const MasterPrism prism(face_with_sure_normal(f));
       const double doubled_area = 2 * prism.face().area;
@@ -65,10 +65,11 @@ TEST(HeightOver, ScalesBitForBitWithPowersOfTwo) {
   for (int trial = 0; trial < 2000; ++trial) {
     const FacePoints f = draw_face(random);
     const Eigen::Vector3d x = draw_point_near(f, static_cast<int>(random.integer(0, 60)), random);
-    const double height = height_over(f, x, work);
+    const double height = SurePlane(f).height(x, work);
     for (const int k : {-100, -64, -33, -1, 1, 31, 63, 100}) {
       const double scale = std::ldexp(1, k);
-      EXPECT_EQ(height_over({scale * f[0], scale * f[1], scale * f[2]}, scale * x, work), std::ldexp(height, 3 * k));
+      EXPECT_EQ(SurePlane(FacePoints{scale * f[0], scale * f[1], scale * f[2]}).height(scale * x, work),
+                std::ldexp(height, 3 * k));
     }
   }
 }
@@ -82,7 +83,7 @@ TEST(HeightOver, IsZeroExactlyInThePlane) {
     for (Eigen::Vector3d& corner : f) corner = Doubles::point([&] { return random.small_integer(2); }) / 3;
     const Eigen::Vector3d x = Doubles::point([&] { return random.small_integer(2); }) / 3;
     const mpq_class exact = exact_height(f, x);
-    EXPECT_EQ(height_over(f, x, work) == 0, exact == 0);
+    EXPECT_EQ(SurePlane(f).height(x, work) == 0, exact == 0);
     in_plane += exact == 0 ? 1 : 0;
   }
   EXPECT_GE(in_plane, 1000);
@@ -93,7 +94,7 @@ TEST(HeightOver, IsRarelyComputedExactlyForPointsInNoSpecialPlace) {
   WorkCounters work;
   for (int trial = 0; trial < 200000; ++trial) {
     const FacePoints f = draw_face(random);
-    height_over(f, Doubles::point([&] { return random.unit(); }), work);
+    SurePlane(f).height(Doubles::point([&] { return random.unit(); }), work);
   }
   std::printf("  %lld exact of %lld\n", static_cast<long long>(work.exact_predicates),
               static_cast<long long>(work.predicates));
@@ -110,7 +111,7 @@ TEST(HeightOver, KeepsItsSignWhereItUnderflows) {
     const Eigen::Vector3d x =
         f[0] + Doubles::point([&] { return std::ldexp(random.small_integer(3), -trial % 700 - 350); });
     const mpq_class exact = exact_height(f, x);
-    const double height = height_over(f, x, work);
+    const double height = SurePlane(f).height(x, work);
     ASSERT_EQ((height > 0) - (height < 0), sgn(exact)) << trial;
     const double depth = MasterPrism(face_with_sure_normal(f)).see(x, work)[kDepth];
     ASSERT_EQ((depth < 0) - (depth > 0), sgn(exact)) << trial;
@@ -160,7 +161,7 @@ TEST(MasterPrism, DepthsThatUnderflowAreScaledSoThatTheirRatiosAreSure) {
   EXPECT_GE(scaled, 1000);
 }
 
-// What is exact of its plane is computed but once.
+// It keeps what is exact of its plane.
 TEST(MasterPrism, SeesEachPointAsIfItHadSeenNoOther) {
   Doubles random(157);
   WorkCounters work;

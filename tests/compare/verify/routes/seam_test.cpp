@@ -395,7 +395,7 @@ TEST_P(SeamOverSchemes, ForceOffByABillionthIsFlaggedIn99Of100AnswersThatAreNotS
     const reference::Answer truth = inquiry.answer(reference::Problem::rounded, Mode::both);
     const double p = mean_thickness(truth), S = coordinate_scale(pair.E, pair.F, state.pose);
     if (!(S < 1e3 * p)) continue;
-    const fast::Pairing pairing = held.engine(state.law, Mode::both, state.scheme);
+    const fast::Pairing pairing = held.engine_under(state.law, Mode::both, state.scheme);
     fast::Contact subj = fast::evaluate(pairing, state.pose, state.velocity, {}, workspace);
     if (subj.force_Me.isZero(0)) continue;
     // All of it, as a wrong factor of the law would: the answer's own sums still agree.

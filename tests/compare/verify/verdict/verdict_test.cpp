@@ -349,8 +349,8 @@ TEST(Verdict, TipThatCutsOfANeedleMasterLeaveBeyondItsCornerMayBeDeeperThanTheEx
     const HeldPairing::State state = run.poses().asked(run.cells().front(), pose);
     Wanted wanted;
     wanted.bound = true;
-    const fast::Contact& contact =
-        fast::evaluate(held.engine(state.law, Mode::both, state.scheme), state.pose, state.velocity, wanted, workspace);
+    const fast::Contact& contact = fast::evaluate(held.engine_under(state.law, Mode::both, state.scheme), state.pose,
+                                                  state.velocity, wanted, workspace);
     EXPECT_GT(contact.max_penetration, contact.bound->penetration_at_most) << pose;
     const PoseOutcome outcome = held.hold(state, workspace).front();
     EXPECT_TRUE(outcome.disagreements.empty()) << pose << ": " << outcome.disagreements.front().text;
