@@ -139,12 +139,13 @@ void FaceBound::see_own(double position_error, ProjectedWalk& projected, Clipped
   const double deepest = std::max(seen_.view.own_depth, sight_->greatest_depth());
   const TreePrism prism = prism_in_tree(posed_, seen_.master, *seen_.prism, position_error);
   list_faces_in_prism(posed_, seen_.master, prism, deepest, scratch.open, scratch.listed);
-  scratch.own_sights.start(posed_.surface(seen_.master).mesh.vertices.size());
+  PosedSurface& own = posed_[seen_.master];
+  const PreparedSurface& surface = own.surface();
+  OwnSights sights(*seen_.prism, surface.face(seen_.face));
   for (const Index face : scratch.listed) {
-    if (face == seen_.face || !may_be_seen(prism, posed_.surface(seen_.master).mesh, face, deepest)) continue;
-    const SeenCorners corners =
-        see_own_corners(posed_, seen_.master, seen_.face, *seen_.prism, face, scratch.own_sights);
-    sight_->see(posed_[seen_.master], face, true, corners, projected.at(true, face), posed_.work);
+    if (face == seen_.face || !may_be_seen(prism, surface.mesh, face, deepest)) continue;
+    const SeenCorners corners = own_corners(own, face, sights, posed_.work);
+    sight_->see(own, face, true, corners, projected.at(true, face), posed_.work);
   }
 }
 

@@ -12,9 +12,8 @@ namespace pcm::fast {
 
 /// Scratch memory of sum_bounded_clipped_elements.
 struct ClippedBoundScratch {
-  std::vector<Index> listed;              ///< faces near a master face's prism
-  std::vector<Index> open;                ///< of the search for them
-  FastClearArray<PrismPoint> own_sights;  ///< by vertex of the master: of its listed faces
+  std::vector<Index> listed;  ///< faces near a master face's prism
+  std::vector<Index> open;    ///< of the search for them
   ViewScratch sight;
   VisibleDepthScratch depth;
 };

@@ -135,8 +135,8 @@ void ViewError::see(PosedSurface& surface, Index face, bool of_master, const See
   FaceInView& sight = scratch_->sights.back();
   FaceEnclosure& f = sight.enclosure;
   const FaceInPrism seen{
-      face,           of_master,         surface.surface().face(face),        surface.face_Me(face, work),
-      corners.points, corners.is_shared, surface.sharp_face_rounding_Me(face)};
+      face,           of_master,           surface.surface().face(face),        surface.face_Me(face, work),
+      corners.points, corners.is_shared(), surface.sharp_face_rounding_Me(face)};
   if (!find_face_enclosure(error_, seen, f)) {
     scratch_->sights.pop_back();
     return;

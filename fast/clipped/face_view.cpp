@@ -49,17 +49,14 @@ bool near_barycentre(const MasterPrism& prism, const std::array<PrismPoint, 3>& 
   return true;
 }
 
-/// Looks at a vertex, unless it was looked at.
-void see_vertex(PosedPair& posed, Side side, Index v, const MasterPrism& prism, FastClearArray<PrismPoint>& sights) {
-  if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(side, v), posed.work));
-}
-
 /// Looks at each of the faces' vertices that was not looked at yet.
 void see_vertices(PosedPair& posed, Side slave, const MasterPrism& prism, const std::vector<Index>& faces,
                   FastClearArray<PrismPoint>& sights) {
   const PreparedSurface& surface = posed.surface(slave);
   for (const Index face : faces) {
-    for (const Index v : surface.face(face)) see_vertex(posed, slave, v, prism, sights);
+    for (const Index v : surface.face(face)) {
+      if (!sights.contains(v)) sights.set(v, prism.see(posed.vertex_Me(slave, v), posed.work));
+    }
   }
 }
 
@@ -188,11 +185,10 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
                  FaceView& view) {
   list_faces_in_prism(posed, master, prism_in_tree(posed, master, prism), view.own_depth, scratch.open,
                       scratch.own_listed);
-  scratch.own_sights.start(posed.surface(master).mesh.vertices.size());
+  OwnSights sights(prism, posed.surface(master).face(master_face));
   for (const Index face : scratch.own_listed) {
     if (face == master_face) continue;
-    const std::array<PrismPoint, 3> corners =
-        see_own_corners(posed, master, master_face, prism, face, scratch.own_sights).points;
+    const std::array<PrismPoint, 3> corners = own_corners(posed[master], face, sights, posed.work).points;
     view.own_at_barycentre = view.own_at_barycentre || near_barycentre(prism, corners);
     // What else is listed depends on how it was listed; a face that lies over the master and no deeper is, in any case.
     if (std::min({corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]}) > view.own_depth) continue;
@@ -213,23 +209,9 @@ OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceG
   return posed.placement.skew > kGreatestSkew ? OwnFacesBefore::some : OwnFacesBefore::leaning;
 }
 
-SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, Index face,
-                            FastClearArray<PrismPoint>& sights) {
-  const PreparedSurface& surface = posed.surface(master);
-  const Triangle& master_vertices = surface.face(master_face);
-  const Triangle& vertices = surface.face(face);
-  SeenCorners corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const int shared = corner_at(master_vertices, vertices[k]);
-    corners.is_shared[k] = shared >= 0;
-    if (corners.is_shared[k]) {
-      corners.points[k] = MasterPrism::corner(shared);
-    } else {
-      see_vertex(posed, master, vertices[k], prism, sights);
-      corners.points[k] = sights.at(vertices[k]);
-    }
-  }
-  return corners;
+SeenCorners own_corners(PosedSurface& master, Index face, OwnSights& sights, WorkCounters& work) {
+  const auto vertex_Me = [&](Index v) -> const Eigen::Vector3d& { return master.vertex_Me(v, work); };
+  return sights.corners(master.surface().face(face), vertex_Me, work);
 }
 
 void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, bool nested,

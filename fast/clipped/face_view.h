@@ -8,6 +8,7 @@
 #include "fast/base/fast_clear_array.h"
 #include "fast/posed/posed_pair.h"
 #include "fast/prism/master_prism.h"
+#include "fast/surface/own_sights.h"
 
 namespace pcm::fast {
 
@@ -30,11 +31,10 @@ struct FaceView {
 
 /// Scratch memory of look_through.
 struct FaceViewScratch {
-  std::vector<Index> own_listed;          ///< other faces of the master near the prism
-  FastClearArray<PrismPoint> own_sights;  ///< by vertex of the master: of those faces
-  std::vector<Index> open;                ///< of the search for faces
-  std::vector<Index> over;                ///< listed faces of the slave that some line may meet
-  std::vector<Index> entered;             ///< faces of the slave that the lines certainly enter
+  std::vector<Index> own_listed;  ///< other faces of the master near the prism
+  std::vector<Index> open;        ///< of the search for faces
+  std::vector<Index> over;        ///< listed faces of the slave that some line may meet
+  std::vector<Index> entered;     ///< faces of the slave that the lines certainly enter
 };
 
 /// Looks through the prism of a master face. `nested`: a component of one surface lies in the other without crossing,
@@ -56,10 +56,7 @@ enum class OwnFacesBefore : std::uint8_t {
 OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,
                                 double deepest);
 
-/// The corners of another face of the master. `sights`: by vertex of the master, started for this prism, what it has
-/// seen; what it sees here is added. Faces of one sheet share vertices, and in the master's own plane each takes exact
-/// numbers.
-SeenCorners see_own_corners(PosedPair& posed, Side master, Index master_face, const MasterPrism& prism, Index face,
-                            FastClearArray<PrismPoint>& sights);
+/// The corners of another face of the master as one of its faces sees them.
+SeenCorners own_corners(PosedSurface& master, Index face, OwnSights& sights, WorkCounters& work);
 
 }  // namespace pcm::fast

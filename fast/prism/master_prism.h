@@ -153,7 +153,9 @@ class TreePrism {
 /// The corners of a face as a master face sees them.
 struct SeenCorners {
   std::array<PrismPoint, 3> points;
-  std::array<bool, 3> is_shared{};  ///< which of them are the master face's own, seen exactly
+  std::array<int, 3> shared{-1, -1, -1};  ///< which of the master face's own corners each is, seen exactly, or -1
+
+  std::array<bool, 3> is_shared() const { return {shared[0] >= 0, shared[1] >= 0, shared[2] >= 0}; }
 };
 
 /// A face of the slave, or another one of the master, as the penetration lines of a master face meet it.

@@ -12,6 +12,7 @@
 #include "fast/prism/master_prism.h"
 #include "fast/prism/ray.h"
 #include "fast/surface/open_nodes.h"
+#include "fast/surface/own_sights.h"
 #include "fast/surface/thickness.h"
 
 /// A sheet of other faces, joined by their edges, lies beneath the master face. Its own border, seen along the lines,
@@ -31,17 +32,19 @@ constexpr std::size_t kMostFaces = 128;
 /// Where the faces are counted, off the lines that regular meshes put their edges on.
 constexpr double kCountedAtS = 0.3125 - 0x1p-10, kCountedAtT = 0.25 + 0x1p-7;
 
-struct SeenFace {
+struct SeenFace : SeenCorners {
   Index face;
-  std::array<PrismPoint, 3> corners;
-  std::array<int, 3> shared;  ///< which corner of the master each one is, or -1
-  DepthsInPrism depths;       ///< in the prism wider by the tolerance
+  DepthsInPrism depths;  ///< in the prism wider by the tolerance
 };
 
 class SheetBeneath {
  public:
   SheetBeneath(const PreparedSurface& surface, Index master, const MasterPrism& prism, double tolerance)
-      : surface_(surface), master_(master), prism_(prism), tolerance_(tolerance) {}
+      : surface_(surface),
+        master_(master),
+        prism_(prism),
+        sights_(prism, surface.face(master)),
+        tolerance_(tolerance) {}
 
   /// How deep it reaches; infinite where there is no such sheet.
   double depth() {
@@ -64,19 +67,9 @@ class SheetBeneath {
   }
 
  private:
-  SeenFace see(Index face) const {
-    SeenFace seen;
-    seen.face = face;
-    const Triangle& master = surface_.face(master_);
-    const Triangle& vertices = surface_.face(face);
-    WorkCounters work;
-    for (std::size_t k = 0; k < 3; ++k) {
-      seen.shared[k] = corner_at(master, vertices[k]);
-      seen.corners[k] =
-          seen.shared[k] >= 0 ? MasterPrism::corner(seen.shared[k]) : prism_.see(surface_.vertex(vertices[k]), work);
-    }
-    seen.depths = depths_in_prism(prism_, seen.corners, tolerance_);
-    return seen;
+  SeenFace see(Index face) {
+    const SeenCorners corners = sights_.corners(surface_, face, work_);
+    return {corners, face, depths_in_prism(prism_, corners.points, tolerance_)};
   }
 
   /// How far a weight may be off.
@@ -93,7 +86,7 @@ class SheetBeneath {
     }
     if (shared == 1) return rises_beside(seen, corner);
     return shared == 2 &&
-           std::max({seen.corners[0][kDepth], seen.corners[1][kDepth], seen.corners[2][kDepth]}) > tolerance_;
+           std::max({seen.points[0][kDepth], seen.points[1][kDepth], seen.points[2][kDepth]}) > tolerance_;
   }
 
   /// Whether what a face with one of the master's corners may have above the master's plane lies beyond one of the
@@ -101,8 +94,8 @@ class SheetBeneath {
   /// x a + y b, x >= 0, y >= 0, with x h_a + y h_b <= 0 must have x w_a + y w_b < 0; of all these it is enough to ask
   /// the outermost.
   bool rises_beside(const SeenFace& seen, std::size_t corner) const {
-    const PrismPoint& a = seen.corners[(corner + 1) % 3];
-    const PrismPoint& b = seen.corners[(corner + 2) % 3];
+    const PrismPoint& a = seen.points[(corner + 1) % 3];
+    const PrismPoint& b = seen.points[(corner + 2) % 3];
     const double h_a = a[kDepth] - tolerance_, h_b = b[kDepth] - tolerance_;
     if (h_a > 0 && h_b > 0) return true;
     for (int weight = 0; weight < 3; ++weight) {
@@ -122,8 +115,8 @@ class SheetBeneath {
     const double off_s = off(kS), off_t = off(kT);
     std::array<double, 3> s, t;
     for (std::size_t k = 0; k < 3; ++k) {
-      s[k] = seen.corners[k][kS] - kCountedAtS;
-      t[k] = seen.corners[k][kT] - kCountedAtT;
+      s[k] = seen.points[k][kS] - kCountedAtS;
+      t[k] = seen.points[k][kT] - kCountedAtT;
     }
     const auto [low_s, high_s] = std::minmax({s[0], s[1], s[2]});
     const auto [low_t, high_t] = std::minmax({t[0], t[1], t[2]});
@@ -150,7 +143,7 @@ class SheetBeneath {
 
   /// Of the faces beneath, not in the sheet yet, that surely lie over the point where faces are counted, the one that
   /// does not reach as deep as others.
-  std::optional<Index> nearest_at_count() const {
+  std::optional<Index> nearest_at_count() {
     const FaceGeometry& master = prism_.face();
     const Ray ray(master, prism_.p0_Me() + kCountedAtS * prism_.edge_s_Me() + kCountedAtT * prism_.edge_t_Me());
     const TreeRay tree_ray(ray.origin, ray.direction, 2 * tolerance_);
@@ -181,7 +174,7 @@ class SheetBeneath {
   bool is_beside(const SeenFace& seen, std::size_t k) const {
     for (int weight = 0; weight < 3; ++weight) {
       const auto lies_beyond = [&](std::size_t corner) {
-        return seen.shared[corner] >= 0 ? seen.shared[corner] != weight : seen.corners[corner][weight] < -off(weight);
+        return seen.shared[corner] >= 0 ? seen.shared[corner] != weight : seen.points[corner][weight] < -off(weight);
       };
       if (lies_beyond(k) && lies_beyond((k + 1) % 3)) return true;
     }
@@ -203,7 +196,9 @@ class SheetBeneath {
   const PreparedSurface& surface_;
   Index master_;
   const MasterPrism& prism_;
+  OwnSights sights_;
   double tolerance_;  ///< by how much anything may be moved, m
+  WorkCounters work_;
   std::array<Index, kMostFaces> faces_;
   std::size_t count_ = 0;
 };

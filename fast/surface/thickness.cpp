@@ -10,6 +10,7 @@
 #include "fast/predicates/penetration_predicates.h"
 #include "fast/prism/master_prism.h"
 #include "fast/surface/open_nodes.h"
+#include "fast/surface/own_sights.h"
 
 namespace pcm::fast {
 
@@ -74,52 +75,18 @@ double least_depth(const MasterPrism& prism, const std::array<PrismPoint, 3>& co
   return least - 2 * tolerance;
 }
 
-/// The vertices as one master face sees them, most of them looked at once: faces that share them ask for it again and
-/// again, and depths in one plane are exact numbers' work.
-class VertexSights {
- public:
-  /// Both have to outlive it.
-  VertexSights(const PreparedSurface& surface, const MasterPrism& prism) : surface_(surface), prism_(prism) {
-    seen_.fill(-1);
-  }
-
-  const PrismPoint& operator()(Index vertex) {
-    const std::size_t i = static_cast<std::size_t>(vertex) % kPlaces;
-    if (seen_[i] != vertex) {
-      sights_[i] = prism_.see(surface_.vertex(vertex), work_);
-      seen_[i] = vertex;
-    }
-    return sights_[i];
-  }
-
- private:
-  static constexpr std::size_t kPlaces = 64;  ///< two vertices that would be kept in one place are looked at again
-  const PreparedSurface& surface_;
-  const MasterPrism& prism_;
-  std::array<PrismPoint, kPlaces> sights_;
-  std::array<Index, kPlaces> seen_;  ///< the vertex that is kept there, or -1
-  WorkCounters work_;
-};
-
 /// Another face as a master face sees it.
-struct SeenFace {
+struct SeenFace : SeenCorners {
   const Triangle& vertices;
-  std::array<PrismPoint, 3> corners;
-  std::array<int, 3> shared;  ///< which corner of the master it is, or -1
 
-  SeenFace(VertexSights& sights, const PreparedSurface& surface, const Triangle& master, Index face)
-      : vertices(surface.face(face)) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      shared[k] = corner_at(master, vertices[k]);
-      corners[k] = shared[k] >= 0 ? MasterPrism::corner(shared[k]) : sights(vertices[k]);
-    }
-  }
+  SeenFace(OwnSights& sights, const PreparedSurface& surface, Index face, WorkCounters& work)
+      : SeenCorners(sights.corners(surface, face, work)), vertices(surface.face(face)) {}
 
   bool is_neighbour() const { return shared[0] >= 0 || shared[1] >= 0 || shared[2] >= 0; }
 
   /// Whether the face lies above the master's plane or touches it from there, exactly.
   bool lies_above() const {
-    const std::array<double, 3> depths{corners[0][kDepth], corners[1][kDepth], corners[2][kDepth]};
+    const std::array<double, 3> depths{points[0][kDepth], points[1][kDepth], points[2][kDepth]};
     return std::max({depths[0], depths[1], depths[2]}) <= 0 && std::min({depths[0], depths[1], depths[2]}) < 0;
   }
   /// Whether it does so however its vertices and the master's are rounded, heights changing by less than `tolerance`:
@@ -128,7 +95,7 @@ struct SeenFace {
     bool any = false;
     for (std::size_t k = 0; k < 3; ++k) {
       if (shared[k] >= 0) continue;
-      if (!(corners[k][kDepth] < -tolerance)) return false;
+      if (!(points[k][kDepth] < -tolerance)) return false;
       any = true;
     }
     return any;
@@ -141,7 +108,7 @@ struct SeenFace {
       const std::size_t side = (weight + 1) % 3;
       const auto may_lie_beyond = [&](std::size_t k) {
         return shared[k] >= 0 ? shared[k] != static_cast<int>(weight)
-                              : corners[k][static_cast<Index>(weight)] <= prism.weight_error(side, corners[k]);
+                              : points[k][static_cast<Index>(weight)] <= prism.weight_error(side, points[k]);
       };
       const auto lies_beyond = [&](std::size_t k) {
         return shared[k] >= 0 || side_of_prism(prism.face().points_Me, side, surface.vertex(vertices[k]), work) <= 0;
@@ -179,16 +146,16 @@ bool is_spread_out(const MasterPrism& prism, const PreparedSurface& surface, Ind
 
 /// Whether all other faces at a corner of the master face lie beside it: on the far side of one of its sides each, but
 /// for the vertices on that side.
-bool all_lie_beside(const MasterPrism& prism, VertexSights& sights, const PreparedSurface& surface, Index master_face,
-                    Index corner, double tolerance) {
+bool all_lie_beside(const MasterPrism& prism, OwnSights& sights, const PreparedSurface& surface, Index master_face,
+                    Index corner, double tolerance, WorkCounters& work) {
   for (const Index face : surface.vertex_faces[corner]) {
     if (face == master_face) continue;
-    const SeenFace seen(sights, surface, surface.face(master_face), face);
+    const SeenFace seen(sights, surface, face, work);
     std::array<bool, 3> beside{true, true, true};  // By weight; each is 0 on a side.
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t weight = 0; weight < 3; ++weight) {
         const double error = tolerance * prism.inward_length((weight + 1) % 3);
-        const double w = seen.corners[k][static_cast<Index>(weight)];
+        const double w = seen.points[k][static_cast<Index>(weight)];
         beside[weight] = beside[weight] && (seen.shared[k] >= 0 ? w == 0 : w < -error);
       }
     }
@@ -237,7 +204,7 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
   const FaceGeometry geometry(surface.points_of(face));
   if (!thickness_holds(surface, 0, geometry)) return {};
   const MasterPrism prism(geometry);
-  VertexSights sights(surface, prism);
+  OwnSights sights(prism, master);
   WorkCounters work;
   const TreePrism tree_prism(prism, 2 * tolerance);
   double nearest = kInfinity, nearest_within = kInfinity, nearest_rounded = kInfinity;
@@ -253,10 +220,10 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
       continue;
     }
     if (node.face == face) continue;
-    const SeenFace seen(sights, surface, master, node.face);
+    const SeenFace seen(sights, surface, node.face, work);
     // A neighbour that is within the prism begins at the face: what it cuts short is not known.
     const bool neighbour = seen.is_neighbour();
-    const double least = neighbour ? 0 : least_depth(prism, seen.corners, tolerance);
+    const double least = neighbour ? 0 : least_depth(prism, seen.points, tolerance);
     if (!neighbour) nearest = std::min(nearest, least);
     // Only where something is near is it asked whether it is within the prism.
     const bool above = seen.lies_above();
@@ -273,7 +240,7 @@ ThicknessEverywhere lower_bounds_of_thickness_everywhere(const PreparedSurface& 
   bounds.rounded = std::max(std::min(nearest_within, nearest_rounded), 0.0);
   bounds.clear_of_neighbours = std::all_of(master.begin(), master.end(), [&](Index corner) {
     return is_spread_out(prism, surface, corner, tolerance) ||
-           all_lie_beside(prism, sights, surface, face, corner, tolerance);
+           all_lie_beside(prism, sights, surface, face, corner, tolerance, work);
   });
   return bounds;
 }

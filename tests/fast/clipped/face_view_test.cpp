@@ -14,12 +14,11 @@ namespace pcm::fast {
 namespace {
 
 // In the plane of a flat side each sight takes exact numbers.
-TEST(SeeOwnCorners, LooksAtEachVertexOnceForEachMasterFaceAndSeesIt) {
+TEST(OwnCorners, LooksAtEachVertexOnceForEachMasterFaceAndSeesIt) {
   const PreparedSurface box = prepare_surface(generate::gridded_box(Eigen::Vector3d(1, 0.7, 0.3), {4, 3, 2}));
   Pose pose;
   pose.A = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const auto faces = static_cast<Index>(box.mesh.faces.size());
-  FastClearArray<PrismPoint> sights;
   for (const Side master : {Side::E, Side::F}) {
     PosedPair posed;
     posed.place(box, box, pose, 0, false);
@@ -27,13 +26,13 @@ TEST(SeeOwnCorners, LooksAtEachVertexOnceForEachMasterFaceAndSeesIt) {
       const MasterPrism prism(face_with_sure_normal(posed.face_Me(master, master_face)));
       const auto seen_before = posed.work.predicates;
       std::set<Index> looked_at;
-      sights.start(box.mesh.vertices.size());
+      OwnSights sights(prism, box.face(master_face));
       for (Index face = 0; face < faces; ++face) {
-        const SeenCorners corners = see_own_corners(posed, master, master_face, prism, face, sights);
+        const SeenCorners corners = own_corners(posed[master], face, sights, posed.work);
         for (std::size_t k = 0; k < 3; ++k) {
           const Index v = box.face(face)[k];
           const int shared = corner_at(box.face(master_face), v);
-          ASSERT_EQ(corners.is_shared[k], shared >= 0);
+          ASSERT_EQ(corners.is_shared()[k], shared >= 0);
           if (shared < 0) looked_at.insert(v);
           WorkCounters none;
           ASSERT_EQ(corners.points[k],

@@ -239,7 +239,7 @@ double thickness_over_wall(double x_wall, double wall_top) {
 }
 
 TEST(ThicknessEverywhere, SheetsWhoseVerticesAreNumbered192ApartAreToldApart) {
-  // VertexSights keeps them in the same place. Whichever of the two sheets is looked at first: the near one counts.
+  // OwnSights keeps them in the same place. Whichever of the two sheets is looked at first: the near one counts.
   for (const double down : {1.0, -1.0}) {
     for (const auto& [first, last] : {std::pair(1.0, 3.0), std::pair(3.0, 1.0)}) {
       const auto sheet = [down](double depth) {
