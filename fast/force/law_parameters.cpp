@@ -13,6 +13,7 @@
 #include "fast/law/element_force.h"
 #include "meshes/base/floating_point_environment.h"
 #include "pcm/bad_input.h"
+#include "pcm/layer_stiffness.h"
 
 namespace pcm::fast {
 

@@ -32,6 +32,7 @@ inline const std::vector<Part>& parts() {
        {"base", "predicates", "prism", "surface", "posed", "law", "simd", "search", "crossings", "active", "force",
         "barycentric", "clipped", "bounds", "engine"},
        {{"inputs.h", "base"},
+        {"layer_stiffness.h", "base"},
         {"work_counters.h", "base"},
         {"contact.h", "base"},
         {"savings.h", "base"},

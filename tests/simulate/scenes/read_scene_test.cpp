@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,25 @@ std::string with(const std::string& what, const std::string& instead) {
   const std::size_t at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;
   return text.replace(at, what.size(), instead);
+}
+
+/// Says of each property below `node` that has no description, neither here nor where it is defined.
+void expect_descriptions(const nlohmann::json& schema, const nlohmann::json& node) {
+  if (!node.is_object()) return;
+  for (const auto& [key, property] : node.value("properties", nlohmann::json::object()).items()) {
+    const std::string reference = property.value("$ref", "");
+    const bool is_described =
+        property.contains("description") ||
+        (!reference.empty() && schema.at(nlohmann::json::json_pointer(reference.substr(1))).contains("description"));
+    EXPECT_TRUE(is_described) << key << ": " << property;
+  }
+  for (const auto& [key, value] : node.items()) expect_descriptions(schema, value);
+}
+
+TEST(SceneSchema, SaysOfEveryKeyWhatItMeans) {
+  const nlohmann::json schema = nlohmann::json::parse(scene_schema());
+  ASSERT_TRUE(schema.at("definitions").contains("law"));
+  expect_descriptions(schema, schema);
 }
 
 TEST(ReadScene, TakesEveryKeyToItsPlace) {
