@@ -7,7 +7,9 @@
 !> - vertices, faces and a polygon's first crossing are numbered from 1, patches too;
 !> - lists come as allocatable arrays;
 !> - errors are told as ALLOCATE tells them: `stat` is one of pcm_ok, pcm_bad_input, ..., `errmsg` says why and is left
-!>   alone where nothing failed. Without `stat` an error writes its text to the error unit and stops the program.
+!>   alone where nothing failed. Without `stat` an error writes its text to the error unit and stops the program, and
+!>   so does, in any case, a list that there is no memory for;
+!> - a call that fails leaves its answer undefined; pcm_read and pcm_define first dispose of what their handle holds.
 !>
 !> Handles (pcm_surface, pcm_pairing, pcm_workspace) are not to be assigned: copies would share what is disposed of
 !> once. Threads: surfaces and pairings may be shared, each thread needs a workspace of its own.

@@ -144,10 +144,12 @@ void bind_pairing(py::module_& module) {
       .def("evaluate_many", &evaluate_many_states, py::arg("A"), py::arg("r"), py::arg("v") = py::none(),
            py::arg("w") = py::none(), py::kw_only(), py::arg("polygons") = false, py::arg("areas") = true,
            py::arg("force") = true, py::arg("bound") = false, py::arg("statistics") = false, py::arg("threads") = 1,
-           "The answers at n states as a structured array of n rows, whose fields are those of Contact but for its\n"
-           "lists; what is not wanted is 0, `patches` where `polygons` are not. A has shape (n, 3, 3), r, v and w\n"
-           "(n, 3). Each row has the bits that `evaluate` gives, whatever the number of threads. Raises BadInput for\n"
-           "the first state that is bad, with its number.");
+           "The answers at n states as a structured array of n rows: Contact's numbers and flags by their names; of\n"
+           "E and F `area_E`, `vector_area_E_Me` and so on; of the bound `force_bound_Me`, `torque_bound_Me`,\n"
+           "`flipped`, `penetration_at_least`, `penetration_at_most`; Statistics by its names. No lists, numbers of\n"
+           "active faces or tangents. What is not wanted is 0, `patches` where `polygons` are not. A has shape\n"
+           "(n, 3, 3), r, v and w (n, 3). Each row has the bits that `evaluate` gives, whatever the number of\n"
+           "threads. Raises BadInput for the first state that is bad, with its number.");
 }
 
 }  // namespace pcm::python

@@ -32,7 +32,8 @@ struct Polygon {
   Index patch = 0;  ///< which contact patch it bounds, from 0
 };
 
-/// What the contact is on one of the surfaces. Nested faces count as inner (PCM section 5).
+/// What the contact is on one of the surfaces. Nested faces count as inner (PCM section 5). Faces are known wherever
+/// anything but touch is wanted.
 struct ActiveArea {
   std::vector<Index> intersected;  ///< faces in a crossing pair, ascending
   std::vector<Index> inner;        ///< uncrossed faces inside the other body, ascending
@@ -70,7 +71,8 @@ struct Statistics {
   double mean_pressure = 0;            ///< area-weighted, Pa
   double max_normal_velocity = 0;      ///< greatest |v_n|, m/s
   double max_tangential_velocity = 0;  ///< greatest v_t, m/s
-  Eigen::Vector3d centre_of_pressure_Me = Eigen::Vector3d::Zero();  ///< C_k weighted by F_n, m
+  /// C_k weighted by F_n, m; 0 unless these sum to > 0.
+  Eigen::Vector3d centre_of_pressure_Me = Eigen::Vector3d::Zero();
 };
 
 /// Rigorous bounds on |computed - true|, component by component, the truth being the exact problem's force and torque

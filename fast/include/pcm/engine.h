@@ -69,7 +69,8 @@ class Pairing {
 /// Throws BadInput where the pose is no rotation to 1e-9, r exceeds 2^300 m or a velocity 2^700 along an axis, anything
 /// is not finite or what is wanted of the force, or a sum on the way to it, would not be, std::bad_alloc where memory
 /// ends, and std::system_error where a workspace of several threads finds none left. Then nothing is told of the answer
-/// that the workspace held; the workspace stays usable. `savings` other than all change what it costs, nothing else.
+/// that the workspace held; the workspace stays usable. `savings` other than all change what it costs, and no bit of an
+/// answer; where one throws that otherwise would not, Savings says.
 const Contact& evaluate(const Pairing& pairing, const Pose& pose, const Velocity& velocity, const Wanted& wanted,
                         Workspace& workspace, const Savings& savings = {});
 

@@ -21,8 +21,9 @@ inline Side opposite(Side side) {
 /// A is a rotation to 1e-9: max |A^T A - I| <= 1e-9 and det A > 0; it is used as given, never orthogonalised. r is no
 /// farther than 2^300 m along any axis.
 struct Pose {
-  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< A_MeMf
-  Eigen::Vector3d r = Eigen::Vector3d::Zero();      ///< r_MeMf in Me, m
+  /// A_MeMf. By columns, whatever a caller's EIGEN_DEFAULT_TO_ROW_MAJOR makes of Matrix3d.
+  Eigen::Matrix<double, 3, 3, Eigen::ColMajor> A = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();  ///< r_MeMf in Me, m
 };
 
 /// Motion of Mf relative to Me, resolved in Me. No component is greater than 2^700.
@@ -73,7 +74,7 @@ struct Wanted {
   bool polygons = true;     ///< intersection polygons with the positions of their points, and patches
   bool areas = true;        ///< clipped active areas and the intersection volume
   bool force = true;        ///< contact elements, force and torque
-  bool elements = true;     ///< keep every contact element in the result, with its statistics
+  bool elements = true;     ///< keep all contact elements in the result, with their statistics; implies force
   bool bound = false;       ///< rigorous bounds on the rounding errors of force and torque; implies force
   bool statistics = false;  ///< the summary over the elements; implies force, implied by elements
   bool tangent = false;     ///< derivatives of force and torque by pose and velocity; implies force

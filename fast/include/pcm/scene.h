@@ -44,6 +44,7 @@ class Scene {
 
   Index bodies() const;
   Index pairings() const;
+  /// The reference lives until the next `add_pairing`.
   const Pairing& pairing(Index index) const;
 
   /// Puts every body where it is. Throws BadInput, naming the body, where the number of states is not that of bodies, a
@@ -58,7 +59,8 @@ class Scene {
 
   /// From now on, until the next call, what is found of a pairing at the relative pose that it has now is kept: there
   /// only the first evaluation is a whole one, further ones apply the law at whatever velocity it then has. For
-  /// difference quotients; wherever else bodies go costs what it did. Pairings with a bound are always found anew.
+  /// difference quotients; wherever else bodies go costs what it did. Pairings with a bound, or in the clipped scheme
+  /// with a tangent, are always found anew.
   void remember_poses();
 
   /// Answers one pairing, where its bodies are; the answer lives until the next use of `workspace`, or until the
@@ -67,18 +69,19 @@ class Scene {
   /// pairings may be asked for by different threads at once, each with its own workspace.
   const Contact& evaluate(Index pairing, Workspace& workspace);
 
-  /// Called with each answer in `evaluate_all`, from the thread that has it.
+  /// Called with each answer in `evaluate_all`, from the thread that has it. `contact` lives until the call returns.
   using Visit = std::function<void(Index pairing, const Contact& contact)>;
   /// Answers all pairings, `threads` at once (at least 1, else BadInput), and keeps their loads. Those whose last
   /// contact was large come first; where there is one such pairing alone, all threads are at work within it (see
   /// Workspace), but where little would come of it: in the barycentric scheme with few elements or at short steps, at a
   /// pose that is remembered, with a bound. `visit`, where given, sees the answers of those that touch or are nested,
   /// at once and in any order, and in the default floating-point environment. What is thrown for the first pairing that
-  /// fails is thrown on, when all threads are done. Throws std::system_error where the system has no thread left. In a
-  /// process that was forked from another one, threads started before are missing: make a new scene there.
+  /// fails is thrown on, when all threads are done. Throws std::system_error where the system has no thread left. Where
+  /// it throws, loads are of no use until an evaluate_all that does not. In a process that was forked from another one,
+  /// threads started before are missing: make a new scene there, and do not destroy one that has had threads.
   void evaluate_all(int threads = 1, const Visit& visit = {});
 
-  /// Of the last evaluate_all.
+  /// Of the last evaluate_all; until the next one, or until `add_pairing`.
   const PairingLoad& load(Index pairing) const;
   /// Of every body where it was then, summed over its pairings in their order.
   std::vector<BodyLoad> body_loads() const;

@@ -19,7 +19,7 @@ class Workspace {
   /// Each has memory of its own. Sums are taken by one, in the same order, so that answers are the same, bit for bit.
   /// Where a bound is wanted one thread finds crossings and bounds elements; at short steps of a Scene or a
   /// PairingMemory one follows crossings, and penetration lines in the barycentric scheme. A process that is forked
-  /// from another one has none of the others: it needs workspaces of its own.
+  /// from another one has none of the others: it needs workspaces of its own, and must not destroy those with threads.
   explicit Workspace(int threads);
   ~Workspace();
   Workspace(Workspace&&) noexcept;

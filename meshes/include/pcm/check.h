@@ -92,7 +92,7 @@ struct MeshReport {
 
 /// Examines a surface (PCM section 2): at most two faces an edge, one fan a vertex, no repeated vertex in a face, no
 /// duplicate vertices (-0 equals 0), no zero-area face, consistent orientation, closed components oriented outward, or
-/// inward where an odd number of others encloses them (enclosure.h). What an open component encloses isn't defined, so
+/// inward where an odd number of others encloses them. What an open component encloses isn't defined, so
 /// an inward component within the bounding box of an open one is warned of as a possible cavity. Unused vertices are
 /// warned of, borders noted: an open surface is fit. A crack shows as duplicate vertices. Self-intersection is not
 /// looked for.

@@ -12,11 +12,9 @@ namespace pcm {
 inline constexpr const char* kMeshExtensions = ".obj or .off";
 inline constexpr const char* kMeshFormats = "OBJ or OFF";
 
-/// Reads a surface in the format its extension names, in capitals or not: .obj (read_obj.h) or .off (read_off.h).
-/// Throws BadInput where the reader does and for any other extension.
-///
-/// A new format takes a reader beside read_off.cpp, a line in read_mesh.cpp and its name above. Faces must share
-/// vertices, which a format of separate triangles has to be made to, and vertices need an order: ties depend on it.
+/// Reads a surface in the format its extension names, in capitals or not: .obj or .off.
+/// Throws BadInput, naming file and line, where the file cannot be read, breaks its format, has no vertex or face, or
+/// an index out of range, and for any other extension. Whether the surface is fit for contact, `check` says.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
 }  // namespace pcm

@@ -29,7 +29,7 @@ namespace pcm::simbody {
 /// What one pairing does at a state.
 struct PairingAnswer {
   bool touching = false;
-  bool nested = false;     ///< one body within the other without crossing: there is no force (PCM section 5)
+  bool nested = false;     ///< a part of one lies in the other uncrossed: no force, unless open or about a cavity
   bool ambiguous = false;  ///< an open surface labels faces both ways
   /// The depth exceeds max_penetration of the law: depths are clamped, and the elastic energy is too small.
   bool penetration_exceeded = false;
@@ -45,9 +45,10 @@ struct PairingAnswer {
 ///
 /// Barycentric scheme: u is u_k all over the face. Clipped scheme: u is linear over an element, and the element's
 /// position gives the centroid x of u, so that the integral of u^2 is that of u, A_k u_k, times u(x): for linear u =
-/// a + g . x, it is a (integral of u) + g . (integral of u x) = (a + g . x_u) (integral of u). Where depths are clamped
-/// u is not linear: A_k u_k^2 stands there, which is no more (Cauchy-Schwarz) than the integral of the clamped depth's
-/// square.
+/// a + g . x, it is a (integral of u) + g . (integral of u x) = (a + g . x_u) (integral of u). Where any
+/// depth of the contact is clamped (`penetration_exceeded`), A_k u_k^2 stands for every element, which is no more
+/// (Cauchy-Schwarz) than the integral of the clamped depth's square: as the first point passes max_penetration, the
+/// energy falls by a finite amount.
 ///
 /// `contact` is the pairing's at `pose`, with its elements.
 double elastic_energy(const fast::Pairing& pairing, const Pose& pose, const fast::Contact& contact);
@@ -82,20 +83,23 @@ struct ContactTangents {
 /// wait for one another.
 class ContactForces : public SimTK::Force::Custom {
  public:
+  /// `forces` and `matter`, these very objects and not only what they are handles of, must outlive the last use of
+  /// these contact forces.
   ContactForces(SimTK::GeneralForceSubsystem& forces, const SimTK::SimbodyMatterSubsystem& matter);
 
   /// A surface fixed on a body; both are numbered from 0 in the order they are added. A surface may be on many bodies.
   /// As of every change of a Simbody model, States made before it are of no use: realizeTopology gives a new one.
   /// Throws BadInput where the body is of another matter subsystem.
   Index add_surface(const SimTK::MobilizedBody& body, const SimTK::Transform& X_BS, const fast::Surface& surface);
-  /// Throws BadInput where there is no such surface, both are the same, or a parameter of the law is out of its range.
-  /// States are of no use then, as above.
+  /// States made before it are of no use, as above. Throws BadInput where there is no such surface, both are the same,
+  /// or a parameter of the law is out of its range; then nothing has changed.
   Index add_pairing(Index surface_E, Index surface_F, const ContactLaw& law = {}, Mode mode = Mode::E,
                     Scheme scheme = Scheme::barycentric);
 
   Index surfaces() const;
   Index pairings() const;
   // Here and below a pairing or surface that there is not throws BadInput.
+  /// The reference lives until the next `add_pairing`.
   const fast::Pairing& pairing(Index pairing) const;
 
   /// Of every pairing, in their order, by the engine. `state` must be realized to Stage::Velocity, as everywhere below.
@@ -125,7 +129,8 @@ class ContactForces : public SimTK::Force::Custom {
   /// law to what it found there. Call it before anything else is asked about the state: else what was found was not
   /// kept, and is found once more. No bit of any answer changes.
   void remember(const SimTK::State& state) const;
-  /// From here on as if nothing had been remembered.
+  /// From here on answers are computed. Where poses are those of the remembered state the engine may still know what it
+  /// found there (`law_only`).
   void forget() const;
 
   /// Of all pairings at this state, for Jacobians: one evaluation of those that touch, however many coordinates the
@@ -133,8 +138,8 @@ class ContactForces : public SimTK::Force::Custom {
   ContactTangents tangents(const SimTK::State& state) const;
   /// From here on the forces at this State, and at copies of it, are by these tangents: the engine is not asked for
   /// them. Each load is that to first order in the pose and velocity of the pairing there, turned with the frame of its
-  /// E. All else (answers, energies) is the engine's as before. Invalidates Stage::Dynamics. Throws BadInput where they
-  /// are tangents of more or fewer pairings than there are.
+  /// E. All else (answers, energies) is the engine's as before. With nullptr they are the engine's again. Invalidates
+  /// Stage::Dynamics. Throws BadInput where they are tangents of more or fewer pairings than there are.
   void linearise(SimTK::State& state, std::shared_ptr<const ContactTangents> tangents) const;
 
   ContactCounters counters() const;

@@ -16,6 +16,7 @@
 #ifndef __FAST_MATH__
 #error "the policy on floating point is the library's own: users choose their flags"
 #endif
+static_assert(!decltype(pcm::Pose::A)::IsRowMajor);
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

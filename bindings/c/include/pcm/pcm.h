@@ -9,7 +9,8 @@
 // numbered from 0, in the order they were given in or stand in their file.
 //
 // Errors: what can fail returns a status, writes why into the caller's pcm_error, and then changes nothing else but for
-// setting a handle that it would have made to NULL. Nothing is thrown, printed or kept in global state.
+// setting a handle that it would have made to NULL, and for a workspace's last answer, which pcm_evaluate forgets.
+// Nothing is thrown, printed or kept in global state.
 //
 // Threads: surfaces and pairings never change and may be shared; a workspace is for one thread at a time.
 //
@@ -44,7 +45,7 @@ enum {
   PCM_OK = 0,
   PCM_BAD_INPUT = 1,       ///< a surface, law, pose or file that the user can mend
   PCM_BAD_CALL = 2,        ///< a call that the programmer can mend: a null pointer, an unknown size or flag
-  PCM_OUT_OF_MEMORY = 3,   ///< what was there before is as it was
+  PCM_OUT_OF_MEMORY = 3,   ///< memory ended
   PCM_INTERNAL_ERROR = 4,  ///< a bug of ours
 };
 
@@ -96,7 +97,7 @@ enum { PCM_BARYCENTRIC = 0, PCM_CLIPPED = 1 };
 /// What damping may do to an element's normal force: never draw, (18); draw as well; act while approaching only.
 enum { PCM_DAMPING_NO_TENSION = 0, PCM_DAMPING_FULL = 1, PCM_DAMPING_COMPRESSION = 2 };
 
-/// Parameters of the force law (PCM section 7). All finite and not negative unless said.
+/// Parameters of the force law (PCM section 7). All finite and not negative unless said; 0 by default unless said.
 typedef struct pcm_law {
   size_t size;               ///< sizeof(pcm_law)
   double stiffness;          ///< c_l, N/m^3, > 0; 1e6 by default
@@ -141,13 +142,13 @@ enum {
   PCM_WANTED_POLYGONS = 1,     ///< intersection polygons and patches
   PCM_WANTED_AREAS = 2,        ///< clipped active areas and the volume of the intersection
   PCM_WANTED_FORCE = 4,        ///< contact elements, force and torque
-  PCM_WANTED_ELEMENTS = 8,     ///< keep the elements, to be copied out, with their statistics
+  PCM_WANTED_ELEMENTS = 8,     ///< keep the elements, to be copied out, with their statistics; implies FORCE
   PCM_WANTED_BOUND = 16,       ///< rigorous bounds on the rounding errors of force and torque; implies PCM_WANTED_FORCE
   PCM_WANTED_STATISTICS = 32,  ///< the summary over the elements; implies PCM_WANTED_FORCE
   PCM_WANTED_TANGENT = 64,     ///< derivatives of force and torque, to be copied out; implies FORCE
 };
 
-/// What the contact is on one of the surfaces.
+/// What the contact is on one of the surfaces. Numbers of faces are given wherever anything but touch is wanted.
 typedef struct pcm_active_area {
   double area;               ///< of its part inside the other body, m^2
   double vector_area_Me[3];  ///< integral of the outward normal over that part, m^2
@@ -174,10 +175,10 @@ typedef struct pcm_statistics {
   double mean_pressure;             ///< area-weighted, Pa
   double max_normal_velocity;       ///< greatest |v_n|, m/s
   double max_tangential_velocity;   ///< greatest v_t, m/s
-  double centre_of_pressure_Me[3];  ///< C_k weighted by F_n, m
+  double centre_of_pressure_Me[3];  ///< C_k weighted by F_n, m; 0 unless these sum to > 0
 } pcm_statistics;
 
-/// The answer at one state. What was not wanted is zero.
+/// The answer at one state. What was not wanted is zero: all but `touching` where only that was asked for.
 typedef struct pcm_answer {
   size_t size;                   ///< sizeof(pcm_answer), set by the caller
   int32_t touching;              ///< 1 where the surfaces cross, else 0; so with all flags
