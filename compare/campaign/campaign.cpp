@@ -73,6 +73,8 @@ Campaign::Campaign(const std::filesystem::path& file, std::chrono::milliseconds 
     : database_(file), host_(this_host()), patience_(patience) {
   Transaction transaction(database_);
   const std::int64_t version = count_of(database_, "PRAGMA user_version");
+  if (version == 0 && count_of(database_, "SELECT count(*) FROM sqlite_master") > 0)
+    throw BadInput(file.string() + ": this is a database of others; choose another folder");
   if (version == 0) database_.run(("PRAGMA user_version = " + std::to_string(kVersion)).c_str());
   if (version != 0 && version != kVersion)
     throw BadInput(file.string() + ": another version of pcm has written it; choose another folder");

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -106,10 +107,10 @@ std::string path_table(const PathReport& report) {
   if (walk.most_too_deep > 0) text += fmt::format("too deep: up to {} faces at a step\n", walk.most_too_deep);
   if (report.normal_Me) {
     const TangentialForce force = tangential_force(walk, *report.normal_Me);
-    text += fmt::format(
-        "tangential force: greatest {:.6g} N at {:.6f}, normal force {:.6g} N there; {:.4g} of the greatest normal "
-        "force\n",
-        force.greatest, force.at.position(), force.normal_there, force.share());
+    text += fmt::format("tangential force: greatest {:.6g} N at {:.6f}, normal force {:.6g} N there; ", force.greatest,
+                        force.at.position(), force.normal_there);
+    text += std::isfinite(force.share()) ? fmt::format("{:.4g} of the greatest normal force\n", force.share())
+                                         : "there is no normal force anywhere\n";
   }
   const PathWork& work = report.work;
   text += fmt::format("work of the contact on F{}: {:.9g} J, +- {:.1g} J; {:.4g} of greatest force times way\n",
@@ -162,7 +163,7 @@ Json path_json(const PathReport& report) {
     json["tangential"] = {{"greatest", force.greatest},
                           {"at", force.at.position()},
                           {"normal_there", force.normal_there},
-                          {"share", force.share()}};
+                          {"share", std::isfinite(force.share()) ? Json(force.share()) : Json()}};
   }
   return json;
 }

@@ -31,8 +31,8 @@ struct TangentialForce {
   PathPoint at;                ///< where
   double greatest_normal = 0;  ///< F_n anywhere, N
 
-  /// Greatest F_t to greatest F_n; 0 where there is no force.
-  double share() const { return greatest_normal > 0 ? greatest / greatest_normal : 0; }
+  /// Greatest F_t to greatest F_n; 0 where there is no force, infinite where there is no F_n.
+  double share() const { return greatest > 0 ? greatest / greatest_normal : 0; }
 };
 TangentialForce tangential_force(const PathWalk& walk, const Eigen::Vector3d& normal_Me);
 

@@ -350,7 +350,13 @@ Eigen::VectorXd Model::normalised(const Eigen::VectorXd& y) const {
     if (const std::optional<double>& speed = data_->scene.bodies[b].joint.prescribed_speed)
       result[data_->state.getNQ() + static_cast<int>(data_->bodies[b].getFirstUIndex(data_->state))] = *speed;
     if (!has_quaternion(data_->scene.bodies[b].joint.type)) continue;
-    result.segment<4>(static_cast<int>(data_->bodies[b].getFirstQIndex(data_->state))).normalize();
+    auto quaternion = result.segment<4>(static_cast<int>(data_->bodies[b].getFirstQIndex(data_->state)));
+    const double length = quaternion.norm();
+    // It drifts by the integrator's error, which is far less.
+    if (!(length > 0.5 && length < 2))
+      throw BadInput("the quaternion of body '" + data_->scene.bodies[b].name + "' has length " +
+                     std::to_string(length) + "; it must be 1");
+    quaternion /= length;
   }
   return result;
 }

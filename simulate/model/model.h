@@ -95,7 +95,8 @@ class Model {
   Eigen::Index degrees_of_freedom() const;   ///< without prescribed ones
   Eigen::VectorXd start() const;             ///< at t = 0
   std::vector<StateColumn> columns() const;  ///< what the components of y are
-  /// The same state with quaternions of length 1, and joints as fast as they are prescribed to be.
+  /// The same state with quaternions of length 1, and joints as fast as they are prescribed to be. Throws BadInput
+  /// where a quaternion has less than half that length, or twice as much.
   Eigen::VectorXd normalised(const Eigen::VectorXd& y) const;
 
   /// dy/dt. `not_here` where bodies are nested or deeper within one another than the law allows.

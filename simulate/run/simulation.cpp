@@ -98,6 +98,7 @@ Simulation::Simulation(const Scene& scene) : scene_(scene), model_(scene) {
   if (scene_.initial_state) {
     check_columns(*scene_.initial_state, model_.columns());
     check(*scene_.initial_state, scene_);
+    static_cast<void>(model_.normalised(scene_.initial_state->y));  // throws where a body has no orientation
   }
   DifferentialEquation equation;
   equation.size = model_.size();

@@ -113,7 +113,9 @@ Exit contact(const ContactOptions& options) {
   const ContactLaw law = law_from(options.law);
   const double unit = metres_per_unit(options.unit);
   std::optional<PosesFile> poses = poses_from(options.poses, unit);
-  require_files_of_their_own(options.outputs, {options.file_E, options.file_F, options.poses.poses.value_or("-")});
+  std::vector<std::string> inputs{options.file_E, options.file_F};
+  if (options.poses.poses) inputs.push_back(*options.poses.poses);
+  require_files_of_their_own(options.outputs, inputs);
 
   // Unfit surfaces are refused here, alike for engine and oracle.
   SurfacesOfFiles surfaces = read_surfaces(options.file_E, options.file_F, unit);
@@ -144,7 +146,8 @@ Exit contact(const ContactOptions& options) {
         line = dump_exactly(answer.json);
       },
       [&](const State& state) {
-        if (outputs) outputs->begin();
+        // An answer that can't be printed leaves files as they were, a file that can't be written is told of before.
+        if (outputs) outputs->require_writable();
         print_line(line);
         if (outputs) outputs->write(answer, state);
       });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/cli/contact/contact_outputs.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +13,7 @@
 
 #include "compare/cli/frame/output_files.h"
 #include "compare/contact/contact_rows.h"
+#include "compare/io/create_folder.h"
 #include "compare/io/json/json_file.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
@@ -87,13 +90,13 @@ void require_files_of_their_own(const ContactOutputOptions& options, const std::
   if (options.vtk)
     for (const std::string& other : taken) {
       const std::filesystem::path name = std::filesystem::path(other).filename();
-      if (is_name_in_vtp_folder(name.string()) && is_same_file(std::filesystem::path(*options.vtk) / name, other))
+      if (is_name_in_vtp_folder(name.string()) && is_taken_as(std::filesystem::path(*options.vtk) / name, other))
         throw BadInput(other + ": is read or written already; name another folder for --vtk");
     }
   if (options.vtk) refuse_pictures_of_others(*options.vtk);
   for (const std::string& file : provenance_files(options)) {
     for (const std::string& other : taken)
-      if (is_same_file(file, other))
+      if (is_taken_as(file, other))
         throw BadInput(other + ": would be overwritten with where the tables come from; name another file");
     if (std::error_code error; std::filesystem::exists(file, error) && !is_provenance(file))
       throw BadInput(file +
@@ -113,20 +116,35 @@ ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const Contac
   }
 }
 
-void ContactOutputs::begin() {
+void ContactOutputs::require_writable() const {
   if (pose_ > 0) return;
-  // First what may fail without harm: a table is emptied when it is begun.
-  const std::string text = json_file_text(provenance_);
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements}) {
-    const std::filesystem::path folder = table ? std::filesystem::path(*table).parent_path() : std::filesystem::path();
-    std::error_code ignored;
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-      throw BadInput(*table + ": the file can't be created; check that its folder exists and that you may write to it");
+    if (!table || !has_a_place_beside(*table)) continue;
+    compare::require_writable(*table);
+    // It is written into, not replaced.
+    if (access(table->c_str(), F_OK) == 0 && access(table->c_str(), W_OK) != 0)
+      throw BadInput(*table + ": you may not write to it");
   }
+  if (options_.vtk) {
+    create_folder(*options_.vtk);
+    compare::require_writable(std::filesystem::path(*options_.vtk) / "provenance.json");
+  }
+}
+
+void ContactOutputs::begin() {
+  const std::string text = json_file_text(provenance_);
+  // Pipes and devices first: a file is emptied when it is begun.
+  const auto begin_tables = [&](bool with_a_place_beside) {
+    const auto is_next = [&](const std::optional<std::string>& table) {
+      return table && has_a_place_beside(*table) == with_a_place_beside;
+    };
+    if (is_next(options_.csv)) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
+    if (is_next(options_.csv_elements)) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
+  };
+  begin_tables(false);
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements})
     if (table && has_a_place_beside(*table)) write_text_file(provenance_file(*table), text);
-  if (options_.csv) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
-  if (options_.csv_elements) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
+  begin_tables(true);
   if (options_.vtk) {
     vtk_.emplace(*options_.vtk);
     write_text_file(std::filesystem::path(*options_.vtk) / "provenance.json", text);
@@ -142,6 +160,7 @@ void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {
 }
 
 void ContactOutputs::write(const ContactAnswer& answer, const State& state) {
+  if (pose_ == 0) begin();
   ++pose_;
   const bool with_polygons = !answer.json["polygons"].is_null();
   if (csv_) csv_->write(pose_row(pose_, state, *answer.record, with_polygons));

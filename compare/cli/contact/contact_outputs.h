@@ -46,12 +46,15 @@ class ContactOutputs {
 
   /// Adds to the answer's line what was asked for. Throws BadInput where a pressure is too large for a double.
   void complete(ContactAnswer& answer, const State& state) const;
-  /// Begins the files, unless something has been written. Throws BadInput where one can't be written.
-  void begin();
-  /// Writes to the files.
+  /// Before the first answer is written: throws BadInput where a file can't be, as far as can be told without touching
+  /// what is there.
+  void require_writable() const;
+  /// Writes to the files, which are begun by the first answer. Throws BadInput where one can't be written.
   void write(const ContactAnswer& answer, const State& state);
 
  private:
+  void begin();
+
   ContactOutputOptions options_;
   TriangleMesh E_, F_;
   Json provenance_;

@@ -55,6 +55,7 @@ struct Asked {
   Mode mode = Mode::E;
   Scheme scheme = Scheme::barycentric;
   std::vector<std::array<std::string, 2>> disagreements;  ///< of a case file, as it has them
+  std::vector<std::string> files;                         ///< that a case file refers to
 };
 
 Asked from_case_file(const std::string& path) {
@@ -65,7 +66,8 @@ Asked from_case_file(const std::string& path) {
           posed.pose,
           posed.mode,
           posed.scheme,
-          std::move(posed.disagreements)};
+          std::move(posed.disagreements),
+          {posed.file_E.string(), posed.file_F.string()}};
 }
 
 /// By its name, or by the id that `pcm poses --catalogue` gives it: catalogue/NAME/both, catalogue/NAME/both/clipped.
@@ -83,12 +85,13 @@ Asked from_catalogue(std::string word) {
           {named.A, named.r},
           Mode::both,
           clipped ? Scheme::clipped : Scheme::barycentric,
+          {},
           {}};
 }
 
 Asked from_surfaces(const std::vector<std::string>& files, double metres_per_unit) {
   auto [E, F] = read_surfaces(files[0], files[1], metres_per_unit);
-  return {files[0] + " and " + files[1], std::move(E), std::move(F), {}, Mode::E, Scheme::barycentric, {}};
+  return {files[0] + " and " + files[1], std::move(E), std::move(F), {}, Mode::E, Scheme::barycentric, {}, {}};
 }
 
 bool is_surface_file(const std::string& file) {
@@ -145,6 +148,8 @@ Exit write_map(const ExplainCommand& command, Asked question) {
   if (command.json) throw BadInput("--json goes without --map, which writes a picture");
   std::vector<std::string> inputs = command.files;
   if (command.poses.poses) inputs.push_back(*command.poses.poses);
+  for (const std::string& file : question.files)
+    if (!file.empty()) inputs.push_back(file);
   require_files_of_their_own({{"--map", command.map}}, inputs);
   require_no_standard_output({{"--map", command.map}});
   if (std::optional<PosesFile> poses = poses_from(command.poses, metres_per_unit(command.unit)))

@@ -130,13 +130,13 @@ Exit inspect(const InspectOptions& options) {
 
   const fast::Pairing pairing(fast::Surface(std::move(mesh_E)), fast::Surface(std::move(mesh_F)), law,
                               mode_named(options.mode), scheme_named(options.scheme));
-  if (options.svg) write_text_file(*options.svg, picture_of(pairing, options, path.at(place), view));
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const PathWalk found = walk(pairing, path, search, [&](std::size_t segment) {
     if (terminal) std::cerr << fmt::format("\rsegment {} of {}", segment + 1, path.segments().size()) << std::flush;
   });
   if (terminal) std::cerr << fmt::format("\r{:<40}\r", "");
   const PathReport report{pairing, path, search, found, path_work(path, found), normal_Me};
+  if (options.svg) write_text_file(*options.svg, picture_of(pairing, options, path.at(place), view));
   if (options.out) write_text_file(*options.out, json_lines(report));
   std::cout << (options.json ? json_lines(report) : path_table(report));
   return Exit::success;

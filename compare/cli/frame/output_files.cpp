@@ -19,15 +19,19 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 
 namespace {
 
-/// Whether the file is the one that standard output was led into.
-bool is_standard_output(const std::string& file) {
+/// Whether the file is the one that a standard stream was led from or into.
+bool is_stream(int stream, const std::filesystem::path& file) {
   struct stat named {
-  }, output{};
-  return fstat(STDOUT_FILENO, &output) == 0 && S_ISREG(output.st_mode) && stat(file.c_str(), &named) == 0 &&
-         named.st_dev == output.st_dev && named.st_ino == output.st_ino;
+  }, led{};
+  return fstat(stream, &led) == 0 && S_ISREG(led.st_mode) && stat(file.c_str(), &named) == 0 &&
+         named.st_dev == led.st_dev && named.st_ino == led.st_ino;
 }
 
 }  // namespace
+
+bool is_taken_as(const std::filesystem::path& file, const std::string& other) {
+  return other == "-" ? is_stream(STDIN_FILENO, file) : is_same_file(file, other);
+}
 
 std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile>& outputs,
                                                     const std::vector<std::string>& inputs) {
@@ -37,7 +41,7 @@ std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile
     if (file->empty() || *file == "-") throw BadInput(option + ": name a file");
     if (std::filesystem::is_directory(*file)) throw BadInput(*file + ": this is a folder; name a file");
     for (const std::string& other : taken)
-      if (is_same_file(*file, other))
+      if (is_taken_as(*file, other))
         throw BadInput(*file + ": is read or written already; name another file for " + option);
     taken.push_back(*file);
   }
@@ -46,7 +50,7 @@ std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile
 
 void require_no_standard_output(const std::vector<OutputFile>& outputs) {
   for (const auto& [option, file] : outputs)
-    if (file && is_standard_output(*file))
+    if (file && is_stream(STDOUT_FILENO, *file))
       throw BadInput(*file + ": what is printed goes there already; name another file for " + option);
 }
 

@@ -16,8 +16,11 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 /// An option of the command line and the file that it names, if it was given.
 using OutputFile = std::pair<std::string, std::optional<std::string>>;
 
-/// Throws BadInput where a file to write has no name, is a folder, another one of those to write, or one of `inputs`.
-/// Returns all of them, inputs first.
+/// Whether a file to write is this input, or output: `-` stands for the file that standard input was led from.
+bool is_taken_as(const std::filesystem::path& file, const std::string& other);
+
+/// Throws BadInput where a file to write has no name, is a folder, another one of those to write, or one of `inputs`,
+/// among them `-` where standard input is read. Returns all of them, inputs first.
 std::vector<std::string> require_files_of_their_own(const std::vector<OutputFile>& outputs,
                                                     const std::vector<std::string>& inputs);
 

@@ -62,13 +62,15 @@ std::string describe(const CLI::ParseError& error, const CLI::App& program) {
   throw BadInput(option + ": the value is empty; name a value or leave the option out");
 }
 
-/// Throws BadInput naming the first option given as --name= with nothing behind it: CLI11 would take the next word for
-/// its value, another option even.
+/// Throws BadInput naming the first option given as --name= with nothing behind it, where CLI11 would take the next
+/// word for its value, another option even, or as -n=value.
 void refuse_options_without_value(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word == "--") return;
     if (word.starts_with("--") && word.find('=') == word.size() - 1)
       refuse_empty_value(word.substr(0, word.size() - 1));
+    if (word.size() > 2 && word[0] == '-' && word[1] != '-' && word[2] == '=')
+      throw BadInput(word + ": leave out '=', which would be part of the value");
   }
 }
 

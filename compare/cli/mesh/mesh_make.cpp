@@ -39,11 +39,13 @@ Parameters parameters_from(const std::vector<std::string>& words) {
     if (word.size() < 3 || word.substr(0, 2) != "--")
       throw BadInput("unexpected argument '" + word + "'; parameters are written --name=value");
     const std::size_t equals = word.find('=');
-    const std::string option = word.substr(0, equals);
+    std::string option = word.substr(0, equals);
     if (equals == std::string::npos && i + 1 == words.size())
       throw BadInput(option + ": its value is missing; write " + option + "=value");
     const std::string value = equals == std::string::npos ? words[++i] : word.substr(equals + 1);
-    const bool added = parameters.emplace(option.substr(2), finite_number(option, value)).second;
+    const double number = finite_number(option, value);
+    std::replace(option.begin() + 2, option.end(), '-', '_');  // either will do
+    const bool added = parameters.emplace(option.substr(2), number).second;
     if (!added) throw BadInput(option + ": it is given twice");
   }
   return parameters;

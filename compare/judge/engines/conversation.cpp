@@ -17,14 +17,12 @@
 #include <system_error>
 #include <thread>
 
+#include "compare/judge/lines/json_lines.h"
 #include "meshes/files/text_file.h"
 #include "pcm/bad_input.h"
 
 namespace pcm::compare {
 namespace {
-
-/// A longer line is no answer.
-constexpr std::size_t kLongestLine = std::size_t{1} << 26;
 
 constexpr Conversation::Seconds kPatience{1};
 /// Thirty years: nobody waits longer.
@@ -145,7 +143,7 @@ std::optional<Conversation::Said> Conversation::ask(const std::string& line) {
       give_up();
       return std::nullopt;
     }
-    if (heard_.size() > kLongestLine) {
+    if (heard_.size() > kLongestJsonLine) {
       give_up();
       return Said{"", Breakdown::garbage, "it says more than 64 MiB without ending the line"};
     }

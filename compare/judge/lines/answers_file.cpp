@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "compare/judge/lines/answer_lines.h"
 #include "meshes/files/text_file.h"
@@ -24,8 +25,9 @@ AnswersFile::AnswersFile(const std::filesystem::path& path, const PosedQuestions
 
 std::optional<Reply> AnswersFile::next() {
   while (const std::optional<Json> json = lines_.next()) {
+    const bool is_first = std::exchange(at_first_, false);
     try {
-      if (lines_.line() == 1 && json->contains("format"))
+      if (is_first && json->contains("format"))
         check_answers_header(*json, posed_);
       else
         return reply_from(*json);

@@ -37,6 +37,7 @@ class AnswersFile {
   Reply reply_from(const Json& json);
 
   JsonLines lines_;
+  bool at_first_ = true;  ///< which may be the header
   const PosedQuestions& posed_;
   std::map<std::string_view, std::size_t> by_id_;
   std::vector<std::int64_t> answered_at_;  ///< by question: the line, 0 for none

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/judge/lines/json_lines.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -38,8 +39,24 @@ JsonLines::JsonLines(const std::filesystem::path& path) : name_(path.string()), 
     throw BadInput(name_ + ": this is no readable file; check the path");
 }
 
+bool JsonLines::read_line(std::string& text) {
+  std::array<char, 4096> part;
+  for (text.clear();; file_.clear()) {
+    file_.getline(part.data(), part.size());
+    const auto count = static_cast<std::size_t>(file_.gcount());
+    if (file_.good()) {
+      text.append(part.data(), count - 1);  // the line feed is counted
+      return true;
+    }
+    text.append(part.data(), count);
+    if (file_.bad() || file_.eof()) return !file_.bad() && !text.empty();
+    if (text.size() > kLongestJsonLine)
+      throw BadInput(place(line_ + 1) + ": this line is longer than 64 MiB; give one object a line");
+  }
+}
+
 std::optional<Json> JsonLines::next() {
-  for (std::string text; std::getline(file_, text);) {
+  for (std::string text; read_line(text);) {
     ++line_;
     const bool is_last = file_.eof();  // and without a line feed
     std::string_view line = text;

@@ -13,6 +13,9 @@
 
 namespace pcm::compare {
 
+/// Longer ones are refused: what sends them has gone wrong.
+inline constexpr std::size_t kLongestJsonLine = std::size_t{1} << 26;
+
 /// The JSON object that a line is. Throws BadInput where it is none.
 Json object_from_line(std::string_view line);
 
@@ -34,6 +37,9 @@ class JsonLines {
   const std::string& name() const { return name_; }
 
  private:
+  /// False at the end of the file, or where it can't be read.
+  bool read_line(std::string& text);
+
   std::string name_;
   std::ifstream file_;
   std::int64_t line_ = 0;

@@ -51,6 +51,8 @@ std::vector<PosedSurface> surfaces_from(const Json& header, const std::filesyste
   for (const Json& json : header.at("surfaces")) {
     refuse_other_keys(json, {"name", "file", "sha256", "vertices", "faces"});
     PosedSurface surface{text_at(json, "name"), text_at(json, "file"), text_at(json, "sha256"), {}};
+    if (std::any_of(surfaces.begin(), surfaces.end(), [&](const PosedSurface& s) { return s.name == surface.name; }))
+      throw BadInput("\"surfaces\": two are called " + in_quotes(surface.name));
     const std::filesystem::path file = folder / surface.file;
     if (const std::string hash = sha256(read_text_file(file)); hash != surface.sha256)
       throw BadInput(fmt::format("{} has changed since the poses were written: its SHA-256 is {}, it was {}",
@@ -85,8 +87,8 @@ PosedQuestion question_from(const Json& json, const std::vector<PosedSurface>& s
   require_in_range(question.pose, question.velocity);
   question.law = read_at(json, "law", [](const Json& law) { return law_from(law, number_in_either_notation); });
   within("law", [&] { require_in_range(question.law); });
-  question.mode = mode_from(json.at("mode"));
-  question.scheme = scheme_from(json.at("scheme"));
+  question.mode = read_at(json, "mode", mode_from);
+  question.scheme = read_at(json, "scheme", scheme_from);
   if (json.contains("comment")) question.comment = text_at(json, "comment");
   if (json.contains("known_volume")) question.known_volume = number_in_either_notation(json.at("known_volume"));
   if (question.known_volume && !(*question.known_volume >= 0))

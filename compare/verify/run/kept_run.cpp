@@ -109,7 +109,9 @@ std::optional<Campaign::Job> KeptRun::decide(const std::optional<Campaign::Job>&
   const std::string out = "--out " + folder_.string() + ": ";
   const Campaign::Job anew{json_line(identity_of(run_.plan())), run_.chunks(), part};
   if (!held) {
-    refuse_earlier_version(folder_);  // beside a campaign that was opened, but begun by nobody
+    // Beside a campaign that was opened, but begun by nobody.
+    refuse_earlier_version(folder_);
+    refuse_files_of_others(folder_);
     if (remove_results(folder_)) notice_ = out + "tables and cases of a run whose campaign is gone are removed";
     return anew;
   }

@@ -18,6 +18,8 @@
 #include <vector>
 
 #include "pcm/bad_input.h"
+#include "tests/meshes/content_of.h"
+#include "tests/meshes/expect_bad_input.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare::campaign_test {
@@ -55,6 +57,13 @@ std::map<std::string, std::string> found_in(Campaign& campaign) {
   std::map<std::string, std::string> found;
   campaign.for_each_found([&](const std::string& key, const std::string& text) { found[key] += text; });
   return found;
+}
+
+TEST_F(CampaignTest, RefusesADatabaseOfOthersAndLeavesItAsItIs) {
+  change("CREATE TABLE mine (x)");
+  const std::string before = content_of(file());
+  expect_bad_input([&] { Campaign campaign(file()); }, "this is a database of others; choose another folder");
+  EXPECT_EQ(content_of(file()), before);
 }
 
 TEST_F(CampaignTest, HandsOutEveryChunkOnceToAnyNumberOfThreadsAndWorkers) {

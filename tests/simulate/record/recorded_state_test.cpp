@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -88,6 +89,17 @@ TEST_F(RecordedState, IsPartOfWhatARunIsKnownBy) {
   other.initial_state->y[10] += 1e-12;
   expect_bad_input([&] { run(other, part); }, "or of other surfaces or options");
   expect_bad_input([&] { run(short_creep(), part); }, "or of other surfaces or options");
+}
+
+TEST_F(RecordedState, WithoutAnOrientationIsRefused) {
+  InitialState state = recorded_state(whole, 0.2);
+  const auto first = std::find_if(state.columns.begin(), state.columns.end(), [](const std::string& column) {
+    return column.find("quaternion_w") != std::string::npos;
+  });
+  ASSERT_NE(first, state.columns.end()) << testing::PrintToString(state.columns);
+  state.y.segment<4>(first - state.columns.begin()).setZero();
+  expect_bad_input([&] { run(short_creep_from(state), part); }, "has length 0.000000; it must be 1");
+  EXPECT_FALSE(fs::exists(part));
 }
 
 TEST_F(RecordedState, CostIsThatOfTheTimeSimulatedFromIt) {

@@ -102,6 +102,38 @@ TEST_F(ContactCommand, NoTableIsWrittenIntoTheFileThatTheAnswersArePrintedInto) 
   }
 }
 
+TEST_F(ContactCommand, NoFileIsWrittenThatStandardInputIsReadFrom) {
+  const std::string poses = scratch_.write("poses.txt", kOverlap);
+  for (const Words& words : {Words{"contact", box_, box_, "--poses", "-", "--csv", poses},
+                             Words{"inspect", box_, box_, "--path", "-", "--out", poses},
+                             Words{"explain", box_, box_, "--poses", "-", "--map", poses}}) {
+    const Outcome outcome = run_pcm(words, {}, poses);
+    EXPECT_EQ(outcome.status, 2) << words[0];
+    EXPECT_NE(outcome.err.find("poses.txt: is read or written already"), std::string::npos) << outcome.err;
+    EXPECT_EQ(content_of(poses), kOverlap) << words[0];
+  }
+}
+
+TEST_F(ContactCommand, ATableThatIsThereStaysWhereAnotherOutputCannotBeWritten) {
+  const std::string poses = scratch_.write("poses.txt", kOverlap), table = scratch_.write("rows.csv", "precious");
+  const std::string file = scratch_.write("file", "");
+  const auto expect_kept = [&](const Words& options, const std::string& output, const std::string& named) {
+    Words words{"contact", box_, box_, "--poses", poses, "--csv", table};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome outcome = run_pcm(words, output);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
+    EXPECT_EQ(content_of(table), "precious") << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(table + ".provenance.json"));
+  };
+  expect_kept({"--vtk", file}, {}, file);
+  expect_kept({"--vtk", file + "/sub"}, {}, file);
+  expect_kept({"--elements", scratch_.path("no") + "/x.csv"}, {}, "can't be created");
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  expect_kept({"--elements", "/dev/full"}, {}, "/dev/full");
+  expect_kept({}, "/dev/full", "standard output");
+}
+
 TEST_F(ContactCommand, FilesOfOthersUnderTheNamesOfWhatItAddsAreLeftAlone) {
   const std::string poses = scratch_.write("poses.txt", kOverlap), csv = scratch_.path("rows.csv");
   const std::string mine = scratch_.write("rows.csv.provenance.json", "{\"mine\": 1}");

@@ -8,8 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "compare/verify/verdict/case_file.h"
 #include "meshes/files/text_file.h"
+#include "pcm/read_mesh.h"
 #include "tests/compare/run_pcm.h"
+#include "tests/meshes/content_of.h"
 #include "tests/meshes/temporary_folder.h"
 
 namespace pcm::compare {
@@ -173,6 +176,21 @@ TEST(ExplainCommand, ExplainsACaseFile) {
   EXPECT_EQ(explained["mode"], "both");
   EXPECT_EQ(explained["disagreements"], json::parse(R"([["force","engine 1, oracle 2"]])"));
   EXPECT_EQ(explained["counts"]["vertex_on_vertex"]["exact"], 1);
+}
+
+TEST(ExplainCommand, MapIsNoSurfaceThatTheCaseFileRefersTo) {
+  const TemporaryFolder scratch;
+  const std::string surface = scratch.write("surface.obj", std::string(kTetrahedron));
+  Case posed;
+  posed.E = posed.F = read_mesh(surface);
+  posed.file_E = posed.file_F = surface;
+  const std::string file = scratch.write("case.json", format_case(posed, {}, {}));
+  const Outcome drawn = run_pcm({"explain", file, "--map", scratch.path("map.svg"), "--map-steps", "1"});
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  const Outcome refused = run_pcm({"explain", file, "--map", surface, "--map-steps", "1"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("surface.obj: is read or written already"), std::string::npos) << refused.err;
+  EXPECT_EQ(content_of(surface).front(), 'v');
 }
 
 TEST(ExplainCommand, ListsAllOnRequest) {

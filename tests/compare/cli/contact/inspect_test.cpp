@@ -138,6 +138,17 @@ TEST_F(Inspect, TableNamesCausesWorkAndTangentialForce) {
   EXPECT_EQ(Json::parse(kept.back())["path"]["tangential"]["greatest"], 0.0);
 }
 
+TEST_F(Inspect, WithoutAnyNormalForceThereIsNoShareOfIt) {
+  const Words along_the_plate{"--path", slide_, "--normal", "1,0,0"};
+  EXPECT_NE(inspect(along_the_plate).out.find("normal force 0 N there; there is no normal force anywhere"),
+            std::string::npos);
+  Words as_json = along_the_plate;
+  as_json.push_back("--json");
+  const Json tangential = Json::parse(lines_of(inspect(as_json).out).back())["path"]["tangential"];
+  EXPECT_GT(tangential["greatest"], 0.0);
+  EXPECT_TRUE(tangential["share"].is_null());
+}
+
 TEST_F(Inspect, ClippedSchemeHasNoJumps) {
   const Outcome table = inspect({"--path", slide_, "--scheme", "clipped", "--mode", "both"});
   EXPECT_EQ(table.status, 0);

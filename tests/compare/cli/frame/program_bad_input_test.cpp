@@ -282,6 +282,8 @@ TEST_F(ProgramBadInput, MakingAndConverting) {
   expect_bad_input({"mesh", "make", "box", "--extent_x=0"}, "extent_x");
   expect_bad_input({"mesh", "make", "box", "--extent_x=nan"}, "extent_x");
   expect_bad_input({"mesh", "make", "box", "--extent_x=1", "--extent_x=2"}, "--extent_x");
+  expect_bad_input({"mesh", "make", "box", "--extent_x=1", "--extent-x=2"}, "--extent_x: it is given twice");
+  expect_bad_input({"mesh", "make", "box", "-o=box.obj"}, "-o=box.obj: leave out '='");
   expect_bad_input({"mesh", "make", "box", "sausage"}, "sausage");
   expect_bad_input({"mesh", "make", "torus", "--segments=3.5"}, "segments");
   expect_bad_input({"mesh", "make", "box", "-o", scratch_.path("nowhere/box.obj")}, "nowhere");

@@ -235,6 +235,25 @@ TEST_F(Folder, AnswersNestedTooDeepAreRefusedWithFileAndLine) {
   expect_refused(with("\"E\":" + objects + "1" + std::string(100000, '}')), too_deep);
 }
 
+TEST_F(Folder, LinesAreReadToTheirEndsAndEndlessOnesAreRefused) {
+  const TemporaryFolder scratch;
+  // About the length of what is read at once, 4095.
+  std::string text;
+  for (std::size_t length = 4090; length < 4100; ++length) text += "{\"a\":\"" + std::string(length - 8, 'x') + "\"}\n";
+  text.pop_back();
+  JsonLines lines(scratch.write("lines.jsonl", text));
+  for (std::size_t length = 4090; length < 4100; ++length) {
+    const std::optional<Json> object = lines.next();
+    ASSERT_TRUE(object) << length;
+    EXPECT_EQ((*object)["a"].get<std::string>().size(), length - 8);
+    EXPECT_EQ(lines.line(), static_cast<std::int64_t>(length) - 4089);
+  }
+  EXPECT_FALSE(lines.next());
+  if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "this system has no /dev/zero";
+  JsonLines endless("/dev/zero");
+  expect_bad_input([&] { endless.next(); }, "/dev/zero:1: this line is longer than 64 MiB");
+}
+
 TEST_F(Folder, PosesNestedTooDeepAreRefusedWithFileAndLine) {
   const std::string poses = folder_.path() + "/poses.jsonl";
   std::string whole = content_of(poses);
@@ -255,6 +274,8 @@ TEST_F(Folder, AnswersOfOtherFormatsAndSurfacesAreRefused) {
   const TemporaryFolder scratch;
   AnswersFile right(scratch.write("right.jsonl", header(surface.name, surface.sha256)), folder_.posed);
   EXPECT_FALSE(right.next());
+  // Blank lines are none.
+  expect_refused("\n" + header("nothing", surface.sha256), "answers.jsonl:2: no surface is called 'nothing'");
   EXPECT_NE(right.missing().find("12 of 12 poses have no answer"), std::string::npos) << right.missing();
 }
 
@@ -294,7 +315,12 @@ TEST_F(Folder, PosesThatWereTamperedWithAreRefused) {
   expect(replaced("\"file\":", "\"files\":1,\"file\":"), "poses.jsonl:1: the key 'files' is none of name");
   expect(replaced("\"faces\":", "\"faces\":1"), "poses.jsonl:1: \"faces\": ");
   expect(replaced("\"scheme\":", "\"known_volume\":-5.0,\"scheme\":"), "poses.jsonl:2: \"known_volume\": -5.0");
-  expect(replaced(",\"mode\":\"both\"", ""), "poses.jsonl:2: key 'mode' not found");
+  expect(replaced(",\"mode\":\"both\"", ""), "poses.jsonl:2: \"mode\" is missing");
+  expect(replaced("\"mode\":\"both\"", "\"mode\":5"), "poses.jsonl:2: mode: type must be string");
+  Json twice = Json::parse(whole.substr(0, second));
+  twice["surfaces"].push_back(twice["surfaces"][0]);
+  expect(twice.dump() + "\n" + whole.substr(second),
+         "poses.jsonl:1: \"surfaces\": two are called '" + folder_.posed.surfaces[0].name + "'");
 
   std::ofstream(poses, std::ios::binary) << whole;
   std::ofstream(folder_.path() + "/" + folder_.posed.surfaces[0].file, std::ios::app) << "# other bytes\n";

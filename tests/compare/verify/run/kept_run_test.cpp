@@ -393,6 +393,16 @@ TEST_F(KeptRunOfTheProgram, RefusesAFolderWithFilesOfOthersThatAreCalledAsTables
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(KeptRunOfTheProgram, RefusesSuchAFolderWithAnEmptyCampaignToo) {
+  std::filesystem::create_directories(folder_);
+  write_text_file(folder_ / "overview.md", "my thesis");
+  write_text_file(folder_ / "campaign.sqlite", "");
+  const Outcome refused = run_pcm(verify_);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("overview.md is there, which no run has left"), std::string::npos) << refused.err;
+  EXPECT_EQ(bytes_of(folder_ / "overview.md"), "my thesis");
+}
+
 TEST_F(KeptRunOfTheProgram, ReplacesTablesThatARunWasWritingWhoseCampaignIsGone) {
   std::filesystem::create_directories(folder_);
   write_text_file(folder_ / "overview.md", "half a run's");
