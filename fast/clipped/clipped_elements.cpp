@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "fast/barycentric/penetration_line.h"
@@ -44,12 +45,37 @@ std::span<const ConvexPolygon> pieces_of_visible_part(PosedPair& posed, const Cl
   return scratch.polygons;
 }
 
+/// The same with all depths multiplied by `scale`, a power of two.
+Moments scaled_moments_of(std::span<const ConvexPolygon> parts, double most, double scale,
+                          std::vector<ConvexPolygon>& scaled) {
+  scaled.assign(parts.begin(), parts.end());
+  for (ConvexPolygon& part : scaled) {
+    for (int i = 0; i < part.count; ++i) part[i][kDepth] *= scale;
+  }
+  return moments_of(scaled, scale * most);
+}
+
+/// Where no depth is greater than this, products with areas may underflow: depths are multiplied by kDepthScale then.
+constexpr double kShallow = 0x1p-700, kDepthScale = 0x1p600;
+
 /// Integrals of min(depth, most) in place of the depth.
-void fill_visible_part(const ClippedFace& seen, std::span<const ConvexPolygon> pieces, double most, VisiblePart& part) {
+void fill_visible_part(const ClippedFace& seen, std::span<const ConvexPolygon> pieces, double most, VisiblePart& part,
+                       std::vector<ConvexPolygon>& scaled_pieces) {
   part.moments = moments_of(pieces, most);
   const Moments& moments = part.moments;
   part.area = moments.area * (2 * seen.geometry.area);
-  part.penetration = std::min({moments.depth / moments.area, moments.greatest, most});
+  const auto set_means = [&part](const Moments& sums, double unit) {
+    if (!(sums.depth > 0)) return;
+    part.penetration = std::max(sums.depth / sums.area * unit, std::numeric_limits<double>::denorm_min());
+    part.centre_s = std::clamp(sums.s_depth / sums.depth, 0.0, 1.0);
+    part.centre_t = std::clamp(sums.t_depth / sums.depth, 0.0, 1.0);
+  };
+  if (moments.greatest >= kShallow) {
+    set_means(moments, 1);
+  } else if (moments.greatest > 0) {
+    set_means(scaled_moments_of(pieces, most, kDepthScale, scaled_pieces), 1 / kDepthScale);
+  }
+  part.penetration = std::min({part.penetration, moments.greatest, most});
   if (!part.is_element()) part.left_out = std::abs(moments.area) + part.clipping_error.area;
 }
 
@@ -67,7 +93,7 @@ void find_parts(PosedPair& posed, const ClippedFace& seen, double most, bool wit
     }
     const std::span<const ConvexPolygon> pieces =
         pieces_of_visible_part(posed, seen, i, scratch, overlap, part.clipping_error);
-    fill_visible_part(seen, pieces, most, part);
+    fill_visible_part(seen, pieces, most, part, scratch.scaled);
     if (with_motions && part.is_element())
       scratch.motions.push_back(motion_of_part(
           {{posed, seen.master, *seen.prism, faces, scratch.overlaps, faces[i]}, pieces, part.moments, most},

@@ -25,8 +25,11 @@ namespace pcm::fast {
 struct VisiblePart {
   Index slave_face;
   double area = 0;         ///< A_k, m^2; 0 where it is not certain that there is a part
-  double penetration = 0;  ///< u_k, mean of the clamped depth, m
-  Moments moments;         ///< of min(depth, max_penetration); area and greatest depth are none of the clamp's
+  double penetration = 0;  ///< u_k, mean of the clamped depth, m; > 0 where that is, however small
+  /// Of min(depth, max_penetration); area and greatest depth are none of the clamp's. Next to the least double those of
+  /// the depth lose their digits, or all; penetration and centre of pressure do not.
+  Moments moments;
+  double centre_s = 0, centre_t = 0;  ///< of pressure, kept within 0 and 1 for roundings
   ClippingError clipping_error;
   double left_out = 0;  ///< what was computed of it and makes no element, in (s, t)
 
@@ -53,11 +56,9 @@ struct ClippedFace {
               const std::vector<VisiblePart>& found, const std::vector<ElementMotion>& found_motions)
       : master(of), face(index), geometry(sure), view(seen), parts(found), motions(found_motions) {}
 
-  /// The centre of pressure of a part, p0 + s (p1 - p0) + t (p2 - p0); s and t are kept within 0 and 1 for roundings.
+  /// The centre of pressure of a part, p0 + s (p1 - p0) + t (p2 - p0).
   Eigen::Vector3d foot_Me(const VisiblePart& part) const {
-    const double s = std::clamp(part.moments.s_depth / part.moments.depth, 0.0, 1.0);
-    const double t = std::clamp(part.moments.t_depth / part.moments.depth, 0.0, 1.0);
-    return prism->p0_Me() + (s * prism->edge_s_Me() + t * prism->edge_t_Me());
+    return prism->p0_Me() + (part.centre_s * prism->edge_s_Me() + part.centre_t * prism->edge_t_Me());
   }
 };
 
@@ -71,6 +72,7 @@ struct ClippedFaceScratch {
   std::vector<Overlap> overlaps;
   std::vector<ConvexPolygon> polygons;   ///< the pieces that are left of the slave face at hand
   std::vector<ConvexPolygon> remaining;  ///< of subtract_hidden
+  std::vector<ConvexPolygon> scaled;     ///< of depths next to the least double
   PartMotionScratch moving;
   LineNodes line_open;  ///< of the search along a line
 };

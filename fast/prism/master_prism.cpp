@@ -121,7 +121,10 @@ bool project_face(const std::array<Index, 3>& vertices, const std::array<PrismPo
   face.high_s = face.high_t = -face.low_s;
   for (int i = 0; i < seen.count; ++i) {
     if (seen[i][kDepth] < 0) seen[i][kDepth] = 0;
-    if (depth_exponent != 0) seen[i][kDepth] = std::ldexp(seen[i][kDepth], depth_exponent);
+    // What lies beneath stays beneath.
+    if (depth_exponent != 0 && seen[i][kDepth] > 0)
+      seen[i][kDepth] =
+          std::max(std::ldexp(seen[i][kDepth], depth_exponent), std::numeric_limits<double>::denorm_min());
     face.low_s = std::min(face.low_s, seen[i][kS]);
     face.high_s = std::max(face.high_s, seen[i][kS]);
     face.low_t = std::min(face.low_t, seen[i][kT]);

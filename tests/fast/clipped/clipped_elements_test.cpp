@@ -276,6 +276,29 @@ TEST(ClippedElements, FoldOfTheSlaveHidesWhatIsBehindItExactlyByHalves) {
   EXPECT_NEAR(barycentric.force_Me.z() / coarse.force_Me.z(), 1, 5e-2);
 }
 
+// Damping does not ask how deep an element is. Of a plate as large the integral of such a depth is less than any
+// double.
+TEST(ClippedElements, BoxInALargePlateIsDampedAllOverAtAnyDepth) {
+  const double denormal = std::numeric_limits<double>::denorm_min();
+  const TriangleMesh plate = generate::plate(0x1p21, 0x1p21, 1);
+  const TriangleMesh cube = generate::box(Vector3d(-0.5, -0.5, 0), Vector3d(0.5, 0.5, 1));
+  ContactLaw law = stiffness(1);
+  law.damping = 8;
+  const Velocity approaching{{0, 0, -3}, {0, 0, 0}};
+  for (const double d : {denormal, 3 * denormal, 0x1p-1022, 0x1p-960, 0x1p-701, 0x1p-700, 0x1p-699, 0x1p-100}) {
+    for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
+      // Beside the plate's diagonal, and across it.
+      for (const double x : {0x1p19, 0.25}) {
+        const Contact contact = clipped(plate, cube, shifted(x, 0, -d), law, mode, approaching);
+        expect_near(contact.force_Me, {0, 0, -24}, 1e-6);
+        expect_near(contact.torque_Me, {0, 0, 0}, 1e-6);
+        EXPECT_EQ(contact.max_penetration, d);
+        for (const Element& element : contact.elements) EXPECT_EQ(element.penetration, d) << d;
+      }
+    }
+  }
+}
+
 // Flanks slid along each other that are out of one plane by a few times d alone, some crossing: where their planes meet
 // is a matter of ratios, so that it is the same line whatever d is. F's vertices round to other sides of E's flank.
 TEST(ClippedElements, FlanksOutOfOnePlaneByDenormalsAreVisibleInPartAsByMore) {
