@@ -147,7 +147,7 @@ Exit contact(const ContactOptions& options) {
       },
       [&](const State& state) {
         // An answer that can't be printed leaves files as they were, a file that can't be written is told of before.
-        if (outputs) outputs->require_writable();
+        if (outputs) outputs->prepare();
         print_line(line);
         if (outputs) outputs->write(answer, state);
       });

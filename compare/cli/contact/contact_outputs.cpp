@@ -116,32 +116,24 @@ ContactOutputs::ContactOutputs(const ContactOutputOptions& options, const Contac
   }
 }
 
-void ContactOutputs::require_writable() const {
+void ContactOutputs::prepare() {
   if (pose_ > 0) return;
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements}) {
     if (!table || !has_a_place_beside(*table)) continue;
-    compare::require_writable(*table);
+    require_writable(*table);
     // It is written into, not replaced.
     if (access(table->c_str(), F_OK) == 0 && access(table->c_str(), W_OK) != 0)
       throw BadInput(*table + ": you may not write to it");
   }
   if (options_.vtk) {
     create_folder(*options_.vtk);
-    compare::require_writable(std::filesystem::path(*options_.vtk) / "provenance.json");
+    require_writable(std::filesystem::path(*options_.vtk) / "provenance.json");
   }
+  begin_tables(false);
 }
 
 void ContactOutputs::begin() {
   const std::string text = json_file_text(provenance_);
-  // Pipes and devices first: a file is emptied when it is begun.
-  const auto begin_tables = [&](bool with_a_place_beside) {
-    const auto is_next = [&](const std::optional<std::string>& table) {
-      return table && has_a_place_beside(*table) == with_a_place_beside;
-    };
-    if (is_next(options_.csv)) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
-    if (is_next(options_.csv_elements)) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
-  };
-  begin_tables(false);
   for (const std::optional<std::string>& table : {options_.csv, options_.csv_elements})
     if (table && has_a_place_beside(*table)) write_text_file(provenance_file(*table), text);
   begin_tables(true);
@@ -149,6 +141,14 @@ void ContactOutputs::begin() {
     vtk_.emplace(*options_.vtk);
     write_text_file(std::filesystem::path(*options_.vtk) / "provenance.json", text);
   }
+}
+
+void ContactOutputs::begin_tables(bool with_a_place_beside) {
+  const auto is_next = [&](const std::optional<std::string>& table) {
+    return table && has_a_place_beside(*table) == with_a_place_beside;
+  };
+  if (is_next(options_.csv)) csv_.emplace(*options_.csv, pose_row(0, {}, {}, true));
+  if (is_next(options_.csv_elements)) csv_elements_.emplace(*options_.csv_elements, element_row(0, {}, {}));
 }
 
 void ContactOutputs::complete(ContactAnswer& answer, const State& state) const {

@@ -46,14 +46,15 @@ class ContactOutputs {
 
   /// Adds to the answer's line what was asked for. Throws BadInput where a pressure is too large for a double.
   void complete(ContactAnswer& answer, const State& state) const;
-  /// Before the first answer is written: throws BadInput where a file can't be, as far as can be told without touching
-  /// what is there.
-  void require_writable() const;
-  /// Writes to the files, which are begun by the first answer. Throws BadInput where one can't be written.
+  /// Before the first answer is printed: throws BadInput where a file can't be written, as far as can be told without
+  /// touching what is there. Pipes and devices, which hold nothing, are begun.
+  void prepare();
+  /// Writes to the files, which are begun with the first answer. Throws BadInput where one can't be written.
   void write(const ContactAnswer& answer, const State& state);
 
  private:
   void begin();
+  void begin_tables(bool with_a_place_beside);
 
   ContactOutputOptions options_;
   TriangleMesh E_, F_;

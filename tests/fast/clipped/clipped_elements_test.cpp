@@ -141,14 +141,6 @@ TEST(ClippedElements, RestingBoxCarriesNothing) {
   }
 }
 
-TEST(ClippedElements, DepthWhoseIntegralUnderflowsIsTheGreatestPenetrationThoughNoElement) {
-  constexpr double kDepth = 0x1p-1070, kHalf = 0x1p-6;
-  const TriangleMesh pin = generate::box(Vector3d(-kHalf, -kHalf, -kDepth), Vector3d(kHalf, kHalf, 1));
-  const Contact contact = clipped(generate::plate(2, 2, 1), pin);
-  EXPECT_EQ(contact.element_count, 0);
-  EXPECT_EQ(contact.max_penetration, kDepth);
-}
-
 TEST(ClippedElements, SplittingMasterOrSlaveFacesInTheirPlaneChangesNoElasticForce) {
   const TriangleMesh sphere = generate::icosphere(1, 3);
   const TriangleMesh coarse = generate::plate(4, 4, 1), fine = generate::plate(4, 4, 1, 32, 32);

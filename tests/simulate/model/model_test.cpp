@@ -108,7 +108,7 @@ TEST(Model, NormalisedStatesHaveQuaternionsOfLength1AndTheSamePlace) {
   Model model = model_of(R"({"bodies": [{"name": "body", "mass": 1, "inertia": [1, 1, 1], "centre_of_mass": [0, 0, 0]}],
     "duration": 1})");
   Eigen::VectorXd y = model.start();
-  y.head<4>() = Eigen::Vector4d(1, 2, 3, 4);
+  y.head<4>() = Eigen::Vector4d(0.25, 0.5, 0.75, 1);
   y[5] = 7;
   const Eigen::VectorXd unit = model.normalised(y);
   EXPECT_NEAR(unit.head<4>().norm(), 1, 1e-15);

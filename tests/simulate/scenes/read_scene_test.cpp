@@ -47,7 +47,8 @@ std::string with(const std::string& what, const std::string& instead) {
 /// Says of each property below `node` that has no description, neither here nor where it is defined.
 void expect_descriptions(const nlohmann::json& schema, const nlohmann::json& node) {
   if (!node.is_object()) return;
-  for (const auto& [key, property] : node.value("properties", nlohmann::json::object()).items()) {
+  const nlohmann::json properties = node.value("properties", nlohmann::json::object());
+  for (const auto& [key, property] : properties.items()) {
     const std::string reference = property.value("$ref", "");
     const bool is_described =
         property.contains("description") ||

@@ -103,14 +103,14 @@ TEST_F(ContactCommand, NoTableIsWrittenIntoTheFileThatTheAnswersArePrintedInto) 
 }
 
 TEST_F(ContactCommand, NoFileIsWrittenThatStandardInputIsReadFrom) {
-  const std::string poses = scratch_.write("poses.txt", kOverlap);
+  const std::string two_poses = std::string(kOverlap) + kOverlap, poses = scratch_.write("poses.txt", two_poses);
   for (const Words& words : {Words{"contact", box_, box_, "--poses", "-", "--csv", poses},
                              Words{"inspect", box_, box_, "--path", "-", "--out", poses},
                              Words{"explain", box_, box_, "--poses", "-", "--map", poses}}) {
     const Outcome outcome = run_pcm(words, {}, poses);
     EXPECT_EQ(outcome.status, 2) << words[0];
     EXPECT_NE(outcome.err.find("poses.txt: is read or written already"), std::string::npos) << outcome.err;
-    EXPECT_EQ(content_of(poses), kOverlap) << words[0];
+    EXPECT_EQ(content_of(poses), two_poses) << words[0];
   }
 }
 
