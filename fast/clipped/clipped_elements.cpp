@@ -26,22 +26,15 @@ Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
   return clamped;
 }
 
-/// The part of the master face that sees the slave face at `index` of the projected ones first. `overlap` is at the
+/// The part of the master face that sees the slave face f, at `index` of the projected ones, first. `overlap` is at the
 /// first one from this face on, and is left after the last one of it.
-std::span<const ConvexPolygon> pieces_of_visible_part(PosedPair& posed, const ClippedFace& seen, std::size_t index,
-                                                      ClippedFaceScratch& scratch,
-                                                      std::vector<Overlap>::const_iterator& overlap,
-                                                      ClippingError& clipping_error) {
-  const ProjectedFace& f = scratch.view.faces[index];
-  if (overlap == scratch.overlaps.end() || overlap->first != index) return {&f.seen, 1};
-  const PlacedFace placed_f = placed_face(posed, seen.master, *seen.prism, f);
-  scratch.polygons.assign(1, f.seen);
-  for (; overlap != scratch.overlaps.end() && overlap->first == index; ++overlap) {
-    if (scratch.polygons.empty()) continue;
-    const PlacedFace placed_g = placed_face(posed, seen.master, *seen.prism, scratch.view.faces[overlap->second]);
-    subtract_hidden(placed_f, placed_g, scratch.polygons, scratch.remaining, clipping_error, posed.work);
-  }
-  for (const ConvexPolygon& polygon : scratch.polygons) clipping_error.add_piece(polygon, f.seen);
+std::span<const ConvexPolygon> pieces_of_visible_part(const SeenFaces& seen, std::size_t index,
+                                                      std::span<const Overlap>::iterator& overlap,
+                                                      ClippedFaceScratch& scratch, ClippingError& clipping_error) {
+  const auto begin = overlap;
+  while (overlap != seen.overlaps.end() && overlap->first == index) ++overlap;
+  if (overlap == begin) return {&seen.f.seen, 1};
+  find_visible_pieces(seen, {begin, overlap}, scratch.polygons, scratch.remaining, clipping_error);
   return scratch.polygons;
 }
 
@@ -83,7 +76,8 @@ void find_parts(PosedPair& posed, const ClippedFace& seen, double most, bool wit
                 ClippedFaceScratch& scratch) {
   const std::vector<ProjectedFace>& faces = scratch.view.faces;
   find_overlaps(faces, scratch.by_low_s, scratch.overlaps);
-  auto overlap = scratch.overlaps.cbegin();
+  const std::span<const Overlap> overlaps(scratch.overlaps);
+  auto overlap = overlaps.begin();
   for (std::size_t i = 0; i < faces.size() && !faces[i].of_master; ++i) {
     if (!faces[i].leaves) continue;
     VisiblePart& part = scratch.parts.emplace_back(faces[i].face);
@@ -91,13 +85,12 @@ void find_parts(PosedPair& posed, const ClippedFace& seen, double most, bool wit
       part.left_out = 0.5 * std::abs(twice_area(faces[i].seen));
       continue;
     }
+    const SeenFaces seen_faces{posed, seen.master, seen.face, *seen.prism, faces, overlaps, faces[i]};
     const std::span<const ConvexPolygon> pieces =
-        pieces_of_visible_part(posed, seen, i, scratch, overlap, part.clipping_error);
+        pieces_of_visible_part(seen_faces, i, overlap, scratch, part.clipping_error);
     fill_visible_part(seen, pieces, most, part, scratch.scaled);
     if (with_motions && part.is_element())
-      scratch.motions.push_back(motion_of_part(
-          {{posed, seen.master, *seen.prism, faces, scratch.overlaps, faces[i]}, pieces, part.moments, most},
-          scratch.moving));
+      scratch.motions.push_back(motion_of_part({seen_faces, pieces, part.moments, most}, scratch.moving));
   }
 }
 

@@ -64,13 +64,19 @@ std::array<PrismPoint, 3> corners_of(const FastClearArray<PrismPoint>& sights, c
   return {sights.at(vertices[0]), sights.at(vertices[1]), sights.at(vertices[2])};
 }
 
+/// False where no line meets the face of a side.
+bool project(PosedPair& posed, Side side, Index face, const MasterPrism& prism, std::array<PrismPoint, 3> corners,
+             ProjectedFace& projected) {
+  const int exponent = prism.depths_underflow(corners) ? prism.scale_depths(posed.face_Me(side, face), corners) : 0;
+  return project_face(posed.surface(side).face(face), corners, projected, exponent);
+}
+
 /// Adds a face of a side to those that lines meet; false where none meets it. It carries nothing yet.
 bool add_projected(PosedPair& posed, Side side, Index face, bool of_master, const MasterPrism& prism,
-                   std::array<PrismPoint, 3> corners, std::vector<ProjectedFace>& faces) {
-  const int exponent = prism.depths_underflow(corners) ? prism.scale_depths(posed.face_Me(side, face), corners) : 0;
+                   const std::array<PrismPoint, 3>& corners, std::vector<ProjectedFace>& faces) {
   ProjectedFace& projected = faces.emplace_back();
   projected.number = static_cast<std::int32_t>(faces.size()) - 1;
-  if (!project_face(posed.surface(side).face(face), corners, projected, exponent)) {
+  if (!project(posed, side, face, prism, corners, projected)) {
     faces.pop_back();
     return false;
   }
@@ -197,6 +203,18 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
 }
 
 }  // namespace
+
+bool may_carry(PosedPair& posed, Side master, const MasterPrism& prism, Index slave_face) {
+  const Side slave = opposite(master);
+  std::array<PrismPoint, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = prism.see(posed.vertex_Me(slave, posed.surface(slave).face(slave_face)[k]), posed.work);
+  ProjectedFace projected;
+  if (!project(posed, slave, slave_face, prism, corners, projected)) return false;
+  const double max_coordinate = posed.placement.max_coordinate;
+  return projected.leaves &&
+         surely_has_area(prism, max_coordinate, prism.greatest_uncertainty(max_coordinate), projected);
+}
 
 OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,
                                 double deepest) {

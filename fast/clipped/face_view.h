@@ -44,6 +44,10 @@ struct FaceViewScratch {
 void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, bool nested,
                   FaceViewScratch& scratch, FaceView& view);
 
+/// Whether a master face sees that face of the slave from within, over an area for certain: what others leave of it
+/// carries an element.
+bool may_carry(PosedPair& posed, Side master, const MasterPrism& prism, Index slave_face);
+
 /// Whether other faces of the master may lie before what one of its faces sees.
 enum class OwnFacesBefore : std::uint8_t {
   none,     ///< surely none

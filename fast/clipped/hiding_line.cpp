@@ -33,13 +33,6 @@ struct Slope {
   double to_the_right(const PrismPoint& way) const { return per_s * way[kT] - per_t * way[kS]; }
 };
 
-std::span<const Overlap> overlaps_of(const SeenFaces& seen, const ProjectedFace& face) {
-  const auto index = static_cast<std::size_t>(&face - seen.faces.data());
-  const auto is_before = [](const Overlap& overlap, std::size_t i) { return overlap.first < i; };
-  const auto begin = std::lower_bound(seen.overlaps.begin(), seen.overlaps.end(), index, is_before);
-  return {begin, std::lower_bound(begin, seen.overlaps.end(), index + 1, is_before)};
-}
-
 /// A way along f that lies where something begins to hide it.
 class Border {
  public:
@@ -54,7 +47,7 @@ class Border {
         near_side_(near_side) {}
 
   /// f's own, which it lies to the left of; in its place what begins there to hide the sheet that goes on.
-  std::optional<PartOnLine> on_edge_of_f() const {
+  std::optional<PartOnLine> on_edge_of_f(SeenBeyond& seen_beyond) const {
     const ProjectedFace& f = seen_.f;
     const Uncertainty uncertainty = seen_.prism.uncertainty(f.corners, seen_.posed.placement.max_coordinate);
     for (std::size_t edge = 0; edge < 3; ++edge) {
@@ -64,7 +57,9 @@ class Border {
       if (!part) continue;
       const ProjectedFace* const next = hidden_neighbour(seen_, edge);
       const auto hiding = next != nullptr ? hiding_neighbour(*next, *part) : std::nullopt;
-      return hiding ? hiding : part;
+      if (!hiding) return part;
+      const auto beside_seen = where_seen_beyond(*next, f, edge, *hiding, uncertainty, seen_beyond);
+      return beside_seen ? beside_seen : hiding;
     }
     return {};
   }
@@ -72,9 +67,9 @@ class Border {
   /// Of f's edge, beyond which `next` is hidden: where f passes through what hides it there, if that is no more than
   /// roundings before the edge; else what hides `next`.
   std::optional<PartOnLine> hiding_neighbour(const ProjectedFace& next, const PartOnLine& edge) const {
-    const SeenFaces beyond{seen_.posed, seen_.master, seen_.prism, seen_.faces, seen_.overlaps, next};
+    const SeenFaces of_sheet = seen_with(next);
     const PrismPoint first = at(edge.from), last = at(edge.to);
-    const Border of_f(seen_, first, last), of_next(beyond, first, last, &seen_.f);
+    const Border of_f(seen_, first, last), of_next(of_sheet, first, last, &seen_.f);
     for (const Overlap& overlap : overlaps_of(seen_, next)) {
       const ProjectedFace& h = seen_.faces[overlap.second];
       if (h.number == seen_.f.number) continue;
@@ -83,6 +78,24 @@ class Border {
       const double length = edge.to - edge.from;
       if (part)
         return PartOnLine{part->line, edge.from + part->from * length, edge.from + part->to * length, part->hidden};
+    }
+    return {};
+  }
+
+  /// A stretch of that part on f's edge along which something of `next` is seen.
+  std::optional<PartOnLine> where_seen_beyond(const ProjectedFace& next, const ProjectedFace& f, std::size_t edge,
+                                              const PartOnLine& part, const Uncertainty& uncertainty,
+                                              SeenBeyond& seen_beyond) const {
+    // Both faces run through their common edge, one against the other.
+    std::size_t edge_of_next = 0;
+    while (next.vertices[edge_of_next] != f.vertices[(edge + 1) % 3]) ++edge_of_next;
+    const SideLine line = line_of_face(next.number, static_cast<int>(edge_of_next));
+    for (const ConvexPolygon& piece : seen_beyond.pieces(seen_with(next))) {
+      for (int i = 0; i < piece.count; ++i) {
+        if (piece.lines[static_cast<std::size_t>(i)] != line) continue;
+        const Places shares{std::max(share_of(piece[piece.next(i)]), part.from), std::min(share_of(piece[i]), part.to)};
+        if (const auto seen = part_on(f, static_cast<int>(edge), shares, uncertainty)) return seen;
+      }
     }
     return {};
   }
@@ -112,6 +125,9 @@ class Border {
   }
 
  private:
+  SeenFaces seen_with(const ProjectedFace& next) const {
+    return {seen_.posed, seen_.master, seen_.master_face, seen_.prism, seen_.faces, seen_.overlaps, next};
+  }
   /// All of it, though it may reach beyond the master: to within roundings it has no area.
   static bool is_seen_edgewise(const ProjectedFace& h, const Uncertainty& uncertainty) {
     const std::array<PrismPoint, 3>& x = h.corners;
@@ -233,6 +249,14 @@ class Border {
 
 }  // namespace
 
+const std::vector<ConvexPolygon>& SeenBeyond::pieces(const SeenFaces& beyond) {
+  if (face_ == &beyond.f) return pieces_;
+  face_ = &beyond.f;
+  ClippingError clipping_error;
+  find_visible_pieces(beyond, overlaps_of(beyond, beyond.f), pieces_, remaining_, clipping_error);
+  return pieces_;
+}
+
 Index face_beyond(const SeenFaces& seen, std::size_t edge) {
   const PreparedSurface& slave = seen.posed.surface(opposite(seen.master));
   const Triangle& vertices = slave.face(seen.f.face);
@@ -257,9 +281,10 @@ const ProjectedFace* hidden_neighbour(const SeenFaces& seen, std::size_t edge) {
   return face != nullptr && !overlaps_of(seen, *face).empty() ? face : nullptr;
 }
 
-std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b) {
+std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b,
+                                           SeenBeyond& beyond) {
   const Border border(seen, a, b);
-  if (const auto part = border.on_edge_of_f()) return part;
+  if (const auto part = border.on_edge_of_f(beyond)) return part;
   for (const ProjectedFace& h : seen.faces) {
     if (h.number == seen.f.number) continue;
     if (const auto part = border.on_line_of(h)) return part;

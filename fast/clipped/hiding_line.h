@@ -4,24 +4,11 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "fast/clipped/visible_parts.h"
-#include "fast/posed/posed_pair.h"
-#include "fast/prism/master_prism.h"
+#include "fast/clipped/seen_faces.h"
 
 namespace pcm::fast {
-
-/// What a master face sees of f, and all that it sees.
-struct SeenFaces {
-  PosedPair& posed;  ///< asked for the faces' vertices
-  Side master;
-  const MasterPrism& prism;
-  const std::vector<ProjectedFace>& faces;  ///< the slave's first, ascending
-  std::span<const Overlap> overlaps;        ///< of all these faces, as find_overlaps leaves them
-  const ProjectedFace& f;
-};
 
 /// Part of a straight way, as shares of it, and the line on which it lies: at which a face hides, or passes through,
 /// the given one of the slave.
@@ -41,12 +28,27 @@ const ProjectedFace* carrying_face(const SeenFaces& seen, Index face);
 /// where the sheet ends there, or nothing does.
 const ProjectedFace* hidden_neighbour(const SeenFaces& seen, std::size_t edge);
 
+/// What is seen of a face beyond an edge of f, found where it is asked for: scratch memory, and what was found last.
+class SeenBeyond {
+ public:
+  /// Of another master face, or another f.
+  void start() { face_ = nullptr; }
+  const std::vector<ConvexPolygon>& pieces(const SeenFaces& beyond);
+
+ private:
+  const ProjectedFace* face_ = nullptr;
+  std::vector<ConvexPolygon> pieces_, remaining_;
+};
+
 /// Of a way from a to b along f, which is seen on the left of it alone: the edge at which f itself ends there, or the
 /// line at which a face ends or begins to lie before f, as far as that lies on the way to within roundings. Where f's
 /// sheet goes on beyond the edge, and a face that hides it there begins just at it, that face's line in place of the
-/// edge. Whether a face passes through f, or through the master, or lies before f, is decided exactly where depths do
-/// not tell; beside a corner at which it just does, edge and line lie on one another, and either is taken. Nothing
-/// where no line does on a stretch that is longer than roundings. Where there are several, any.
-std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b);
+/// edge, as far as nothing is seen of the sheet between the two: be it narrower than roundings, a strip that the next
+/// face does show ends there, and f at the edge. Whether a face passes through f, or through the master, or lies before
+/// f, is decided exactly where depths do not tell; beside a corner at which it just does, edge and line lie on one
+/// another, and either is taken. Nothing where no line does on a stretch that is longer than roundings. Where there are
+/// several, any.
+std::optional<PartOnLine> find_hiding_line(const SeenFaces& seen, const PrismPoint& a, const PrismPoint& b,
+                                           SeenBeyond& beyond);
 
 }  // namespace pcm::fast

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fast/clipped/face_depth.h"
+#include "fast/clipped/face_view.h"
 #include "fast/clipped/seen_edge.h"
 
 namespace pcm::fast {
@@ -97,6 +98,7 @@ class PartSlopes {
     add_inside();
     scratch.cuts.clear();
     scratch.open.clear();
+    scratch.beyond.start();
     for (const ConvexPolygon& piece : part.pieces) {
       for (int i = 0; i < piece.count; ++i) {
         const SideLine line = piece.lines[static_cast<std::size_t>(i)];
@@ -239,7 +241,7 @@ class PartSlopes {
         continue;
       }
       const bool ask = questions > 0 && are_apart(a, b, of_f);
-      const auto found = ask ? find_hiding_line(part_, a, b) : std::nullopt;
+      const auto found = ask ? find_hiding_line(part_, a, b, scratch_.beyond) : std::nullopt;
       if (!found) {
         add_border(cut, a, b);
         continue;
@@ -268,7 +270,7 @@ class PartSlopes {
       const FaceDepth depth_h = &h == &part_.f ? depth_f_ : depth_of(h);
       add_parts(-along_level(a, b, depth_h.per_s, depth_h.per_t) * depth_h.by_motion_Me, a, 0, b, 0);
     } else {
-      if (&h == &part_.f && kind != kCrossing && may_have_edge_on_border_ && lies_on_border(a, b) &&
+      if (&h == &part_.f && kind != kCrossing && may_have_edge_on_border_ && lies_beside_border(a, b) &&
           goes_on_unseen(static_cast<std::size_t>(kind)))
         return;
       const Vector3d V = (b[kT] - a[kT]) * prism.inward_Me(2) - (b[kS] - a[kS]) * prism.inward_Me(0);
@@ -312,17 +314,43 @@ class PartSlopes {
     return carrying_face(part_, face) == nullptr && goes_on(face);
   }
 
-  /// A side on the border of the master. Where the sheet that f is of ends there as well, to within roundings, it moves
-  /// as the edge does: what part of it the master beyond the border sees, which may be less than nothing, is for both.
+  /// How far a line may be from another one where a face in between has no area for certain, as one of the master's
+  /// faces sees it or as its neighbour does.
+  Uncertainty beside() const {
+    const Uncertainty of_any = part_.prism.greatest_uncertainty(part_.posed.placement.max_coordinate);
+    return {4 * of_any.s, 4 * of_any.t};
+  }
+
+  bool lies_beside_border(const PrismPoint& a, const PrismPoint& b) const {
+    for (int k = 0; k < 3; ++k)
+      if (lie_on_line(a, b, MasterPrism::corner(k), MasterPrism::corner((k + 1) % 3), beside())) return true;
+    return false;
+  }
+
+  /// A side on the border of the master. Where the sheet that f is of ends beside it and the master goes on, but what
+  /// it sees of f there counts as nothing, it moves as the edge does: what is seen beyond, which may be less than
+  /// nothing, is for both.
   void add_own_side(const PrismPoint& a, const PrismPoint& b) {
     if (!lies_on_border(a, b)) return;  // but parts two pieces
-    const Uncertainty of_f = uncertainty();
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
-      if (!lie_on_line(a, b, from, to, of_f) || goes_on(face_beyond(part_, edge))) continue;
+      if (!lie_on_line(a, b, from, to, beside()) || goes_on(face_beyond(part_, edge))) continue;
+      if (is_carried_beyond_border(a, b)) return;
       add_border(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
       return;
     }
+  }
+
+  /// Whether the master's face beyond the border that a side lies on has an element with f.
+  bool is_carried_beyond_border(const PrismPoint& a, const PrismPoint& b) const {
+    int weight = 0;  // the one that is 0 there
+    for (int k = 1; k < 3; ++k)
+      if (std::abs(a[k]) + std::abs(b[k]) < std::abs(a[weight]) + std::abs(b[weight])) weight = k;
+    const auto side = static_cast<std::size_t>(weight + 1) % 3;
+    const Index beyond = part_.posed.surface(part_.master).neighbours_of(part_.master_face)[side];
+    if (beyond == part_.master_face) return false;
+    const FaceGeometry geometry = face_with_sure_normal(part_.posed.face_Me(part_.master, beyond));
+    return geometry.area > 0 && may_carry(part_.posed, part_.master, MasterPrism(geometry), part_.f.face);
   }
 
   /// A side on the line of an edge.

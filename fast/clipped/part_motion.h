@@ -23,6 +23,7 @@ struct SeenPart : SeenFaces {
 struct PartMotionScratch {
   CutStretches cuts;
   std::vector<CutStretch> open;  ///< stretches with a piece on one side, whose line is still to be found
+  SeenBeyond beyond;
 };
 
 /// How the element that a part makes changes as the slave moves, seen from the master, by d(x) = dr + a x (x - r).
@@ -39,10 +40,13 @@ struct PartMotionScratch {
 ///
 /// and by nothing where the side is the master's own. A side on an edge of f that is also the master's, to within
 /// roundings, is the edge's where f's sheet ends there as the lines see it, and the master's where it goes on:
-/// whichever of the two it was cut along, and whether or not a sliver between them was dropped. Whatever else divides P
+/// whichever of the two it was cut along, and whether or not a sliver between them was dropped. It is not the edge's
+/// where the master's next face has an element with f: what it sees between the two has the edge for its border.
+/// Whatever else divides P
 /// is a side of two pieces and counts for neither; where on such a line, of an edge beyond its ends, one of the two is
 /// hidden by another face that has its border just there, it is that face's (hiding_line.h). So is a side on an edge of
-/// f where the slave's face beyond it, with which the sheet goes on, is hidden from there on. min(depth, most) is
+/// f where the slave's face beyond it, with which the sheet goes on, is hidden from there on: all of it, for what the
+/// pieces of that face show beside the edge has that line for its own border. min(depth, most) is
 /// continuous: where it begins to be clamped nothing is added. All is of degree three at most along a side and of
 /// degree two over a piece, so that the integrals are exact but for roundings.
 ///

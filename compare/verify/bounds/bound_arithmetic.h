@@ -21,7 +21,8 @@ inline double no_more(double value, double most) {
 }
 
 /// a b for bounds, of which one may be infinite where the other is exactly 0: nothing, however often, is nothing.
-inline double times(double a, double b) {
+template <class A, class B>
+auto times(A a, B b) -> decltype(a * b) {
   return a == 0 || b == 0 ? 0 : a * b;
 }
 

@@ -15,9 +15,14 @@ namespace {
 
 using Of = reference::Coordinate::Of;
 
+/// Products of areas, depths and levers leave the range of double where a pair is small, and what they are divided by
+/// is as small: the bound would be lost on the way.
+using Wide = long double;
+static_assert(std::numeric_limits<Wide>::min_exponent < 8 * std::numeric_limits<double>::min_exponent);
+
 /// a / b for bounds, b >= 0: nothing is nothing, whatever it is divided by.
-double quotient(double a, double b) {
-  return a == 0 ? 0 : b > 0 ? a / b : std::numeric_limits<double>::infinity();
+Wide quotient(Wide a, Wide b) {
+  return a == 0 ? 0 : b > 0 ? a / b : std::numeric_limits<Wide>::infinity();
 }
 
 /// Greatest values, of the oracle's sliver or a right engine's.
@@ -27,7 +32,7 @@ class SliverLoad {
       : law_(question.law),
         on_E_(e.master == Side::E),
         stiffness_(series_stiffness(law_)),
-        area_(e.area + bound.bounds.area),
+        area_(Wide{e.area} + bound.bounds.area),
         depth_(std::min(std::max(bound.sight.deepest, e.greatest_penetration), law_.max_penetration)),
         width_(bound.sight.width),
         shift_(share_of_penetration(law_, e.master)),
@@ -41,35 +46,40 @@ class SliverLoad {
   };
 
   /// By a coordinate with which area and volume grow by no more than this.
-  Slopes by(Of of, double d_area, double d_volume) const {
-    const double u_d = law_.transition_depth;
-    const double faded_area = u_d > 0 ? std::min(area_, area_ * depth_ / u_d) : area_;
-    const double d_faded_area = u_d > 0 ? std::max(d_area, quotient(d_volume, u_d)) : d_area;
+  Slopes by(Of of, Wide d_area, Wide d_volume) const {
+    const Wide u_d = law_.transition_depth;
+    const Wide faded_area = u_d > 0 ? std::min(area_, area_ * depth_ / u_d) : area_;
+    const Wide d_faded_area = u_d > 0 ? std::max(d_area, quotient(d_volume, u_d)) : d_area;
     // V times the way of C_k, and A f times that.
-    const double way = 2 * times(width_, d_volume) + times(shift_ * depth_, d_volume + times(depth_, d_area));
-    const double faded_way = quotient(way, u_d);
+    const Wide way = 2 * times(width_, d_volume) + times(shift_ * depth_, d_volume + times(depth_, d_area));
+    const Wide faded_way = quotient(way, u_d);
 
-    const double d_v = rate_of_velocity(of);
-    const double normal = stiffness_ * area_ * depth_ + law_.damping * faded_area * speed_;
-    const double d_normal =
+    const Wide d_v = rate_of_velocity(of);
+    const Wide normal = stiffness_ * area_ * depth_ + law_.damping * faded_area * speed_;
+    const Wide d_normal =
         stiffness_ * d_volume +
         times(law_.damping, times(speed_, d_faded_area) + times(faded_area, d_v) + times(w_, faded_way));
-    const double normal_times_way = stiffness_ * way + times(law_.damping, times(speed_, faded_way));
-    const double d_slip = times(normal, d_v) + times(w_, normal_times_way);
-    const double friction = times(law_.friction, d_normal + quotient(2 * d_slip, law_.slip_velocity));
+    const Wide normal_times_way = stiffness_ * way + times(law_.damping, times(speed_, faded_way));
+    const Wide d_slip = times(normal, d_v) + times(w_, normal_times_way);
+    const Wide friction = times(law_.friction, d_normal + quotient(2 * d_slip, law_.slip_velocity));
 
-    const double all = 1 + law_.friction;
-    Slopes slopes{d_normal + friction, all * normal_times_way};
+    const Wide all = 1 + Wide{law_.friction};
+    Wide force = d_normal + friction, torque = all * normal_times_way;
     // Seen from F, force and torque turn with it; seen from E, the arm from Mf changes.
-    if (!on_E_ && of == Of::rotation) slopes.force += all * normal;
-    if (on_E_ && of == Of::position) slopes.torque += all * normal;
-    slopes.torque += times(lever_, slopes.force);
-    return {kHigherOrder * slopes.force, kHigherOrder * slopes.torque};
+    if (!on_E_ && of == Of::rotation) force += all * normal;
+    if (on_E_ && of == Of::position) torque += all * normal;
+    torque += times(lever_, force);
+    return {rounded_up(force), rounded_up(torque)};
   }
 
  private:
+  /// Whatever is that small is a multiple of the least double on either side.
+  static double rounded_up(Wide bound) {
+    return static_cast<double>(kHigherOrder * bound) + std::numeric_limits<double>::denorm_min();
+  }
+
   /// Of v_k at a point that stays where it is.
-  double rate_of_velocity(Of of) const {
+  Wide rate_of_velocity(Of of) const {
     if (of == Of::position) return on_E_ ? w_ : 0;
     if (of == Of::rotation) return on_E_ ? 0 : speed_;
     return of == Of::velocity ? 1 : lever_;
@@ -77,10 +87,10 @@ class SliverLoad {
 
   const ContactLaw& law_;
   bool on_E_;
-  double stiffness_;
-  double area_, depth_, width_;
-  double shift_, lever_;
-  double v_, w_, speed_;
+  Wide stiffness_;
+  Wide area_, depth_, width_;
+  Wide shift_, lever_;
+  Wide v_, w_, speed_;
 };
 
 }  // namespace

@@ -302,36 +302,62 @@ std::vector<FlushGrids> flush_grids() {
   return all;
 }
 
-/// By a move along x, y and z and by a turn about z, along the flat faces.
-TEST(ClippedTangent, WhereEdgesOfBothLieOnOneAnotherIsThatOfDifferences) {
+/// A move along x, y and z and a turn about z, along the flat faces.
+struct FlatMove {
+  Vector3d by{0, 0, 0};
+  double turn = 0;
+
+  static FlatMove along(int coordinate, double by) {
+    FlatMove move;
+    (coordinate < 3 ? move.by[coordinate] : move.turn) = by;
+    return move;
+  }
+  Pose from(const Vector3d& r) const { return {Eigen::AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix(), r + by}; }
+};
+
+/// The derivatives by these, near a pose from which flush grids have been moved off by that, lie between the
+/// differences to either side.
+void expect_derivatives_between_differences(const FlushGrids& grids, const FlatMove& off, Mode mode) {
   constexpr double kStep = 0x1p-20;
+  const Surface E(grids.E), F(grids.F);
+  const auto at = [&](int coordinate, double by) {
+    const FlatMove move = FlatMove::along(coordinate, by);
+    const Pose pose = FlatMove{off.by + move.by, off.turn + move.turn}.from(grids.r);
+    Workspace workspace;
+    return Contact(evaluate(Pairing(E, F, stiffness(1000), mode, Scheme::clipped), pose, {}, kTangent, workspace));
+  };
+  const Contact here = at(0, 0);
+  for (const int coordinate : {0, 1, 2, 5}) {
+    const Contact low = at(coordinate, -kStep), high = at(coordinate, kStep);
+    const auto expect_between = [&](const Vector3d& x, const Vector3d& x_low, const Vector3d& x_high, int row) {
+      for (int k = 0; k < 3; ++k) {
+        const double left = (x[k] - x_low[k]) / kStep, right = (x_high[k] - x[k]) / kStep;
+        const double found = (*here.tangent)(row + k, coordinate);
+        EXPECT_GE(found, std::min(left, right) - 0.01) << grids.name << ", row " << row + k << ", " << coordinate;
+        EXPECT_LE(found, std::max(left, right) + 0.01) << grids.name << ", row " << row + k << ", " << coordinate;
+      }
+    };
+    expect_between(here.force_Me, low.force_Me, high.force_Me, 0);
+    expect_between(here.torque_Me, low.torque_Me, high.torque_Me, 3);
+  }
+}
+
+TEST(ClippedTangent, WhereEdgesOfBothLieOnOneAnotherIsThatOfDifferences) {
+  for (const FlushGrids& grids : flush_grids())
+    for (const Mode mode : {Mode::E, Mode::F, Mode::both}) expect_derivatives_between_differences(grids, {}, mode);
+}
+
+/// Strips between them are roundings, or nearly, or seen: none is seen by neither of two faces, nor its border counted
+/// by both.
+TEST(ClippedTangent, WhereEdgesOfBothLieBesideOneAnotherIsThatOfDifferences) {
   for (const FlushGrids& grids : flush_grids()) {
-    for (const Mode mode : {Mode::E, Mode::F, Mode::both}) {
-      const Surface E(grids.E), F(grids.F);
-      const auto at = [&](int coordinate, double by) {
-        Pose pose;
-        pose.r = grids.r;
-        if (coordinate < 3) {
-          pose.r[coordinate] += by;
-        } else {
-          pose.A = Eigen::AngleAxisd(by, Vector3d::UnitZ()).toRotationMatrix();
-        }
-        Workspace workspace;
-        return Contact(evaluate(Pairing(E, F, stiffness(1000), mode, Scheme::clipped), pose, {}, kTangent, workspace));
-      };
-      const Contact here = at(0, 0);
-      for (const int coordinate : {0, 1, 2, 5}) {
-        const Contact low = at(coordinate, -kStep), high = at(coordinate, kStep);
-        const auto expect_between = [&](const Vector3d& x, const Vector3d& x_low, const Vector3d& x_high, int row) {
-          for (int k = 0; k < 3; ++k) {
-            const double left = (x[k] - x_low[k]) / kStep, right = (x_high[k] - x[k]) / kStep;
-            const double found = (*here.tangent)(row + k, coordinate);
-            EXPECT_GE(found, std::min(left, right) - 0.01) << grids.name << ", row " << row + k << ", " << coordinate;
-            EXPECT_LE(found, std::max(left, right) + 0.01) << grids.name << ", row " << row + k << ", " << coordinate;
-          }
-        };
-        expect_between(here.force_Me, low.force_Me, high.force_Me, 0);
-        expect_between(here.torque_Me, low.torque_Me, high.torque_Me, 3);
+    if (grids.E.faces.size() > 1000) continue;
+    for (double distance = 0x1p-54; distance < 0x1p-36; distance *= 1.4) {
+      for (const double off : {-distance, distance}) {
+        SCOPED_TRACE(off);
+        for (const FlatMove& move : {FlatMove::along(0, off), FlatMove::along(1, off),
+                                     FlatMove{{off, -0.7 * off, 0}, 0}, FlatMove::along(5, off)})
+          for (const Mode mode : {Mode::E, Mode::F}) expect_derivatives_between_differences(grids, move, mode);
       }
     }
   }
@@ -378,11 +404,14 @@ TEST(ClippedTangent, WhereAnEdgeOfTheMastersOwnLiesInTheSlavesFloorIsThatOfDiffe
     }
 }
 
-/// The same along the floor's diagonal, and off it by ulps.
+/// The same along the floor's diagonal, and off it by ulps, up to strips that surely are no roundings.
 TEST(ClippedTangent, WhereAFaceOfTheMastersOwnComesOutAlongAnInnerEdgeIsThatOfDifferences) {
+  std::vector<double> offsets{0};
+  for (double x = 0x1p-52; x < 0x1p-36; x *= 1.25)
+    for (const double sign : {-1, 1}) offsets.push_back(sign * x);
   for (const double slope : {-0.125, 0.125})
     for (const double width : {1.0, 1.75})
-      for (const double x : {0.0, 0x1p-50, -0x1p-50}) {
+      for (const double x : offsets) {
         const auto [plate, floor, off_diagonal] = pcm::test::BlockAndSlopingTop(slope, width);
         const Pose pose = shifted(x, 0, 0);
         const Tangent tangent = *clipped(plate, floor, pose, stiffness(kStiffness), Mode::E).tangent;

@@ -65,7 +65,8 @@ class HidingLine : public testing::Test {
     const PreparedSurface E = prepare_surface(meshes[0]), F = prepare_surface(meshes[1]);
     PosedPair posed;
     posed.place(E, F, {}, 0, false);
-    return find_hiding_line({posed, Side::E, prism, faces, {}, faces[0]}, from, to);
+    SeenBeyond beyond;
+    return find_hiding_line({posed, Side::E, 0, prism, faces, {}, faces[0]}, from, to, beyond);
   }
   static int kind(const PartOnLine& part) { return (part.line - 1) % kLinesOfAFace; }
   static int number(const PartOnLine& part) { return (part.line - 1) / kLinesOfAFace; }

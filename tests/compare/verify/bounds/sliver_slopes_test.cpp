@@ -213,6 +213,52 @@ TEST(SliverSlopes, OfTheOtherMasterWhileItTurnsAreThoseOfDifferencesOrMore) {
   }
 }
 
+/// The slopes of a pair that is that many times as large, with all that they depend on, and velocities by v as large.
+GreatestSlopes of_scaled_pair(double length, const Velocity& velocity) {
+  const SurfacePair pair = small_pair();
+  const SurfaceFeatures E(pair.E), F(pair.F);
+  ContactLaw law;
+  law.damping = 10;
+  law.transition_depth = 0x1p-6 * length;
+  law.friction = 0.5;
+  law.slip_velocity = 0.125 * length;
+  reference::Element e;
+  e.area = 0x1p-60 * length * length;
+  e.penetration = e.greatest_penetration = 0x1p-50 * length;
+  e.normal_Me = {0, 0, -1};
+  e.position_Me = length * Vector3d(0.25, 0.5, 0);
+  ClippedBounds::OfElement bound;
+  bound.sight.width = 0.25 * length;
+  bound.sight.deepest = 0x1p-48 * length;
+  bound.bounds.area = 0x1p-58 * length * length;
+  bound.bounds.position = 0x1p-40 * length;
+  PartGrowth growth;
+  growth.area << 0.5, 0.5, 0.5, 0.25 * length, 0.25 * length, 0.25 * length;
+  growth.area *= length;
+  growth.volume = 0x1p-50 * length * growth.area;
+  const Pose pose{Eigen::Matrix3d::Identity(), length * Vector3d(0.5, 0.25, 0.125)};
+  return greatest_slopes_of_sliver({E, F, law, Mode::E, Scheme::clipped, pose, {length * velocity.v, velocity.w}}, e,
+                                   bound, growth);
+}
+
+/// On the way there products of areas, depths, levers and ways leave the range of double (`pcm verify`, seed 2034,
+/// extreme pose 3132 of a small icosphere on a plate: a slope by w was lost, and a right engine held wrong).
+TEST(SliverSlopes, ScaleWithThePair) {
+  constexpr int kExponent = -240;
+  for (const Velocity& velocity :
+       {Velocity{}, Velocity{{0, 0.25, 0.5}, {0, 0, 0}}, Velocity{{1, 0, 0}, {0, 0.5, 0.25}}}) {
+    const GreatestSlopes large = of_scaled_pair(1, velocity),
+                         small = of_scaled_pair(std::ldexp(1, kExponent), velocity);
+    for (std::size_t k = 0; k < 12; ++k) {
+      SCOPED_TRACE(k);
+      const int lengths = k / 3 % 2 == 0 ? 2 : 3;  // of a force, m^3, by a length or an angle, or by their rates
+      EXPECT_GT(large.force[k], 0);
+      EXPECT_EQ(std::ldexp(large.force[k], lengths * kExponent), small.force[k]);
+      EXPECT_NEAR(std::ldexp(large.torque[k], (lengths + 1) * kExponent), small.torque[k], 0x1p-1072);
+    }
+  }
+}
+
 TEST(SliverSlopes, AreUnknownWhereTheLawHasNoBoundOfThem) {
   const SurfacePair pair = small_pair();
   const SurfaceFeatures E(pair.E), F(pair.F);
