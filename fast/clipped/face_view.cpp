@@ -204,16 +204,16 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
 
 }  // namespace
 
-bool may_carry(PosedPair& posed, Side master, const MasterPrism& prism, Index slave_face) {
+SeenArea seen_area(PosedPair& posed, Side master, const MasterPrism& prism, Index slave_face) {
   const Side slave = opposite(master);
   std::array<PrismPoint, 3> corners;
   for (std::size_t k = 0; k < 3; ++k)
     corners[k] = prism.see(posed.vertex_Me(slave, posed.surface(slave).face(slave_face)[k]), posed.work);
   ProjectedFace projected;
-  if (!project(posed, slave, slave_face, prism, corners, projected)) return false;
+  if (!project(posed, slave, slave_face, prism, corners, projected) || !projected.leaves) return SeenArea::none;
   const double max_coordinate = posed.placement.max_coordinate;
-  return projected.leaves &&
-         surely_has_area(prism, max_coordinate, prism.greatest_uncertainty(max_coordinate), projected);
+  const bool is_certain = surely_has_area(prism, max_coordinate, prism.greatest_uncertainty(max_coordinate), projected);
+  return is_certain ? SeenArea::certain : SeenArea::uncertain;
 }
 
 OwnFacesBefore own_faces_before(const PosedPair& posed, Side master, const FaceGeometry& geometry, Index face,

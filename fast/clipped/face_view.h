@@ -44,9 +44,10 @@ struct FaceViewScratch {
 void look_through(PosedPair& posed, Side master, Index face, const MasterPrism& prism, bool nested,
                   FaceViewScratch& scratch, FaceView& view);
 
-/// Whether a master face sees that face of the slave from within, over an area for certain: what others leave of it
-/// carries an element.
-bool may_carry(PosedPair& posed, Side master, const MasterPrism& prism, Index slave_face);
+/// What a master face sees of a face of the slave through which the lines leave, whatever lies before it: only where
+/// that has an area for certain does it carry an element.
+enum class SeenArea : std::uint8_t { none, uncertain, certain };
+SeenArea seen_area(PosedPair& posed, Side master, const MasterPrism& prism, Index slave_face);
 
 /// Whether other faces of the master may lie before what one of its faces sees.
 enum class OwnFacesBefore : std::uint8_t {

@@ -317,8 +317,8 @@ class PartSlopes {
   /// How far a line may be from another one where a face in between has no area for certain, as one of the master's
   /// faces sees it or as its neighbour does.
   Uncertainty beside() const {
-    const Uncertainty of_any = part_.prism.greatest_uncertainty(part_.posed.placement.max_coordinate);
-    return {4 * of_any.s, 4 * of_any.t};
+    const Uncertainty of_f = uncertainty();
+    return {4 * of_f.s, 4 * of_f.t};
   }
 
   bool lies_beside_border(const PrismPoint& a, const PrismPoint& b) const {
@@ -327,30 +327,33 @@ class PartSlopes {
     return false;
   }
 
-  /// A side on the border of the master. Where the sheet that f is of ends beside it and the master goes on, but what
-  /// it sees of f there counts as nothing, it moves as the edge does: what is seen beyond, which may be less than
-  /// nothing, is for both.
+  /// A side on the border of the master. Where the sheet that f is of ends there as well, to within roundings, or
+  /// beyond, but the master's next face sees so little of f that this counts as nothing, it moves as the edge does:
+  /// what is seen between the two, which may be less than nothing, is for both.
   void add_own_side(const PrismPoint& a, const PrismPoint& b) {
     if (!lies_on_border(a, b)) return;  // but parts two pieces
+    const Uncertainty of_f = uncertainty();
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
       if (!lie_on_line(a, b, from, to, beside()) || goes_on(face_beyond(part_, edge))) continue;
-      if (is_carried_beyond_border(a, b)) return;
-      add_border(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
+      const SeenArea beyond = seen_beyond_border(a, b);
+      if (beyond == SeenArea::uncertain || (beyond == SeenArea::none && lie_on_line(a, b, from, to, of_f)))
+        add_border(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
       return;
     }
   }
 
-  /// Whether the master's face beyond the border that a side lies on has an element with f.
-  bool is_carried_beyond_border(const PrismPoint& a, const PrismPoint& b) const {
+  /// What of f the master's face sees that lies beyond the border which a side is on.
+  SeenArea seen_beyond_border(const PrismPoint& a, const PrismPoint& b) const {
     int weight = 0;  // the one that is 0 there
     for (int k = 1; k < 3; ++k)
       if (std::abs(a[k]) + std::abs(b[k]) < std::abs(a[weight]) + std::abs(b[weight])) weight = k;
     const auto side = static_cast<std::size_t>(weight + 1) % 3;
     const Index beyond = part_.posed.surface(part_.master).neighbours_of(part_.master_face)[side];
-    if (beyond == part_.master_face) return false;
+    if (beyond == part_.master_face) return SeenArea::none;
     const FaceGeometry geometry = face_with_sure_normal(part_.posed.face_Me(part_.master, beyond));
-    return geometry.area > 0 && may_carry(part_.posed, part_.master, MasterPrism(geometry), part_.f.face);
+    if (!(geometry.area > 0)) return SeenArea::none;
+    return seen_area(part_.posed, part_.master, MasterPrism(geometry), part_.f.face);
   }
 
   /// A side on the line of an edge.

@@ -42,12 +42,11 @@ struct PartMotionScratch {
 /// roundings, is the edge's where f's sheet ends there as the lines see it, and the master's where it goes on:
 /// whichever of the two it was cut along, and whether or not a sliver between them was dropped. It is not the edge's
 /// where the master's next face has an element with f: what it sees between the two has the edge for its border.
-/// Whatever else divides P
-/// is a side of two pieces and counts for neither; where on such a line, of an edge beyond its ends, one of the two is
-/// hidden by another face that has its border just there, it is that face's (hiding_line.h). So is a side on an edge of
-/// f where the slave's face beyond it, with which the sheet goes on, is hidden from there on: all of it, for what the
-/// pieces of that face show beside the edge has that line for its own border. min(depth, most) is
-/// continuous: where it begins to be clamped nothing is added. All is of degree three at most along a side and of
+/// Whatever else divides P is a side of two pieces and counts for neither; where on such a line, of an edge beyond its
+/// ends, one of the two is hidden by another face that has its border just there, it is that face's (hiding_line.h). So
+/// is a side on an edge of f where the slave's face beyond it, with which the sheet goes on, is hidden from there on:
+/// all of it, for what the pieces of that face show beside the edge has that line for its own border. min(depth, most)
+/// is continuous: where it begins to be clamped nothing is added. All is of degree three at most along a side and of
 /// degree two over a piece, so that the integrals are exact but for roundings.
 ///
 /// A slope that is too large for doubles, or whose moments about Mf are, counts as 0.

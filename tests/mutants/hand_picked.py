@@ -415,13 +415,13 @@ PICKED = [
     ),
     (
         "fast/clipped/hiding_line.cpp",
-        "      return hiding ? hiding : part;\n",
+        "      if (!hiding) return part;\n",
         "      return part;\n",
         "an edge of f stays a border where its sheet goes on, hidden",
     ),
     (
         "fast/clipped/hiding_line.cpp",
-        "  if (const auto part = border.on_edge_of_f()) return part;",
+        "  if (const auto part = border.on_edge_of_f(beyond)) return part;",
         "",
         "a part never ends at the edge of its own face beyond a cut",
     ),

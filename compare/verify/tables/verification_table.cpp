@@ -230,7 +230,7 @@ std::string times_markdown(const Verification& run) {
       "|\n|---|---|---|---|--:|--:|--:|\n";
   for (const Row& row : rows(run)) {
     const Tally& t = row.tally;
-    text += fmt::format("| {} | {} | {} | {} | {:.0f} / {:.0f} | {:.2f} / {:.2f} | {:.2f} / {:.2f} |\n", row.pair,
+    text += fmt::format("| {} | {} | {} | {} | {:.2f} / {:.2f} | {:.2f} / {:.2f} | {:.2f} / {:.2f} |\n", row.pair,
                         row.stratum, row.scheme, row.mode, 1e6 * t.engine_seconds.quantile(0.5),
                         1e6 * t.engine_seconds.quantile(0.99), 1e3 * t.oracle_seconds.quantile(0.5),
                         1e3 * t.oracle_seconds.quantile(0.99), 1e3 * t.oracle_exact_seconds.quantile(0.5),

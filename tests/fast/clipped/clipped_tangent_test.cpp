@@ -363,6 +363,18 @@ TEST(ClippedTangent, WhereEdgesOfBothLieBesideOneAnotherIsThatOfDifferences) {
   }
 }
 
+/// The smaller top ends at a convex edge of its body, beyond which nothing goes on that could see what lies there.
+TEST(ClippedTangent, WhereAnEdgeLiesBesideTheEndOfABodyIsThatOfTheOneWithinTheOther) {
+  const TriangleMesh block = generate::box({-0.5, -0.5, -1}, {0.5, 0.5, 0});
+  const double depth = 0.0625;
+  for (double off = 0x1.4p-44; off < 0x1p-36; off *= 1.25)
+    for (const double beyond : {off, -off}) {
+      const TriangleMesh floor = generate::box({-2, -2, 0}, {0.5 + beyond, 2, 1});
+      const Tangent tangent = *clipped(block, floor, shifted(0, 0, -depth), stiffness(kStiffness), Mode::E).tangent;
+      EXPECT_NEAR(beyond < 0 ? -kStiffness * depth : 0, tangent(2, 0), 1e-9) << beyond;
+    }
+}
+
 /// The two diagonals lie on one another, at angles that leave roundings in all coordinates.
 TEST(ClippedTangent, OfABoxOnTheDiagonalOfAPlateIsThatOfTheBoxHoweverBothAreTurned) {
   const TriangleMesh box = generate::box({-0.5, -0.5, 0}, {0.5, 0.5, 1});

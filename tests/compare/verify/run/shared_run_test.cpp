@@ -168,7 +168,7 @@ TEST_F(SharedRun, PartsOfSeveralMachinesArePutTogether) {
     EXPECT_EQ(part.status, 0) << part.err;
     EXPECT_TRUE(lines_of(part.out).back().starts_with("part " + k + " of 3: ")) << part.out;
     for (const std::string& line : lines_of(read_text_file(scratch_.path("part " + k) + "/times.md")))
-      EXPECT_EQ(line.find("| 0 / 0 |"), std::string::npos) << "of no pose: " << line;
+      EXPECT_EQ(line.find("| both | 0.00 / 0.00 |"), std::string::npos) << "of no pose: " << line;
     folders.push_back(scratch_.path("part " + k));
   }
   // Refused, this leaves nothing that would keep others out of the folder.
