@@ -28,6 +28,7 @@
 #include "simulate/record/recording_of_run.h"
 #include "simulate/record/run_provenance.h"
 #include "simulate/record/run_tables.h"
+#include "simulate/run/simulation.h"
 #include "simulate/scenes/read_scene.h"
 #include "simulate/scenes/still_instants.h"
 #include "simulate/stills/stills.h"
@@ -185,6 +186,15 @@ void write_tables(const std::filesystem::path& folder, const std::string& tables
   report.finish();
 }
 
+/// Before a folder is begun. What can't be started, the engine and the model refuse by themselves, but know no file.
+void require_start(const std::string& scene_name, const Scene& scene) {
+  try {
+    Simulation(scene).start();
+  } catch (const BadInput& error) {
+    throw BadInput(scene_name + ": " + error.what());
+  }
+}
+
 Exit simulate(const SimulateOptions& options) {
   if (options.schema) {
     std::cout << scene_schema();
@@ -200,6 +210,7 @@ Exit simulate(const SimulateOptions& options) {
   apply(options, scene);
   if (std::ranges::all_of(scene.bodies, [](const Body& body) { return body.joint.type == JointType::weld; }))
     throw BadInput(options.scene + ": nothing can move: every body is welded; give one of them another joint");
+  require_start(options.scene, scene);
   if (options.compares) return compare_all(options, scene, text);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-run" : options.out;

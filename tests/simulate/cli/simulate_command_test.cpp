@@ -143,6 +143,28 @@ TEST(SimulateCommand, RefusesASceneThatHasNothingToShowBeforeItIsIntegrated) {
   EXPECT_FALSE(fs::exists(folder.out));
 }
 
+TEST(SimulateCommand, RefusesASceneThatCanNotStartWithItsFileBeforeItBegins) {
+  const auto with = [](const std::string& more) {
+    std::string text = block_over_floor("0.1");
+    return text.replace(text.find("\"mass\": 100"), 11, "\"mass\": 100, " + more);
+  };
+  std::string too_deep = block_over_floor("1e-3");
+  too_deep.replace(too_deep.find("0.6"), 3, "0.4");
+  const std::vector<std::pair<std::string, std::string>> refusals{
+      {with(R"("velocity": [1e300, 0, 0])"), "scene.json: body 1: velocity: "},
+      {too_deep, "scene.json: at the start, 'floor' and 'block' are deeper within one another"}};
+  for (const auto& [scene, message] : refusals)
+    for (const char* option : {"--stills=0", "--compare-integrators"}) {
+      SCOPED_TRACE(message + std::string(" ") + option);
+      const Folder folder(scene);
+      const Outcome outcome = folder.run({option});
+      EXPECT_EQ(outcome.status, 2);
+      expect_one_line(outcome.err);
+      EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+      EXPECT_FALSE(fs::exists(folder.out));
+    }
+}
+
 TEST(SimulateCommand, WhoseEnergyOverflowsHasNoNumberThatIsNone) {
   const std::string heavy = R"({"laws": {"law": {"stiffness": 1e7}},
     "ground": {"surfaces": [{"name": "floor", "make": "plate"}]},
