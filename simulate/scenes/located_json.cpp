@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -136,6 +137,13 @@ class LineRecorder : public nlohmann::json_sax<Json> {
   std::vector<Level> levels_;
 };
 
+/// The schema's validator takes those from 2^63 on for negative ones.
+bool large_integers_to_double(int /*depth*/, Json::parse_event_t event, Json& parsed) {
+  if (event == Json::parse_event_t::value && parsed.is_number_unsigned() && parsed.get<std::uint64_t>() >> 63 != 0)
+    parsed = parsed.get<double>();
+  return true;
+}
+
 /// "/bodies/0/mass" as people write it: bodies[0].mass.
 std::string readable(const std::string& pointer) {
   std::string text;
@@ -163,7 +171,7 @@ LocatedJson::LocatedJson(std::string file, const std::string& text) : file_(std:
     throw BadInput(file_ + ":" + std::to_string(position.line) +
                    ": no JSON: " + (colon == std::string::npos ? recorder.error : recorder.error.substr(colon + 2)));
   }
-  document_ = Json::parse(text);
+  document_ = Json::parse(text, large_integers_to_double);
 }
 
 std::string LocatedJson::place(std::string pointer) const {

@@ -96,6 +96,13 @@ struct BadScene {
   std::string what, instead, message;
 };
 
+TEST(ReadScene, TakesIntegersOfAnySize) {
+  for (const char* mass :
+       {"9223372036854775807", "9223372036854775808", "18446744073709551615", "18446744073709551616"})
+    EXPECT_EQ(parse_scene(with("\"mass\": 3", std::string("\"mass\": ") + mass), "block.json").bodies[0].mass.mass,
+              std::stod(mass));
+}
+
 TEST(ReadScene, RefusesWithFileLineAndKey) {
   const std::vector<BadScene> scenes{
       {R"("duration": 2)", R"("duration": 0)", "block.json:18: duration: Expected number greater than 0"},
