@@ -106,6 +106,7 @@ int certain_side(const FaceEnclosure& f, const FaceEnclosure& g) {
   };
   const double of_plane = steepness(f.vertex_error), of_vertex = steepness(g.vertex_error);
   const double twice_area = cross_st(f.corners[0], f.corners[1], f.corners[2]);
+  const double greatest = greatest_of(f.corners, kDepth);
   int above = 0, below = 0, shared = 0;
   for (std::size_t j = 0; j < 3; ++j) {
     if (f.of_master == g.of_master &&
@@ -125,8 +126,9 @@ int certain_side(const FaceEnclosure& f, const FaceEnclosure& g) {
     lambda = 2 * (lambda + 8 * widths) / twice_area;
     const double plane =
         f.depth.value + (f.depth.per_s * (c[kS] - f.depth.s_0) + f.depth.per_t * (c[kT] - f.depth.t_0));
+    // The plane is as good as its greatest corner, also where it passes near depth 0, and beyond the face less so.
     const double error =
-        2 * (of_plane * lambda + of_vertex) + f.relative_rounding * (std::abs(plane) + std::abs(c[kDepth]));
+        2 * (of_plane * lambda + of_vertex) + f.relative_rounding * (lambda * greatest + std::abs(c[kDepth]));
     above += plane - c[kDepth] > error ? 1 : 0;
     below += plane - c[kDepth] < -error ? 1 : 0;
   }

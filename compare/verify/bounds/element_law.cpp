@@ -13,6 +13,9 @@ namespace {
 
 using roundoff::u;
 
+/// More than products and sums of one element lose to underflow, N or N m.
+constexpr double kUnderflow = 0x1p-1060;
+
 /// Part of F_t / (mu F_n), t (2 - t) with t = v_t / v_eps below 1 and 1 from there on, that an error of v_t may change:
 /// Lipschitz with 2 / v_eps; without v_eps a step at rest.
 double friction_share_error(double slip_velocity, double v_t, double v_t_error) {
@@ -195,8 +198,9 @@ ElementBounds bounds_after_law(const Question& question, const reference::Elemen
 
   // F_k = F_n n_k + friction, M_k = (C_k - r) x F_k.
   const double magnitude = normal_force * (1 + law.friction);
-  bounds.force = bounds.normal_force + normal_force * bounds.normal + friction_error + 3 * u * magnitude;
-  bounds.torque = times(arm.stableNorm(), bounds.force) + times(arm_error + 4 * u * arm.stableNorm(), magnitude);
+  bounds.force = bounds.normal_force + normal_force * bounds.normal + friction_error + 3 * u * magnitude + kUnderflow;
+  bounds.torque =
+      times(arm.stableNorm(), bounds.force) + times(arm_error + 4 * u * arm.stableNorm(), magnitude) + kUnderflow;
 
   scale(kHigherOrder, bounds);
   return bounds;

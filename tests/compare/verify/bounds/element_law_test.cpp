@@ -54,6 +54,18 @@ class LawBounds : public testing::Test {
   reference::Element truth_;
 };
 
+/// Of a torque next to the least double each of six products and sums may be off by half of that (`pcm verify`, seed
+/// 2035, extreme pose 2880 of the shrinking cubes).
+TEST_F(LawBounds, AllowForWhatATorqueLosesToUnderflow) {
+  truth_.area = 0x1p-540;
+  truth_.normal_force = 0.5 * truth_.area;
+  truth_.force_Me = {0, 0, truth_.normal_force};
+  truth_.position_Me = {0x1p-530, 0, 0};
+  const double bound = bounds({}).torque;
+  EXPECT_GE(bound, 3 * std::numeric_limits<double>::denorm_min());
+  EXPECT_LT(bound, 0x1p-1050);
+}
+
 TEST_F(LawBounds, AreNumbersWhereAreaOrPenetrationHaveNone) {
   for (const double damping : {0.0, 10.0})
     for (const double w : {0.0, 2.0})

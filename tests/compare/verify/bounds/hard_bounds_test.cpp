@@ -85,6 +85,27 @@ TEST(HardBounds, WhereRoundingTiltsTheMasterAgainstAKeelThatTouchesItHold) {
   }
 }
 
+/// Both sides of a blade that is 1e-20 wide lie in one plane as rounded, nearly upright on a face that it passes
+/// through: which of them the lines meet first is not known, and what their planes' heights cancel to where they pass
+/// near depth 0 tells nothing (`pcm verify`, seed 2035, extreme pose 2569 of the cube and the needle: a greatest
+/// penetration of at least 6e-7 where it is 5e-19).
+TEST(HardBounds, OfABladeWhoseSidesRoundToOnePlaneHold) {
+  TriangleMesh blade = degenerate::needle(0x1p-16);
+  for (Eigen::Vector3d& x : blade.vertices) x.x() *= 0x1p-50;
+  Pose pose;
+  pose.A << 0x1.fe31056f9ca25p-1, 0x1.41d928df75846p-4, 0x1.e56b0b43b0424p-6,  //
+      0x1.4f711db11f0fbp-4, -0x1.f985055896b0fp-1, -0x1.1628b3e728913p-3,      //
+      0x1.306bb2bcf8469p-6, 0x1.1a25482d16c2fp-3, -0x1.fb0759b1981a1p-1;
+  pose.r = {-0x1.00001410899bp-1, -0x1.5d77f767f0aa2p-3, -0x1.5d7cc4eae57bbp-3};
+  expect_held(generate::box({1, 1, 1}), blade, pose);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(Eigen::Matrix3d::Identity()).slerp(0.1, some_turn(i));
+    pose.A = turn.toRotationMatrix();
+    pose.r = Eigen::Vector3d(-0.5 - 0x1p-20 * i, -0.2, -0.1);
+    expect_held(generate::box({1, 1, 1}), blade, pose);
+  }
+}
+
 /// A hollow cube and an icosphere with their corners moved far about. Two corners of two of its faces are 3 ulps apart:
 /// of the weights over these, doubles can tell nothing.
 TEST(HardBounds, OfAFaceWithTwoCornersAFewUlpsApartAreNumbers) {
