@@ -57,8 +57,8 @@ class LawBounds : public testing::Test {
 /// Of a torque next to the least double each of six products and sums may be off by half of that (`pcm verify`, seed
 /// 2035, extreme pose 2880 of the shrinking cubes).
 TEST_F(LawBounds, AllowForWhatATorqueLosesToUnderflow) {
-  truth_.area = 0x1p-540;
-  truth_.normal_force = 0.5 * truth_.area;
+  truth_.penetration = truth_.greatest_penetration = 0x1p-540;
+  truth_.normal_force = truth_.area * truth_.penetration;
   truth_.force_Me = {0, 0, truth_.normal_force};
   truth_.position_Me = {0x1p-530, 0, 0};
   const double bound = bounds({}).torque;
