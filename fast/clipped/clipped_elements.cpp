@@ -26,15 +26,11 @@ Moments moments_of(std::span<const ConvexPolygon> parts, double most) {
   return clamped;
 }
 
-/// The part of the master face that sees the slave face f, at `index` of the projected ones, first. `overlap` is at the
-/// first one from this face on, and is left after the last one of it.
-std::span<const ConvexPolygon> pieces_of_visible_part(const SeenFaces& seen, std::size_t index,
-                                                      std::span<const Overlap>::iterator& overlap,
-                                                      ClippedFaceScratch& scratch, ClippingError& clipping_error) {
-  const auto begin = overlap;
-  while (overlap != seen.overlaps.end() && overlap->first == index) ++overlap;
-  if (overlap == begin) return {&seen.f.seen, 1};
-  find_visible_pieces(seen, {begin, overlap}, scratch.polygons, scratch.remaining, clipping_error);
+/// The part of the master face that sees the slave face f first.
+std::span<const ConvexPolygon> pieces_of_visible_part(const SeenFaces& seen, ClippedFaceScratch& scratch,
+                                                      ClippingError& clipping_error) {
+  if (overlaps_of(seen, seen.f).empty()) return {&seen.f.seen, 1};
+  find_visible_pieces(seen, scratch.polygons, scratch.remaining, clipping_error);
   return scratch.polygons;
 }
 
@@ -76,8 +72,6 @@ void find_parts(PosedPair& posed, const ClippedFace& seen, double most, bool wit
                 ClippedFaceScratch& scratch) {
   const std::vector<ProjectedFace>& faces = scratch.view.faces;
   find_overlaps(faces, scratch.by_low_s, scratch.overlaps);
-  const std::span<const Overlap> overlaps(scratch.overlaps);
-  auto overlap = overlaps.begin();
   for (std::size_t i = 0; i < faces.size() && !faces[i].of_master; ++i) {
     if (!faces[i].leaves) continue;
     VisiblePart& part = scratch.parts.emplace_back(faces[i].face);
@@ -85,9 +79,8 @@ void find_parts(PosedPair& posed, const ClippedFace& seen, double most, bool wit
       part.left_out = 0.5 * std::abs(twice_area(faces[i].seen));
       continue;
     }
-    const SeenFaces seen_faces{posed, seen.master, seen.face, *seen.prism, faces, overlaps, faces[i]};
-    const std::span<const ConvexPolygon> pieces =
-        pieces_of_visible_part(seen_faces, i, overlap, scratch, part.clipping_error);
+    const SeenFaces seen_faces{posed, seen.master, seen.face, *seen.prism, faces, scratch.overlaps, faces[i]};
+    const std::span<const ConvexPolygon> pieces = pieces_of_visible_part(seen_faces, scratch, part.clipping_error);
     fill_visible_part(seen, pieces, most, part, scratch.scaled);
     if (with_motions && part.is_element())
       scratch.motions.push_back(motion_of_part({seen_faces, pieces, part.moments, most}, scratch.moving));

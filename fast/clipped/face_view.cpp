@@ -206,9 +206,7 @@ void project_own(PosedPair& posed, Side master, Index master_face, const MasterP
 
 SeenArea seen_area(PosedPair& posed, Side master, const MasterPrism& prism, Index slave_face) {
   const Side slave = opposite(master);
-  std::array<PrismPoint, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
-    corners[k] = prism.see(posed.vertex_Me(slave, posed.surface(slave).face(slave_face)[k]), posed.work);
+  const std::array<PrismPoint, 3> corners = prism.see(posed.face_Me(slave, slave_face), posed.work);
   ProjectedFace projected;
   if (!project(posed, slave, slave_face, prism, corners, projected) || !projected.leaves) return SeenArea::none;
   const double max_coordinate = posed.placement.max_coordinate;

@@ -253,7 +253,7 @@ const std::vector<ConvexPolygon>& SeenBeyond::pieces(const SeenFaces& beyond) {
   if (face_ == &beyond.f) return pieces_;
   face_ = &beyond.f;
   ClippingError clipping_error;
-  find_visible_pieces(beyond, overlaps_of(beyond, beyond.f), pieces_, remaining_, clipping_error);
+  find_visible_pieces(beyond, pieces_, remaining_, clipping_error);
   return pieces_;
 }
 

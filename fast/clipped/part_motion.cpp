@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "fast/clipped/face_depth.h"
@@ -285,10 +286,9 @@ class PartSlopes {
   /// Whether the lines leave the slave through that face, too, if they meet it, and it surely has area for them.
   bool goes_on(Index beyond) const {
     if (beyond == part_.f.face) return false;
-    const std::array<Vector3d, 3> points_Me = part_.posed.face_Me(opposite(part_.master), beyond);
     const MasterPrism& prism = part_.prism;
-    std::array<PrismPoint, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = prism.see(points_Me[i], part_.posed.work);
+    const std::array<PrismPoint, 3> corners =
+        prism.see(part_.posed.face_Me(opposite(part_.master), beyond), part_.posed.work);
     // Seen from within, it runs the other way about.
     const double area = -0.5 * cross_st(corners[0], corners[1], corners[2]);
     const PrismPoint low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
@@ -297,16 +297,17 @@ class PartSlopes {
                    prism.uncertainty(corners, part_.posed.placement.max_coordinate));
   }
 
-  /// Whether a side lies on the border of the master, to within roundings.
-  bool lies_on_border(const PrismPoint& a, const PrismPoint& b) const {
+  /// The side of the master on which a part's side lies, to within roundings.
+  std::optional<std::size_t> side_of_master(const PrismPoint& a, const PrismPoint& b) const {
     const MasterPrism& prism = part_.prism;
     for (int weight = 0; weight < 3; ++weight) {
       const std::size_t side = static_cast<std::size_t>(weight + 1) % 3;
       if (std::abs(a[weight]) <= prism.weight_error(side, a) && std::abs(b[weight]) <= prism.weight_error(side, b))
-        return true;
+        return side;
     }
-    return false;
+    return std::nullopt;
   }
+  bool lies_on_border(const PrismPoint& a, const PrismPoint& b) const { return side_of_master(a, b).has_value(); }
 
   /// Whether nothing of a face beyond an edge is in the master's view, though the sheet goes on there.
   bool goes_on_unseen(std::size_t edge) const {
@@ -316,14 +317,12 @@ class PartSlopes {
 
   /// How far a line may be from another one where a face in between has no area for certain, as one of the master's
   /// faces sees it or as its neighbour does.
-  Uncertainty beside() const {
-    const Uncertainty of_f = uncertainty();
-    return {4 * of_f.s, 4 * of_f.t};
-  }
+  static Uncertainty beside(const Uncertainty& of_f) { return {4 * of_f.s, 4 * of_f.t}; }
 
   bool lies_beside_border(const PrismPoint& a, const PrismPoint& b) const {
+    const Uncertainty near = beside(uncertainty());
     for (int k = 0; k < 3; ++k)
-      if (lie_on_line(a, b, MasterPrism::corner(k), MasterPrism::corner((k + 1) % 3), beside())) return true;
+      if (lie_on_line(a, b, MasterPrism::corner(k), MasterPrism::corner((k + 1) % 3), near)) return true;
     return false;
   }
 
@@ -331,24 +330,21 @@ class PartSlopes {
   /// beyond, but the master's next face sees so little of f that this counts as nothing, it moves as the edge does:
   /// what is seen between the two, which may be less than nothing, is for both.
   void add_own_side(const PrismPoint& a, const PrismPoint& b) {
-    if (!lies_on_border(a, b)) return;  // but parts two pieces
-    const Uncertainty of_f = uncertainty();
+    const std::optional<std::size_t> side = side_of_master(a, b);
+    if (!side) return;  // but parts two pieces
+    const Uncertainty of_f = uncertainty(), near = beside(of_f);
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const PrismPoint &from = part_.f.corners[edge], &to = part_.f.corners[(edge + 1) % 3];
-      if (!lie_on_line(a, b, from, to, beside()) || goes_on(face_beyond(part_, edge))) continue;
-      const SeenArea beyond = seen_beyond_border(a, b);
+      if (!lie_on_line(a, b, from, to, near) || goes_on(face_beyond(part_, edge))) continue;
+      const SeenArea beyond = seen_beyond(*side);
       if (beyond == SeenArea::uncertain || (beyond == SeenArea::none && lie_on_line(a, b, from, to, of_f)))
         add_border(line_of_face(part_.f.number, static_cast<int>(edge)), a, b);
       return;
     }
   }
 
-  /// What of f the master's face sees that lies beyond the border which a side is on.
-  SeenArea seen_beyond_border(const PrismPoint& a, const PrismPoint& b) const {
-    int weight = 0;  // the one that is 0 there
-    for (int k = 1; k < 3; ++k)
-      if (std::abs(a[k]) + std::abs(b[k]) < std::abs(a[weight]) + std::abs(b[weight])) weight = k;
-    const auto side = static_cast<std::size_t>(weight + 1) % 3;
+  /// What of f the master's face sees that lies beyond one of its sides.
+  SeenArea seen_beyond(std::size_t side) const {
     const Index beyond = part_.posed.surface(part_.master).neighbours_of(part_.master_face)[side];
     if (beyond == part_.master_face) return SeenArea::none;
     const FaceGeometry geometry = face_with_sure_normal(part_.posed.face_Me(part_.master, beyond));

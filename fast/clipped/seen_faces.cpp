@@ -16,9 +16,10 @@ std::span<const Overlap> overlaps_of(const SeenFaces& seen, const ProjectedFace&
   return {begin, std::lower_bound(begin, seen.overlaps.end(), index + 1, is_before)};
 }
 
-void find_visible_pieces(const SeenFaces& seen, std::span<const Overlap> overlaps, std::vector<ConvexPolygon>& pieces,
+void find_visible_pieces(const SeenFaces& seen, std::vector<ConvexPolygon>& pieces,
                          std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error) {
   pieces.assign(1, seen.f.seen);
+  const std::span<const Overlap> overlaps = overlaps_of(seen, seen.f);
   if (overlaps.empty()) return;
   const PlacedFace placed_f = placed_face(seen.posed, seen.master, seen.prism, seen.f);
   for (const Overlap& overlap : overlaps) {

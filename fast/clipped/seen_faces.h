@@ -25,8 +25,8 @@ struct SeenFaces {
 /// Of one of the faces: those that may lie before it.
 std::span<const Overlap> overlaps_of(const SeenFaces& seen, const ProjectedFace& face);
 
-/// What the master face sees of f, which carries, as convex pieces; `overlaps` are f's. `remaining` is scratch.
-void find_visible_pieces(const SeenFaces& seen, std::span<const Overlap> overlaps, std::vector<ConvexPolygon>& pieces,
+/// What the master face sees of f, which carries, as convex pieces. `remaining` is scratch.
+void find_visible_pieces(const SeenFaces& seen, std::vector<ConvexPolygon>& pieces,
                          std::vector<ConvexPolygon>& remaining, ClippingError& clipping_error);
 
 }  // namespace pcm::fast

@@ -33,6 +33,10 @@ class MasterPrism {
   /// and a factor that is the same for all depths below the face; it is 0 where x lies exactly in the face's plane, and
   /// only there. What is flush, or nearly so, is decided here.
   PrismPoint see(const Eigen::Vector3d& x_Me, WorkCounters& work) const;
+  /// The same of a face's corners.
+  std::array<PrismPoint, 3> see(const std::array<Eigen::Vector3d, 3>& points_Me, WorkCounters& work) const {
+    return {see(points_Me[0], work), see(points_Me[1], work), see(points_Me[2], work)};
+  }
   /// Whether the depths of a face's corners, not all 0, are so small that their ratios tell nothing.
   bool depths_underflow(const std::array<PrismPoint, 3>& corners) const {
     const double greatest =

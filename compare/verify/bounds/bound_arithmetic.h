@@ -15,6 +15,9 @@ inline constexpr double u = kRoundoff;
 /// Terms of second order in the unit roundoff, and the rounding of the bounds themselves, are covered by doubling.
 inline constexpr double kHigherOrder = 2;
 
+/// More than any number of underflows in one operation, or in the few of one formula, make.
+inline constexpr double kUnderflow = 0x1p-1060;
+
 /// The value, and no more than `most`; that as well where the value is no number.
 inline double no_more(double value, double most) {
   return value <= most ? value : most;

@@ -13,9 +13,6 @@ namespace {
 
 using roundoff::u;
 
-/// More than products and sums of one element lose to underflow, N or N m.
-constexpr double kUnderflow = 0x1p-1060;
-
 /// Part of F_t / (mu F_n), t (2 - t) with t = v_t / v_eps below 1 and 1 from there on, that an error of v_t may change:
 /// Lipschitz with 2 / v_eps; without v_eps a step at rest.
 double friction_share_error(double slip_velocity, double v_t, double v_t_error) {

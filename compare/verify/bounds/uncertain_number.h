@@ -54,9 +54,6 @@ struct UncertainNumber {
   bool surely_from(double limit) const { return value - error >= limit; }
 
  private:
-  /// More than any number of underflows in one operation make.
-  static constexpr double kUnderflow = 0x1p-1060;
-
   static UncertainNumber rounded(double value, double error) {
     return UncertainNumber(value, error + kRoundings * kRoundoff * (std::abs(value) + error));
   }
