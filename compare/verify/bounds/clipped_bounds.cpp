@@ -73,8 +73,8 @@ ClippedBounds::OfElement ClippedBounds::of_element(const reference::Element& e, 
 
   OfElement result;
   result.sight = seen;
-  const bool may_underflow = (e.area / view.greatest_area()) * e.penetration < kLeastIntegral;
-  result.sliver = may_underflow || !(e.area > 2 * (errors.area + seen.uncertain));
+  result.may_underflow = (e.area / view.greatest_area()) * e.penetration < kLeastIntegral;
+  result.sliver = result.may_underflow || !(e.area > 2 * (errors.area + seen.uncertain));
   result.may_keep_hidden = seen.hiders > 0;
   errors.penetration = counted;
   // The centroid of u moves within the face; where the volume is known, by no more than its relative error.

@@ -40,6 +40,7 @@ class ClippedBounds {
     ElementBounds bounds;
     SlaveInView sight;
     bool sliver = false;           ///< may be missing
+    bool may_underflow = false;    ///< and be missing for that
     bool may_keep_hidden = false;  ///< where other faces hide strips of rounding's width
     /// The greatest penetration of a right engine's element, where it has it, lies between these, m.
     double greatest_at_least = 0;

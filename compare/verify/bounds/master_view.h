@@ -51,6 +51,17 @@ struct SightLine {
   double pull_error = 0;
   double from_depth = 0, to_depth = 0;  ///< m
   double depth_error = 0;               ///< of these, m
+  /// A side of a face, where it may begin to hide something surely before the slave face; or the master's.
+  bool surely_before = false;
+  /// A side beyond which the same is seen to go on: the master, in its plane, or the slave's sheet. What is summed over
+  /// both faces that end there does not hang on where it lies.
+  struct Continuation {
+    enum class Of { nothing, master, slave } of = Of::nothing;
+    /// The side's length over how far the face beyond reaches from it: near its ends that face is narrower than a
+    /// width over as many widths.
+    double taper = std::numeric_limits<double>::infinity();
+    double turn = 0;  ///< of the lines from one master face to the other, rad
+  } continuation;
 };
 
 /// The rounded problem as one master face sees it: every vertex by two lengths in the master's plane and its depth.
@@ -168,6 +179,8 @@ class MasterView {
   bool hides_level_face_beyond(Index slave_face, const NearFace& hider, double strip) const;
   /// The lines at which the face begins to hide something of the slave face, rather than end: no more than `most` each.
   void add_folds(Index slave_face, const NearFace& hider, double strip, double most, Hiders& hiders) const;
+  /// What goes on beyond side k of the master or of the slave face.
+  SightLine::Continuation continuation_beyond(Side side, Index face, std::size_t k) const;
   /// The sides of these faces of E and F, each once.
   std::vector<HidingSide> hiding_sides(const std::vector<const NearFace*>& hiders, double strip) const;
   /// What of the side, or of the line that it lies on, may lie over the master as well as over the slave face, where

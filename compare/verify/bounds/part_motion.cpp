@@ -8,45 +8,19 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "compare/verify/bounds/bound_arithmetic.h"
+#include "compare/verify/bounds/moving_line.h"
 
 namespace pcm::compare {
 namespace {
 
 using roundoff::u;
 
-/// By coordinate.
-using Speeds = Eigen::Array<double, 1, 6>;
-
 /// Roundings of an integral along a side or over a triangle, and of its factors.
 constexpr double kRoundings = 64;
 constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
-
-/// From here to there along a line, m.
-using Stretch = std::pair<double, double>;
-
-struct MovingLine {
-  Eigen::Vector2d from, along;  ///< m, and of length 1
-  double length, off;
-  Stretch borders;               ///< where faces may end on it or meet
-  std::array<Speeds, 2> speeds;  ///< at its ends
-  double speed_error;            ///< for a motion of 1, m
-  Speeds any_way;                ///< greatest speeds of a point of it in any direction, times its pull
-  std::array<double, 2> depths;  ///< of the slave face, m
-
-  Speeds speed_at(double at) const {
-    const double share = length > 0 ? at / length : 0;
-    return (1 - share) * speeds[0] + share * speeds[1];
-  }
-  double depth_at(double at) const {
-    const double share = length > 0 ? at / length : 0;
-    return std::max((1 - share) * depths[0] + share * depths[1], 0.0);
-  }
-  Speeds greatest_speed() const { return speeds[0].abs().max(speeds[1].abs()) + speed_error; }
-};
 
 /// A point of the slave moves by dr + a x (x - r): by as much along a direction, for each coordinate.
 Speeds speeds_along(const Eigen::Vector3d& pull_Me, const Eigen::Vector3d& arm_Me) {
@@ -58,8 +32,9 @@ Speeds speeds_along(const Eigen::Vector3d& pull_Me, const Eigen::Vector3d& arm_M
 class ErrorSum {
  public:
   ErrorSum(const Question& question, const reference::Element& element, const ClippedBounds::OfElement& bound,
-           const MasterView& view)
-      : element_(element),
+           const MasterView& view, ErrorOf of)
+      : of_(of),
+        element_(element),
         area_error_(bound.bounds.area),
         view_(view),
         r_Me_(question.pose.r),
@@ -73,12 +48,7 @@ class ErrorSum {
   PartGrowth greatest() const {
     if (!known_) return {Speeds::Constant(kNothingKnown), Speeds::Constant(kNothingKnown)};
     PartGrowth growth{Speeds::Zero(), (element_.area + area_error_) * (fastest_growth_ + growth_error())};
-    // As in add_along and add_where_near, all of it.
-    for (const MovingLine& line : lines_) {
-      const Speeds moved = (2 * line.length + 8 * line.off) * line.greatest_speed() + 8 * line.off * line.any_way;
-      growth.area += moved;
-      growth.volume += greatest_depth(line) * moved;
-    }
+    for (const MovingLine& line : lines_) add_growth(line, growth);
     return {kHigherOrder * growth.area, kHigherOrder * growth.volume};
   }
 
@@ -123,6 +93,8 @@ class ErrorSum {
     const double any = line.pull.norm(), any_turn = any * std::max(from.norm(), to.norm());
     moving.any_way << any, any, any, any_turn, any_turn, any_turn;
     moving.depths = {line.from.z(), line.to.z()};
+    moving.continuation = line.continuation;
+    moving.surely_before = line.surely_before;
     lines_.push_back(moving);
   }
 
@@ -154,55 +126,84 @@ class ErrorSum {
     moment_ += view_.longest_side() * depth * rounded + (sight_.width * lateral + line.off * depth) * beside;
   }
 
+  /// As in add_along, all of it but what is settled: there, as in any part, only which of several lines is border is
+  /// open.
+  void add_growth(const MovingLine& line, PartGrowth& growth) const {
+    const auto [length, distance] = settled(line);
+    const Speeds speed = line.greatest_speed();
+    const Speeds moved = (2 * (line.length - length) + 8 * (line.off + distance)) * speed + 8 * line.off * line.any_way;
+    growth.area += moved;
+    growth.volume += greatest_depth(line) * moved + 2 * length * clamped(times(sight_.slope, distance)) * speed;
+    if (length == 0) return;
+    for (const MovingLine& other : lines_) {
+      const std::optional<Moved> open = &other == &line ? std::nullopt : where_near(line, other);
+      if (!open) continue;
+      growth.area += open->area;
+      growth.volume += open->volume;
+    }
+  }
+
+  /// Of an area and a volume.
+  struct Moved {
+    Speeds area, volume;
+  };
   void add_where_near(const MovingLine& a, const MovingLine& b) {
+    const std::optional<Moved> moved = where_near(a, b);
+    if (!moved) return;
+    area_ += moved->area;
+    volume_ += moved->volume;
+    moment_ += sight_.width * moved->volume;
+  }
+  std::optional<Moved> where_near(const MovingLine& a, const MovingLine& b) const {
     const double near = a.off + b.off;
     const auto on_a = stretch_near(a, b, near), on_b = stretch_near(b, a, near);
-    if (!on_a || !on_b) return;
-    const double length = std::max(on_a->second - on_a->first, on_b->second - on_b->first);
+    if (!on_a || !on_b) return std::nullopt;
+    const double length = std::max(on_a->length(), on_b->length());
+    const double settled = std::min(settled_length(a, b, *on_a, near), settled_length(a, b, *on_b, near));
     const double depth =
-        clamped(std::max(deepest(a, *on_a), deepest(b, *on_b)) + sight_.depth_error + times(sight_.slope, near));
-    const Speeds apart = difference(a, *on_a, b).max(difference(b, *on_b, a)) + (a.speed_error + b.speed_error);
-    const Speeds moved = 2 * length * apart + 8 * near * (a.greatest_speed() + b.greatest_speed());
-    area_ += moved;
-    volume_ += depth * moved;
-    moment_ += sight_.width * depth * moved;
+        clamped(std::max(a.deepest(*on_a), b.deepest(*on_b)) + sight_.depth_error + times(sight_.slope, near));
+    const Speeds apart =
+        speed_difference(a, *on_a, b).max(speed_difference(b, *on_b, a)) + (a.speed_error + b.speed_error);
+    const double turn = settled > 0 ? continuation_beside(a, b).turn : 0;
+    const Speeds moved =
+        2 * (length - settled) * apart + (8 * near + 2 * settled * turn) * (a.greatest_speed() + b.greatest_speed());
+    return Moved{moved, depth * moved};
   }
 
-  /// Where a line is no farther than that from another one, and both may be a border.
-  static std::optional<Stretch> stretch_near(const MovingLine& on, const MovingLine& other, double near) {
-    const Eigen::Vector2d normal(-other.along.y(), other.along.x());
-    const double height = normal.dot(on.from - other.from), rise = normal.dot(on.along);
-    Stretch stretch{0, on.length};
-    const auto limit = [&](double first, double last) {
-      stretch = {std::max(stretch.first, first), std::min(stretch.second, last)};
-    };
-    if (rise != 0) {
-      const double at = -height / rise, way = near / std::abs(rise);
-      limit(at - way, at + way);
-    } else if (std::abs(height) > near) {
-      return std::nullopt;
+  /// Along how much of a stretch, where both are no farther apart than that, what lies between them goes on beyond one
+  /// of them, m. Near the ends of such a side the face beyond is too narrow to tell. Where they cross, each part that
+  /// ends there has them do so where its own roundings say.
+  double settled_length(const MovingLine& a, const MovingLine& b, const NearStretch& stretch, double apart) const {
+    const double taper = continuation_beside(a, b).taper;
+    if (of_ == ErrorOf::each || !stretch.side_by_side || !std::isfinite(taper)) return 0;
+    return std::max(0.0, stretch.length() - 4 * apart * (1 + taper));
+  }
+
+  /// No two lines of a sliver are farther apart than that along a length, m.
+  double greatest_distance(const MovingLine& a, const MovingLine& b) const {
+    const double length = std::min(a.length, b.length), area = element_.area + area_error_;
+    return a.off + b.off + (2 * area < sight_.width * length ? 2 * area / length : sight_.width);
+  }
+  /// Of a line of a sliver: along how much of it, m, it is settled with another one, and how far that may be.
+  struct Settled {
+    double length = 0, distance = 0;
+  };
+  /// Where it only cuts it lies between what is settled, before the sheet or on it, and parts nothing.
+  Settled settled(const MovingLine& line) const {
+    Settled longest;
+    if (of_ == ErrorOf::each) return longest;
+    MovingLine all_along = line;
+    all_along.borders = {0, line.length};
+    all_along.surely_before = true;
+    for (const MovingLine& other : lines_) {
+      if (&other == &line) continue;
+      const double distance = greatest_distance(line, other);
+      const auto beside = stretch_near(all_along, other, distance);
+      if (!beside) continue;
+      const double length = settled_length(all_along, other, *beside, distance);
+      if (length > longest.length) longest = {length, distance};
     }
-    const auto beside = [&](double way) { return on.along.dot(other.from + way * other.along - on.from); };
-    if (!(other.borders.first <= other.borders.second)) return std::nullopt;
-    const double one_end = beside(other.borders.first), other_end = beside(other.borders.second);
-    limit(std::min(one_end, other_end) - near, std::max(one_end, other_end) + near);
-    limit(on.borders.first - near, on.borders.second + near);
-    if (!(stretch.first <= stretch.second)) return std::nullopt;
-    return stretch;
-  }
-
-  static double deepest(const MovingLine& on, const Stretch& stretch) {
-    return std::max(on.depth_at(stretch.first), on.depth_at(stretch.second));
-  }
-
-  /// Of the speeds to one side, of points of two lines side by side.
-  static Speeds difference(const MovingLine& on, const Stretch& stretch, const MovingLine& other) {
-    const double sign = on.along.dot(other.along) < 0 ? -1 : 1;
-    const auto at = [&](double way) -> Speeds {
-      const Eigen::Vector2d x = on.from + way * on.along;
-      return (on.speed_at(way) - sign * other.speed_at(other.along.dot(x - other.from))).abs();
-    };
-    return at(stretch.first).max(at(stretch.second));
+    return longest;
   }
 
   /// Of the depth's growth, for a motion of 1, m.
@@ -219,6 +220,7 @@ class ErrorSum {
     moment_ += view_.longest_side() * error;
   }
 
+  ErrorOf of_;
   const reference::Element& element_;
   double area_error_;  ///< m^2
   const MasterView& view_;
@@ -237,13 +239,13 @@ class ErrorSum {
 }  // namespace
 
 PartMotionError part_motion_error(const Question& question, const reference::Element& element,
-                                  const ClippedBounds::OfElement& bound, const MasterView& view) {
-  return ErrorSum(question, element, bound, view).total();
+                                  const ClippedBounds::OfElement& bound, const MasterView& view, ErrorOf of) {
+  return ErrorSum(question, element, bound, view, of).total();
 }
 
 PartGrowth greatest_part_growth(const Question& question, const reference::Element& element,
-                                const ClippedBounds::OfElement& bound, const MasterView& view) {
-  return ErrorSum(question, element, bound, view).greatest();
+                                const ClippedBounds::OfElement& bound, const MasterView& view, ErrorOf of) {
+  return ErrorSum(question, element, bound, view, of).greatest();
 }
 
 }  // namespace pcm::compare

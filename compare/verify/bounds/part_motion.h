@@ -21,21 +21,26 @@ namespace pcm::compare {
 ///     ends of L, no longer than they are off. As much again is where a piece of either line, along which the part was
 ///     cut, ends there: its ends are off, so its length and direction are, on both sides of the line;
 ///     A part is cut along sides first: where depths meet is a line no farther than over the face that has it;
+///     Where one of the two is a side beyond which master or sheet goes on (SightLine::Continuation), what lies between
+///     them is seen as a part that ends there or as one of the face beyond: sums over both do not hang on which;
 ///   - elsewhere by where the line lies, and by roundings. Each line is the border of pieces on both sides at most: of
 ///     two that it parts it moves both, and adds nothing but roundings.
 struct PartMotionError {
   Eigen::Array<double, 1, 6> area, volume, moment;
 };
+/// An error of each element, or of what all add to sums that are linear in the integrals of volume and moment: there
+/// parts that meet at a side beyond which master or sheet goes on make up for one another.
+enum class ErrorOf { each, linear_sums };
 PartMotionError part_motion_error(const Question& question, const reference::Element& element,
-                                  const ClippedBounds::OfElement& bound, const MasterView& view);
+                                  const ClippedBounds::OfElement& bound, const MasterView& view, ErrorOf of);
 
 /// How fast area, m^2, and the integral of the clamped penetration, m^3, may grow or shrink at most, of whatever of a
-/// slave face a right engine sees: all lines in sight may be its border, on both sides and all along. Infinite where
-/// nothing is known.
+/// slave face a right engine sees: all lines in sight may be its border, on both sides and all along, but for what
+/// parts make up for in linear sums. Infinite where nothing is known.
 struct PartGrowth {
   Eigen::Array<double, 1, 6> area, volume;
 };
 PartGrowth greatest_part_growth(const Question& question, const reference::Element& element,
-                                const ClippedBounds::OfElement& bound, const MasterView& view);
+                                const ClippedBounds::OfElement& bound, const MasterView& view, ErrorOf of);
 
 }  // namespace pcm::compare

@@ -51,7 +51,12 @@ class MasterView::LineList {
     const SeenFace seen = view_.seen(side, face);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-      if (known_sides_.insert({side, low, high}).second) add_side(side, seen[k], seen[(k + 1) % 3]);
+      if (!known_sides_.insert({side, low, high}).second) continue;
+      SightLine line;
+      if (face == (side == slave_ ? slave_face_ : view_.master_face_))
+        line.continuation = view_.continuation_beyond(side, face, k);
+      line.surely_before = side == view_.master_ && face == view_.master_face_;
+      add_side(line, side, seen[k], seen[(k + 1) % 3]);
     }
   }
 
@@ -168,15 +173,16 @@ class MasterView::LineList {
 
   /// A side whose direction roundings may have made belongs to a face that is seen no wider: what that hides lies
   /// between its other sides, and this one counts where it is.
-  void add_side(Side side, const SeenPoint& a, const SeenPoint& b) {
+  void add_side(SightLine line, Side side, const SeenPoint& a, const SeenPoint& b) {
     const double length = (b - a).head<2>().stableNorm();
     double farthest = 0;
     for (const SeenPoint& x : view_.own_) farthest = std::max(farthest, (x - a).head<2>().stableNorm());
     const double lever = 1 + 2 * (farthest + 2 * view_.face_.longest) / length;
-    SightLine line;
     if (!(strip_ * lever < length / 16)) {
       if (side == slave_) line.pull_error = 1;
       line.off = strip_ + length;
+      line.continuation = {};
+      line.surely_before = false;
       line.from = line.to = in_plane(a.head<2>());
       line.from.z() = line.to.z() = std::max(0.0, of_slave_.at(a));
       line.from_depth = line.to_depth = a.z();
@@ -233,9 +239,22 @@ class MasterView::LineList {
     line.to_depth = depth + last * slope;
     line.first = std::max(ends.first, first) - first;
     line.last = std::min(ends.second, last) - first;
+    line.surely_before = line.surely_before || (over == nullptr && leads(line, through + first * along, along));
     lines_.push_back(line);
   }
 
+  /// Whether a side lies before the slave face wherever it may begin to hide something of it.
+  bool leads(const SightLine& line, const SeenPoint& from, const SeenPoint& along) const {
+    if (!(line.first < line.last)) return true;
+    const double length = (line.to - line.from).head<2>().stableNorm();
+    const double error = kHigherOrder * (line.depth_error + error_over_master(of_slave_) +
+                                         times(of_slave_.slope.norm(), line.off + 2 * strip_));
+    const auto surely = [&](double at) {
+      const double depth = line.from_depth + (length > 0 ? at / length : 0) * (line.to_depth - line.from_depth);
+      return of_slave_.at(from + at * along) - depth > error;
+    };
+    return surely(line.first) && surely(line.last);
+  }
   /// Where the slave face may be beneath the master as well.
   std::pair<double, double> span(const SeenPoint& through, const SeenPoint& along, double off,
                                  const SeenFace* over = nullptr) const {
@@ -275,6 +294,32 @@ double MasterView::area_about_depth(Index slave_face, double depth, double error
   std::vector<SeenPoint> part = seen_part(slave, 2 * most_strip(slave), 0);
   for (SeenPoint& x : part) x.z() -= depth;
   return no_more(area_near_zero(part, error), greatest_area());
+}
+
+// The master's faces see the same if no more than roundings part their planes.
+SightLine::Continuation MasterView::continuation_beyond(Side side, Index face, std::size_t k) const {
+  const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
+  const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+  const std::vector<Index>& at_side = faces_.surface(side).faces_at({low, high});
+  if (at_side.size() != 2) return {};
+  const Index beyond = at_side[0] == face ? at_side[1] : at_side[0];
+  SightLine::Continuation continuation;
+  if (side == master_) {
+    const RoundedFaces::Face next = faces_.face(side, beyond);
+    const double errors = face_.normal_error + next.normal_error, angle = (next.normal_Me - face_.normal_Me).norm();
+    if (!(next.area > 0 && angle <= kHigherOrder * errors)) return {};
+    continuation.turn = angle + errors;
+  }
+  const SeenFace here = seen(side, face), there = seen(side, beyond);
+  const SeenPoint &from = here[k], way = here[(k + 1) % 3] - from;
+  // Beyond is to the right of the master's sides, and to the left of those of a face that is seen from within.
+  const double beyond_is = side == master_ ? -1 : 1;
+  double area = 0;  // of the face beyond, doubled
+  for (const SeenPoint& x : there) area = std::max(area, beyond_is * cross(way, x - from));
+  if (!(area > 0)) return {};
+  continuation.of = side == master_ ? SightLine::Continuation::Of::master : SightLine::Continuation::Of::slave;
+  continuation.taper = way.head<2>().squaredNorm() / area;
+  return continuation;
 }
 
 // Both faces at such an edge touch the hider with it, exactly, or the slave face lies in the hider's plane and counts

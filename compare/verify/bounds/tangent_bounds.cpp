@@ -36,11 +36,38 @@ Vector as_direction(const Vector& v) {
 /// A state's change, in twelve coordinates; the first six move the elements.
 constexpr std::size_t kCoordinates = 12, kPlaces = 6;
 
+/// Of the coordinate's own three.
+Vector unit(std::size_t k) {
+  return exactly(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k % 3)));
+}
+
 /// How an element's geometry changes with one coordinate, as its master sees it.
 struct GeometrySlope {
   Number area, depth;
   Vector position;
 };
+
+/// How its integrals do, where the master sees it as a part of a face: of the depth, and of the depth times the way
+/// from the oracle's centre of pressure.
+struct IntegralSlope {
+  Number area, volume;
+  Vector moment;
+};
+
+/// How an element's load changes.
+struct LoadSlope {
+  Vector force, torque;
+};
+
+/// Of what is the same seen from the master: by r the arm to an element of E changes, by a turn all of F turns.
+LoadSlope with_motion_of_frames(LoadSlope slope, std::size_t k, bool on_E, const Vector& lever, const Vector& force) {
+  if (on_E && k / 3 == 0) slope.torque = slope.torque - cross(unit(k), force);
+  if (!on_E && k / 3 == 1) {
+    slope.force = slope.force + cross(unit(k), force);
+    slope.torque = slope.torque + cross(unit(k), cross(lever, force));
+  }
+  return slope;
+}
 
 /// One master's element and how its load changes with one coordinate: every quantity of PCM section 7 with its
 /// derivative.
@@ -61,12 +88,8 @@ class MovingElement {
     slip_direction_ = v_t_.is_zero() ? Vector{} : as_direction(direction_of(v_k - v_n_ * n_));
   }
 
-  struct Slope {
-    Vector force, torque;
-  };
-
   /// By coordinate number k, of r, a turn about Mf, v, w, with which the geometry changes so.
-  Slope by(std::size_t k, const GeometrySlope& geometry) const {
+  LoadSlope by(std::size_t k, const GeometrySlope& geometry) const {
     const Vector along = unit(k), none{}, dr = k / 3 == 0 ? along : none, turn = k / 3 == 1 ? along : none;
     const Vector w = exactly(question_.velocity.w);
     Vector dv = k / 3 == 2 ? along : none, dw = k / 3 == 3 ? along : none;
@@ -78,20 +101,11 @@ class MovingElement {
     }
     const Vector dv_F = dv + cross(dw, lever_) + cross(w, geometry.position);
     const Vector on_master = d_force_on_master(geometry, on_E_ ? dv_F : Number(-1) * dv_F);
-    Slope slope;
+    LoadSlope slope;
     slope.force = on_E_ ? on_master : Number(-1) * on_master;
     slope.torque = cross(geometry.position, force_) + cross(lever_, slope.force);
-    if (on_E_) {
-      slope.torque = slope.torque - cross(dr, force_);
-    } else {
-      slope.force = slope.force + cross(turn, force_);
-      slope.torque = slope.torque + cross(turn, cross(lever_, force_));
-    }
-    return slope;
+    return with_motion_of_frames(slope, k, on_E_, lever_, force_);
   }
-
-  /// Of the coordinate's own three.
-  static Vector unit(std::size_t k) { return exactly(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k % 3))); }
 
  private:
   Vector direction_of(const Vector& slip) const { return {slip.x / v_t_, slip.y / v_t_, slip.z / v_t_}; }
@@ -124,6 +138,36 @@ Number shift_of(const Question& question, const reference::Element& e) {
   return Number(share_of_penetration(question.law, e.master), 4 * kRoundoff);
 }
 
+/// One master's element where nothing damps or rubs, or nothing moves: its load is c_l n times the integrals, so that
+/// no quotient by its area is taken, however small that is. Where along n it acts does not matter.
+class ElasticElement {
+ public:
+  ElasticElement(const Question& question, const reference::Element& e, const ElementBounds& bounds)
+      : on_E_(e.master == Side::E),
+        n_(as_direction(within(e.normal_Me, bounds.normal))),
+        lever_(exactly(e.position_Me) - (shift_of(question, e) * Number(e.penetration)) * exactly(e.normal_Me) -
+               exactly(question.pose.r)),
+        lever_of_force_(within(e.position_Me, bounds.position) - exactly(question.pose.r)),
+        force_(within(e.force_Me, bounds.force)) {
+    const double c_l = series_stiffness(question.law);
+    pressure_on_E_ = (on_E_ ? Number(1) : Number(-1)) * Number(c_l, 4 * kRoundoff * c_l) * n_;
+  }
+
+  LoadSlope by(std::size_t k, const IntegralSlope& slope) const {
+    const Vector force = slope.volume * pressure_on_E_;
+    return with_motion_of_frames({force, cross(slope.moment, pressure_on_E_) + cross(lever_, force)}, k, on_E_,
+                                 lever_of_force_, force_);
+  }
+
+ private:
+  bool on_E_;
+  Vector n_;
+  Vector lever_;           ///< of the oracle's centre of pressure, on the master
+  Vector lever_of_force_;  ///< of a right engine's element
+  Vector force_;           ///< on E
+  Vector pressure_on_E_;   ///< by depth
+};
+
 /// A whole face stays as its master sees it; only the slave face comes nearer.
 class BarycentricGeometry {
  public:
@@ -148,7 +192,7 @@ class BarycentricGeometry {
 
   GeometrySlope by(std::size_t k) const {
     if (k >= kPlaces) return {};
-    const Vector along = MovingElement::unit(k);
+    const Vector along = unit(k);
     // The slave seen from the master, or the master from the slave: either way the gap closes by this.
     const Number closing = dot(gradient_, k / 3 == 0 ? along : cross(along, met_));
     const Number d_depth = on_E_ ? closing : -closing;
@@ -175,25 +219,32 @@ class ClippedGeometry {
         motion_(motion),
         error_(error) {}
 
-  GeometrySlope by(std::size_t k) const {
-    if (k >= kPlaces) return {};
+  IntegralSlope integrals(std::size_t k) const {
     const auto column = static_cast<Eigen::Index>(k);
     const auto oracle = [&](Eigen::Index row) {
       return Number(motion_.slope(row, column), motion_.error(row, column));
     };
     const Number true_area = oracle(0), true_depth = oracle(1);
-    GeometrySlope slope;
+    IntegralSlope slope;
     slope.area = wider(true_area, error_.area[column]);
-    const Number volume =
-        wider(Number(area_.value) * true_depth + Number(depth_.value) * true_area, error_.volume[column]);
-    slope.depth = (volume - depth_ * slope.area) / area_;
-    // About the oracle's centre of pressure, that of a right engine is elsewhere by no more than its error.
-    const Number all = area_ * depth_, off(0, foot_error_);
+    slope.volume = wider(Number(area_.value) * true_depth + Number(depth_.value) * true_area, error_.volume[column]);
     for (int axis = 0; axis < 3; ++axis) {
       const Number true_foot = oracle(2 + axis) - (shift_ * true_depth) * n_[axis];
-      const Number moment = wider(Number(area_.value) * (Number(depth_.value) * true_foot), error_.moment[column]);
-      set(slope.position, axis, (moment - off * volume) / all + (shift_ * slope.depth) * n_[axis]);
+      set(slope.moment, axis, wider(Number(area_.value) * (Number(depth_.value) * true_foot), error_.moment[column]));
     }
+    return slope;
+  }
+
+  GeometrySlope by(std::size_t k) const {
+    if (k >= kPlaces) return {};
+    const auto [d_area, d_volume, d_moment] = integrals(k);
+    GeometrySlope slope;
+    slope.area = d_area;
+    slope.depth = (d_volume - depth_ * d_area) / area_;
+    // About the oracle's centre of pressure, that of a right engine is elsewhere by no more than its error.
+    const Number all = area_ * depth_, off(0, foot_error_);
+    for (int axis = 0; axis < 3; ++axis)
+      set(slope.position, axis, (d_moment[axis] - off * d_volume) / all + (shift_ * slope.depth) * n_[axis]);
     return slope;
   }
 
@@ -214,11 +265,13 @@ class SlopeSum {
  public:
   template <class Geometry>
   void add(const MovingElement& element, const Geometry& geometry) {
-    for (std::size_t k = 0; k < kCoordinates; ++k) {
-      const MovingElement::Slope slope = element.by(k, geometry.by(k));
-      sums_[k].force = sums_[k].force + slope.force;
-      sums_[k].torque = sums_[k].torque + slope.torque;
-    }
+    for (std::size_t k = 0; k < kCoordinates; ++k) add(k, element.by(k, geometry.by(k)));
+  }
+
+  /// Of one whose load is linear in its integrals.
+  void add(const ElasticElement& at_its_place, const MovingElement& at_its_speed, const ClippedGeometry& geometry) {
+    for (std::size_t k = 0; k < kPlaces; ++k) add(k, at_its_place.by(k, geometry.integrals(k)));
+    for (std::size_t k = kPlaces; k < kCoordinates; ++k) add(k, at_its_speed.by(k, {}));
   }
 
   /// Of an element that either side may lack: neither side has it change faster.
@@ -243,7 +296,12 @@ class SlopeSum {
   }
 
  private:
-  std::array<MovingElement::Slope, kCoordinates> sums_;
+  void add(std::size_t k, const LoadSlope& slope) {
+    sums_[k].force = sums_[k].force + slope.force;
+    sums_[k].torque = sums_[k].torque + slope.torque;
+  }
+
+  std::array<LoadSlope, kCoordinates> sums_;
 };
 
 fast::Tangent barycentric_bounds(const Question& question, const reference::Answer& true_rounded) {
@@ -258,22 +316,39 @@ fast::Tangent barycentric_bounds(const Question& question, const reference::Answ
   return sum.errors(question.mode);
 }
 
+/// Whether force and torque are sums of what is linear in the elements' integrals, and so are their derivatives by r
+/// and a turn: nothing damps or rubs, or nothing moves.
+bool loads_are_linear(const Question& question) {
+  const ContactLaw& law = question.law;
+  return (law.damping == 0 && law.friction == 0) || (question.velocity.v.isZero(0) && question.velocity.w.isZero(0));
+}
+
 fast::Tangent clipped_bounds(const Question& question, const reference::Answer& true_rounded,
                              const std::vector<reference::ElementMotion>& motions) {
   const ClippedBounds bounds(question, true_rounded);
   std::optional<MasterView> view;
   SlopeSum sum;
+  const ErrorOf of = loads_are_linear(question) ? ErrorOf::linear_sums : ErrorOf::each;
   for (std::size_t i = 0; i < true_rounded.elements.size(); ++i) {
     const reference::Element& e = true_rounded.elements[i];
     const ClippedBounds::OfElement& bound = bounds.elements()[i];
     if (!view || view->master() != e.master || view->master_face() != e.master_face)
       view.emplace(bounds.faces(), e.master, e.master_face);
     if (bound.sliver) {
-      sum.add(greatest_slopes_of_sliver(question, e, bound, greatest_part_growth(question, e, bound, *view)));
+      // What underflows is lost to whatever ends beside it.
+      const ErrorOf of_sliver = bound.may_underflow ? ErrorOf::each : of;
+      sum.add(
+          greatest_slopes_of_sliver(question, e, bound, greatest_part_growth(question, e, bound, *view, of_sliver)));
       continue;
     }
-    const PartMotionError error = part_motion_error(question, e, bound, *view);
-    sum.add(MovingElement(question, e, bound.bounds), ClippedGeometry(question, e, bound.bounds, motions[i], error));
+    const PartMotionError error = part_motion_error(question, e, bound, *view, of);
+    const MovingElement moving(question, e, bound.bounds);
+    const ClippedGeometry geometry(question, e, bound.bounds, motions[i], error);
+    if (of == ErrorOf::linear_sums) {
+      sum.add(ElasticElement(question, e, bound.bounds), moving, geometry);
+    } else {
+      sum.add(moving, geometry);
+    }
   }
   return sum.errors(question.mode);
 }

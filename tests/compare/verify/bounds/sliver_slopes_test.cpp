@@ -60,7 +60,7 @@ TEST(SliverSlopes, OfTheOraclesSliversWithoutMotionAreNoGreater) {
                                  ++slivers;
                                  const MasterView view(bounds.faces(), e.master, e.master_face);
                                  const GreatestSlopes greatest = greatest_slopes_of_sliver(
-                                     question, e, bound, greatest_part_growth(question, e, bound, view));
+                                     question, e, bound, greatest_part_growth(question, e, bound, view, ErrorOf::each));
                                  for (Eigen::Index k = 0; k < 6; ++k) {
                                    const auto& motion = truth.elements[i].slope;
                                    const double grows =
