@@ -296,7 +296,8 @@ double MasterView::area_about_depth(Index slave_face, double depth, double error
   return no_more(area_near_zero(part, error), greatest_area());
 }
 
-// The master's faces see the same if no more than roundings part their planes.
+// Two faces of the master see the same only if they lie in one plane exactly: else their lines part at the common side,
+// and a border that lies between is seen by both, or by neither.
 SightLine::Continuation MasterView::continuation_beyond(Side side, Index face, std::size_t k) const {
   const Triangle& corners = faces_.surface(side).mesh.faces[static_cast<std::size_t>(face)];
   const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
@@ -306,9 +307,8 @@ SightLine::Continuation MasterView::continuation_beyond(Side side, Index face, s
   SightLine::Continuation continuation;
   if (side == master_) {
     const RoundedFaces::Face next = faces_.face(side, beyond);
-    const double errors = face_.normal_error + next.normal_error, angle = (next.normal_Me - face_.normal_Me).norm();
-    if (!(next.area > 0 && angle <= kHigherOrder * errors)) return {};
-    continuation.turn = angle + errors;
+    if (!(next.area > 0) || faces_.corners_by_plane(side, face, side, beyond).on != 3) return {};
+    continuation.turn = (next.normal_Me - face_.normal_Me).norm() + face_.normal_error + next.normal_error;
   }
   const SeenFace here = seen(side, face), there = seen(side, beyond);
   const SeenPoint &from = here[k], way = here[(k + 1) % 3] - from;

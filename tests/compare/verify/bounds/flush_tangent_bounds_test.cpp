@@ -4,13 +4,14 @@
 // tell alone, the sum has to have once.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <functional>
 #include <vector>
 
 #include "compare/verify/routes/held_pairing.h"
 #include "compare/verify/verdict/tangent_verdict.h"
 #include "meshes/generate/boxes.h"
+#include "meshes/generate/degenerate/hard_bodies.h"
 #include "meshes/generate/parts.h"
 #include "pcm/engine.h"
 #include "reference/oracle.h"
@@ -29,6 +30,7 @@ constexpr double kOfABorder = kStiffness * kDepth;
 struct Flush {
   TriangleMesh E, F;
   Vector3d r{0, 0, -kDepth};
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
 };
 
 void lean(TriangleMesh& mesh, double low, double high, double by) {
@@ -46,25 +48,26 @@ Flush on_the_middle_cell(double by) {
 
 const Velocity kAtRest{}, kMoving{{0.3, -0.2, -1}, {0.5, 0.4, -0.3}};
 
+/// Against the oracle's.
 struct Judged {
   fast::Tangent found, truth, allowed;
 
   bool passes(const fast::Tangent& tangent) const { return ((tangent - truth).array().abs() <= allowed.array()).all(); }
 };
 
-/// With E's faces as masters.
-Judged judged(const Flush& flush, const Vector3d& off, const ContactLaw& law, const Velocity& velocity = kMoving) {
-  const HeldPairing held(flush.E, flush.F, law, Mode::E, Scheme::clipped);
-  const Pose pose{Eigen::Matrix3d::Identity(), flush.r + off};
+Judged judged(const Flush& flush, const Vector3d& off, const ContactLaw& law, const Velocity& velocity = kMoving,
+              Mode mode = Mode::E) {
+  const HeldPairing held(flush.E, flush.F, law, mode, Scheme::clipped);
+  const Pose pose{flush.A, flush.r + off};
   Wanted wanted;
   wanted.tangent = true;
   fast::Workspace workspace;
   const fast::Contact& contact = fast::evaluate(held.engine(), pose, velocity, wanted, workspace);
   reference::Inquiry inquiry(held.oracle(), pose, velocity, {}, law, Scheme::clipped);
-  const reference::Tangent truth = inquiry.tangent(reference::Problem::rounded, Mode::E);
+  const reference::Tangent truth = inquiry.tangent(reference::Problem::rounded, mode);
   return {*contact.tangent, truth.slope,
           allowed_errors(held.question(pose, velocity), contact.elements,
-                         inquiry.answer(reference::Problem::rounded, Mode::E), truth)};
+                         inquiry.answer(reference::Problem::rounded, mode), truth)};
 }
 
 ContactLaw elastic() {
@@ -81,6 +84,7 @@ ContactLaw damped() {
 }
 
 void for_each_distance(const std::function<void(const Vector3d& off)>& visit) {
+  visit(Vector3d::Zero());
   for (double distance = 0x1p-52; distance < 0x1p-45; distance *= 2)
     for (const double off : {-distance, distance})
       for (const Vector3d& along : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(1, -0.75, 0)}) {
@@ -119,6 +123,21 @@ TEST(FlushTangentBounds, HaveRoomForTheTruthToTheOtherSideOfATie) {
       const Judged here = judged(on_the_middle_cell(by), off, elastic());
       EXPECT_TRUE(here.passes(judged(on_the_middle_cell(by), -off, elastic()).truth)) << by;
     });
+}
+
+/// The lines of faces in one plane but for roundings part at their common side, or cross: a border there is seen by
+/// none of them, or by both. Here an edge of the hollow cube lies within an ulp of the cube's diagonal.
+TEST(FlushTangentBounds, HaveRoomForWhatFacesInOnePlaneButForRoundingsSee) {
+  Flush flush{degenerate::hollow_cube(0.5), generate::box({1, 1, 1})};
+  flush.A << 0x1.af286bca1af28p-5, -0x1.435e50d79435ep-2, -0x1.e50d79435e50dp-1,  //
+      0x1.435e50d79435ep-2, -0x1.ca1af286bca1bp-1, 0x1.435e50d79435ep-2,          //
+      -0x1.e50d79435e50dp-1, -0x1.435e50d79435ep-2, 0x1.af286bca1af28p-5;
+  flush.r = {-0x1.1435e50d79436p-1, 0x1.06bca1af286bcp-1, -0x1.435e50d79436p-5};
+  const Judged here = judged(flush, Vector3d::Zero(), elastic(), kMoving, Mode::F);
+  const Judged beside = judged(flush, {1e-9, 0, 0}, elastic(), kMoving, Mode::F);
+  EXPECT_TRUE(here.passes(here.found));
+  EXPECT_TRUE(here.passes(beside.truth));
+  EXPECT_GT((here.truth - beside.truth).cwiseAbs().maxCoeff(), 0.1 * here.truth.cwiseAbs().maxCoeff());
 }
 
 /// Damping fades with the mean depth of an element: it is not the same for whichever element has the border.
