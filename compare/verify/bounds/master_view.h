@@ -60,7 +60,7 @@ struct SightLine {
     /// The side's length over how far the face beyond reaches from it: near its ends that face is narrower than a
     /// width over as many widths.
     double taper = std::numeric_limits<double>::infinity();
-    double turn = 0;  ///< of the lines from one master face to the other, rad
+    double turn = 0;  ///< of a right engine's lines from one master face to the other, rad
   } continuation;
 };
 
